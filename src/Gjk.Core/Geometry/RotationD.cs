@@ -1,0 +1,49 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A rotation matrix in double, from a float quaternion that is divided by its own squared length, so that a quaternion
+/// a few units in the last place off unit length still gives a rotation to 1e-16.
+/// </summary>
+internal readonly struct RotationD
+{
+    public readonly double M00, M01, M02, M10, M11, M12, M20, M21, M22;
+
+    public RotationD(Quaternion q)
+        : this(q.X, q.Y, q.Z, q.W)
+    {
+    }
+
+    /// <summary>The matrix of q/|q|: (w² - u²) I + 2 u uᵀ + 2 w [u]ₓ over |q|² (Shoemake 1985).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public RotationD(double x, double y, double z, double w)
+    {
+        double xx = x * x, yy = y * y, zz = z * z, ww = w * w;
+        double s = 2 / (xx + yy + zz + ww);
+        double xy = x * y * s, xz = x * z * s, yz = y * z * s;
+        double wx = w * x * s, wy = w * y * s, wz = w * z * s;
+        M00 = 1 - (yy + zz) * s;
+        M01 = xy - wz;
+        M02 = xz + wy;
+        M10 = xy + wz;
+        M11 = 1 - (xx + zz) * s;
+        M12 = yz - wx;
+        M20 = xz - wy;
+        M21 = yz + wx;
+        M22 = 1 - (xx + yy) * s;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3D Rotate(in Vector3D v) => new(
+        M00 * v.X + M01 * v.Y + M02 * v.Z,
+        M10 * v.X + M11 * v.Y + M12 * v.Z,
+        M20 * v.X + M21 * v.Y + M22 * v.Z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3D InverseRotate(in Vector3D v) => new(
+        M00 * v.X + M10 * v.Y + M20 * v.Z,
+        M01 * v.X + M11 * v.Y + M21 * v.Z,
+        M02 * v.X + M12 * v.Y + M22 * v.Z);
+}

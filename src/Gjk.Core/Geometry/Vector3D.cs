@@ -1,0 +1,104 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A vector of three doubles. The library's inputs and outputs are <see cref="Vector3"/>; directions and support points
+/// are doubles, because a support taken in a rounded direction can be the wrong vertex.
+/// </summary>
+/// <remarks>Immutable. No method throws; NaN and infinities pass through as IEEE 754 has it.</remarks>
+public readonly struct Vector3D : IEquatable<Vector3D>
+{
+    /// <summary>The x component.</summary>
+    public readonly double X;
+
+    /// <summary>The y component.</summary>
+    public readonly double Y;
+
+    /// <summary>The z component.</summary>
+    public readonly double Z;
+
+    /// <summary>Makes a vector from its components.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3D(double x, double y, double z)
+    {
+        X = x;
+        Y = y;
+        Z = z;
+    }
+
+    /// <summary>The squared length, in units squared.</summary>
+    public double LengthSquared
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => X * X + Y * Y + Z * Z;
+    }
+
+    /// <summary>The length, in the units of the components.</summary>
+    public double Length => Math.Sqrt(LengthSquared);
+
+    /// <summary>True when no component is NaN or infinite.</summary>
+    public bool IsFinite => X - X + (Y - Y) + (Z - Z) == 0;
+
+    /// <summary>The dot product a · b.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Dot(in Vector3D a, in Vector3D b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+
+    /// <summary>The cross product a × b (right-handed).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D Cross(in Vector3D a, in Vector3D b) =>
+        new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
+
+    /// <summary>Component-wise product.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D Multiply(in Vector3D a, in Vector3D b) => new(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
+
+    /// <summary>Sum.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D operator +(in Vector3D a, in Vector3D b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+    /// <summary>Difference.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D operator -(in Vector3D a, in Vector3D b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+
+    /// <summary>The opposite vector.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D operator -(in Vector3D a) => new(-a.X, -a.Y, -a.Z);
+
+    /// <summary>Product with a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D operator *(in Vector3D a, double s) => new(a.X * s, a.Y * s, a.Z * s);
+
+    /// <summary>Product with a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D operator *(double s, in Vector3D a) => new(a.X * s, a.Y * s, a.Z * s);
+
+    /// <summary>Every float is a double, so this widening is exact.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static implicit operator Vector3D(Vector3 v) => new(v.X, v.Y, v.Z);
+
+    /// <summary>Rounds each component to the nearest float.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static explicit operator Vector3(in Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
+
+    /// <summary>Component-wise equality.</summary>
+    public static bool operator ==(in Vector3D a, in Vector3D b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+
+    /// <summary>Component-wise inequality.</summary>
+    public static bool operator !=(in Vector3D a, in Vector3D b) => !(a == b);
+
+    /// <inheritdoc/>
+    public bool Equals(Vector3D other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
+
+    /// <inheritdoc/>
+    public override bool Equals(object? obj) => obj is Vector3D other && Equals(other);
+
+    /// <inheritdoc/>
+    public override int GetHashCode() => (X.GetHashCode() * 397 ^ Y.GetHashCode()) * 397 ^ Z.GetHashCode();
+
+    /// <summary>The components in invariant culture, as many digits as a reader needs to get the same doubles back.</summary>
+    public override string ToString() =>
+        FormattableString.Invariant($"<{X:R}, {Y:R}, {Z:R}>");
+}

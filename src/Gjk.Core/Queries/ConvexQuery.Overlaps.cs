@@ -1,0 +1,66 @@
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>Whether two convex shapes share a point, touching included: exactly when <c>Distance(a, b)</c> says <see cref="GjkStatus.Overlapping"/>.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <returns>False too when the input is invalid; the other overload tells.</returns>
+    public static bool Overlaps<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        Overlaps(a, poseA, b, poseB, out _);
+
+    /// <summary>As the other, with the status: Separated, Overlapping, or why there is no answer.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="status">Separated or Overlapping; otherwise why the return value is false.</param>
+    /// <returns>True when the shapes share a point.</returns>
+    public static bool Overlaps<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out GjkStatus status)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA copyA = default;
+        TB copyB = default;
+        ref TA shapeA = ref Inward(a, ref copyA);
+        ref TB shapeB = ref Inward(b, ref copyB);
+        var bInA = new RelativePose(poseA, poseB, shapeA.Center, shapeB.Center, shapeA.BoundingRadius + shapeB.BoundingRadius);
+        if (!bInA.IsValid(poseA, poseB))
+        {
+            status = GjkStatus.InvalidInput;
+            return false;
+        }
+
+        double margins = shapeA.Margin + shapeB.Margin;
+        if (margins == 0)
+        {
+            GjkOverlap.Answer answer = GjkOverlap.Solve(ref shapeA, ref shapeB, bInA, FirstNormal(bInA));
+            if (answer != GjkOverlap.Answer.Unknown)
+            {
+                status = answer == GjkOverlap.Answer.Overlapping ? GjkStatus.Overlapping : GjkStatus.Separated;
+                return answer == GjkOverlap.Answer.Overlapping;
+            }
+        }
+
+        GjkOutcome outcome = default;
+        SolveCores(ref shapeA, ref shapeB, bInA, margins + GjkTolerances.SeparatedBand * bInA.Radius, ref outcome);
+        status = OverlapStatus(outcome, margins + GjkTolerances.Touch * bInA.Radius);
+        return status == GjkStatus.Overlapping;
+    }
+
+    /// <summary>The distance solver's outcome, reduced to the boolean question.</summary>
+    private static GjkStatus OverlapStatus(in GjkOutcome outcome, double reach)
+    {
+        if (outcome.Status == GjkStatus.BeyondMaxDistance) return GjkStatus.Separated;
+        if (outcome.Status != GjkStatus.Separated) return outcome.Status;
+        return outcome.Feature.Height <= reach * System.Math.Sqrt(outcome.Feature.NormalSquared) ? GjkStatus.Overlapping : GjkStatus.Separated;
+    }
+}

@@ -1,0 +1,56 @@
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>The verbs: do two convex shapes overlap, how far apart are they, where are the closest points.</summary>
+/// <remarks>
+/// Every method is thread-safe, allocates nothing, never throws (exceptions of a shape of your own pass through) and ends on any input.
+/// </remarks>
+public static partial class ConvexQuery
+{
+    /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a shape's own mistakes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ref T Inward<T>(in T shape, ref T copy)
+        where T : struct
+    {
+#if NET
+        return ref Unsafe.AsRef(in shape);
+#else
+        copy = shape;
+        return ref copy;
+#endif
+    }
+
+    /// <summary>The first normal: from B's centre to A's, or any where they coincide.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector3D FirstNormal(in RelativePose bInA)
+    {
+        Vector3D normal = -bInA.Translation;
+        return normal.LengthSquared > 0 ? normal : new Vector3D(1, 0, 0);
+    }
+
+    /// <summary>Cold solve of the cores; what double cannot prove goes to extended precision.</summary>
+    private static void SolveCores<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, double maxCoreDistance, ref GjkOutcome outcome)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        outcome.Feature.Normal = FirstNormal(bInA);
+        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome);
+        if (outcome.Status == GjkStatus.IterationLimit)
+            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome);
+    }
+
+    /// <summary>The largest float that is not above x: a bound may be rounded in one direction only.</summary>
+    internal static float RoundDown(double x)
+    {
+        float f = (float)x;
+        if (f <= x) return f;
+        if (float.IsInfinity(f)) return float.MaxValue;
+        int bits = FloatBits(f);
+        return BitsFloat(f > 0 ? bits - 1 : f < 0 ? bits + 1 : unchecked((int)0x80000001));
+    }
+
+    private static unsafe int FloatBits(float f) => *(int*)&f;
+
+    private static unsafe float BitsFloat(int bits) => *(float*)&bits;
+}

@@ -1,0 +1,73 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The answer of <see cref="ConvexQuery"/>'s distance verb. Lengths and points are in world units and the world frame unless
+/// the name says otherwise. What is valid under which status: see <see cref="GjkStatus"/>.
+/// </summary>
+public readonly struct DistanceResult
+{
+    /// <summary>What was found.</summary>
+    public readonly GjkStatus Status;
+
+    /// <summary>The distance between the shapes, rounded to float: at least 0; 0 when overlapping.</summary>
+    public readonly float Distance;
+
+    /// <summary>
+    /// A proved lower bound of the distance: the gap between two parallel planes that separate the shapes, evaluated in double and rounded down.
+    /// </summary>
+    public readonly float LowerBound;
+
+    /// <summary>The point of A that is closest to B.</summary>
+    public readonly Vector3 PointA;
+
+    /// <summary>The point of B that is closest to A.</summary>
+    public readonly Vector3 PointB;
+
+    /// <summary>The unit vector from A to B, perpendicular to the separating planes; zero when overlapping.</summary>
+    public readonly Vector3 Normal;
+
+    /// <summary><see cref="PointA"/> in A's own frame, where far from the world's origin a float holds it better.</summary>
+    public readonly Vector3 LocalPointA;
+
+    /// <summary><see cref="PointB"/> in B's own frame.</summary>
+    public readonly Vector3 LocalPointB;
+
+    /// <summary>How many times both shapes were asked for a support point, the one that proved the end included.</summary>
+    public readonly int Iterations;
+
+    internal DistanceResult(
+        GjkStatus status, float distance, float lowerBound, Vector3 pointA, Vector3 pointB, Vector3 normal,
+        Vector3 localPointA, Vector3 localPointB, int iterations)
+    {
+        Status = status;
+        Distance = distance;
+        LowerBound = lowerBound;
+        PointA = pointA;
+        PointB = pointB;
+        Normal = normal;
+        LocalPointA = localPointA;
+        LocalPointB = localPointB;
+        Iterations = iterations;
+    }
+
+    /// <summary>True when the shapes share a point, touching included.</summary>
+    public bool Overlaps => Status == GjkStatus.Overlapping;
+
+    /// <summary>The same answer with A and B exchanged.</summary>
+    public DistanceResult Swapped => new(
+        Status, Distance, LowerBound, PointB, PointA, -Normal, LocalPointB, LocalPointA, Iterations);
+
+    internal static DistanceResult Invalid(GjkStatus status, int iterations)
+    {
+        var nan = new Vector3(float.NaN);
+        return new(status, float.NaN, float.NaN, nan, nan, nan, nan, nan, iterations);
+    }
+
+    internal static DistanceResult Beyond(float lowerBound, Vector3 normal, int iterations)
+    {
+        var nan = new Vector3(float.NaN);
+        return new(GjkStatus.BeyondMaxDistance, float.PositiveInfinity, lowerBound, nan, nan, normal, nan, nan, iterations);
+    }
+}

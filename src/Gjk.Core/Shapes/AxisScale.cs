@@ -1,0 +1,43 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// How a scale acts on a support map. A scale of the same size along every axis (mirrored or not) maps balls to balls, so the
+/// margin stays a margin; any other one makes the margin an ellipsoid, which then belongs to the support.
+/// </summary>
+internal readonly struct AxisScale
+{
+    public readonly Vector3D Factors;
+    public readonly bool KeepsBalls;
+
+    public AxisScale(Vector3 factors)
+    {
+        Factors = factors;
+        KeepsBalls = Math.Abs(factors.X) == Math.Abs(factors.Y) && Math.Abs(factors.Y) == Math.Abs(factors.Z);
+    }
+
+    public double Largest => Math.Max(Math.Max(Math.Abs(Factors.X), Math.Abs(Factors.Y)), Math.Abs(Factors.Z));
+
+    public double Margin(double innerMargin) => KeepsBalls ? innerMargin * Math.Abs(Factors.X) : 0;
+
+    /// <summary>The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map itself).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3D Inward(in Vector3D direction) => Vector3D.Multiply(Factors, direction);
+
+    /// <summary>Scales a support point outward; a margin that is an ellipsoid now is added here, and the vertex loses its id.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Outward(int id, double innerMargin, in Vector3D inward, ref Vector3D point)
+    {
+        if (innerMargin > 0 && !KeepsBalls)
+        {
+            point += inward * (innerMargin / inward.Length);
+            id = -1;
+        }
+
+        point = Vector3D.Multiply(Factors, point);
+        return id;
+    }
+}

@@ -1,0 +1,30 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>A box about the local origin, its faces square to the local axes.</summary>
+public readonly struct BoxShape : ISupportMap
+{
+    /// <summary>Half the side lengths, each at least 0.</summary>
+    public readonly Vector3 HalfExtents;
+
+    /// <summary>Makes a box.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">A half extent is negative, NaN or infinite.</exception>
+    public BoxShape(Vector3 halfExtents) => HalfExtents = Guard.NonNegative(halfExtents, nameof(halfExtents));
+
+    /// <inheritdoc/>
+    public Vector3D Center => default;
+
+    /// <inheritdoc/>
+    public double Margin => 0;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => ((Vector3D)HalfExtents).Length;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
+        PrimitiveSupport.Box(HalfExtents, direction, out point);
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point) => PrimitiveSupport.TryBoxVertex(HalfExtents, id, out point);
+}

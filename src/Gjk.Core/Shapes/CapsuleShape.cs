@@ -1,0 +1,40 @@
+namespace Gjk.Core;
+
+/// <summary>A capsule along the local y axis: a segment core with the radius as its margin.</summary>
+public readonly struct CapsuleShape : ISupportMap
+{
+    /// <summary>The radius, at least 0.</summary>
+    public readonly float Radius;
+
+    /// <summary>Half the length of the segment, the round caps not included; at least 0.</summary>
+    public readonly float HalfHeight;
+
+    /// <summary>Makes a capsule.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
+    public CapsuleShape(float radius, float halfHeight)
+    {
+        Radius = Guard.NonNegative(radius, nameof(radius));
+        HalfHeight = Guard.NonNegative(halfHeight, nameof(halfHeight));
+    }
+
+    /// <inheritdoc/>
+    public Vector3D Center => default;
+
+    /// <inheritdoc/>
+    public double Margin => Radius;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => (double)Radius + HalfHeight;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        bool down = direction.Y < 0;
+        point = new Vector3D(0, down ? -(double)HalfHeight : HalfHeight, 0);
+        return down ? 1 : 0;
+    }
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point) =>
+        PrimitiveSupport.Two(new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), id, out point);
+}

@@ -1,0 +1,42 @@
+namespace Gjk.Core;
+
+/// <summary>A cone about the local y axis: the apex at +HalfHeight, the base's disc at -HalfHeight.</summary>
+public readonly struct ConeShape : ISupportMap
+{
+    /// <summary>The radius of the disc, at least 0.</summary>
+    public readonly float Radius;
+
+    /// <summary>Half the height, at least 0.</summary>
+    public readonly float HalfHeight;
+
+    /// <summary>Makes a cone.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
+    public ConeShape(float radius, float halfHeight)
+    {
+        Radius = Guard.NonNegative(radius, nameof(radius));
+        HalfHeight = Guard.NonNegative(halfHeight, nameof(halfHeight));
+    }
+
+    /// <inheritdoc/>
+    public Vector3D Center => default;
+
+    /// <inheritdoc/>
+    public double Margin => 0;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => new Vector3D(Radius, HalfHeight, 0).Length;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        point = PrimitiveSupport.Cone(Radius, HalfHeight, direction);
+        return -1;
+    }
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        point = default;
+        return false;
+    }
+}

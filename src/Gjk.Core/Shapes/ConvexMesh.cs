@@ -1,0 +1,52 @@
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.</summary>
+public readonly struct ConvexMesh : ISupportMap
+{
+    private readonly ConvexHull? _hull;
+
+    /// <summary>Makes a mesh from a hull that was built before.</summary>
+    /// <exception cref="System.ArgumentNullException">The hull is null.</exception>
+    public ConvexMesh(ConvexHull hull) => _hull = Guard.NotNull(hull, nameof(hull));
+
+    /// <summary>Builds the hull of the vertices. Build it once and keep it: this is the expensive part.</summary>
+    /// <exception cref="System.ArgumentNullException">The list is null.</exception>
+    /// <exception cref="System.ArgumentException">The list is empty, or a coordinate is NaN or infinite.</exception>
+    public ConvexMesh(IReadOnlyList<Vector3> vertices) => _hull = new ConvexHull(vertices);
+
+    /// <summary>The hull; null in <c>default(ConvexMesh)</c> only.</summary>
+    public ConvexHull? Hull => _hull;
+
+    /// <inheritdoc/>
+    public Vector3D Center => _hull is null ? default : _hull.Center;
+
+    /// <inheritdoc/>
+    public double Margin => 0;
+
+    /// <summary>NaN in <c>default(ConvexMesh)</c>, which no query accepts.</summary>
+    public double BoundingRadius => _hull is null ? double.NaN : _hull.BoundingRadius;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        int id = HullSupport.Find(_hull!, direction, hint);
+        _hull!.GetVertex(id, out point);
+        return id;
+    }
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        if (_hull is null || (uint)id >= (uint)_hull.VertexCount)
+        {
+            point = default;
+            return false;
+        }
+
+        _hull.GetVertex(id, out point);
+        return true;
+    }
+}

@@ -1,0 +1,38 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>An ellipsoid about the local origin, its axes along the local ones. A radius of 0 flattens it.</summary>
+public readonly struct EllipsoidShape : ISupportMap
+{
+    /// <summary>The semi-axes, each at least 0.</summary>
+    public readonly Vector3 Radii;
+
+    /// <summary>Makes an ellipsoid.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A radius is negative, NaN or infinite.</exception>
+    public EllipsoidShape(Vector3 radii) => Radii = Guard.NonNegative(radii, nameof(radii));
+
+    /// <inheritdoc/>
+    public Vector3D Center => default;
+
+    /// <inheritdoc/>
+    public double Margin => 0;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => Math.Max(Math.Max(Radii.X, Radii.Y), Radii.Z);
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        point = PrimitiveSupport.Ellipsoid(Radii, direction);
+        return -1;
+    }
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        point = default;
+        return false;
+    }
+}

@@ -1,0 +1,28 @@
+namespace Gjk.Core;
+
+/// <summary>A single point: the local origin.</summary>
+public readonly struct PointShape : ISupportMap
+{
+    /// <inheritdoc/>
+    public Vector3D Center => default;
+
+    /// <inheritdoc/>
+    public double Margin => 0;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => 0;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        point = default;
+        return 0;
+    }
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        point = default;
+        return id == 0;
+    }
+}

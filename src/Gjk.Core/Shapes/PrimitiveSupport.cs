@@ -1,0 +1,81 @@
+using System;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The closed-form support functions, each written once for the shape struct and for <see cref="ConvexShape"/>. Ties go to the
+/// lowest id. Ericson, Real-Time Collision Detection (2004), section 9.5, has them all but the cone, which is in van den Bergen (2003), section 4.3.4.
+/// </summary>
+internal static class PrimitiveSupport
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Segment(in Vector3D a, in Vector3D b, in Vector3D direction, out Vector3D point)
+    {
+        bool first = Vector3D.Dot(direction, a) >= Vector3D.Dot(direction, b);
+        point = first ? a : b;
+        return first ? 0 : 1;
+    }
+
+    public static int Triangle(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, out Vector3D point)
+    {
+        double da = Vector3D.Dot(direction, a), db = Vector3D.Dot(direction, b), dc = Vector3D.Dot(direction, c);
+        int id = da >= db ? (da >= dc ? 0 : 2) : (db >= dc ? 1 : 2);
+        point = id == 0 ? a : id == 1 ? b : c;
+        return id;
+    }
+
+    /// <summary>Corner ids: bit 0, 1, 2 set where x, y, z is at its negative end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Box(in Vector3D half, in Vector3D direction, out Vector3D point)
+    {
+        bool x = direction.X < 0, y = direction.Y < 0, z = direction.Z < 0;
+        point = new Vector3D(x ? -half.X : half.X, y ? -half.Y : half.Y, z ? -half.Z : half.Z);
+        return (x ? 1 : 0) | (y ? 2 : 0) | (z ? 4 : 0);
+    }
+
+    public static bool TryBoxVertex(in Vector3D half, int id, out Vector3D point)
+    {
+        point = new Vector3D((id & 1) != 0 ? -half.X : half.X, (id & 2) != 0 ? -half.Y : half.Y, (id & 4) != 0 ? -half.Z : half.Z);
+        return (uint)id < 8u;
+    }
+
+    /// <summary>The disc of the given radius about the y axis: the rim point in the direction, the centre where the direction has no radial part.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Disc(double radius, in Vector3D direction, out double x, out double z)
+    {
+        double radial = Math.Sqrt(direction.X * direction.X + direction.Z * direction.Z);
+        double s = radial > 0 ? radius / radial : 0;
+        x = s * direction.X;
+        z = s * direction.Z;
+    }
+
+    public static Vector3D Cylinder(double radius, double halfHeight, in Vector3D direction)
+    {
+        Disc(radius, direction, out double x, out double z);
+        return new Vector3D(x, direction.Y < 0 ? -halfHeight : halfHeight, z);
+    }
+
+    /// <summary>The better of the apex and the base's rim point.</summary>
+    public static Vector3D Cone(double radius, double halfHeight, in Vector3D direction)
+    {
+        Disc(radius, direction, out double x, out double z);
+        double apex = direction.Y * halfHeight;
+        double rim = direction.X * x + direction.Z * z - apex;
+        return apex >= rim ? new Vector3D(0, halfHeight, 0) : new Vector3D(x, -halfHeight, z);
+    }
+
+    /// <summary>The unit ball's support in the direction seen by it, mapped back: D (D d / |D d|) with D = diag(radii).</summary>
+    public static Vector3D Ellipsoid(in Vector3D radii, in Vector3D direction)
+    {
+        Vector3D scaled = Vector3D.Multiply(radii, direction);
+        double length = scaled.Length;
+        return length > 0 ? Vector3D.Multiply(radii, scaled) * (1 / length) : default;
+    }
+
+    public static bool Two(in Vector3D a, in Vector3D b, int id, out Vector3D point)
+    {
+        point = id == 0 ? a : b;
+        return (uint)id < 2u;
+    }
+}

@@ -1,0 +1,39 @@
+namespace Gjk.Core;
+
+/// <summary>Any shape widened by a radius: its Minkowski sum with a ball. The radius only adds to the margin, so queries stay as fast.</summary>
+/// <typeparam name="T">The shape inside.</typeparam>
+public readonly struct Rounded<T> : ISupportMap
+    where T : struct, ISupportMap
+{
+    private readonly T _inner;
+    private readonly float _radius;
+
+    /// <summary>Widens a shape.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">The radius is negative, NaN or infinite.</exception>
+    public Rounded(in T inner, float radius)
+    {
+        _inner = inner;
+        _radius = Guard.NonNegative(radius, nameof(radius));
+    }
+
+    /// <summary>The shape inside.</summary>
+    public T Inner => _inner;
+
+    /// <summary>The added radius, in local units.</summary>
+    public float Radius => _radius;
+
+    /// <inheritdoc/>
+    public Vector3D Center => _inner.Center;
+
+    /// <inheritdoc/>
+    public double Margin => _inner.Margin + _radius;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => _inner.BoundingRadius + _radius;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point) => _inner.Support(direction, hint, out point);
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);
+}

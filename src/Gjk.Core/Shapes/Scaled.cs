@@ -1,0 +1,58 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>Any shape scaled along its local axes; negative factors mirror it. The products are taken in double, where they are exact for float vertices.</summary>
+/// <typeparam name="T">The shape inside.</typeparam>
+public readonly struct Scaled<T> : ISupportMap
+    where T : struct, ISupportMap
+{
+    private readonly T _inner;
+    private readonly AxisScale _scale;
+
+    /// <summary>Scales a shape by one factor along every axis.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">The factor is 0, NaN or infinite.</exception>
+    public Scaled(in T inner, float scale)
+        : this(inner, new Vector3(scale))
+    {
+    }
+
+    /// <summary>Scales a shape.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">A factor is 0, NaN or infinite.</exception>
+    public Scaled(in T inner, Vector3 scale)
+    {
+        _inner = inner;
+        _scale = new AxisScale(Guard.Scale(scale, nameof(scale)));
+    }
+
+    /// <summary>The shape inside.</summary>
+    public T Inner => _inner;
+
+    /// <summary>The factors, none of them 0.</summary>
+    public Vector3 Factors => (Vector3)_scale.Factors;
+
+    /// <inheritdoc/>
+    public Vector3D Center => Vector3D.Multiply(_scale.Factors, _inner.Center);
+
+    /// <inheritdoc/>
+    public double Margin => _scale.Margin(_inner.Margin);
+
+    /// <summary>The inner radius times the largest factor; NaN in a <c>default</c> struct, which no query accepts.</summary>
+    public double BoundingRadius => _scale.Largest > 0 ? _inner.BoundingRadius * _scale.Largest : double.NaN;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        Vector3D inward = _scale.Inward(direction);
+        int id = _inner.Support(inward, hint, out point);
+        return _scale.Outward(id, _inner.Margin, inward, ref point);
+    }
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        bool found = _inner.TryGetVertex(id, out point) && (_scale.KeepsBalls || _inner.Margin == 0);
+        point = Vector3D.Multiply(_scale.Factors, point);
+        return found;
+    }
+}

@@ -1,0 +1,37 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>The straight line between two points, both included; they may coincide.</summary>
+public readonly struct SegmentShape : ISupportMap
+{
+    /// <summary>One end.</summary>
+    public readonly Vector3 A;
+
+    /// <summary>The other end.</summary>
+    public readonly Vector3 B;
+
+    /// <summary>Makes a segment.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">A coordinate is NaN or infinite.</exception>
+    public SegmentShape(Vector3 a, Vector3 b)
+    {
+        A = Guard.Finite(a, nameof(a));
+        B = Guard.Finite(b, nameof(b));
+    }
+
+    /// <inheritdoc/>
+    public Vector3D Center => ((Vector3D)A + B) * 0.5;
+
+    /// <inheritdoc/>
+    public double Margin => 0;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => ((Vector3D)B - A).Length * 0.5;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
+        PrimitiveSupport.Segment(A, B, direction, out point);
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point) => PrimitiveSupport.Two(A, B, id, out point);
+}

@@ -1,0 +1,51 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>A triangle, filled; it may be degenerate (a segment or a point).</summary>
+public readonly struct TriangleShape : ISupportMap
+{
+    /// <summary>The first corner.</summary>
+    public readonly Vector3 A;
+
+    /// <summary>The second corner.</summary>
+    public readonly Vector3 B;
+
+    /// <summary>The third corner.</summary>
+    public readonly Vector3 C;
+
+    /// <summary>Makes a triangle.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A coordinate is NaN or infinite.</exception>
+    public TriangleShape(Vector3 a, Vector3 b, Vector3 c)
+    {
+        A = Guard.Finite(a, nameof(a));
+        B = Guard.Finite(b, nameof(b));
+        C = Guard.Finite(c, nameof(c));
+    }
+
+    /// <inheritdoc/>
+    public Vector3D Center => Centroid(A, B, C);
+
+    /// <inheritdoc/>
+    public double Margin => 0;
+
+    /// <inheritdoc/>
+    public double BoundingRadius => RadiusAbout(Center, A, B, C);
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
+        PrimitiveSupport.Triangle(A, B, C, direction, out point);
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        point = id == 0 ? A : id == 1 ? B : C;
+        return (uint)id < 3u;
+    }
+
+    internal static Vector3D Centroid(in Vector3D a, in Vector3D b, in Vector3D c) => (a + b + c) * (1.0 / 3);
+
+    internal static double RadiusAbout(in Vector3D center, in Vector3D a, in Vector3D b, in Vector3D c) =>
+        Math.Sqrt(Math.Max(Math.Max((a - center).LengthSquared, (b - center).LengthSquared), (c - center).LengthSquared));
+}

@@ -1,0 +1,107 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The barycentric weights of the point of a simplex nearest the origin: at least 0, with sum 1. A vertex outside the nearest feature has weight 0.
+/// </summary>
+/// <remarks>
+/// Catto (GDC 2010) and Ericson (2004, section 5.1.5), with the areas taken as triple products with the face's normal, which stays accurate for needles.
+/// Total: a degenerate simplex (repeated points, collinear, flat) falls back to the best of its lower simplices, found by comparing them all. Unlike
+/// the solver's own step it assumes nothing about how the points were found.
+/// </remarks>
+internal static class ClosestPointWeights
+{
+    /// <summary>The nearest point of the segment AB.</summary>
+    public static Weights Segment(in Vector3D a, in Vector3D b)
+    {
+        Vector3D ab = b - a;
+        double along = -Vector3D.Dot(ab, a), length = ab.LengthSquared;
+        if (!(along > 0)) return new Weights(1, 0, 0, 0);
+        if (!(along < length)) return new Weights(0, 1, 0, 0);
+        double t = along / length;
+        return new Weights(1 - t, t, 0, 0);
+    }
+
+    /// <summary>The nearest point of the triangle ABC.</summary>
+    public static Weights Triangle(in Vector3D a, in Vector3D b, in Vector3D c)
+    {
+        Weights face = FaceWeights(a, b, c);
+        if (face.IsInside) return face;
+        Weights ab = Segment(a, b), bc = Segment(b, c), ca = Segment(c, a);
+        Weights best = ab;
+        double distance = ab.PointOf(a, b, c, default).LengthSquared;
+        Keep(ref best, ref distance, new Weights(0, bc.A, bc.B, 0), a, b, c, default);
+        Keep(ref best, ref distance, new Weights(ca.B, 0, ca.A, 0), a, b, c, default);
+        return best;
+    }
+
+    /// <summary>The nearest point of the tetrahedron ABCD; the origin itself when that is inside.</summary>
+    public static Weights Tetrahedron(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    {
+        Weights inside = VolumeWeights(a, b, c, d);
+        if (inside.IsInside) return inside;
+        Weights abc = Triangle(a, b, c), abd = Triangle(a, b, d), acd = Triangle(a, c, d), bcd = Triangle(b, c, d);
+        Weights best = abc;
+        double distance = abc.PointOf(a, b, c, d).LengthSquared;
+        Keep(ref best, ref distance, new Weights(abd.A, abd.B, 0, abd.C), a, b, c, d);
+        Keep(ref best, ref distance, new Weights(acd.A, 0, acd.B, acd.C), a, b, c, d);
+        Keep(ref best, ref distance, new Weights(0, bcd.A, bcd.B, bcd.C), a, b, c, d);
+        return best;
+    }
+
+    /// <summary>The origin's projection on the plane ABC in barycentric coordinates, negative or NaN where it is not a point of the triangle.</summary>
+    private static Weights FaceWeights(in Vector3D a, in Vector3D b, in Vector3D c)
+    {
+        Vector3D ab = b - a, ac = c - a, normal = Vector3D.Cross(ab, ac);
+        double area = normal.LengthSquared;
+        double wb = -Vector3D.Dot(Vector3D.Cross(ac, normal), a) / area;
+        double wc = -Vector3D.Dot(Vector3D.Cross(normal, ab), a) / area;
+        return new Weights(1 - wb - wc, wb, wc, 0);
+    }
+
+    /// <summary>The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum.</summary>
+    private static Weights VolumeWeights(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    {
+        double va = Vector3D.Dot(b, Vector3D.Cross(c, d)), vb = -Vector3D.Dot(a, Vector3D.Cross(c, d));
+        double vc = Vector3D.Dot(a, Vector3D.Cross(b, d)), vd = -Vector3D.Dot(a, Vector3D.Cross(b, c));
+        double sum = va + vb + vc + vd;
+        return new Weights(va / sum, vb / sum, vc / sum, vd / sum);
+    }
+
+    private static void Keep(
+        ref Weights best, ref double distance, in Weights candidate, in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    {
+        double squared = candidate.PointOf(a, b, c, d).LengthSquared;
+        if (!(squared < distance)) return;
+        distance = squared;
+        best = candidate;
+    }
+}
+
+/// <summary>Up to four barycentric weights.</summary>
+internal readonly struct Weights
+{
+    public readonly double A, B, C, D;
+
+    public Weights(double a, double b, double c, double d)
+    {
+        A = a;
+        B = b;
+        C = c;
+        D = d;
+    }
+
+    /// <summary>No weight is negative or NaN.</summary>
+    public bool IsInside => A >= 0 && B >= 0 && C >= 0 && D >= 0;
+
+    public Vector3D PointOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) => a * A + b * B + c * C + d * D;
+
+    /// <summary>Rounding can leave a weight a few units in the last place below 0; cut it off and share the rest out again.</summary>
+    public Weights Clamped()
+    {
+        double a = Math.Max(A, 0), b = Math.Max(B, 0), c = Math.Max(C, 0), d = Math.Max(D, 0);
+        double s = 1 / (a + b + c + d);
+        return new Weights(a * s, b * s, c * s, d * s);
+    }
+}

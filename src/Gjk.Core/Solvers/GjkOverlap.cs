@@ -1,0 +1,51 @@
+namespace Gjk.Core;
+
+/// <summary>
+/// GJK's boolean algorithm (Muratori 2006): do two cores without margins share a point? It answers only what rounding cannot change, and says so
+/// when it cannot.
+/// </summary>
+/// <remarks>
+/// Each round asks for the vertex furthest against the last normal. If even that one lies on the far side of the origin's plane, the plane separates; otherwise the
+/// vertex joins and <see cref="NextSimplex"/> moves on. Deviation: separation is called only when the plane's gap is larger than all rounding, enclosure
+/// only when the four determinants are certain; the rest, contact within some 1e-14 of the size, is Unknown and goes to the distance solver, so that the two never
+/// disagree. Termination: Muratori's step can cycle on degenerate input (that is the endless loop of implementations that trust it); MaxRounds
+/// ends it as Unknown, which costs time and nothing else.
+/// </remarks>
+internal static class GjkOverlap
+{
+    /// <summary>Count: more than hulls of thousands of vertices need; reached by cycles only. Pinned by OverlapTests.</summary>
+    private const int MaxRounds = 40;
+
+    public enum Answer
+    {
+        Unknown,
+        Separated,
+        Overlapping,
+    }
+
+    public static Answer Solve<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, in Vector3D firstNormal)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double bandSquared = GjkDistance.Square(GjkTolerances.SeparatedBand * bInA.Radius);
+        Simplex simplex = default;
+        MinkowskiVertex vertex = default;
+        vertex.IdA = vertex.IdB = -1;
+        Vector3D normal = firstNormal;
+        for (int round = 0; round < MaxRounds; round++)
+        {
+            MinkowskiDifference.Support(ref a, ref b, bInA, normal, ref vertex);
+            double plane = Vector3D.Dot(normal, vertex.W);
+            if (plane > 0)
+                return plane * plane > bandSquared * normal.LengthSquared ? Answer.Separated : Answer.Unknown;
+
+            simplex.Push(vertex);
+            if (simplex.Count == 1)
+                normal = vertex.W;
+            else if (NextSimplex.Advance(ref simplex, ref normal))
+                return GjkDistance.IsCertainlyInside(simplex) ? Answer.Overlapping : Answer.Unknown;
+        }
+
+        return Answer.Unknown;
+    }
+}
