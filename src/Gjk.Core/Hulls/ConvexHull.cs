@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics.CodeAnalysis;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 
@@ -9,55 +10,220 @@ namespace Gjk.Core;
 /// The convex hull of a cloud of points: its corners without repeats, their neighbours, and the surface as triangles. Immutable; share one
 /// between as many shapes and threads as you like.
 /// </summary>
+/// <remarks>
+/// Exact: a point is left out only if it is inside the hull of the others, on a facet or on an edge, decided without rounding. So in no direction does the support value differ
+/// from the cloud's. Clouds that span only a point, a segment or a plane are hulls too.
+/// Time grows with n log n for usual clouds; 10^5 random points take well under a second.
+/// </remarks>
 public sealed class ConvexHull
 {
     /// <summary>Coordinates by axis, padded to a multiple of 8 with copies of vertex 0, which no tie can prefer to the original.</summary>
     internal readonly float[] X, Y, Z;
 
+    /// <summary>The neighbours of vertex i are <see cref="Neighbors"/> from NeighborStart[i] up to, not including, NeighborStart[i + 1]; ascending.</summary>
+    /// <remarks>
+    /// The edges of the triangles. They leave no false summit: near a vertex the hull is the cone over the edges that meet there, coplanar triangles or not; where
+    /// no neighbour is higher in a direction, nothing in that cone is, and so nothing in the hull.
+    /// </remarks>
+    internal readonly int[] NeighborStart, Neighbors;
+
+    /// <summary>Which corners can be furthest in a direction.</summary>
+    internal readonly HullCells Cells;
+
+    /// <summary>A multiple of the vertices for the padding, a width that suits every vector register.</summary>
+    private const int Padding = 8;
+
+    /// <summary>
+    /// Relative. A computed distance is too small by at most 4 u with u = 2^-53 (1 u for each difference, 1.5 u for squares and sum, 1 u for the root, rounded up); 8 u is more.
+    /// </summary>
+    private const double RadiusSlack = 8.0 / (1L << 53);
+
+    private const string NoPoints = "At least one point is needed.";
+
+    private readonly int[] _sources;
+    private readonly int[] _triangles;
+
     /// <summary>Builds the hull of a cloud.</summary>
-    /// <param name="points">At least one; repeats and points inside are fine.</param>
+    /// <param name="points">At least one; repeats and points inside are fine. Copied.</param>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
     /// <exception cref="ArgumentException">The list is empty, or a coordinate is NaN or infinite; the message names the index.</exception>
     public ConvexHull(IReadOnlyList<Vector3> points)
+        : this(new DistinctPoints(CheckedCopy(points)))
     {
-        Guard.NotNull(points, nameof(points));
-        if (points.Count == 0) throw new ArgumentException("At least one point is needed.", nameof(points));
-        var seen = new HashSet<Vector3>();
-        var kept = new List<Vector3>();
-        for (int i = 0; i < points.Count; i++)
-        {
-            if (!Guard.IsFinite(points[i])) throw new ArgumentException($"Point {i} is not finite.", nameof(points));
-            if (seen.Add(points[i] + Vector3.Zero)) kept.Add(points[i]);
-        }
+    }
 
-        VertexCount = kept.Count;
-        int padded = (kept.Count + 7) / 8 * 8;
+    private ConvexHull(DistinctPoints cloud)
+    {
+        HullMesh mesh = ConvexHullBuilder.Build(cloud.Points);
+        int count = mesh.Corners.Length;
+        int padded = (count + Padding - 1) / Padding * Padding;
+        Dimension = mesh.Dimension;
+        VertexCount = count;
         X = new float[padded];
         Y = new float[padded];
         Z = new float[padded];
-        var sum = default(Vector3D);
+        _sources = new int[count];
+        _triangles = mesh.Triangles;
         for (int i = 0; i < padded; i++)
         {
-            Vector3 p = kept[i < kept.Count ? i : 0];
-            X[i] = p.X;
-            Y[i] = p.Y;
-            Z[i] = p.Z;
-            if (i < kept.Count) sum += p;
+            int corner = mesh.Corners[i < count ? i : 0];
+            if (i < count) _sources[i] = cloud.Sources[corner];
+            X[i] = cloud.Points[corner].X;
+            Y[i] = cloud.Points[corner].Y;
+            Z[i] = cloud.Points[corner].Z;
         }
 
-        Center = sum * (1.0 / kept.Count);
-        foreach (Vector3 p in kept) BoundingRadius = Math.Max(BoundingRadius, (p - Center).Length);
+        HullAdjacency.Build(mesh, out NeighborStart, out Neighbors);
+        Bounds = MeasureBounds();
+        Center = ((Vector3D)Bounds.Min + Bounds.Max) * 0.5;
+        BoundingRadius = MeasureRadius();
+        Cells = new HullCells(this);
     }
 
-    /// <summary>How many corners the hull has.</summary>
+    /// <summary>How many corners the hull has, at least one. They are numbered from 0 in the order in which they first occur in the cloud.</summary>
     public int VertexCount { get; }
 
-    /// <summary>The mean of the corners, which lies inside.</summary>
+    /// <summary>What the cloud spans: 0 a point, 1 a segment, 2 a flat polygon, 3 a solid.</summary>
+    public int Dimension { get; }
+
+    /// <summary>How many triangles the surface has. A flat polygon has both sides; a segment and a point have none.</summary>
+    public int TriangleCount => _triangles.Length / 3;
+
+    /// <summary>The smallest axis-aligned box around the hull.</summary>
+    public Aabb Bounds { get; }
+
+    /// <summary>The middle of <see cref="Bounds"/>.</summary>
     public Vector3D Center { get; }
 
-    /// <summary>The largest distance of a corner from <see cref="Center"/>.</summary>
+    /// <summary>The largest distance of a corner from <see cref="Center"/>, rounded up: the ball around it does hold the hull.</summary>
     public double BoundingRadius { get; }
+
+    /// <summary>Builds the hull of a cloud, or says why it cannot.</summary>
+    /// <param name="points">At least one; repeats and points inside are fine. Copied.</param>
+    /// <param name="hull">The hull, or null.</param>
+    /// <param name="reason">Null, or what is wrong with the points, in one sentence.</param>
+    /// <returns>True when there is a hull.</returns>
+    public static bool TryCreate(IReadOnlyList<Vector3>? points, [NotNullWhen(true)] out ConvexHull? hull, [NotNullWhen(false)] out string? reason)
+    {
+        hull = null;
+        if (points is null)
+        {
+            reason = "There is no list of points.";
+            return false;
+        }
+
+        Vector3[] cloud = Copy(points);
+        reason = Refusal(cloud);
+        if (reason is not null) return false;
+        hull = new ConvexHull(new DistinctPoints(cloud));
+        return true;
+    }
+
+    /// <summary>The coordinates of a corner, as given (-0 as 0).</summary>
+    /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
+    public Vector3 GetVertex(int id)
+    {
+        CheckVertex(id);
+        return new Vector3(X[id], Y[id], Z[id]);
+    }
+
+    /// <summary>Where the corner first occurs in the cloud.</summary>
+    /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
+    public int SourceIndex(int id)
+    {
+        CheckVertex(id);
+        return _sources[id];
+    }
+
+    /// <summary>The corners of a triangle of the surface, counter-clockwise seen from outside. Facets with more than three corners are cut into several triangles.</summary>
+    /// <param name="index">From 0 to <see cref="TriangleCount"/> - 1.</param>
+    /// <param name="a">The first corner's id.</param>
+    /// <param name="b">The second corner's id.</param>
+    /// <param name="c">The third corner's id.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such triangle.</exception>
+    public void GetTriangle(int index, out int a, out int b, out int c)
+    {
+        if (index < 0 || index >= TriangleCount) throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
+        a = _triangles[3 * index];
+        b = _triangles[3 * index + 1];
+        c = _triangles[3 * index + 2];
+    }
+
+    /// <summary>How many corners share an edge of a triangle with this one; on a segment the ends are neighbours.</summary>
+    /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
+    public int NeighborCount(int id)
+    {
+        CheckVertex(id);
+        return NeighborStart[id + 1] - NeighborStart[id];
+    }
+
+    /// <summary>A neighbour's id; they ascend with k.</summary>
+    /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
+    /// <param name="k">From 0 to <see cref="NeighborCount"/> - 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such corner or neighbour.</exception>
+    public int GetNeighbor(int id, int k)
+    {
+        if (k < 0 || k >= NeighborCount(id)) throw new ArgumentOutOfRangeException(nameof(k), k, "There is no such neighbour.");
+        return Neighbors[NeighborStart[id] + k];
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void GetVertex(int id, out Vector3D point) => point = new Vector3D(X[id], Y[id], Z[id]);
+
+    private static Vector3[] CheckedCopy(IReadOnlyList<Vector3> points)
+    {
+        Vector3[] cloud = Copy(Guard.NotNull(points, nameof(points)));
+        string? reason = Refusal(cloud);
+        return reason is null ? cloud : throw new ArgumentException(reason, nameof(points));
+    }
+
+    private static Vector3[] Copy(IReadOnlyList<Vector3> points)
+    {
+        var cloud = new Vector3[points.Count];
+        for (int i = 0; i < cloud.Length; i++) cloud[i] = points[i];
+        return cloud;
+    }
+
+    private static string? Refusal(Vector3[] cloud)
+    {
+        if (cloud.Length == 0) return NoPoints;
+        for (int i = 0; i < cloud.Length; i++)
+        {
+            if (!Guard.IsFinite(cloud[i])) return $"Point {i} has a coordinate that is NaN or infinite.";
+        }
+
+        return null;
+    }
+
+    private void CheckVertex(int id)
+    {
+        if (id < 0 || id >= VertexCount) throw new ArgumentOutOfRangeException(nameof(id), id, "There is no such vertex.");
+    }
+
+    private Aabb MeasureBounds()
+    {
+        Vector3 min = GetVertex(0), max = min;
+        for (int i = 1; i < VertexCount; i++)
+        {
+            min = Vector3.Min(min, GetVertex(i));
+            max = Vector3.Max(max, GetVertex(i));
+        }
+
+        return new Aabb(min, max);
+    }
+
+    private double MeasureRadius()
+    {
+        double squared = 0;
+        for (int i = 0; i < VertexCount; i++)
+        {
+            GetVertex(i, out Vector3D p);
+            squared = Math.Max(squared, (p - Center).LengthSquared);
+        }
+
+        return Math.Sqrt(squared) * (1 + RadiusSlack);
+    }
 }

@@ -30,12 +30,7 @@ public readonly struct ConvexMesh : ISupportMap
     public double BoundingRadius => _hull is null ? double.NaN : _hull.BoundingRadius;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
-    {
-        int id = HullSupport.Find(_hull!, direction, hint);
-        _hull!.GetVertex(id, out point);
-        return id;
-    }
+    public int Support(in Vector3D direction, int hint, out Vector3D point) => HullSupport.Find(_hull!, direction, out point);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)

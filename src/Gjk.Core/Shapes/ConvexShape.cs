@@ -141,9 +141,9 @@ public readonly struct ConvexShape : ISupportMap
     /// <inheritdoc/>
     public int Support(in Vector3D direction, int hint, out Vector3D point)
     {
-        if (_plain) return CoreSupport(direction, hint, out point);
+        if (_plain) return CoreSupport(direction, out point);
         Vector3D inward = _scale.Inward(direction);
-        int id = CoreSupport(inward, hint, out point);
+        int id = CoreSupport(inward, out point);
         return _scale.Outward(id, _innerMargin, inward, ref point);
     }
 
@@ -182,14 +182,12 @@ public readonly struct ConvexShape : ISupportMap
         _ => 0,
     };
 
-    private int CoreSupport(in Vector3D direction, int hint, out Vector3D point)
+    private int CoreSupport(in Vector3D direction, out Vector3D point)
     {
         switch (_kind)
         {
             case ShapeKind.Mesh:
-                int id = HullSupport.Find(_hull!, direction, hint);
-                _hull!.GetVertex(id, out point);
-                return id;
+                return HullSupport.Find(_hull!, direction, out point);
             case ShapeKind.Box:
                 return PrimitiveSupport.Box(_a, direction, out point);
             case ShapeKind.Point:

@@ -1,0 +1,141 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// From distinct points to their hull: finds out whether they span a point, a segment, a polygon or a solid, and calls the method for it.
+/// </summary>
+/// <remarks>
+/// Rounded measures choose good starting points (far apart), exact predicates decide what they span. So a cloud that is flat but for one bit is a solid, and
+/// a cloud that is exactly flat is a polygon. Not thread-safe: one per build.
+/// </remarks>
+internal sealed class ConvexHullBuilder
+{
+    private readonly Vector3[] _points;
+    private readonly HullPredicates _predicates;
+
+    private ConvexHullBuilder(Vector3[] points)
+    {
+        _points = points;
+        _predicates = new HullPredicates(points);
+    }
+
+    /// <param name="points">At least one, all different, all finite.</param>
+    public static HullMesh Build(Vector3[] points) => new ConvexHullBuilder(points).Build();
+
+    private HullMesh Build()
+    {
+        if (_points.Length == 1) return new HullMesh(0, [0], [], 1);
+        int a = FirstInLexicographicOrder(1);
+        int b = FurthestFrom(a);
+        int c = OffLine(a, b);
+        if (c < 0) return Segment(a);
+        int d = OffPlane(a, b, c, out bool isAbove);
+        if (d < 0) return Polygon(a, b, c);
+
+        var hull = new QuickHull(_predicates);
+        if (isAbove) hull.Run(a, c, b, d);
+        else hull.Run(a, b, c, d);
+        return HullFacets.Build(hull, _points.Length);
+    }
+
+    /// <summary>On a line the lexicographic order is the order along it, so the ends are its first and its last.</summary>
+    private HullMesh Segment(int first)
+    {
+        int last = FirstInLexicographicOrder(-1);
+        return new HullMesh(1, [Math.Min(first, last), Math.Max(first, last)], [], _points.Length);
+    }
+
+    /// <summary>Projects along the axis that is most nearly normal, among those that are provably not parallel to the plane.</summary>
+    private HullMesh Polygon(int a, int b, int c)
+    {
+        HullPlane plane = _predicates.PlaneThrough(a, b, c);
+        double[] normal = [Math.Abs(plane.NormalX), Math.Abs(plane.NormalY), Math.Abs(plane.NormalZ)];
+        int best = -1;
+        for (int axis = 0; axis < 3; axis++)
+        {
+            if (_predicates.Turn(a, b, c, (axis + 1) % 3, (axis + 2) % 3) == 0) continue;
+            if (best < 0 || normal[axis] > normal[best]) best = axis;
+        }
+
+        return PlanarHull.Build(_predicates, (best + 1) % 3, (best + 2) % 3);
+    }
+
+    private int FirstInLexicographicOrder(int sign)
+    {
+        int best = 0;
+        for (int i = 1; i < _points.Length; i++)
+        {
+            Vector3 p = _points[i], q = _points[best];
+            int order = p.X.CompareTo(q.X);
+            if (order == 0) order = p.Y.CompareTo(q.Y);
+            if (order == 0) order = p.Z.CompareTo(q.Z);
+            if (sign * order < 0) best = i;
+        }
+
+        return best;
+    }
+
+    private int FurthestFrom(int a)
+    {
+        Vector3D origin = _points[a];
+        int best = -1;
+        double most = 0;
+        for (int i = 0; i < _points.Length; i++)
+        {
+            // Different floats are at least 2^-149 apart, so the square of their distance does not vanish in double.
+            double squared = (_points[i] - origin).LengthSquared;
+            if (squared <= most) continue;
+            most = squared;
+            best = i;
+        }
+
+        return best;
+    }
+
+    /// <summary>A point that is not on the line through a and b, or -1.</summary>
+    private int OffLine(int a, int b)
+    {
+        Vector3D origin = _points[a];
+        Vector3D along = _points[b] - origin;
+        int best = a;
+        double most = 0;
+        for (int i = 0; i < _points.Length; i++)
+        {
+            double squared = Vector3D.Cross(along, _points[i] - origin).LengthSquared;
+            if (squared <= most) continue;
+            most = squared;
+            best = i;
+        }
+
+        if (!_predicates.AreCollinear(a, b, best)) return best;
+
+        // What looked furthest was rounding, so ask each point exactly.
+        for (int i = 0; i < _points.Length; i++)
+        {
+            if (!_predicates.AreCollinear(a, b, i)) return i;
+        }
+
+        return -1;
+    }
+
+    /// <summary>A point that is not in the plane through a, b and c, or -1.</summary>
+    private int OffPlane(int a, int b, int c, out bool isAbove)
+    {
+        HullPlane plane = _predicates.PlaneThrough(a, b, c);
+        int best = -1;
+        double most = -1;
+        isAbove = false;
+        for (int i = 0; i < _points.Length; i++)
+        {
+            int side = _predicates.Side(plane, i, out double height);
+            if (side == 0 || Math.Abs(height) <= most) continue;
+            most = Math.Abs(height);
+            best = i;
+            isAbove = side > 0;
+        }
+
+        return best;
+    }
+}
