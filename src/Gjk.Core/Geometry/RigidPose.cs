@@ -72,9 +72,9 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <inheritdoc/>
     public override int GetHashCode() => Rotation.GetHashCode() * 397 ^ Position.GetHashCode();
 
-    internal static bool IsRotation(Quaternion q)
-    {
-        double n = (double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W;
-        return n >= MinSquaredNorm && n <= MaxSquaredNorm;
-    }
+    /// <summary>Whether a quaternion of this squared length counts as a rotation; false for NaN.</summary>
+    internal static bool IsUnit(double squaredNorm) => squaredNorm >= MinSquaredNorm && squaredNorm <= MaxSquaredNorm;
+
+    private static bool IsRotation(Quaternion q) =>
+        IsUnit((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W);
 }

@@ -12,16 +12,15 @@ internal readonly struct RotationD
     public readonly double M00, M01, M02, M10, M11, M12, M20, M21, M22;
 
     public RotationD(Quaternion q)
-        : this(q.X, q.Y, q.Z, q.W)
+        : this(q.X, q.Y, q.Z, q.W, 2 / ((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W))
     {
     }
 
-    /// <summary>The matrix of q/|q|: (w² - u²) I + 2 u uᵀ + 2 w [u]ₓ over |q|² (Shoemake 1985).</summary>
+    /// <summary>The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public RotationD(double x, double y, double z, double w)
+    public RotationD(double x, double y, double z, double w, double s)
     {
-        double xx = x * x, yy = y * y, zz = z * z, ww = w * w;
-        double s = 2 / (xx + yy + zz + ww);
+        double xx = x * x, yy = y * y, zz = z * z;
         double xy = x * y * s, xz = x * z * s, yz = y * z * s;
         double wx = w * x * s, wy = w * y * s, wz = w * z * s;
         M00 = 1 - (yy + zz) * s;

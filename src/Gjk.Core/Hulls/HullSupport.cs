@@ -1,4 +1,7 @@
 using System;
+#if NET
+using System.Numerics;
+#endif
 using System.Runtime.CompilerServices;
 #if NET
 using System.Runtime.InteropServices;
@@ -87,36 +90,78 @@ internal static class HullSupport
     {
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(cells.Coordinates);
         Vector256<double> dx = Vector256.Create(direction.X), dy = Vector256.Create(direction.Y), dz = Vector256.Create(direction.Z);
-        Vector256<double> best = Dots(ref coordinates, block, dx, dy, dz);
-        int at = block;
-        if (end - block > 1) BestOfMany(ref coordinates, block, end, dx, dy, dz, ref best, ref at);
-
-        Vector256<double> highest = Vector256.Max(best, Vector256.Shuffle(best, Vector256.Create(2L, 3, 0, 1)));
-        highest = Vector256.Max(highest, Vector256.Shuffle(highest, Vector256.Create(1L, 0, 3, 2)));
-        int lane = System.Numerics.BitOperations.TrailingZeroCount(Vector256.Equals(best, highest).ExtractMostSignificantBits() | 8);
-        ref float x = ref Unsafe.Add(ref coordinates, at * HullCells.BlockFloats + lane);
-        point = new Vector3D(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
-        return Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(cells.Ids), at * HullCells.Lanes + lane);
-    }
-
-    /// <summary>The first block that holds the run's largest dot product, with its dot products.</summary>
-    private static void BestOfMany(
-        ref float coordinates, int block, int end, in Vector256<double> dx, in Vector256<double> dy, in Vector256<double> dz, ref Vector256<double> best, ref int at)
-    {
-        Vector256<double> highest = best;
-        for (int i = block + 1; i < end; i++) highest = Vector256.Max(highest, Dots(ref coordinates, i, dx, dy, dz));
-        highest = Vector256.Max(highest, Vector256.Shuffle(highest, Vector256.Create(2L, 3, 0, 1)));
-        highest = Vector256.Max(highest, Vector256.Shuffle(highest, Vector256.Create(1L, 0, 3, 2)));
-        for (int i = block; i < end; i++)
+        Vector256<double> first = Dots(ref coordinates, block, dx, dy, dz);
+        int slot;
+        if (end - block == 1)
         {
-            best = Dots(ref coordinates, i, dx, dy, dz);
-            at = i;
-            if (Vector256.EqualsAny(best, highest)) return;
+            slot = block * HullCells.Lanes + FirstLane(Vector256.Equals(first, Highest(first)).ExtractMostSignificantBits());
         }
+        else if (end - block == 2)
+        {
+            Vector256<double> second = Dots(ref coordinates, block + 1, dx, dy, dz);
+            Vector256<double> highest = Highest(Larger(first, second));
+            uint lanes = Vector256.Equals(first, highest).ExtractMostSignificantBits() | Vector256.Equals(second, highest).ExtractMostSignificantBits() << HullCells.Lanes;
+            slot = block * HullCells.Lanes + FirstLane(lanes);
+        }
+        else
+        {
+            slot = BestOfMany(ref coordinates, block, end, direction);
+        }
+
+        ref float x = ref Unsafe.Add(ref coordinates, slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes);
+        point = new Vector3D(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
+        return Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(cells.Ids), slot);
     }
+
+    /// <summary>Each lane keeps its first highest; of the lanes that tie for the whole run's highest the lowest slot wins.</summary>
+    private static int BestOfMany(ref float coordinates, int block, int end, in Vector3D direction)
+    {
+        Vector256<double> dx = Vector256.Create(direction.X), dy = Vector256.Create(direction.Y), dz = Vector256.Create(direction.Z);
+        Vector256<double> best = Dots(ref coordinates, block, dx, dy, dz);
+        Vector256<long> bestBlock = Vector256.Create((long)block), now = bestBlock;
+        for (int i = block + 1; i < end; i++)
+        {
+            now += Vector256<long>.One;
+            Vector256<double> dots = Dots(ref coordinates, i, dx, dy, dz);
+            Vector256<double> better = Vector256.GreaterThan(dots, best);
+            best = Vector256.ConditionalSelect(better, dots, best);
+            bestBlock = Vector256.ConditionalSelect(better.AsInt64(), now, bestBlock);
+        }
+
+        uint lanes = Vector256.Equals(best, Highest(best)).ExtractMostSignificantBits();
+        int slot = int.MaxValue;
+        for (; lanes != 0; lanes &= lanes - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(lanes);
+            slot = Math.Min(slot, (int)bestBlock.GetElement(lane) * HullCells.Lanes + lane);
+        }
+
+        return slot == int.MaxValue ? block * HullCells.Lanes : slot;
+    }
+
+    /// <summary>The largest lane, in every lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Highest(Vector256<double> v)
+    {
+        v = Larger(v, Vector256.Shuffle(v, Vector256.Create(2L, 3, 0, 1)));
+        return Larger(v, Vector256.Shuffle(v, Vector256.Create(1L, 0, 3, 2)));
+    }
+
+    /// <summary>The larger of two lanes by one instruction; what it does with NaN and with the sign of 0 does not matter to the comparisons that follow.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
+#if NET9_0_OR_GREATER
+        Vector256.MaxNative(a, b);
+#else
+        Vector256.Max(a, b);
+#endif
+
+    /// <summary>The lowest set bit; with NaN dot products none is set, and lane 0 will do.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int FirstLane(uint lanes) => BitOperations.TrailingZeroCount(lanes) & 7;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Dots(ref float coordinates, int block, in Vector256<double> dx, in Vector256<double> dy, in Vector256<double> dz)
+    private static Vector256<double> Dots(ref float coordinates, int block, Vector256<double> dx, Vector256<double> dy, Vector256<double> dz)
     {
         ref float x = ref Unsafe.Add(ref coordinates, block * HullCells.BlockFloats);
         return Widen(ref x) * dx + Widen(ref Unsafe.Add(ref x, HullCells.Lanes)) * dy + Widen(ref Unsafe.Add(ref x, 2 * HullCells.Lanes)) * dz;

@@ -19,6 +19,13 @@ internal static class MinkowskiDifference
     {
         vertex.IdA = a.Support(-normal, vertex.IdA, out Vector3D onA);
         vertex.IdB = b.Support(bInA.Rotation.InverseRotate(normal), vertex.IdB, out Vector3D onB);
+        Place(bInA, onA, onB, ref vertex);
+    }
+
+    /// <summary>Sets the vertex's coordinates from a point of each shape in its own frame.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Place(in RelativePose bInA, in Vector3D onA, in Vector3D onB, ref MinkowskiVertex vertex)
+    {
         vertex.OnA = onA - bInA.CenterA;
         vertex.W = vertex.OnA - (bInA.Rotation.Rotate(onB - bInA.CenterB) + bInA.Translation);
     }

@@ -32,35 +32,40 @@ internal readonly struct RelativePose
     /// <summary>The two bounding radii added: the size that rounding errors are measured by.</summary>
     public readonly double Radius;
 
+    /// <summary>Whether both poses are rotations and every number is finite.</summary>
+    public readonly bool IsValid;
+
     public RelativePose(in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB, double radius)
     {
         Quaternion a = poseA.Rotation, b = poseB.Rotation;
         double ax = a.X, ay = a.Y, az = a.Z, aw = a.W, bx = b.X, by = b.Y, bz = b.Z, bw = b.W;
+        double normA = ax * ax + ay * ay + az * az + aw * aw, normB = bx * bx + by * by + bz * bz + bw * bw;
+        double inverse = 1 / (normA * normB);
+        RotationA = new RotationD(ax, ay, az, aw, 2 * normB * inverse);
         Rotation = new RotationD(
             aw * bx - ax * bw - ay * bz + az * by,
             aw * by - ay * bw - az * bx + ax * bz,
             aw * bz - az * bw - ax * by + ay * bx,
-            aw * bw + ax * bx + ay * by + az * bz);
+            aw * bw + ax * bx + ay * by + az * bz,
+            2 * inverse);
 
-        RotationA = new RotationD(a);
         CenterA = centerA;
         CenterB = centerB;
         Radius = radius;
         Vector3D between = (Vector3D)poseB.Position - poseA.Position;
         double offset = Math.Abs(centerA.X) + Math.Abs(centerA.Y) + Math.Abs(centerA.Z) + Math.Abs(centerB.X) + Math.Abs(centerB.Y) + Math.Abs(centerB.Z);
-        if (offset > FarCenter * radius)
+        if (!(offset > FarCenter * radius))
+        {
+            Translation = RotationA.InverseRotate(between);
+            if (offset > 0) Translation += Rotation.Rotate(centerB) - centerA;
+        }
+        else
         {
             Translation = RotationA.InverseRotate(BetweenFarCenters(poseA, poseB, centerA, centerB));
-            return;
         }
 
-        Translation = RotationA.InverseRotate(between);
-        if (offset > 0) Translation += Rotation.Rotate(centerB) - centerA;
+        IsValid = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB) && radius + (Translation.X + Translation.Y + Translation.Z) is var sum && sum - sum == 0;
     }
-
-    /// <summary>True when both poses are rotations and every number is finite.</summary>
-    public bool IsValid(in RigidPose poseA, in RigidPose poseB) =>
-        RigidPose.IsRotation(poseA.Rotation) && RigidPose.IsRotation(poseB.Rotation) && Radius - Radius == 0 && Translation.IsFinite;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Vector3D BetweenFarCenters(in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB)

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -36,30 +37,106 @@ public static partial class ConvexQuery
     {
         TA copyA = default;
         TB copyB = default;
+        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance);
+    }
+
+    /// <summary>As the first, with the simplex that the answer came from.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="simplex">The support points of the nearest feature with their weights; empty when the input is invalid.</param>
+    /// <returns>See <see cref="DistanceResult"/>.</returns>
+    public static DistanceResult Distance<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out FinalSimplex simplex)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA copyA = default;
+        TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
+        simplex = default;
         var bInA = new RelativePose(poseA, poseB, shapeA.Center, shapeB.Center, shapeA.BoundingRadius + shapeB.BoundingRadius);
-        if (!bInA.IsValid(poseA, poseB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+        if (!bInA.IsValid) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
-        double marginA = shapeA.Margin, marginB = shapeB.Margin;
-        double maxCoreDistance = Math.Max(maxDistance, 0.0) + marginA + marginB + GjkTolerances.SeparatedBand * bInA.Radius;
         GjkOutcome outcome = default;
-        SolveCores(ref shapeA, ref shapeB, bInA, maxCoreDistance, ref outcome);
+        SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome);
+        if (outcome.Status < GjkStatus.InvalidInput) simplex = new FinalSimplex(outcome.Simplex, bInA);
+        return Finish(outcome, bInA, poseA, shapeA.Margin, shapeB.Margin, float.PositiveInfinity);
+    }
+
+    /// <summary>As the others, beginning where the last query of the pair ended: much faster for pairs that move little.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated.</param>
+    /// <param name="maxDistance">As in the other overload.</param>
+    /// <returns>See <see cref="DistanceResult"/>. It agrees with the cold query's within the accuracy, not always to the last bit.</returns>
+    public static DistanceResult Distance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart, float maxDistance = float.PositiveInfinity)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA copyA = default;
+        TB copyB = default;
+        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref warmStart);
+    }
+
+    /// <summary>The cold query. Two plain meshes in the clothes of <see cref="ConvexShape"/> are solved as meshes, without a look at the kind in each support.</summary>
+    private static DistanceResult DistanceOf<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
+            return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance);
+
+        var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
+        if (!bInA.IsValid || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+
+        double marginA = a.Margin, marginB = b.Margin;
+        GjkOutcome outcome = default;
+        SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
+
+    /// <summary>The warm query.</summary>
+    private static DistanceResult DistanceOf<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
+            return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance, ref warmStart);
+
+        var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
+        if (!bInA.IsValid || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+
+        double marginA = a.Margin, marginB = b.Margin;
+        GjkOutcome outcome = default;
+        SolveCoresWarm(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref warmStart, ref outcome);
+        return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
+    }
+
+    /// <summary>How far apart the cores may be before the query may end early; the band keeps its answer that of the full query.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double CoreReach(float maxDistance, double margins, in RelativePose bInA) =>
+        Math.Max(maxDistance, 0.0) + margins + GjkTolerances.SeparatedBand * bInA.Radius;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
     private static DistanceResult Finish(
         in GjkOutcome outcome, in RelativePose bInA, in RigidPose poseA, double marginA, double marginB, double maxDistance)
     {
         if (outcome.Status >= GjkStatus.InvalidInput) return DistanceResult.Invalid(outcome.Status, outcome.Iterations);
+        if (outcome.Status == GjkStatus.BeyondMaxDistance) return Beyond(outcome, bInA, marginA + marginB);
+        if (outcome.Status == GjkStatus.Overlapping)
+            return Common(outcome, bInA, poseA, outcome.Simplex.PointOnA(ClosestPointWeights.Of(outcome.Simplex)));
 
-        float bound = LowerBound(outcome, bInA, marginA + marginB);
-        if (outcome.Status == GjkStatus.BeyondMaxDistance) return Beyond(outcome, bInA, bound);
-
-        Vector3D onA = Witness(outcome.Simplex);
-        if (outcome.Status == GjkStatus.Overlapping) return Common(outcome, bInA, poseA, onA);
-
+        Vector3D onA = outcome.Simplex.PointOnA(ClosestPointWeights.OfFeature(outcome.Simplex, outcome.Feature));
         double scale = 1 / Math.Sqrt(outcome.Feature.NormalSquared);
         Vector3D toA = outcome.Feature.Normal * scale;
         double core = outcome.Feature.Height * scale, distance = core - marginA - marginB;
@@ -69,32 +146,15 @@ public static partial class ConvexQuery
             return Common(outcome, bInA, poseA, onA - toA * shared);
         }
 
-        if (distance > maxDistance) return Beyond(outcome, bInA, bound);
+        if (distance > maxDistance) return Beyond(outcome, bInA, marginA + marginB);
 
         distance = Math.Max(distance, 0);
         Vector3D pointA = onA - toA * marginA, pointB = pointA - toA * distance;
         Vector3D normal = -bInA.RotationA.Rotate(toA);
         Vector3D localA = pointA + bInA.CenterA, worldA = bInA.RotationA.Rotate(localA) + poseA.Position;
         return new DistanceResult(
-            outcome.Status, (float)distance, bound, (Vector3)worldA, (Vector3)(worldA + normal * distance), (Vector3)normal,
-            (Vector3)localA, (Vector3)LocalB(bInA, pointB), outcome.Iterations);
-    }
-
-    /// <summary>The simplex's nearest point, carried over to A.</summary>
-    private static Vector3D Witness(in Simplex s)
-    {
-        Weights w = s.Count switch
-        {
-            1 => new Weights(1, 0, 0, 0),
-            2 => ClosestPointWeights.Segment(s.A.W, s.B.W),
-            3 => ClosestPointWeights.Triangle(s.A.W, s.B.W, s.C.W),
-            _ => ClosestPointWeights.Tetrahedron(s.A.W, s.B.W, s.C.W, s.D.W),
-        };
-        Vector3D point = s.OnA(s.A.Slot) * w.A;
-        if (s.Count > 1) point += s.OnA(s.B.Slot) * w.B;
-        if (s.Count > 2) point += s.OnA(s.C.Slot) * w.C;
-        if (s.Count > 3) point += s.OnA(s.D.Slot) * w.D;
-        return point;
+            outcome.Status, (float)distance, LowerBound(outcome, bInA, marginA + marginB), (Vector3)worldA, (Vector3)(worldA + normal * distance),
+            (Vector3)normal, (Vector3)localA, (Vector3)LocalB(bInA, pointB), outcome.Iterations);
     }
 
     private static DistanceResult Common(in GjkOutcome outcome, in RelativePose bInA, in RigidPose poseA, in Vector3D point)
@@ -105,10 +165,10 @@ public static partial class ConvexQuery
             GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)local, (Vector3)LocalB(bInA, point), outcome.Iterations);
     }
 
-    private static DistanceResult Beyond(in GjkOutcome outcome, in RelativePose bInA, float bound)
+    private static DistanceResult Beyond(in GjkOutcome outcome, in RelativePose bInA, double margins)
     {
         Vector3D normal = outcome.PlaneNormal * (-1 / Math.Sqrt(outcome.PlaneNormalSquared));
-        return DistanceResult.Beyond(bound, (Vector3)bInA.RotationA.Rotate(normal), outcome.Iterations);
+        return DistanceResult.Beyond(LowerBound(outcome, bInA, margins), (Vector3)bInA.RotationA.Rotate(normal), outcome.Iterations);
     }
 
     private static Vector3D LocalB(in RelativePose bInA, in Vector3D point) =>
@@ -117,8 +177,9 @@ public static partial class ConvexQuery
     /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded down.</summary>
     private static float LowerBound(in GjkOutcome outcome, in RelativePose bInA, double margins)
     {
-        double reach = bInA.Radius + bInA.Translation.Length;
-        double value = outcome.PlaneValue / Math.Sqrt(outcome.PlaneNormalSquared) - margins - GjkTolerances.LowerBoundError * reach;
+        // The centres are no further apart than the gap and both radii, so this is at least radius + distance of the centres.
+        double core = outcome.PlaneValue / Math.Sqrt(outcome.PlaneNormalSquared);
+        double value = core - margins - GjkTolerances.LowerBoundError * (2 * bInA.Radius + core);
         return value > 0 ? RoundDown(value) : 0;
     }
 }

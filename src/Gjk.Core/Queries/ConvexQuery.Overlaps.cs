@@ -30,19 +30,27 @@ public static partial class ConvexQuery
     {
         TA copyA = default;
         TB copyB = default;
-        ref TA shapeA = ref Inward(a, ref copyA);
-        ref TB shapeB = ref Inward(b, ref copyB);
-        var bInA = new RelativePose(poseA, poseB, shapeA.Center, shapeB.Center, shapeA.BoundingRadius + shapeB.BoundingRadius);
-        if (!bInA.IsValid(poseA, poseB))
+        return OverlapsOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, out status);
+    }
+
+    private static bool OverlapsOf<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out GjkStatus status)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
+            return OverlapsOf(ref meshA, poseA, ref meshB, poseB, out status);
+
+        var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
+        if (!bInA.IsValid)
         {
             status = GjkStatus.InvalidInput;
             return false;
         }
 
-        double margins = shapeA.Margin + shapeB.Margin;
+        double margins = a.Margin + b.Margin;
         if (margins == 0)
         {
-            GjkOverlap.Answer answer = GjkOverlap.Solve(ref shapeA, ref shapeB, bInA, FirstNormal(bInA));
+            GjkOverlap.Answer answer = GjkOverlap.Solve(ref a, ref b, bInA, FirstNormal(bInA));
             if (answer != GjkOverlap.Answer.Unknown)
             {
                 status = answer == GjkOverlap.Answer.Overlapping ? GjkStatus.Overlapping : GjkStatus.Separated;
@@ -51,7 +59,7 @@ public static partial class ConvexQuery
         }
 
         GjkOutcome outcome = default;
-        SolveCores(ref shapeA, ref shapeB, bInA, margins + GjkTolerances.SeparatedBand * bInA.Radius, ref outcome);
+        SolveCores(ref a, ref b, bInA, margins + GjkTolerances.SeparatedBand * bInA.Radius, ref outcome);
         status = OverlapStatus(outcome, margins + GjkTolerances.Touch * bInA.Radius);
         return status == GjkStatus.Overlapping;
     }

@@ -21,6 +21,21 @@ public static partial class ConvexQuery
 #endif
     }
 
+    /// <summary>Whether both are unscaled meshes held in a <see cref="ConvexShape"/>; known when the code is compiled to be false for all other types.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreMeshes<TA, TB>(ref TA a, ref TB b, out ConvexMesh meshA, out ConvexMesh meshB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        meshA = default;
+        meshB = default;
+#if NET
+        if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
+            return Unsafe.As<TA, ConvexShape>(ref a).TryGetMesh(out meshA) && Unsafe.As<TB, ConvexShape>(ref b).TryGetMesh(out meshB);
+#endif
+        return false;
+    }
+
     /// <summary>The first normal: from B's centre to A's, or any where they coincide.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3D FirstNormal(in RelativePose bInA)
@@ -38,6 +53,21 @@ public static partial class ConvexQuery
         GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome);
         if (outcome.Status == GjkStatus.IterationLimit)
             GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome);
+    }
+
+    /// <summary>The same from a warm start's simplex or, for shapes without vertices, its normal.</summary>
+    private static void SolveCoresWarm<TA, TB>(
+        ref TA a, ref TB b, in RelativePose bInA, double maxCoreDistance, ref WarmStart warmStart, ref GjkOutcome outcome)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        warmStart.Restore(ref a, ref b, bInA, ref outcome.Simplex);
+        Vector3D normal = warmStart.Normal;
+        outcome.Feature.Normal = normal.LengthSquared > 0 ? normal : FirstNormal(bInA);
+        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome);
+        if (outcome.Status == GjkStatus.IterationLimit)
+            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome);
+        if (outcome.Status < GjkStatus.InvalidInput) warmStart.Store(outcome.Simplex, outcome.Feature.Normal);
     }
 
     /// <summary>The largest float that is not above x: a bound may be rounded in one direction only.</summary>

@@ -4,10 +4,55 @@ namespace Gjk.Core;
 /// What a pair remembers from one query to the next. Keep one per pair and pass it by reference; <c>default</c> is a cold start. What it holds only
 /// suggests where to begin: stale or foreign content costs time, never correctness.
 /// </summary>
+/// <remarks>
+/// Mutable, 48 bytes, no references. It holds the ids of the last simplex's support vertices, which are asked from the shapes anew, and the last
+/// normal for shapes without vertices.
+/// </remarks>
 public struct WarmStart
 {
-    internal int CountPlusTag;
-    internal int A0, A1, A2;
-    internal int B0, B1, B2;
-    internal float X, Y, Z;
+    private int _count;
+    private int _a0, _a1, _a2, _a3;
+    private int _b0, _b1, _b2, _b3;
+    private float _x, _y, _z;
+
+    /// <summary>Back to a cold start.</summary>
+    public void Clear() => this = default;
+
+    /// <summary>The last normal in A's frame, or zero.</summary>
+    internal readonly Vector3D Normal => new(_x, _y, _z);
+
+    /// <summary>Puts the remembered vertices, as they are now, into the empty simplex; leaves it empty when the shapes no longer have them.</summary>
+    internal readonly void Restore<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, ref Simplex simplex)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        // Oldest first: the newest vertex becomes A again. A stray count is only a wrong guess.
+        int count = (uint)_count <= 4u ? _count : 0;
+        for (int i = count - 1; i >= 0; i--)
+        {
+            MinkowskiVertex vertex = default;
+            vertex.IdA = i == 0 ? _a0 : i == 1 ? _a1 : i == 2 ? _a2 : _a3;
+            vertex.IdB = i == 0 ? _b0 : i == 1 ? _b1 : i == 2 ? _b2 : _b3;
+            if (!a.TryGetVertex(vertex.IdA, out Vector3D onA) || !b.TryGetVertex(vertex.IdB, out Vector3D onB))
+            {
+                simplex.Count = 0;
+                return;
+            }
+
+            MinkowskiDifference.Place(bInA, onA, onB, ref vertex);
+            simplex.Push(vertex);
+        }
+    }
+
+    /// <summary>Remembers where a query ended.</summary>
+    internal void Store(in Simplex simplex, in Vector3D normal)
+    {
+        double scale = 1 / System.Math.Sqrt(normal.LengthSquared);
+        (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));
+        _count = simplex.Count;
+        (_a0, _b0) = (simplex.IdA(simplex.A.Slot), simplex.IdB(simplex.A.Slot));
+        if (_count > 1) (_a1, _b1) = (simplex.IdA(simplex.B.Slot), simplex.IdB(simplex.B.Slot));
+        if (_count > 2) (_a2, _b2) = (simplex.IdA(simplex.C.Slot), simplex.IdB(simplex.C.Slot));
+        if (_count > 3) (_a3, _b3) = (simplex.IdA(simplex.D.Slot), simplex.IdB(simplex.D.Slot));
+    }
 }

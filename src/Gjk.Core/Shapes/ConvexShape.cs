@@ -161,6 +161,14 @@ public readonly struct ConvexShape : ISupportMap
         return found;
     }
 
+    /// <summary>The mesh that this is, when it is one and not scaled.</summary>
+    internal bool TryGetMesh(out ConvexMesh mesh)
+    {
+        bool isMesh = _kind == ShapeKind.Mesh && _plain;
+        mesh = isMesh ? new ConvexMesh(_hull!) : default;
+        return isMesh;
+    }
+
     private static Vector3D RadiusAndHeight(float radius, float halfHeight) =>
         new(Guard.NonNegative(radius, nameof(radius)), Guard.NonNegative(halfHeight, nameof(halfHeight)), 0);
 

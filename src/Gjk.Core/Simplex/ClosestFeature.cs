@@ -29,16 +29,13 @@ internal struct ClosestFeature
     /// <summary>The squared distance of the feature from the origin.</summary>
     public readonly double DistanceSquared => Height * Height / NormalSquared;
 
-    /// <summary>Reduces the simplex.</summary>
+    /// <summary>Reduces a simplex of two to four vertices, the last step's feature and the vertex found beyond it.</summary>
     /// <returns>False when the origin is inside (or on the hidden side of every face of) the tetrahedron; the simplex then keeps its four vertices.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Reduce(ref Simplex simplex)
     {
         switch (simplex.Count)
         {
-            case 1:
-                Vertex(ref simplex);
-                return true;
             case 2:
                 Line(ref simplex);
                 return true;
@@ -50,7 +47,32 @@ internal struct ClosestFeature
         }
     }
 
-    private void Vertex(ref Simplex simplex)
+    /// <summary>Reduces a simplex of any origin (a warm start's), about which nothing is known, to its feature nearest the origin.</summary>
+    /// <returns>False when the origin is inside the tetrahedron, or as near as its weights can tell.</returns>
+    public bool ReduceAny(ref Simplex simplex)
+    {
+        Weights w = ClosestPointWeights.Of(simplex);
+        int kept = 0;
+        for (int i = 0; i < simplex.Count; i++)
+        {
+            if (!(w[i] > 0)) continue;
+            SimplexVertex vertex = simplex[i];
+            if (kept == 0) simplex.A = vertex;
+            else if (kept == 1) simplex.B = vertex;
+            else if (kept == 2) simplex.C = vertex;
+            kept++;
+        }
+
+        if (kept == 4) return false;
+        simplex.Count = kept;
+        if (kept == 1) Vertex(ref simplex);
+        else if (kept == 2) Edge(ref simplex, simplex.A.W, simplex.B.W - simplex.A.W);
+        else Triangle(ref simplex);
+        return true;
+    }
+
+    /// <summary>The newest vertex alone.</summary>
+    public void Vertex(ref Simplex simplex)
     {
         simplex.Count = 1;
         Normal = simplex.A.W;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>
@@ -12,6 +10,32 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class ClosestPointWeights
 {
+    /// <summary>The nearest point of a simplex of one to four vertices.</summary>
+    public static Weights Of(in Simplex s) => s.Count switch
+    {
+        1 => new Weights(1, 0, 0, 0),
+        2 => Segment(s.A.W, s.B.W),
+        3 => Triangle(s.A.W, s.B.W, s.C.W),
+        _ => Tetrahedron(s.A.W, s.B.W, s.C.W, s.D.W),
+    };
+
+    /// <summary>The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to rounding the same as <see cref="Of"/>.</summary>
+    public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
+    {
+        if (s.Count == 1) return new Weights(1, 0, 0, 0);
+        Vector3D a = s.A.W, ab = s.B.W - a;
+        if (s.Count == 2)
+        {
+            double t = -Vector3D.Dot(ab, a) / ab.LengthSquared;
+            return new Weights(1 - t, t, 0, 0);
+        }
+
+        Vector3D ac = s.C.W - a, inPlane = Vector3D.Cross(feature.Normal, a);
+        double scale = 1 / feature.NormalSquared;
+        double b = -Vector3D.Dot(ac, inPlane) * scale, c = Vector3D.Dot(ab, inPlane) * scale;
+        return new Weights(1 - b - c, b, c, 0);
+    }
+
     /// <summary>The nearest point of the segment AB.</summary>
     public static Weights Segment(in Vector3D a, in Vector3D b)
     {
@@ -92,16 +116,11 @@ internal readonly struct Weights
         D = d;
     }
 
+    /// <summary>By position: 0 is A, 3 is D.</summary>
+    public double this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
+
     /// <summary>No weight is negative or NaN.</summary>
     public bool IsInside => A >= 0 && B >= 0 && C >= 0 && D >= 0;
 
     public Vector3D PointOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) => a * A + b * B + c * C + d * D;
-
-    /// <summary>Rounding can leave a weight a few units in the last place below 0; cut it off and share the rest out again.</summary>
-    public Weights Clamped()
-    {
-        double a = Math.Max(A, 0), b = Math.Max(B, 0), c = Math.Max(C, 0), d = Math.Max(D, 0);
-        double s = 1 / (a + b + c + d);
-        return new Weights(a * s, b * s, c * s, d * s);
-    }
 }

@@ -45,6 +45,16 @@ internal unsafe struct Simplex
     /// <summary>The vertex by position: 0 is A, 3 is D.</summary>
     public readonly SimplexVertex this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
 
+    /// <summary>The weighted sum of A's support points.</summary>
+    public readonly Vector3D PointOnA(in Weights w)
+    {
+        Vector3D point = OnA(A.Slot) * w.A;
+        if (Count > 1) point += OnA(B.Slot) * w.B;
+        if (Count > 2) point += OnA(C.Slot) * w.C;
+        if (Count > 3) point += OnA(D.Slot) * w.D;
+        return point;
+    }
+
     /// <summary>The lowest slot that no vertex holds: the slots of the first Count vertices are a subset of 0..3.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly int FreeSlot()

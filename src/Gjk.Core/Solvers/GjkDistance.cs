@@ -35,7 +35,12 @@ internal static class GjkDistance
             outcome.Iterations = 1;
             MinkowskiDifference.Support(ref a, ref b, bInA, feature.Normal, ref vertex);
             simplex.Push(vertex);
-            feature.Reduce(ref simplex);
+            feature.Vertex(ref simplex);
+        }
+        else if (!feature.ReduceAny(ref simplex))
+        {
+            outcome.Status = IsCertainlyInside(simplex) ? GjkStatus.Overlapping : GjkStatus.IterationLimit;
+            return;
         }
 
         bool separated = false;
@@ -101,10 +106,11 @@ internal static class GjkDistance
         return Math.Abs(gap) <= ratio * feature.Height || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
-    /// <summary>The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could turn.</summary>
+    /// <summary>The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could turn; either way round.</summary>
     internal static bool IsCertainlyInside(in Simplex simplex)
     {
         Vector3D a = simplex.A.W, b = simplex.B.W, c = simplex.C.W, d = simplex.D.W;
+        if (Vector3D.Dot(Vector3D.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
         return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a) && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
     }
 

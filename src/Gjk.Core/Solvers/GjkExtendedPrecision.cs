@@ -111,11 +111,11 @@ internal static class GjkExtendedPrecision
         int best = 0;
         for (int subset = 1; subset < 1 << simplex.Count; subset++)
         {
-            if (!TryFeature(simplex, subset, out VectorDD normal, out DoubleDouble height)) continue;
+            if (!TryFeature(simplex, subset, out VectorDD normal, out DoubleDouble height, out bool flipped)) continue;
             DoubleDouble normalSquared = VectorDD.Dot(normal, normal);
             DoubleDouble squared = normalSquared.Sign == 0 ? 0.0 : height * height / normalSquared;
             if (best != 0 && (squared - distanceSquared).Sign >= 0) continue;
-            best = subset;
+            best = flipped ? -subset : subset;
             distanceSquared = squared;
             feature.Normal = (Vector3D)normal;
             feature.Height = (double)height;
@@ -127,12 +127,13 @@ internal static class GjkExtendedPrecision
     }
 
     /// <summary>The subset's normal and height, when its nearest point is inside it.</summary>
-    private static bool TryFeature(in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height)
+    private static bool TryFeature(in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height, out bool flipped)
     {
         int i = NextIn(subset, 0), j = NextIn(subset, i + 1), k = NextIn(subset, j + 1);
         VectorDD a = simplex[i].W;
         normal = a;
         height = VectorDD.Dot(a, a);
+        flipped = false;
         if (j > 3) return true;
 
         VectorDD ab = (VectorDD)simplex[j].W - a;
@@ -152,7 +153,8 @@ internal static class GjkExtendedPrecision
         bool inside = VectorDD.Dot(VectorDD.Cross(ab, normal), a).Sign > 0
             && VectorDD.Dot(VectorDD.Cross(normal, ac), a).Sign > 0
             && VectorDD.Dot(VectorDD.Cross(ac - ab, normal), b).Sign > 0;
-        if (height.Sign >= 0) return inside;
+        flipped = height.Sign < 0;
+        if (!flipped) return inside;
         normal = default(VectorDD) - normal;
         height = -height;
         return inside;
@@ -174,13 +176,15 @@ internal static class GjkExtendedPrecision
         return from;
     }
 
-    private static void Select(ref Simplex simplex, int subset)
+    /// <summary>Keeps the subset; a negative one is a triangle whose winding is to be turned round.</summary>
+    private static void Select(ref Simplex simplex, int signedSubset)
     {
+        int subset = Math.Abs(signedSubset);
         int i = NextIn(subset, 0), j = NextIn(subset, i + 1), k = NextIn(subset, j + 1);
         SimplexVertex a = simplex[i], b = simplex[j], c = simplex[k];
         simplex.Count = k <= 3 ? 3 : j <= 3 ? 2 : 1;
         simplex.A = a;
-        simplex.B = b;
-        simplex.C = c;
+        simplex.B = signedSubset > 0 ? b : c;
+        simplex.C = signedSubset > 0 ? c : b;
     }
 }

@@ -1,0 +1,51 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The simplex that a distance query ended with: up to four pairs of support points whose weighted sums are the closest points of the two cores (a
+/// common point when they overlap). Immutable.
+/// </summary>
+public readonly struct FinalSimplex
+{
+    private readonly Simplex _simplex;
+    private readonly Weights _weights;
+    private readonly RelativePose _bInA;
+
+    internal FinalSimplex(in Simplex simplex, in RelativePose bInA)
+    {
+        _simplex = simplex;
+        _weights = ClosestPointWeights.Of(simplex);
+        _bInA = bInA;
+    }
+
+    /// <summary>How many pairs of support points there are, 1 to 4; 0 when the query had no answer.</summary>
+    public int Count => _simplex.Count;
+
+    /// <summary>A pair's barycentric weight: at least 0, with sum 1.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
+    public double Weight(int index) => _weights[Checked(index)];
+
+    /// <summary>The support point of A, in A's own frame.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
+    public Vector3D PointOnA(int index) => _simplex.OnA(_simplex[Checked(index)].Slot) + _bInA.CenterA;
+
+    /// <summary>The support point of B, in B's own frame.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
+    public Vector3D PointOnB(int index)
+    {
+        SimplexVertex vertex = _simplex[Checked(index)];
+        return _bInA.Rotation.InverseRotate(_simplex.OnA(vertex.Slot) - vertex.W - _bInA.Translation) + _bInA.CenterB;
+    }
+
+    /// <summary>The id of A's support point, or -1 where A has no vertices.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
+    public int IdA(int index) => _simplex.IdA(_simplex[Checked(index)].Slot);
+
+    /// <summary>The id of B's support point, or -1 where B has no vertices.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
+    public int IdB(int index) => _simplex.IdB(_simplex[Checked(index)].Slot);
+
+    private int Checked(int index) =>
+        index >= 0 && index < Count ? index : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such pair of points.");
+}
