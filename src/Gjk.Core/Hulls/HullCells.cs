@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 
 namespace Gjk.Core;
 
@@ -49,6 +50,12 @@ internal sealed class HullCells
     /// <summary>What a direction is stretched by, along each axis: half the hull's extents.</summary>
     public readonly Vector3D Stretch;
 
+    /// <summary>
+    /// For a hull whose corners are the eight of its bounds, the slot of each by the signs of the direction (bit 0, 1, 2 set where x, y, z is negative);
+    /// empty for any other. Boxes are the commonest mesh, and their support needs no dot product.
+    /// </summary>
+    public readonly byte[] BoxSlots;
+
     /// <summary>The blocks of cell i are those from Start[i] up to, not including, Start[i + 1].</summary>
     public readonly int[] Start;
 
@@ -72,6 +79,25 @@ internal sealed class HullCells
         Coordinates = new float[Start[lists.CellCount] * BlockFloats];
         Ids = new int[Start[lists.CellCount] * Lanes];
         for (int i = 0; i < lists.CellCount; i++) Fill(hull, lists, i);
+        BoxSlots = FindBoxSlots(hull);
+    }
+
+    private static byte[] FindBoxSlots(ConvexHull hull)
+    {
+        if (hull.VertexCount != 8 || hull.Dimension != 3) return [];
+        Vector3 min = hull.Bounds.Min, max = hull.Bounds.Max;
+        var slots = new byte[8];
+        int found = 0;
+        for (int id = 0; id < 8; id++)
+        {
+            float x = hull.X[id], y = hull.Y[id], z = hull.Z[id];
+            if ((x != min.X && x != max.X) || (y != min.Y && y != max.Y) || (z != min.Z && z != max.Z)) return [];
+            int signs = (x == min.X ? 1 : 0) | (y == min.Y ? 2 : 0) | (z == min.Z ? 4 : 0);
+            slots[signs] = (byte)id;
+            found |= 1 << signs;
+        }
+
+        return found == 0xFF ? slots : [];
     }
 
     private void Fill(ConvexHull hull, HullCellLists lists, int cell)

@@ -17,13 +17,24 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class HullSupport
 {
-    /// <summary>The furthest vertex by the cells.</summary>
+    /// <summary>The furthest vertex: by the signs for a box, by the cells for a large hull, by a scan of all blocks for a small one.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Find(ConvexHull hull, in Vector3D direction, out Vector3D point)
     {
         HullCells cells = hull.Cells;
+        if (cells.BoxSlots.Length == 8) return BoxCorner(cells, direction, out point);
         int cell = cells.Side == 0 ? 0 : CellOf(cells, direction);
         return Best(cells, cells.Start[cell], cells.Start[cell + 1], direction, out point);
+    }
+
+    /// <summary>A component of 0 leaves two corners level, and the lowest id is wanted: the scan knows.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int BoxCorner(HullCells cells, in Vector3D direction, out Vector3D point)
+    {
+        double x = direction.X, y = direction.Y, z = direction.Z;
+        if (x == 0 || y == 0 || z == 0) return Best(cells, 0, cells.Start[1], direction, out point);
+        int slot = cells.BoxSlots[(x < 0 ? 1 : 0) | (y < 0 ? 2 : 0) | (z < 0 ? 4 : 0)];
+        return Corner(cells, (uint)slot, out point);
     }
 
     /// <summary>The definition that every faster way must agree with.</summary>
@@ -108,6 +119,13 @@ internal static class HullSupport
             slot = BestOfMany(ref coordinates, block, end, direction);
         }
 
+        return Corner(cells, (uint)slot, out point);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Corner(HullCells cells, uint slot, out Vector3D point)
+    {
+        ref float coordinates = ref MemoryMarshal.GetArrayDataReference(cells.Coordinates);
         ref float x = ref Unsafe.Add(ref coordinates, slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes);
         point = new Vector3D(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
         return Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(cells.Ids), slot);
@@ -175,7 +193,7 @@ internal static class HullSupport
     {
         float[] coordinates = cells.Coordinates;
         double dx = direction.X, dy = direction.Y, dz = direction.Z, bestDot = double.NegativeInfinity;
-        int best = block * HullCells.Lanes, bestAt = block * HullCells.BlockFloats;
+        int best = block * HullCells.Lanes;
         for (int i = block; i < end; i++)
         {
             int at = i * HullCells.BlockFloats;
@@ -185,12 +203,18 @@ internal static class HullSupport
                 if (!(dot > bestDot)) continue;
                 bestDot = dot;
                 best = i * HullCells.Lanes + lane;
-                bestAt = at;
             }
         }
 
-        point = new Vector3D(coordinates[bestAt], coordinates[bestAt + HullCells.Lanes], coordinates[bestAt + 2 * HullCells.Lanes]);
-        return cells.Ids[best];
+        return Corner(cells, (uint)best, out point);
+    }
+
+    private static int Corner(HullCells cells, uint slot, out Vector3D point)
+    {
+        float[] coordinates = cells.Coordinates;
+        uint x = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
+        point = new Vector3D(coordinates[x], coordinates[x + HullCells.Lanes], coordinates[x + 2 * HullCells.Lanes]);
+        return cells.Ids[slot];
     }
 #endif
 }

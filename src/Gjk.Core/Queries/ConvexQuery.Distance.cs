@@ -148,13 +148,15 @@ public static partial class ConvexQuery
 
         if (distance > maxDistance) return Beyond(outcome, bInA, marginA + marginB);
 
+        // The plane is the feature's but for a walk in extended precision that ended on an older, better one.
+        double planeScale = outcome.PlaneNormalSquared == outcome.Feature.NormalSquared ? scale : 1 / Math.Sqrt(outcome.PlaneNormalSquared);
         distance = Math.Max(distance, 0);
         Vector3D pointA = onA - toA * marginA, pointB = pointA - toA * distance;
         Vector3D normal = -bInA.RotationA.Rotate(toA);
         Vector3D localA = pointA + bInA.CenterA, worldA = bInA.RotationA.Rotate(localA) + poseA.Position;
         return new DistanceResult(
-            outcome.Status, (float)distance, LowerBound(outcome, bInA, marginA + marginB), (Vector3)worldA, (Vector3)(worldA + normal * distance),
-            (Vector3)normal, (Vector3)localA, (Vector3)LocalB(bInA, pointB), outcome.Iterations);
+            outcome.Status, (float)distance, LowerBound(outcome.PlaneValue * planeScale, bInA, marginA + marginB), (Vector3)worldA,
+            (Vector3)(worldA + normal * distance), (Vector3)normal, (Vector3)localA, (Vector3)LocalB(bInA, pointB), outcome.Iterations);
     }
 
     private static DistanceResult Common(in GjkOutcome outcome, in RelativePose bInA, in RigidPose poseA, in Vector3D point)
@@ -167,19 +169,21 @@ public static partial class ConvexQuery
 
     private static DistanceResult Beyond(in GjkOutcome outcome, in RelativePose bInA, double margins)
     {
-        Vector3D normal = outcome.PlaneNormal * (-1 / Math.Sqrt(outcome.PlaneNormalSquared));
-        return DistanceResult.Beyond(LowerBound(outcome, bInA, margins), (Vector3)bInA.RotationA.Rotate(normal), outcome.Iterations);
+        double scale = 1 / Math.Sqrt(outcome.PlaneNormalSquared);
+        Vector3D normal = outcome.PlaneNormal * -scale;
+        return DistanceResult.Beyond(
+            LowerBound(outcome.PlaneValue * scale, bInA, margins), (Vector3)bInA.RotationA.Rotate(normal), outcome.Iterations);
     }
 
     private static Vector3D LocalB(in RelativePose bInA, in Vector3D point) =>
         bInA.Rotation.InverseRotate(point - bInA.Translation) + bInA.CenterB;
 
     /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded down.</summary>
-    private static float LowerBound(in GjkOutcome outcome, in RelativePose bInA, double margins)
+    private static float LowerBound(double coreGap, in RelativePose bInA, double margins)
     {
         // The centres are no further apart than the gap and both radii, so this is at least radius + distance of the centres.
-        double core = outcome.PlaneValue / Math.Sqrt(outcome.PlaneNormalSquared);
-        double value = core - margins - GjkTolerances.LowerBoundError * (2 * bInA.Radius + core);
+        double reach = 2 * bInA.Radius + coreGap;
+        double value = coreGap - margins - GjkTolerances.LowerBoundError * reach;
         return value > 0 ? RoundDown(value) : 0;
     }
 }

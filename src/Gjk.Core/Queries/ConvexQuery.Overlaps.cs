@@ -47,6 +47,13 @@ public static partial class ConvexQuery
             return false;
         }
 
+        // The balls around the shapes are apart by more than rounding could close, and so are the shapes.
+        if (bInA.Translation.LengthSquared > Square(bInA.Radius * (1 + GjkTolerances.SeparatedBand)))
+        {
+            status = GjkStatus.Separated;
+            return false;
+        }
+
         double margins = a.Margin + b.Margin;
         if (margins == 0)
         {
@@ -63,6 +70,8 @@ public static partial class ConvexQuery
         status = OverlapStatus(outcome, margins + GjkTolerances.Touch * bInA.Radius);
         return status == GjkStatus.Overlapping;
     }
+
+    private static double Square(double x) => x * x;
 
     /// <summary>The distance solver's outcome, reduced to the boolean question.</summary>
     private static GjkStatus OverlapStatus(in GjkOutcome outcome, double reach)

@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -13,7 +12,7 @@ internal readonly struct AxisScale
     public readonly Vector3D Factors;
     public readonly bool KeepsBalls;
 
-    public AxisScale(Vector3 factors)
+    public AxisScale(in Vector3D factors)
     {
         Factors = factors;
         KeepsBalls = Math.Abs(factors.X) == Math.Abs(factors.Y) && Math.Abs(factors.Y) == Math.Abs(factors.Z);

@@ -40,6 +40,14 @@ public readonly struct ConvexShape : ISupportMap
         _boundingRadius = (CoreRadius(kind, a, b, c, center, hull) + innerMargin) * scale.Largest;
     }
 
+    internal ConvexShape(in ShapeParts parts)
+        : this(parts.Kind, parts.A, parts.B, parts.C, parts.InnerMargin, parts.Hull, new AxisScale(parts.Scale))
+    {
+    }
+
+    /// <summary>What the private constructor was given.</summary>
+    internal ShapeParts Parts => new() { Kind = _kind, A = _a, B = _b, C = _c, InnerMargin = _innerMargin, Hull = _hull, Scale = _scale.Factors };
+
     /// <summary>What this is.</summary>
     public ShapeKind Kind => _kind;
 
@@ -58,7 +66,7 @@ public readonly struct ConvexShape : ISupportMap
     /// <summary>As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.</summary>
     public double BoundingRadius => _kind == ShapeKind.None ? double.NaN : _boundingRadius;
 
-    private static AxisScale One => new(Vector3.One);
+    private static AxisScale One => new(new Vector3D(1, 1, 1));
 
     /// <summary>The local origin.</summary>
     public static ConvexShape Point() => new(ShapeKind.Point, default, default, default, 0, null, One);

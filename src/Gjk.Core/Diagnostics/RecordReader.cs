@@ -1,0 +1,68 @@
+using System;
+using System.Globalization;
+
+namespace Gjk.Core;
+
+/// <summary>The words of a record, one after the other; every complaint names the word and its place.</summary>
+internal sealed class RecordReader
+{
+    private readonly string[] _words;
+    private int _next;
+
+    public RecordReader(string text) => _words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
+
+    public string? Peek => _next < _words.Length ? _words[_next] : null;
+
+    public string Word(string what) =>
+        _next < _words.Length ? _words[_next++] : throw new FormatException($"The record ends where {what} should be.");
+
+    public void Expect(string word)
+    {
+        string found = Word($"'{word}'");
+        if (found != word) throw Wrong($"should be '{word}'");
+    }
+
+    public void ExpectEnd()
+    {
+        if (_next++ < _words.Length) throw Wrong("comes after the end of the record");
+    }
+
+    public double Number()
+    {
+        if (double.TryParse(Word("a number"), NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && number - number == 0)
+            return number;
+        throw Wrong("should be a finite number");
+    }
+
+    public float Float()
+    {
+        if (float.TryParse(Word("a number"), NumberStyles.Float, CultureInfo.InvariantCulture, out float number) && Guard.IsFinite(number))
+            return number;
+        throw Wrong("should be a finite number");
+    }
+
+    public int Count()
+    {
+        if (int.TryParse(Word("a count"), NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count > 0 && count <= (_words.Length - _next) / 3)
+            return count;
+        throw Wrong("should be the number of points that follow");
+    }
+
+    public Vector3D Vector() => new(Number(), Number(), Number());
+
+    /// <summary>The last word was wrong.</summary>
+    public FormatException Wrong(string why) => new($"Word {_next}, '{_words[_next - 1]}', {why}.");
+
+    /// <summary>Makes something of the words read; what its constructor refuses is a fault of the text.</summary>
+    public T Build<T>(Func<T> make)
+    {
+        try
+        {
+            return make();
+        }
+        catch (ArgumentException exception)
+        {
+            throw new FormatException($"Before word {_next + 1}: {exception.Message}", exception);
+        }
+    }
+}
