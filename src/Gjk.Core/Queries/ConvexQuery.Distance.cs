@@ -59,7 +59,7 @@ public static partial class ConvexQuery
         ref TB shapeB = ref Inward(b, ref copyB);
         simplex = default;
         var bInA = new RelativePose(poseA, poseB, shapeA.Center, shapeB.Center, shapeA.BoundingRadius + shapeB.BoundingRadius);
-        if (!bInA.IsValid) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+        if (!bInA.IsValid || !AreMargins(shapeA.Margin, shapeB.Margin)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome outcome = default;
         SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome);
@@ -96,9 +96,9 @@ public static partial class ConvexQuery
             return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance);
 
         var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
-        if (!bInA.IsValid || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
-
         double marginA = a.Margin, marginB = b.Margin;
+        if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+
         GjkOutcome outcome = default;
         SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
@@ -114,9 +114,9 @@ public static partial class ConvexQuery
             return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance, ref warmStart);
 
         var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
-        if (!bInA.IsValid || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
-
         double marginA = a.Margin, marginB = b.Margin;
+        if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+
         GjkOutcome outcome = default;
         SolveCoresWarm(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref warmStart, ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);

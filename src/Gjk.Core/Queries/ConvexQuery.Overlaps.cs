@@ -41,7 +41,7 @@ public static partial class ConvexQuery
             return OverlapsOf(ref meshA, poseA, ref meshB, poseB, out status);
 
         var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
-        if (!bInA.IsValid)
+        if (!bInA.IsValid || !AreMargins(a.Margin, b.Margin))
         {
             status = GjkStatus.InvalidInput;
             return false;

@@ -36,6 +36,10 @@ public static partial class ConvexQuery
         return false;
     }
 
+    /// <summary>Neither is negative, NaN or infinite.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreMargins(double a, double b) => a >= 0 && b >= 0 && a + b <= double.MaxValue;
+
     /// <summary>The first normal: from B's centre to A's, or any where they coincide.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3D FirstNormal(in RelativePose bInA)

@@ -32,7 +32,8 @@ internal readonly struct AxisScale
     {
         if (innerMargin > 0 && !KeepsBalls)
         {
-            point += inward * (innerMargin / inward.Length);
+            double length = inward.Length;
+            if (length > 0) point += inward * (innerMargin / length);
             id = -1;
         }
 

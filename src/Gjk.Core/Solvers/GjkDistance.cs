@@ -50,7 +50,7 @@ internal static class GjkDistance
         {
             if (!(distanceSquared > touchSquared))
             {
-                outcome.Status = feature.Height >= 0 ? GjkStatus.Overlapping : GjkStatus.InvalidShape;
+                outcome.Status = feature.Height == 0 || distanceSquared >= 0 ? GjkStatus.Overlapping : GjkStatus.InvalidShape;
                 break;
             }
 

@@ -1,0 +1,18 @@
+using System.Numerics;
+
+namespace Gjk.Bench.Baseline;
+
+/// <summary>A vertex of the Minkowski difference with the two points it came from.</summary>
+public readonly struct MinkowskiPoint
+{
+    public readonly Vector3 W;
+    public readonly Vector3 OnA;
+    public readonly Vector3 OnB;
+
+    public MinkowskiPoint(Vector3 onA, Vector3 onB)
+    {
+        W = onA - onB;
+        OnA = onA;
+        OnB = onB;
+    }
+}

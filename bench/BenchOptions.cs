@@ -1,0 +1,87 @@
+using System.Collections.Generic;
+
+namespace Gjk.Bench;
+
+/// <summary>This program's own options, taken out of the command line; what is left belongs to BenchmarkDotNet.</summary>
+public sealed class BenchOptions
+{
+    public const string HelpText =
+        """
+        Gjk.Bench: how fast the library is, beside the algorithm of the report it grew from.
+
+          dotnet run -c Release --project bench -- [options] [BenchmarkDotNet's options]
+
+          --filter GLOB     which benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*')
+          --quick           the report's scenes, distance cold, warm and by the baseline, three short iterations in this process: a minute.
+                            Without it every benchmark runs in a process of its own; '*' takes half an hour.
+          --csv             keep the figures as bench/results/MACHINE.csv (replaced whole: use it with --filter '*')
+          --machine NAME    the name for that file and its first line (default: the CPU's model)
+          --factor          no BenchmarkDotNet: check that both algorithms agree on the report's scenes, time them in turn, print the
+                            factor per scene, and exit 1 if it is below the wanted one. About ten seconds.
+          --help            this text; '--help all' adds BenchmarkDotNet's
+
+        Every run writes its figures to BenchmarkDotNet.Artifacts/summary.csv in the current folder. The columns: benchmark; set (its
+        parameter, or the category where there is none); mean_ns and stddev_ns, per pair, per call of SupportAlone, per frame of 190 pairs
+        in ReportSceneFrames; ratio, the mean over the baseline's of the same group and set (below 1 is faster); allocated_bytes, likewise.
+        On one core (taskset), set DOTNET_TC_DelaySingleProcMultiplier=1: .NET optimises ten times later there.
+        Exit codes: 0 done, 1 a benchmark or a check failed or none was found, 2 bad arguments.
+
+        """;
+
+    public bool Help { get; private set; }
+
+    public bool Quick { get; private set; }
+
+    public bool Csv { get; private set; }
+
+    public bool Factor { get; private set; }
+
+    public string? MachineName { get; private set; }
+
+    /// <summary>What BenchmarkDotNet gets.</summary>
+    public List<string> Remaining { get; } = [];
+
+    /// <summary>Null and a one-line error for arguments that make no sense.</summary>
+    public static BenchOptions? Parse(string[] args, out string error)
+    {
+        var options = new BenchOptions();
+        error = "";
+        for (int i = 0; i < args.Length; i++)
+        {
+            switch (args[i])
+            {
+                case "--help" or "-h" or "-?":
+                    options.Help = true;
+                    break;
+                case "--quick":
+                    options.Quick = true;
+                    break;
+                case "--csv":
+                    options.Csv = true;
+                    break;
+                case "--factor":
+                    options.Factor = true;
+                    break;
+                case "--machine" when i + 1 < args.Length && !args[i + 1].StartsWith('-'):
+                    options.MachineName = args[++i];
+                    break;
+                case "--machine":
+                    error = "--machine: a name must follow";
+                    return null;
+                default:
+                    options.Remaining.Add(args[i]);
+                    break;
+            }
+        }
+
+        return options.IsConsistent(out error) ? options : null;
+    }
+
+    private bool IsConsistent(out string error)
+    {
+        error = "";
+        if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";
+        else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all")) error = "--help: takes nothing but 'all'";
+        return error.Length == 0;
+    }
+}

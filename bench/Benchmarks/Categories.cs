@@ -1,0 +1,13 @@
+namespace Gjk.Bench.Benchmarks;
+
+/// <summary>What a group of benchmarks asks for; each group has its own baseline. For <c>--anyCategories</c>.</summary>
+public static class Categories
+{
+    public const string Distance = "Distance";
+    public const string Overlap = "Overlap";
+    public const string Support = "Support";
+    public const string SphereSphere = "SphereSphere";
+    public const string CapsuleCapsule = "CapsuleCapsule";
+    public const string Cubes = "Cubes";
+    public const string Boxes = "Boxes";
+}

@@ -1,0 +1,64 @@
+using Gjk.Bench.Baseline;
+using Gjk.Bench.Scenes;
+using Gjk.Core;
+
+namespace Gjk.Bench.Benchmarks;
+
+/// <summary>
+/// Each measured loop once, so that BenchmarkDotNet, the factor check and whatever comes later time the same code. Every loop runs over the whole list
+/// of pairs and returns a sum, without which the compiler might drop the work.
+/// </summary>
+public static class SceneQueries
+{
+    public static float Distance(BenchScene scene)
+    {
+        ConvexShape[] shapes = scene.Shapes;
+        RigidPose[] poses = scene.Poses;
+        float sum = 0;
+        foreach (BenchScene.Pair pair in scene.Pairs)
+            sum += ConvexQuery.Distance(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]).Distance;
+        return sum;
+    }
+
+    /// <summary>With what each pair remembers from the call before; the poses may have moved since.</summary>
+    public static float WarmDistance(BenchScene scene, RigidPose[] poses, WarmStart[] warmStarts)
+    {
+        ConvexShape[] shapes = scene.Shapes;
+        BenchScene.Pair[] pairs = scene.Pairs;
+        float sum = 0;
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            (int a, int b) = (pairs[i].A, pairs[i].B);
+            sum += ConvexQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], ref warmStarts[i]).Distance;
+        }
+
+        return sum;
+    }
+
+    public static int Overlaps(BenchScene scene)
+    {
+        ConvexShape[] shapes = scene.Shapes;
+        RigidPose[] poses = scene.Poses;
+        int count = 0;
+        foreach (BenchScene.Pair pair in scene.Pairs)
+            if (ConvexQuery.Overlaps(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B])) count++;
+        return count;
+    }
+
+    public static float BaselineDistance(BenchScene scene)
+    {
+        SupportCollider[] colliders = scene.Colliders;
+        float sum = 0;
+        foreach (BenchScene.Pair pair in scene.Pairs) sum += ReportGjk.Distance(colliders[pair.A], colliders[pair.B]).Distance;
+        return sum;
+    }
+
+    public static int BaselineOverlaps(BenchScene scene)
+    {
+        SupportCollider[] colliders = scene.Colliders;
+        int count = 0;
+        foreach (BenchScene.Pair pair in scene.Pairs)
+            if (ReportGjk.Intersects(colliders[pair.A], colliders[pair.B])) count++;
+        return count;
+    }
+}

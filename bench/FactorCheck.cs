@@ -1,0 +1,119 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using Gjk.Bench.Baseline;
+using Gjk.Bench.Benchmarks;
+using Gjk.Bench.Scenes;
+using Gjk.Core;
+
+namespace Gjk.Bench;
+
+/// <summary>
+/// The library against the baseline in one process, in turn, so that a busy or a slow machine slows both. The factor is that of the two
+/// fastest samples: a disturbance only ever adds time.
+/// </summary>
+public static class FactorCheck
+{
+    /// <summary>
+    /// Times faster than the baseline, cubes of 24 vertices. The hulls have 8 corners, so half of the time is the simplex and the call itself: below
+    /// this, a copy of the simplex or an allocation has come into the loop.
+    /// </summary>
+    private const double MinFactorCubes = 2.5;
+
+    /// <summary>
+    /// Times faster than the baseline, spheres of 515 vertices. Nearly all of the baseline's time is the linear search; below this, the library has
+    /// fallen back to one.
+    /// </summary>
+    private const double MinFactorSpheres = 4;
+
+    /// <summary>In units, on objects of size 1. The baseline stops while up to its <see cref="ReportGjk.ProgressEpsilon"/> over the distance is left to gain.</summary>
+    private const float DistanceTolerance = 1e-3f;
+
+    /// <summary>Both scenes have five pairs that overlap by construction.</summary>
+    private const int OverlappingPairs = 5;
+
+    /// <summary>Seconds per algorithm and scene: until the runtime has optimised both with what it saw.</summary>
+    private const double WarmUpSeconds = 1.0;
+
+    /// <summary>Seconds per scene for both algorithms.</summary>
+    private const double MeasureSeconds = 3.0;
+
+    /// <summary>Milliseconds per sample: long against the clock's resolution, short against a time slice of the scheduler.</summary>
+    private const double SampleMilliseconds = 1.0;
+
+    /// <summary>Prints a line per scene; false if a factor is below the wanted one.</summary>
+    /// <exception cref="FactorCheckException">The answers differ.</exception>
+    public static bool Run(TextWriter output)
+    {
+        bool cubes = RunScene(output, ReportScenes.Cubes, MinFactorCubes);
+        bool spheres = RunScene(output, ReportScenes.Spheres, MinFactorSpheres);
+        return cubes && spheres;
+    }
+
+    /// <summary>The same flags from all four queries, and the same distances.</summary>
+    /// <exception cref="FactorCheckException">The answers differ.</exception>
+    public static void CheckAgreement(string name, BenchScene scene)
+    {
+        int overlapping = 0;
+        foreach (BenchScene.Pair pair in scene.Pairs)
+        {
+            ref ConvexShape a = ref scene.Shapes[pair.A], b = ref scene.Shapes[pair.B];
+            DistanceResult distance = ConvexQuery.Distance(a, scene.Poses[pair.A], b, scene.Poses[pair.B]);
+            bool overlaps = ConvexQuery.Overlaps(a, scene.Poses[pair.A], b, scene.Poses[pair.B]);
+            ReportResult expected = ReportGjk.Distance(scene.Colliders[pair.A], scene.Colliders[pair.B]);
+            bool intersects = ReportGjk.Intersects(scene.Colliders[pair.A], scene.Colliders[pair.B]);
+
+            bool known = distance.Status is GjkStatus.Separated or GjkStatus.Overlapping;
+            bool sameFlags = distance.Overlaps == overlaps && overlaps == intersects && intersects == expected.Intersects;
+            if (!known || !sameFlags || !(MathF.Abs(distance.Distance - expected.Distance) <= DistanceTolerance))
+            {
+                throw new FactorCheckException(FormattableString.Invariant(
+                    $"{name}, pair {pair.A}-{pair.B}: library {distance.Status}, {distance.Distance}, overlaps {overlaps}; baseline {expected.Intersects}, {expected.Distance}, intersects {intersects}"));
+            }
+
+            if (overlaps) overlapping++;
+        }
+
+        if (overlapping != OverlappingPairs)
+            throw new FactorCheckException(FormattableString.Invariant($"{name}: {overlapping} pairs overlap; the scene should have {OverlappingPairs}"));
+    }
+
+    private static bool RunScene(TextWriter output, string name, double minFactor)
+    {
+        BenchScene scene = ReportScenes.Create(name);
+        CheckAgreement(name, scene);
+
+        Func<BenchScene, float> baseline = SceneQueries.BaselineDistance, library = SceneQueries.Distance;
+        int baselineFrames = WarmUp(baseline, scene), libraryFrames = WarmUp(library, scene);
+        var baselineSamples = new Samples();
+        var librarySamples = new Samples();
+        for (var clock = Stopwatch.StartNew(); clock.Elapsed.TotalSeconds < MeasureSeconds;)
+        {
+            baselineSamples.Add(NanosecondsPerFrame(baseline, scene, baselineFrames) / scene.Pairs.Length);
+            librarySamples.Add(NanosecondsPerFrame(library, scene, libraryFrames) / scene.Pairs.Length);
+        }
+
+        double factor = baselineSamples.Minimum / librarySamples.Minimum;
+        bool passed = factor >= minFactor;
+        output.WriteLine(FormattableString.Invariant(
+            $"{name,-8} ns per pair: baseline {baselineSamples}, library {librarySamples}; factor {factor:0.00}, wanted {minFactor:0.0}: {(passed ? "passed" : "FAILED")}"));
+        return passed;
+    }
+
+    /// <summary>Returns how many frames fill a sample.</summary>
+    private static int WarmUp(Func<BenchScene, float> frame, BenchScene scene)
+    {
+        for (var clock = Stopwatch.StartNew(); clock.Elapsed.TotalSeconds < WarmUpSeconds;) NanosecondsPerFrame(frame, scene, 1);
+        double milliseconds = NanosecondsPerFrame(frame, scene, 10) * 1e-6;
+        return Math.Max(1, (int)Math.Ceiling(SampleMilliseconds / milliseconds));
+    }
+
+    private static double NanosecondsPerFrame(Func<BenchScene, float> frame, BenchScene scene, int frames)
+    {
+        long start = Stopwatch.GetTimestamp();
+        float sum = 0;
+        for (int i = 0; i < frames; i++) sum += frame(scene);
+        double elapsed = Stopwatch.GetElapsedTime(start).TotalNanoseconds;
+        return float.IsNaN(sum) ? throw new FactorCheckException("A distance was NaN") : elapsed / frames;
+    }
+}

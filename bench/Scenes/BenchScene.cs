@@ -1,0 +1,54 @@
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Bench.Baseline;
+using Gjk.Core;
+
+namespace Gjk.Bench.Scenes;
+
+/// <summary>The same objects twice, as the library and as the report's algorithm see them, and the pairs to ask for.</summary>
+public sealed class BenchScene
+{
+    private readonly List<ConvexShape> _shapes = [];
+    private readonly List<RigidPose> _poses = [];
+    private readonly List<SupportCollider> _colliders = [];
+    private readonly List<Pair> _pairs = [];
+
+    /// <summary>The library's shapes; arrays, so that a query takes them by reference without a copy.</summary>
+    public ConvexShape[] Shapes { get; private set; } = [];
+
+    public RigidPose[] Poses { get; private set; } = [];
+
+    public SupportCollider[] Colliders { get; private set; } = [];
+
+    public Pair[] Pairs { get; private set; } = [];
+
+    /// <summary>Adds an object; the baseline scans all the vertices, the library has made of them what it likes.</summary>
+    public int Add(in ConvexShape shape, Vector3[] vertices, in RigidPose pose)
+    {
+        _shapes.Add(shape);
+        _poses.Add(pose);
+        _colliders.Add(new MeshSupportCollider(vertices, pose.Rotation, pose.Position));
+        return _shapes.Count - 1;
+    }
+
+    public void AddPair(int a, int b) => _pairs.Add(new Pair(a, b));
+
+    public BenchScene WithAllPairs()
+    {
+        for (int a = 0; a < _shapes.Count; a++)
+            for (int b = a + 1; b < _shapes.Count; b++)
+                AddPair(a, b);
+        return Build();
+    }
+
+    public BenchScene Build()
+    {
+        Shapes = [.. _shapes];
+        Poses = [.. _poses];
+        Colliders = [.. _colliders];
+        Pairs = [.. _pairs];
+        return this;
+    }
+
+    public readonly record struct Pair(int A, int B);
+}

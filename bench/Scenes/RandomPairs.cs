@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Gjk.Bench.Baseline;
+using Gjk.Core;
+
+namespace Gjk.Bench.Scenes;
+
+/// <summary>
+/// A thousand pairs per set in random orientations, their centres 0.2 to 1.6 apart. The sizes are chosen so that 20 to 40 % overlap: a set that
+/// only ever answers one way would measure half of the algorithm.
+/// </summary>
+public static class RandomPairs
+{
+    public const int Count = 1000;
+
+    private const float MinDistance = 0.2f;
+    private const float MaxDistance = 1.6f;
+    private const double MinOverlapRate = 0.2;
+    private const double MaxOverlapRate = 0.4;
+
+    /// <summary>
+    /// How many different hulls a set draws from. Together they are larger than a first-level cache from 512 vertices on, as in a game level; a hull
+    /// for each of the 2000 objects would measure the memory.
+    /// </summary>
+    private const int HullPool = 64;
+
+    /// <summary>The set, its vertices (0: boxes), the mean radius or half extent, and the seed.</summary>
+    private static readonly (string Name, int Vertices, float Size, ulong Seed)[] Sets =
+    [
+        ("box", 0, 0.24f, 11),
+        ("box-mesh", 0, 0.24f, 11),
+        ("hull8", 8, 0.45f, 12),
+        ("hull32", 32, 0.36f, 13),
+        ("hull128", 128, 0.33f, 14),
+        ("hull512", 512, 0.32f, 15),
+        ("hull2048", 2048, 0.32f, 16),
+    ];
+
+    public static IReadOnlyList<string> Names { get; } = [.. Sets.Select(s => s.Name)];
+
+    public static BenchScene Create(string name)
+    {
+        (string Name, int Vertices, float Size, ulong Seed) set = Sets.Single(s => s.Name == name);
+        var prng = new Prng(set.Seed);
+        var scene = new BenchScene();
+        (Vector3[] Vertices, ConvexShape Shape)[] pool = set.Vertices == 0 ? [] : HullsOf(prng, set.Vertices, set.Size);
+        for (int i = 0; i < Count; i++)
+        {
+            int a = AddObject(scene, prng, set.Name, set.Size, pool, Vector3.Zero);
+            int b = AddObject(scene, prng, set.Name, set.Size, pool, prng.Direction() * prng.Range(MinDistance, MaxDistance));
+            scene.AddPair(a, b);
+        }
+
+        return CheckOverlapRate(name, scene.Build());
+    }
+
+    /// <summary>The share of pairs that overlap, by the baseline: the check must not depend on what is measured.</summary>
+    public static double OverlapRate(BenchScene scene) =>
+        scene.Pairs.Count(p => ReportGjk.Intersects(scene.Colliders[p.A], scene.Colliders[p.B])) / (double)scene.Pairs.Length;
+
+    private static int AddObject(
+        BenchScene scene, Prng prng, string name, float size, (Vector3[] Vertices, ConvexShape Shape)[] pool, Vector3 position)
+    {
+        var pose = new RigidPose(prng.Rotation(), position);
+        if (pool.Length > 0)
+        {
+            (Vector3[] vertices, ConvexShape shape) = pool[prng.Index(pool.Length)];
+            return scene.Add(shape, vertices, pose);
+        }
+
+        Vector3 half = RandomRadii(prng, size);
+        Vector3[] corners = MeshVertices.Box(half);
+        return scene.Add(name == "box" ? ConvexShape.Box(half) : ConvexShape.Mesh(corners), corners, pose);
+    }
+
+    private static (Vector3[] Vertices, ConvexShape Shape)[] HullsOf(Prng prng, int count, float size)
+    {
+        var pool = new (Vector3[] Vertices, ConvexShape Shape)[HullPool];
+        for (int i = 0; i < pool.Length; i++)
+        {
+            Vector3[] vertices = MeshVertices.OnEllipsoid(prng, count, RandomRadii(prng, size));
+            pool[i] = (vertices, ConvexShape.Mesh(vertices));
+        }
+
+        return pool;
+    }
+
+    private static Vector3 RandomRadii(Prng prng, float mean) =>
+        new(prng.Range(0.5f, 1.5f) * mean, prng.Range(0.5f, 1.5f) * mean, prng.Range(0.5f, 1.5f) * mean);
+
+    private static BenchScene CheckOverlapRate(string name, BenchScene scene)
+    {
+        double rate = OverlapRate(scene);
+        return rate is >= MinOverlapRate and <= MaxOverlapRate
+            ? scene
+            : throw new InvalidOperationException(
+                FormattableString.Invariant($"Set {name}: {rate:P1} of the pairs overlap; 20 to 40 % are wanted. Change its size."));
+    }
+}

@@ -1,0 +1,45 @@
+using System.IO;
+using System.Linq;
+using System.Reflection.Metadata;
+using System.Reflection.PortableExecutable;
+
+namespace Gjk.Core.Tests.Api;
+
+/// <summary>The right build is under test, and it references nothing that a Unity project would lack.</summary>
+public class BuildTests
+{
+    [Fact]
+    public void TheBuildIsTheOneTheProjectAskedFor() => Assert.Equal(BuildUnderTest.Expected, BuildUnderTest.TargetFramework);
+
+    [Fact]
+    public void ItReferencesOnlyWhatItsTargetBrings()
+    {
+        using FileStream file = File.OpenRead(BuildUnderTest.Library.Location);
+        using var image = new PEReader(file);
+        MetadataReader reader = image.GetMetadataReader();
+        string[] references = [.. reader.AssemblyReferences.Select(r => reader.GetString(reader.GetAssemblyReference(r).Name)).Order()];
+        switch (BuildUnderTest.TargetFramework)
+        {
+            case ".NETStandard,Version=v2.1":
+                Assert.Equal(["netstandard"], references);
+                break;
+            case ".NETStandard,Version=v2.0":
+                Assert.Equal(["System.Numerics.Vectors", "netstandard"], references);
+                break;
+            default:
+                Assert.All(references, r => Assert.StartsWith("System.", r));
+                break;
+        }
+    }
+
+    [Fact]
+    public void ItHoldsNoMutableStaticState()
+    {
+        string[] found = [.. from t in BuildUnderTest.Library.GetTypes()
+                             where !t.Name.Contains('<') && t.Namespace == "Gjk.Core"
+                             from f in t.GetFields(System.Reflection.BindingFlags.Static | System.Reflection.BindingFlags.Public | System.Reflection.BindingFlags.NonPublic)
+                             where !f.IsLiteral && !f.IsInitOnly && !f.Name.Contains('<')
+                             select $"{t.Name}.{f.Name}"];
+        Assert.Empty(found);
+    }
+}

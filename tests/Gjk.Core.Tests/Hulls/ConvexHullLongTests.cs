@@ -1,0 +1,110 @@
+using System;
+using System.Diagnostics;
+using System.Linq;
+using System.Numerics;
+using Xunit.Abstractions;
+
+namespace Gjk.Core.Tests;
+
+/// <summary>Large clouds. They run when the environment variable GJK_LONG is 1 and pass at once when it is not.</summary>
+public class ConvexHullLongTests
+{
+    private const int Directions = 100, Triangles = 100;
+
+    /// <summary>Generous for a slow and busy machine; a method that is quadratic would need hours.</summary>
+    private const double MostSeconds = 60;
+
+    private readonly ITestOutputHelper _output;
+
+    public ConvexHullLongTests(ITestOutputHelper output) => _output = output;
+
+    private static bool IsShortRun => Environment.GetEnvironmentVariable("GJK_LONG") != "1";
+
+    [Theory]
+    [InlineData("ball", 1000000)]
+    [InlineData("box", 1000000)]
+    [InlineData("sphere", 100000)]
+    [InlineData("sphere", 1000000)]
+    [InlineData("spiral", 100000)]
+    [InlineData("turned", 100000)]
+    [InlineData("turned", 1000000)]
+    [InlineData("plane", 100000)]
+    [InlineData("circle", 100000)]
+    [InlineData("cylinder", 100000)]
+    [InlineData("parabola", 100000)]
+    [InlineData("any", 100000)]
+    [InlineData("grid", 1000000)]
+    [InlineData("tilted", 1000000)]
+    [InlineData("line", 1000000)]
+    public void LargeClouds(string family, int count)
+    {
+        if (IsShortRun) return;
+        const int Seed = 5;
+        Vector3[] cloud = Cloud(family, Seed, count);
+        var watch = Stopwatch.StartNew();
+        var hull = new ConvexHull(cloud);
+        double seconds = watch.Elapsed.TotalSeconds;
+        _output.WriteLine($"{family} {count}: {hull.VertexCount} corners, {hull.TriangleCount} triangles, {seconds:F2} s");
+        Assert.True(seconds < MostSeconds, $"{family} {count}, seed {Seed}: {seconds} s");
+        var random = new Random(Seed);
+        for (int i = 0; i < Directions; i++) HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family} {count}, seed {Seed}, direction {i}");
+        CheckSample(hull, cloud, random, $"{family} {count}, seed {Seed}");
+    }
+
+    [Fact]
+    public void ManySmallClouds()
+    {
+        if (IsShortRun) return;
+        for (int seed = 0; seed < 100000; seed++)
+        {
+            Vector3[] cloud = HullClouds.SmallIntegers(seed, 1 + seed % 30, 2 + seed % 5);
+            HullCheck.All(new ConvexHull(cloud), cloud, $"integers, seed {seed}");
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(ConvexHullSupportTests.Families), MemberType = typeof(ConvexHullSupportTests))]
+    public void AMillionDirections(string family)
+    {
+        if (IsShortRun) return;
+        Vector3[] cloud = ConvexHullSupportTests.Cloud(family);
+        var hull = new ConvexHull(cloud);
+        var random = new Random(6);
+        for (int i = 0; i < 1000000; i++) HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family}, direction seed 6, {i}");
+    }
+
+    /// <summary>All points against some triangles.</summary>
+    private static void CheckSample(ConvexHull hull, Vector3[] cloud, Random random, string label)
+    {
+        for (int i = 0; i < Triangles && hull.Dimension == 3; i++)
+        {
+            hull.GetTriangle(random.Next(hull.TriangleCount), out int a, out int b, out int c);
+            HullCheck.NoneAbove(hull.GetVertex(a), hull.GetVertex(b), hull.GetVertex(c), cloud, label);
+        }
+    }
+
+    private static Vector3[] Cloud(string family, int seed, int count) => family switch
+    {
+        "ball" => HullClouds.Ball(seed, count),
+        "box" => HullClouds.Box(seed, count),
+        "sphere" => HullClouds.Sphere(seed, count),
+        "spiral" => HullClouds.Spiral(count),
+        "turned" => HullClouds.TurnedSquare(seed, count),
+        "plane" => HullClouds.ExactPlane(seed, count),
+        "circle" => Enumerable.Range(0, count).Select(i => OnCircle(i, count, 0)).ToArray(),
+        "cylinder" => Enumerable.Range(0, count).Select(i => OnCircle(i / 2, count / 2, i % 2)).ToArray(),
+        "parabola" => Enumerable.Range(0, count).Select(i => new Vector3(i, (float)((double)i * i), i % 7)).ToArray(),
+        "any" => HullClouds.AnyFloats(seed, count),
+        "grid" => HullClouds.Grid(100),
+
+        // Shears with exact products: as coplanar as the grid, on a fine lattice.
+        "tilted" => HullClouds.Grid(100).Select(p => new Vector3(p.X + p.Y / 4096 + p.Z / 65536, p.Y + p.Z / 65536, p.Z)).ToArray(),
+        _ => Enumerable.Range(0, count).Select(i => i * new Vector3(1, 2, 4)).ToArray(),
+    };
+
+    private static Vector3 OnCircle(int i, int count, float height)
+    {
+        double angle = 2 * Math.PI * i / count;
+        return new Vector3((float)Math.Cos(angle), (float)Math.Sin(angle), height);
+    }
+}

@@ -1,0 +1,278 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+
+namespace Gjk.Core.Tests;
+
+public class ConvexHullTests
+{
+    [Fact]
+    public void NullIsRefused()
+    {
+        Assert.Equal("points", Assert.Throws<ArgumentNullException>(() => new ConvexHull(null!)).ParamName);
+        Assert.False(ConvexHull.TryCreate(null, out ConvexHull? hull, out string? reason));
+        Assert.Null(hull);
+        Assert.NotEmpty(reason);
+    }
+
+    [Fact]
+    public void NoPointsAreRefused()
+    {
+        Assert.Equal("points", Assert.Throws<ArgumentException>(() => new ConvexHull([])).ParamName);
+        Assert.False(ConvexHull.TryCreate([], out _, out string? reason));
+        Assert.Contains("At least one point", reason);
+    }
+
+    [Theory]
+    [InlineData(float.NaN, 0, 0, 0)]
+    [InlineData(0, float.PositiveInfinity, 0, 7)]
+    [InlineData(0, 0, float.NegativeInfinity, 41)]
+    public void NonFiniteIsRefusedByItsIndex(float x, float y, float z, int index)
+    {
+        Vector3[] cloud = HullClouds.Ball(1, 50);
+        cloud[index] = new Vector3(x, y, z);
+        ArgumentException refusal = Assert.Throws<ArgumentException>(() => new ConvexHull(cloud));
+        Assert.Equal("points", refusal.ParamName);
+        Assert.Contains($"Point {index} ", refusal.Message);
+        Assert.False(ConvexHull.TryCreate(cloud, out ConvexHull? hull, out string? reason));
+        Assert.Null(hull);
+        Assert.Contains($"Point {index} ", reason);
+    }
+
+    [Fact]
+    public void TryCreateBuildsWhatTheConstructorBuilds()
+    {
+        Vector3[] cloud = HullClouds.Ball(2, 100);
+        Assert.True(ConvexHull.TryCreate(cloud, out ConvexHull? hull, out string? reason));
+        Assert.Null(reason);
+        Assert.Equal(HullCheck.Corners(new ConvexHull(cloud)), HullCheck.Corners(hull));
+    }
+
+    [Fact]
+    public void TheListIsCopied()
+    {
+        Vector3[] cloud = HullClouds.Ball(3, 30);
+        var hull = new ConvexHull(cloud);
+        Vector3[] before = HullCheck.Corners(hull);
+        Array.Clear(cloud);
+        Assert.Equal(before, HullCheck.Corners(hull));
+    }
+
+    [Fact]
+    public void IndicesOutOfRangeAreRefused()
+    {
+        var hull = new ConvexHull(HullClouds.Grid(2));
+        foreach (int id in new[] { -1, 8 })
+        {
+            Assert.Throws<ArgumentOutOfRangeException>(() => hull.GetVertex(id));
+            Assert.Throws<ArgumentOutOfRangeException>(() => hull.SourceIndex(id));
+            Assert.Throws<ArgumentOutOfRangeException>(() => hull.NeighborCount(id));
+            Assert.Throws<ArgumentOutOfRangeException>(() => hull.GetNeighbor(id, 0));
+        }
+
+        Assert.Throws<ArgumentOutOfRangeException>(() => hull.GetNeighbor(0, -1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => hull.GetNeighbor(0, hull.NeighborCount(0)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => hull.GetTriangle(-1, out _, out _, out _));
+        Assert.Throws<ArgumentOutOfRangeException>(() => hull.GetTriangle(12, out _, out _, out _));
+
+        // The vertex count must bound the id, not the padded arrays.
+        Assert.Throws<ArgumentOutOfRangeException>(() => new ConvexHull([Vector3.One]).GetVertex(1));
+    }
+
+    [Fact]
+    public void OnePoint()
+    {
+        Vector3[] cloud = [new Vector3(1, -2, 3), new Vector3(1, -2, 3)];
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, "one point");
+        Assert.Equal((0, 1, 0, 0), (hull.Dimension, hull.VertexCount, hull.TriangleCount, hull.NeighborCount(0)));
+        Assert.Equal(new Vector3D(1, -2, 3), hull.Center);
+        Assert.Equal(0, hull.BoundingRadius);
+    }
+
+    [Fact]
+    public void NegativeZeroIsZero()
+    {
+        var hull = new ConvexHull([new Vector3(-0f, 0, -0f), new Vector3(0, -0f, 0), new Vector3(1, -0f, 0)]);
+        Assert.Equal(2, hull.VertexCount);
+        for (int i = 0; i < hull.X.Length; i++)
+            Assert.False(float.IsNegative(hull.X[i]) || float.IsNegative(hull.Y[i]) || float.IsNegative(hull.Z[i]), $"slot {i} holds -0");
+    }
+
+    [Fact]
+    public void PointsOnALineAreASegment()
+    {
+        Vector3[] cloud = [new(0, 0, 0), new(2, 4, -6), new(-1, -2, 3), new(2, 4, -6), new(1, 2, -3)];
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, "line");
+        Assert.Equal([1, 2], new[] { hull.SourceIndex(0), hull.SourceIndex(1) });
+        Assert.Equal((1, 0), (hull.GetNeighbor(0, 0), hull.GetNeighbor(1, 0)));
+    }
+
+    [Fact]
+    public void ATriangleHasTwoSides()
+    {
+        Vector3[] cloud = [new(0, 0, 5), new(3, 0, 5), new(0, 3, 5), new(1, 1, 5), new(1.5f, 1.5f, 5)];
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, "triangle");
+        Assert.Equal((2, 3, 2), (hull.Dimension, hull.VertexCount, hull.TriangleCount));
+    }
+
+    [Fact]
+    public void ACubeOf24VerticesHasEight()
+    {
+        Vector3[] cloud = Enumerable.Repeat(HullClouds.Grid(2), 3).SelectMany(p => p).ToArray();
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, "cube");
+        Assert.Equal((3, 8, 12), (hull.Dimension, hull.VertexCount, hull.TriangleCount));
+        Assert.Equal(new Vector3D(0.5, 0.5, 0.5), hull.Center);
+    }
+
+    [Theory]
+    [InlineData(3, 1f)]
+    [InlineData(7, 0.1f)]
+    [InlineData(20, 1e-45f)]
+    public void AGridHasEightCorners(int side, float step)
+    {
+        Vector3[] cloud = HullClouds.Grid(side, step);
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, $"grid {side} step {step}");
+        Assert.Equal((8, 12), (hull.VertexCount, hull.TriangleCount));
+    }
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(5)]
+    public void SmallIntegersOfEveryCount(int side)
+    {
+        int[] seenDimensions = new int[4];
+        for (int seed = 0; seed < 600; seed++)
+        {
+            int count = 1 + seed % 24;
+            Vector3[] cloud = HullClouds.SmallIntegers(seed, count, side);
+            var hull = new ConvexHull(cloud);
+            HullCheck.All(hull, cloud, $"integers below {side}, {count} points, seed {seed}");
+            seenDimensions[hull.Dimension]++;
+        }
+
+        Assert.All(seenDimensions, n => Assert.True(n > 0, "a dimension never came up"));
+    }
+
+    [Fact]
+    public void FlatCloudsInAnyPlane()
+    {
+        for (int seed = 0; seed < 60; seed++)
+        {
+            var random = new Random(seed);
+            Vector3 u = HullClouds.SmallIntegers(seed, 1, 9)[0] - new Vector3(4), v = HullClouds.SmallIntegers(seed + 1000, 1, 9)[0] - new Vector3(4);
+            var cloud = new Vector3[3 + seed % 20];
+            for (int i = 0; i < cloud.Length; i++) cloud[i] = random.Next(-5, 6) * u + random.Next(-5, 6) * v + new Vector3(100, 7, -3);
+            HullCheck.All(new ConvexHull(cloud), cloud, $"flat, seed {seed}");
+        }
+    }
+
+    [Theory]
+    [InlineData(1f)]
+    [InlineData(1e-30f)]
+    [InlineData(1e30f)]
+    [InlineData(1e-42f)]
+    [InlineData(1e38f)]
+    public void BallsOfAnySize(float radius)
+    {
+        for (int seed = 0; seed < 5; seed++)
+        {
+            Vector3[] cloud = HullClouds.Ball(seed, 150, radius);
+            HullCheck.All(new ConvexHull(cloud), cloud, $"ball of radius {radius}, seed {seed}");
+        }
+    }
+
+    [Fact]
+    public void MixedMagnitudes()
+    {
+        for (int seed = 0; seed < 200; seed++)
+        {
+            Vector3[] cloud = HullClouds.AnyFloats(seed, 4 + seed % 40);
+            HullCheck.All(new ConvexHull(cloud), cloud, $"any floats, seed {seed}");
+        }
+    }
+
+    [Fact]
+    public void TheLargestFloats()
+    {
+        Vector3[] cloud = HullClouds.Grid(2, 2).Select(p => float.MaxValue * (p - Vector3.One)).ToArray();
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, "largest");
+        Assert.Equal(8, hull.VertexCount);
+    }
+
+    [Fact]
+    public void NearlyFlatCloudsAreSolids()
+    {
+        for (int seed = 0; seed < 10; seed++)
+        {
+            Vector3[] cloud = HullClouds.TurnedSquare(seed, 300);
+            var hull = new ConvexHull(cloud);
+            Assert.Equal(3, hull.Dimension);
+            HullCheck.All(hull, cloud, $"turned square, seed {seed}");
+        }
+    }
+
+    [Fact]
+    public void ExactlyFlatCloudsAreNot()
+    {
+        Vector3[] cloud = HullClouds.ExactPlane(5, 80);
+        var hull = new ConvexHull(cloud);
+        Assert.Equal(2, hull.Dimension);
+        HullCheck.All(hull, cloud, "plane z = x + y, seed 5");
+    }
+
+    [Fact]
+    public void CapsOfManyCoplanarPoints()
+    {
+        // Two copies of a circle's corners: a prism, whose caps are facets with 64 corners.
+        var cloud = new List<Vector3>();
+        for (int i = 0; i < 64; i++)
+        {
+            double angle = i * Math.PI / 32;
+            var p = new Vector3((float)Math.Cos(angle), (float)Math.Sin(angle), 0);
+            cloud.AddRange([p - Vector3.UnitZ, p + Vector3.UnitZ, 0.5f * p + Vector3.UnitZ]);
+        }
+
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud.ToArray(), "prism");
+        Assert.Equal((128, 252), (hull.VertexCount, hull.TriangleCount));
+
+        // No hub: a walk over a cap would otherwise have to look at all of it in one step.
+        Assert.All(Enumerable.Range(0, 128), i => Assert.InRange(hull.NeighborCount(i), 3, 16));
+    }
+
+    [Fact]
+    public void SphereOf515()
+    {
+        Vector3[] cloud = HullClouds.Spiral(515);
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, "spiral 515");
+        Assert.Equal((515, 1026), (hull.VertexCount, hull.TriangleCount));
+    }
+
+    [Fact]
+    public void DenseSpiral()
+    {
+        Vector3[] cloud = HullClouds.Spiral(4096, 0.37f);
+        var hull = new ConvexHull(cloud);
+        HullCheck.All(hull, cloud, "spiral 4096");
+        Assert.Equal(4096, hull.VertexCount);
+    }
+
+    [Fact]
+    public void CenterOfACloudFarAway()
+    {
+        var offset = new Vector3(1 << 23, -(1 << 23), 0);
+        Vector3[] cloud = HullClouds.Grid(2).Select(p => p + offset).ToArray();
+        var hull = new ConvexHull(cloud);
+        Assert.Equal(new Vector3D((1 << 23) + 0.5, -(1 << 23) + 0.5, 0.5), hull.Center);
+        Assert.InRange(hull.BoundingRadius, Math.Sqrt(0.75), Math.Sqrt(0.75) * (1 + 1e-14));
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+using System.Linq;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Queries;
+
+/// <summary>A query allocates nothing, whatever the shapes and the answer.</summary>
+public class AllocationTests
+{
+    private const int Pairs = 100;
+
+    public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull"];
+
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void ThroughConvexShape(string kind)
+    {
+        TestPair[] pairs = [.. Enumerable.Range(0, Pairs).Select(i => Generators.Pair((ulong)i, [kind, "hull", "sphere"]))];
+        AssertNone(() =>
+        {
+            foreach (TestPair p in pairs)
+            {
+                ConvexQuery.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB);
+                ConvexQuery.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, 0.1f);
+                ConvexQuery.Overlaps(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, out _);
+            }
+        });
+    }
+
+    [Fact]
+    public void ThroughTheStructsAndTheirDecorators()
+    {
+        TestPair[] pairs = [.. Enumerable.Range(0, Pairs).Select(i => Generators.Pair((ulong)i, ["hull"]))];
+        AssertNone(() =>
+        {
+            foreach (TestPair p in pairs)
+            {
+                var mesh = new ConvexMesh(p.A.Shape.Hull!);
+                var round = new Rounded<Scaled<BoxShape>>(new Scaled<BoxShape>(new BoxShape(new(0.5f)), -0.5f), 0.1f);
+                ConvexQuery.Distance(mesh, p.PoseA, new CapsuleShape(0.25f, 0.5f), p.PoseB);
+                ConvexQuery.Distance(new Scaled<ConvexMesh>(mesh, 2), p.PoseA, round, p.PoseB);
+                ConvexQuery.Overlaps(new TriangleShape(default, new(1), new(1, 0, 0)), p.PoseA, new ConeShape(0.5f, 1), p.PoseB);
+            }
+        });
+    }
+
+    [Fact]
+    public void OnTheHardestPairs()
+    {
+        HardCase[] cases = [.. CaseFamily.Load("touch").Cases, .. CaseFamily.Load("degenerate").Cases];
+        AssertNone(() =>
+        {
+            foreach (HardCase c in cases)
+            {
+                ConvexQuery.Distance(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB);
+                ConvexQuery.Overlaps(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB);
+            }
+        });
+    }
+
+    [Fact]
+    public void TheMeasureSeesAnAllocation() => Assert.True(Allocated(() => GC.KeepAlive(new byte[64])) >= 64);
+
+    private static void AssertNone(Action work)
+    {
+        work();
+        Assert.Equal(0, Allocated(work));
+    }
+
+    private static long Allocated(Action work)
+    {
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        work();
+        return GC.GetAllocatedBytesForCurrentThread() - before;
+    }
+}

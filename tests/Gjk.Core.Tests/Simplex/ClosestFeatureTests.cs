@@ -1,0 +1,84 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+
+namespace Gjk.Core.Tests;
+
+public class ClosestFeatureTests
+{
+    /// <summary>The cases in which the newest vertex, A, is part of the nearest feature: the step's own precondition.</summary>
+    public static IEnumerable<object[]> WithNewest() =>
+        new[] { 2, 3, 4 }.SelectMany(SimplexCase.All).Where(c => ((int)c[1] & 1) != 0);
+
+    public static IEnumerable<object[]> Any() => new[] { 1, 2, 3, 4 }.SelectMany(n => n == 1 ? [] : SimplexCase.All(n));
+
+    [Theory]
+    [MemberData(nameof(WithNewest))]
+    public void Reduce_keeps_the_nearest_feature(int n, int subset, double distance, int side)
+    {
+        SimplexCase c = SimplexCase.Make(n, subset, distance, side);
+        Simplex simplex = Wound(c.Vertices);
+        if (n == 4 && !IsBeyond(simplex)) return;
+        ClosestFeature feature = default;
+        Assert.Equal(subset != 15, feature.Reduce(ref simplex));
+        if (subset != 15) Check(c, simplex, feature, subset);
+    }
+
+    [Theory]
+    [MemberData(nameof(Any))]
+    public void ReduceAny_needs_no_precondition(int n, int subset, double distance, int side)
+    {
+        SimplexCase c = SimplexCase.Make(n, subset, distance, side);
+        Simplex simplex = Filled(c.Vertices);
+        ClosestFeature feature = default;
+        Assert.Equal(subset != 15, feature.ReduceAny(ref simplex));
+        if (subset != 15) Check(c, simplex, feature, subset);
+    }
+
+    [Theory]
+    [MemberData(nameof(Any))]
+    public void Extended_precision_agrees(int n, int subset, double distance, int side)
+    {
+        SimplexCase c = SimplexCase.Make(n, subset, distance, side);
+        Simplex simplex = Filled(c.Vertices);
+        Assert.Equal(subset != 15, GjkExtendedPrecision.TryReduce(ref simplex, out ClosestFeature feature, out DoubleDouble squared));
+        if (subset == 15) return;
+        Check(c, simplex, feature, subset);
+        Assert.Equal(distance, System.Math.Sqrt((double)squared), 1e-9 * distance + 1e-15);
+    }
+
+    private static void Check(SimplexCase c, in Simplex simplex, in ClosestFeature feature, int subset)
+    {
+        Assert.Equal(BitOperations.PopCount((uint)subset), simplex.Count);
+        double length = feature.Normal.Length;
+        Assert.Equal(c.Distance, feature.Height / length, 1e-15 + 1e-9 * c.Distance);
+        Assert.Equal(length * length, feature.NormalSquared, 1e-12 * length * length);
+
+        // The direction of a distance of 3e-7 is known to 3e-16 / 3e-7, no better.
+        Assert.Equal(0, (feature.Normal * (1 / length) - c.Normal).Length, c.Distance < 1e-3 ? 1e-8 : 1e-12);
+        Weights w = ClosestPointWeights.OfFeature(simplex, feature);
+        Assert.Equal(c.Distance, w.PointOf(simplex.A.W, simplex.B.W, simplex.C.W, default).Length, 1e-12);
+        for (int i = 0; i < simplex.Count; i++) Assert.Equal(simplex[i].W, simplex.OnA(simplex[i].Slot));
+    }
+
+    private static Simplex Filled(Vector3D[] vertices)
+    {
+        Simplex simplex = default;
+        foreach (Vector3D w in vertices.Reverse()) simplex.Push(new MinkowskiVertex { W = w, OnA = w });
+        return simplex;
+    }
+
+    /// <summary>With the triangle of the older vertices wound away from the origin, as the solver leaves it.</summary>
+    private static Simplex Wound(Vector3D[] v)
+    {
+        if (v.Length == 4 && Vector3D.Dot(Vector3D.Cross(v[2] - v[1], v[3] - v[1]), v[1]) < 0) v = [v[0], v[1], v[3], v[2]];
+        return Filled(v);
+    }
+
+    /// <summary>A lies on the origin's side of BCD: GJK would not have found it otherwise.</summary>
+    private static bool IsBeyond(in Simplex s)
+    {
+        Vector3D normal = Vector3D.Cross(s.C.W - s.B.W, s.D.W - s.B.W);
+        return Vector3D.Dot(normal, s.A.W) < Vector3D.Dot(normal, s.B.W);
+    }
+}

@@ -1,0 +1,65 @@
+using System.Collections.Generic;
+
+namespace Gjk.Core.Tests;
+
+public class ClosestPointWeightsTests
+{
+    public static IEnumerable<object[]> Segments() => SimplexCase.All(2);
+
+    public static IEnumerable<object[]> Triangles() => SimplexCase.All(3);
+
+    public static IEnumerable<object[]> Tetrahedra() => SimplexCase.All(4);
+
+    [Theory]
+    [MemberData(nameof(Segments))]
+    [MemberData(nameof(Triangles))]
+    [MemberData(nameof(Tetrahedra))]
+    public void Every_region_gives_its_own_weights(int n, int subset, double distance, int side)
+    {
+        SimplexCase c = SimplexCase.Make(n, subset, distance, side);
+        Vector3D[] v = c.Vertices;
+        Weights w = n == 2 ? ClosestPointWeights.Segment(v[0], v[1])
+            : n == 3 ? ClosestPointWeights.Triangle(v[0], v[1], v[2])
+            : ClosestPointWeights.Tetrahedron(v[0], v[1], v[2], v[3]);
+        for (int i = 0; i < 4; i++) Assert.Equal(c.Weights[i], w[i], 1e-13);
+        Assert.True(w.IsInside);
+        Assert.Equal(1, w.A + w.B + w.C + w.D, 1e-15);
+    }
+
+    [Fact]
+    public void Repeated_points_fall_back_to_the_point()
+    {
+        var p = new Vector3D(0.4, -1.3, 2.2);
+        Assert.Equal(1, ClosestPointWeights.Segment(p, p).A);
+        Weights w = ClosestPointWeights.Triangle(p, p, p);
+        Assert.True(w.IsInside);
+        Assert.Equal(p, w.PointOf(p, p, p, default));
+        w = ClosestPointWeights.Tetrahedron(p, p, p, p);
+        Assert.True(w.IsInside);
+        Assert.Equal(p, w.PointOf(p, p, p, p));
+    }
+
+    [Fact]
+    public void A_collinear_triangle_falls_back_to_its_best_edge()
+    {
+        // The line through (1, 2, 3) along (2, -1, 0.5); the origin's nearest point on it is inside the long edge.
+        Vector3D start = new(1, 2, 3), along = new(2, -1, 0.5);
+        Vector3D a = start + along * -2, b = start + along * 1.5, c = start + along * 0.25;
+        double t = -Vector3D.Dot(start, along) / along.LengthSquared;
+        Vector3D expected = start + along * t;
+        Weights w = ClosestPointWeights.Triangle(a, b, c);
+        Assert.True(w.IsInside);
+        Assert.Equal(0, (w.PointOf(a, b, c, default) - expected).Length, 1e-14);
+    }
+
+    [Fact]
+    public void A_flat_tetrahedron_falls_back_to_its_best_face()
+    {
+        // Four points of the plane x + 2 y - z = 3; the origin's foot (0.5, 1, -0.5) is inside their quadrilateral.
+        static Vector3D Plane(double x, double y) => new(x, y, x + 2 * y - 3);
+        Vector3D a = Plane(-2, 0.5), b = Plane(3, -0.25), c = Plane(1.5, 4), d = Plane(-1, 3.5);
+        Weights w = ClosestPointWeights.Tetrahedron(a, b, c, d);
+        Assert.True(w.IsInside);
+        Assert.Equal(0, (w.PointOf(a, b, c, d) - new Vector3D(0.5, 1, -0.5)).Length, 1e-14);
+    }
+}

@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Text.Json;
+
+namespace Gjk.Core.Tests.Support;
+
+/// <summary>A hard pair and its proved answer.</summary>
+internal sealed record HardCase(int IndexA, int IndexB, TestPair Pair, bool Overlap, double Distance, double Depth);
+
+/// <summary>One file of tests/Cases with its answers, read once, each mesh hulled once.</summary>
+internal sealed class CaseFamily
+{
+    private static readonly ConcurrentDictionary<string, Lazy<CaseFamily>> Loaded = new();
+
+    private CaseFamily(string name)
+    {
+        Name = name;
+        using var scene = JsonDocument.Parse(Read($"{name}.json"));
+        JsonElement root = scene.RootElement;
+        Dictionary<string, TestShape> meshes = root.GetProperty("meshes").EnumerateObject().ToDictionary(m => m.Name, Mesh);
+        (TestShape Shape, RigidPose Pose)[] objects = [.. root.GetProperty("objects").EnumerateArray().Select(o => Object(o, meshes))];
+        string[] rows = Read($"{name}.expected.csv").Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        if (rows[0].Trim() != "a,b,overlap,distance,depth,case") throw new InvalidDataException($"{name}: unexpected header '{rows[0]}'.");
+        Cases = [.. rows.Skip(1).Select(row => Case(row.Trim().Split(','), objects))];
+    }
+
+    public static IEnumerable<string> Names => ["parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense"];
+
+    public string Name { get; }
+
+    public IReadOnlyList<HardCase> Cases { get; }
+
+    public static CaseFamily Load(string name) => Loaded.GetOrAdd(name, n => new Lazy<CaseFamily>(() => new CaseFamily(n))).Value;
+
+    private static string Read(string file)
+    {
+        using Stream stream = typeof(CaseFamily).Assembly.GetManifestResourceStream($"Cases/{file}")
+            ?? throw new FileNotFoundException("Not embedded: " + file);
+        using var reader = new StreamReader(stream);
+        return reader.ReadToEnd();
+    }
+
+    private static TestShape Mesh(JsonProperty mesh)
+    {
+        Vector3[] points = [.. mesh.Value.EnumerateArray().Select(Vector)];
+        return TestShape.Mesh(mesh.Name, new ConvexHull(points), points);
+    }
+
+    private static (TestShape Shape, RigidPose Pose) Object(JsonElement o, Dictionary<string, TestShape> meshes)
+    {
+        string mesh = o.GetProperty("shape").GetProperty("mesh").GetString()!;
+        JsonElement q = o.GetProperty("rotation");
+        var rotation = new Quaternion(q[0].GetSingle(), q[1].GetSingle(), q[2].GetSingle(), q[3].GetSingle());
+        return (meshes[mesh], new RigidPose(rotation, Vector(o.GetProperty("position"))));
+    }
+
+    private static Vector3 Vector(JsonElement e) => new(e[0].GetSingle(), e[1].GetSingle(), e[2].GetSingle());
+
+    private HardCase Case(string[] cells, (TestShape Shape, RigidPose Pose)[] objects)
+    {
+        int a = int.Parse(cells[0], CultureInfo.InvariantCulture), b = int.Parse(cells[1], CultureInfo.InvariantCulture);
+        var pair = new TestPair($"{Name} {a},{b} {cells[5]}", objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose);
+        return new HardCase(a, b, pair, bool.Parse(cells[2]), Number(cells[3]), Number(cells[4]));
+    }
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,73 @@
+using System;
+using System.Linq;
+using System.Numerics;
+
+namespace Gjk.Core.Tests.Support;
+
+/// <summary>Seeded random shapes, poses and pairs. Sizes are about 1 unless a scale is asked for.</summary>
+internal static class Generators
+{
+    /// <summary>Every kind of polytope, with and without margin: what the exact oracle can judge.</summary>
+    public static readonly string[] PolytopeKinds =
+        ["point", "segment", "triangle", "sphere", "capsule", "box", "hull", "flat", "needle", "plate", "scaledHull", "scaledBox", "mirroredCapsule"];
+
+    public static readonly string[] CurvedKinds = ["cylinder", "cone", "ellipsoid", "scaledCylinder", "scaledCone", "scaledCapsule", "scaledSphere"];
+
+    public static readonly string[] AllKinds = [.. PolytopeKinds, .. CurvedKinds];
+
+    public static TestShape Shape(Rng rng, string kind) => kind switch
+    {
+        "point" => TestShape.Point(),
+        "segment" => TestShape.Segment(rng.Vector(-1, 1), rng.Vector(-1, 1)),
+        "triangle" => TestShape.Triangle(rng.Vector(-1, 1), rng.Vector(-1, 1), rng.Vector(-1, 1)),
+        "sphere" => TestShape.Sphere(rng.Float(0.1, 1)),
+        "capsule" => TestShape.Capsule(rng.Float(0.1, 0.5), rng.Float(0.1, 1)),
+        "box" => TestShape.Box(rng.Vector(0.1, 1)),
+        "cylinder" => TestShape.Cylinder(rng.Float(0.1, 1), rng.Float(0.1, 1)),
+        "cone" => TestShape.Cone(rng.Float(0.1, 1), rng.Float(0.1, 1)),
+        "ellipsoid" => TestShape.Ellipsoid(rng.Vector(0.2, 1)),
+        "hull" => TestShape.Mesh(Cloud(rng, 4 + rng.Below(13), Vector3.One)),
+        "bigHull" => TestShape.Mesh(Cloud(rng, 32 + rng.Below(33), Vector3.One)),
+        "flat" => TestShape.Mesh(Cloud(rng, 3 + rng.Below(8), new Vector3(1, 0, 1))),
+        "needle" => TestShape.Mesh(Cloud(rng, 4 + rng.Below(9), new Vector3(1, 1e-3f, 1e-3f))),
+        "plate" => TestShape.Mesh(Cloud(rng, 4 + rng.Below(9), new Vector3(1, 1e-3f, 1))),
+        "scaledHull" => Shape(rng, "hull").Scaled(Signs(rng, rng.Vector(0.3, 2))),
+        "scaledBox" => Shape(rng, "box").Scaled(Signs(rng, rng.Vector(0.3, 2))),
+        "mirroredCapsule" => Shape(rng, "capsule").Scaled(Signs(rng, new Vector3(rng.Float(0.3, 2)))),
+        "scaledCylinder" => Shape(rng, "cylinder").Scaled(Signs(rng, rng.Vector(0.3, 2))),
+        "scaledCone" => Shape(rng, "cone").Scaled(Signs(rng, rng.Vector(0.3, 2))),
+        "scaledCapsule" => Shape(rng, "capsule").Scaled(Signs(rng, rng.Vector(0.3, 2))),
+        "scaledSphere" => Shape(rng, "sphere").Scaled(Signs(rng, rng.Vector(0.3, 2))),
+        _ => throw new ArgumentException("No such kind.", nameof(kind)),
+    };
+
+    public static RigidPose Pose(Rng rng, Vector3 position) => new(rng.Rotation(), position);
+
+    /// <summary>Two shapes at random whose centres are within a part of the sum of their radii, so that about half of them overlap.</summary>
+    public static TestPair Pair(ulong seed, string[] kinds, double spread = 1.0)
+    {
+        var rng = new Rng(seed);
+        TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
+        double distance = rng.Range(0, spread) * (a.Shape.BoundingRadius + b.Shape.BoundingRadius);
+        RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), poseB = Pose(rng, poseA.Position + rng.Direction() * (float)distance);
+        return new TestPair($"seed {seed}", a, poseA, b, poseB);
+    }
+
+    /// <summary>A pair whose planes across one direction stand a given gap apart (to the rounding of the position), negative for shallow overlaps.</summary>
+    public static TestPair NearPair(ulong seed, string[] kinds, double gap)
+    {
+        var rng = new Rng(seed);
+        TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
+        RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
+        Vector3D n = rng.Direction();
+        n *= 1 / n.Length;
+        double apart = new Body<ConvexShape>(a.Shape, poseA).Height(n) + new Body<ConvexShape>(b.Shape, turned).Height(-n) + gap;
+        return new TestPair($"seed {seed} gap {gap:R}", a, poseA, b, new RigidPose(turned.Rotation, (Vector3)(poseA.Position + n * apart)));
+    }
+
+    /// <summary>Points spread evenly in a box of the given half size.</summary>
+    public static Vector3[] Cloud(Rng rng, int count, Vector3 size) => [.. Enumerable.Range(0, count).Select(_ => rng.Vector(-1, 1) * size)];
+
+    private static Vector3 Signs(Rng rng, Vector3 v) =>
+        new(rng.Below(2) == 0 ? v.X : -v.X, rng.Below(2) == 0 ? v.Y : -v.Y, rng.Below(2) == 0 ? v.Z : -v.Z);
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Numerics;
+
+namespace Gjk.Core.Tests.Support;
+
+/// <summary>A shape with what the tests know about it beside the library: its exact vertices, its extent, and the C# text that makes it again.</summary>
+internal sealed class TestShape
+{
+    private TestShape(string text, in ConvexShape shape, Vector3D[]? vertices, double margin, Vector3D extent)
+    {
+        Text = text;
+        Shape = shape;
+        Vertices = vertices;
+        Margin = margin;
+        LongestSide = Math.Max(Math.Max(extent.X, extent.Y), extent.Z);
+    }
+
+    public string Text { get; }
+
+    public ConvexShape Shape { get; }
+
+    /// <summary>The core's points, scale applied (exact: a product of two floats is a double); null where the core is curved.</summary>
+    public Vector3D[]? Vertices { get; }
+
+    public double Margin { get; }
+
+    /// <summary>The longest side of the local bounding box, scale applied, margin included.</summary>
+    public double LongestSide { get; }
+
+    public static TestShape Point() => Polytope("ConvexShape.Point()", ConvexShape.Point(), [Vector3.Zero], 0);
+
+    public static TestShape Segment(Vector3 a, Vector3 b) => Polytope($"ConvexShape.Segment({T(a)}, {T(b)})", ConvexShape.Segment(a, b), [a, b], 0);
+
+    public static TestShape Triangle(Vector3 a, Vector3 b, Vector3 c) =>
+        Polytope($"ConvexShape.Triangle({T(a)}, {T(b)}, {T(c)})", ConvexShape.Triangle(a, b, c), [a, b, c], 0);
+
+    public static TestShape Sphere(float r) => Polytope($"ConvexShape.Sphere({T(r)})", ConvexShape.Sphere(r), [Vector3.Zero], r);
+
+    public static TestShape Capsule(float r, float h) =>
+        Polytope($"ConvexShape.Capsule({T(r)}, {T(h)})", ConvexShape.Capsule(r, h), [new(0, h, 0), new(0, -h, 0)], r);
+
+    public static TestShape Box(Vector3 h) => Polytope($"ConvexShape.Box({T(h)})", ConvexShape.Box(h), Corners(h), 0);
+
+    public static TestShape Mesh(params Vector3[] points) =>
+        Polytope($"ConvexShape.Mesh([{string.Join(", ", points.Select(T))}])", ConvexShape.Mesh(points), points, 0);
+
+    public static TestShape Mesh(string name, ConvexHull hull, Vector3[] points) => Polytope(name, ConvexShape.Mesh(hull), points, 0);
+
+    public static TestShape Cylinder(float r, float h) =>
+        new($"ConvexShape.Cylinder({T(r)}, {T(h)})", ConvexShape.Cylinder(r, h), null, 0, new(2.0 * r, 2.0 * h, 2.0 * r));
+
+    public static TestShape Cone(float r, float h) =>
+        new($"ConvexShape.Cone({T(r)}, {T(h)})", ConvexShape.Cone(r, h), null, 0, new(2.0 * r, 2.0 * h, 2.0 * r));
+
+    public static TestShape Ellipsoid(Vector3 r) => new($"ConvexShape.Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), null, 0, (Vector3D)r * 2);
+
+    public TestShape Scaled(Vector3 s)
+    {
+        var factors = new Vector3D(Math.Abs(s.X), Math.Abs(s.Y), Math.Abs(s.Z));
+        bool even = factors.X == factors.Y && factors.Y == factors.Z;
+        string text = $"{Text}.Scaled({T(s)})";
+        bool polytope = Vertices is not null && (Margin == 0 || even);
+        if (!polytope)
+            return new(text, Shape.Scaled(s), null, Margin * (even ? factors.X : 0), new Vector3D(1, 1, 1) * (LongestSide * Math.Max(Math.Max(factors.X, factors.Y), factors.Z)));
+        return Polytope(text, Shape.Scaled(s), [.. Vertices!.Select(v => Vector3D.Multiply(v, s))], Margin * factors.X);
+    }
+
+    public override string ToString() => Text;
+
+    public static Vector3[] Corners(Vector3 h) =>
+        [.. from x in new[] { -h.X, h.X } from y in new[] { -h.Y, h.Y } from z in new[] { -h.Z, h.Z } select new Vector3(x, y, z)];
+
+    private static TestShape Polytope(string text, in ConvexShape shape, Vector3[] vertices, double margin) =>
+        Polytope(text, shape, [.. vertices.Select(v => (Vector3D)v)], margin);
+
+    private static TestShape Polytope(string text, in ConvexShape shape, Vector3D[] vertices, double margin) =>
+        new(text, shape, vertices, margin, new Vector3D(
+            Side(vertices.Select(v => v.X)) + 2 * margin, Side(vertices.Select(v => v.Y)) + 2 * margin, Side(vertices.Select(v => v.Z)) + 2 * margin));
+
+    private static double Side(IEnumerable<double> values) => values.Max() - values.Min();
+
+    public static string T(float x) => x.ToString("R", CultureInfo.InvariantCulture) + "f";
+
+    public static string T(Vector3 v) => $"new({T(v.X)}, {T(v.Y)}, {T(v.Z)})";
+
+    public static string T(in RigidPose p) =>
+        $"new RigidPose(new({T(p.Rotation.X)}, {T(p.Rotation.Y)}, {T(p.Rotation.Z)}, {T(p.Rotation.W)}), {T(p.Position)})";
+}
