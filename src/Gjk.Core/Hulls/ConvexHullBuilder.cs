@@ -47,19 +47,12 @@ internal sealed class ConvexHullBuilder
         return new HullMesh(1, [Math.Min(first, last), Math.Max(first, last)], [], _points.Length);
     }
 
-    /// <summary>Projects along the axis that is most nearly normal, among those that are provably not parallel to the plane.</summary>
+    /// <summary>Projects along an axis that is not parallel to the plane; there is one, because the three points are not on a line.</summary>
     private HullMesh Polygon(int a, int b, int c)
     {
-        HullPlane plane = _predicates.PlaneThrough(a, b, c);
-        double[] normal = [Math.Abs(plane.NormalX), Math.Abs(plane.NormalY), Math.Abs(plane.NormalZ)];
-        int best = -1;
-        for (int axis = 0; axis < 3; axis++)
-        {
-            if (_predicates.Turn(a, b, c, (axis + 1) % 3, (axis + 2) % 3) == 0) continue;
-            if (best < 0 || normal[axis] > normal[best]) best = axis;
-        }
-
-        return PlanarHull.Build(_predicates, (best + 1) % 3, (best + 2) % 3);
+        int axis = 0;
+        while (_predicates.Turn(a, b, c, (axis + 1) % 3, (axis + 2) % 3) == 0) axis++;
+        return PlanarHull.Build(_predicates, (axis + 1) % 3, (axis + 2) % 3);
     }
 
     private int FirstInLexicographicOrder(int sign)

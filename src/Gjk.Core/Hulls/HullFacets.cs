@@ -9,7 +9,6 @@ namespace Gjk.Core;
 /// An edge is sharp when the faces on both sides are not coplanar. Sharp edges are the edges of the polytope, or pieces of them, so a vertex with none lies inside a facet, with two it
 /// lies on an edge between two others, and with three or more it is a strict corner. The sharp edges around a facet are one loop, because a facet is convex; without the points
 /// that are no corners the loop is a strictly convex polygon.
-/// The loop is started at its lowest point, so the triangles of a facet do not depend on the order in which the hull grew.
 /// </remarks>
 internal static class HullFacets
 {
@@ -39,7 +38,6 @@ internal static class HullFacets
     private static int[] Triangulate(QuickHull hull, bool[] isSharp, int[] sharpEdges)
     {
         var triangles = new List<int>();
-        var walked = new List<int>();
         var loop = new List<int>();
         bool[] isDone = new bool[isSharp.Length];
         for (int h = 0; h < isSharp.Length; h++)
@@ -50,28 +48,15 @@ internal static class HullFacets
             {
                 isDone[edge] = true;
                 int origin = hull.Origin(edge);
-                if (sharpEdges[origin] >= SharpEdgesOfCorner) walked.Add(origin);
+                if (sharpEdges[origin] >= SharpEdgesOfCorner) loop.Add(origin);
                 edge = QuickHull.Next(edge);
                 while (!isSharp[edge]) edge = QuickHull.Next(hull.Twin(edge));
             }
             while (edge != h);
 
-            MoveFromLowest(walked, loop);
             PolygonTriangles.Append(loop, triangles);
         }
 
         return triangles.ToArray();
-    }
-
-    private static void MoveFromLowest(List<int> walked, List<int> loop)
-    {
-        int lowest = 0;
-        for (int i = 1; i < walked.Count; i++)
-        {
-            if (walked[i] < walked[lowest]) lowest = i;
-        }
-
-        for (int i = 0; i < walked.Count; i++) loop.Add(walked[(lowest + i) % walked.Count]);
-        walked.Clear();
     }
 }

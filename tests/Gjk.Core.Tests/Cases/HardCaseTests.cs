@@ -97,6 +97,27 @@ public class HardCaseTests
         return (sameFlag && error <= 2 * band ? 0 : double.PositiveInfinity, $"{r.Status} {r.Distance:R}, swapped {s.Status} {s.Distance:R}");
     });
 
+    [Theory]
+    [MemberData(nameof(Families))]
+    public void AWarmStartChangesNothingBeyondTheAccuracy(string family)
+    {
+        var warm = default(WarmStart);
+        Report(family, c =>
+        {
+            // The memory of another pair first, then its own.
+            double worst = 0;
+            for (int i = 0; i < 2; i++)
+            {
+                DistanceResult r = ConvexQuery.Distance(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, ref warm);
+                bool wrong = r.Overlaps != c.Overlap && Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
+                double error = Math.Abs(r.Distance - c.Distance), ratio = error == 0 ? 0 : error / Tolerance.Band(c.Distance, c.Pair.Scale);
+                worst = wrong || double.IsNaN(ratio) ? double.PositiveInfinity : Math.Max(worst, ratio);
+            }
+
+            return (worst, "warm");
+        });
+    }
+
     /// <summary>Fails with the number of pairs whose error is above 1 (in units of what is allowed), and the worst of them in full.</summary>
     private static void Report(string family, Func<HardCase, (double Error, string Said)> examine)
     {

@@ -229,6 +229,35 @@ public class ConvexHullTests
     }
 
     [Fact]
+    public void ABitOffALineCountsAmongRounding()
+    {
+        // Double finds crosses that are not zero among points of the line, all larger than those of the points off it.
+        for (int seed = 0; seed < 20; seed++)
+        {
+            Vector3 farEnd = -1294001f / (1 << 20) * new Vector3(1, 3, 5);
+            Vector3[] line = [farEnd, .. HullClouds.WideLine(seed, 40)];
+            Vector3[] flat = [.. line, default, new Vector3(0, 0, 1e-35f)];
+            Vector3[] solid = [.. flat, new Vector3(0, 1e-38f, 0)];
+            HullCheck.All(new ConvexHull(line), line, $"line, seed {seed}");
+            HullCheck.All(new ConvexHull(flat), flat, $"line and a point off it, seed {seed}");
+            HullCheck.All(new ConvexHull(solid), solid, $"line and two points off it, seed {seed}");
+            Assert.Equal(2, new ConvexHull(flat).Dimension);
+            Assert.Equal(3, new ConvexHull(solid).Dimension);
+        }
+    }
+
+    [Fact]
+    public void PlanesOnWhichDoubleRounds()
+    {
+        for (int seed = 0; seed < 20; seed++)
+        {
+            Vector3[] deep = HullClouds.WidePlane(seed, 40, 44), along = HullClouds.PlaneAlongAxis(seed, 40);
+            HullCheck.All(new ConvexHull(deep), deep, $"deep plane, seed {seed}");
+            HullCheck.All(new ConvexHull(along), along, $"plane along an axis, seed {seed}");
+        }
+    }
+
+    [Fact]
     public void CapsOfManyCoplanarPoints()
     {
         // Two copies of a circle's corners: a prism, whose caps are facets with 64 corners.

@@ -94,6 +94,38 @@ internal static class HullClouds
         });
     }
 
+    /// <summary>Multiples of (1, 3, 5) from 1 down to 2^-44: on a line exactly, but double rounds their differences.</summary>
+    public static Vector3[] WideLine(int seed, int count)
+    {
+        var random = new Random(seed);
+        return Make(count, _ => Shrunk(random, 44) * new Vector3(1, 3, 5));
+    }
+
+    /// <summary>Points of the plane z = x + y through the origin, from 1 down to 2^-depth: exactly coplanar, but double rounds what is computed from them.</summary>
+    public static Vector3[] WidePlane(int seed, int count, int depth)
+    {
+        var random = new Random(seed);
+        return Make(count, _ =>
+        {
+            float scale = (float)Math.Pow(2, -22 - random.Next(depth + 1));
+            int x = random.Next(-(1 << 22), 1 << 22), y = random.Next(-(1 << 22), 1 << 22);
+            return scale * new Vector3(x, y, x + y);
+        });
+    }
+
+    /// <summary>A plane that holds a coordinate axis: small whole numbers along the other two, any magnitude along it. A lattice in two of three axes.</summary>
+    public static Vector3[] PlaneAlongAxis(int seed, int count)
+    {
+        var random = new Random(seed);
+        int axis = random.Next(3);
+        return Make(count, _ =>
+        {
+            int k = random.Next(1 << 13);
+            float free = Shrunk(random, 44), three = 3 * k, five = 5 * k;
+            return axis == 0 ? new Vector3(free, three, five) : axis == 1 ? new Vector3(five, free, three) : new Vector3(three, five, free);
+        });
+    }
+
     public static Vector3[] Permuted(Vector3[] cloud, int seed)
     {
         var random = new Random(seed);
@@ -106,6 +138,9 @@ internal static class HullClouds
 
         return copy;
     }
+
+    /// <summary>21 random bits over 2^21, divided by a power of two up to 2^depth.</summary>
+    private static float Shrunk(Random random, int depth) => random.Next(1, 1 << 21) * (float)Math.Pow(2, -21 - random.Next(depth + 1));
 
     private static float Signed(Random random) => (float)(2 * random.NextDouble() - 1);
 

@@ -17,6 +17,11 @@ public class HullPredicatesTests
     [InlineData("plane", 6)]
     [InlineData("almost", 7)]
     [InlineData("far", 8)]
+    [InlineData("wide line", 9)]
+    [InlineData("wide plane", 10)]
+    [InlineData("deep plane", 11)]
+    [InlineData("axis plane", 12)]
+    [InlineData("deep plane, nudged", 13)]
     public void SideIsExact(string family, int seed)
     {
         var random = new Random(seed);
@@ -33,7 +38,7 @@ public class HullPredicatesTests
 
         // The families that are about coplanarity must be coplanar often, and not always.
         if (family is "integers" or "almost") Assert.InRange(zeros, Quadruples / 100, Quadruples * 9 / 10);
-        if (family is "plane") Assert.Equal(Quadruples, zeros);
+        if (family is "plane" or "wide line" or "wide plane" or "deep plane" or "axis plane") Assert.Equal(Quadruples, zeros);
     }
 
     [Theory]
@@ -43,6 +48,8 @@ public class HullPredicatesTests
     [InlineData("huge", 14)]
     [InlineData("integers", 15)]
     [InlineData("almost", 16)]
+    [InlineData("wide line", 17)]
+    [InlineData("wide line, nudged", 18)]
     public void TurnIsExact(string family, int seed)
     {
         var random = new Random(seed);
@@ -84,9 +91,21 @@ public class HullPredicatesTests
             "huge" => HullClouds.Box(seed, 4, float.MaxValue),
             "integers" => HullClouds.SmallIntegers(seed, 4, 4, 3),
             "plane" => HullClouds.ExactPlane(seed, 4),
+            "wide line" => HullClouds.WideLine(seed, 4),
+            "wide line, nudged" => Nudged(HullClouds.WideLine(seed, 4)),
+            "wide plane" => HullClouds.WidePlane(seed, 4, 18),
+            "deep plane" => HullClouds.WidePlane(seed, 4, 44),
+            "deep plane, nudged" => Nudged(HullClouds.WidePlane(seed, 4, 44)),
+            "axis plane" => HullClouds.PlaneAlongAxis(seed, 4),
             "far" => HullClouds.Box(seed, 4, 1e-3f).Select(p => p + new Vector3(1e4f, -3e3f, 77)).ToArray(),
             _ => AlmostCoplanar(random),
         };
+    }
+
+    private static Vector3[] Nudged(Vector3[] p)
+    {
+        p[2].Z = MathF.BitIncrement(p[2].Z);
+        return p;
     }
 
     /// <summary>Weights of a quarter keep the fourth point in the plane, or let the last bit push it out.</summary>

@@ -48,10 +48,12 @@ public class AllocationTests
     public void OnTheHardestPairs()
     {
         HardCase[] cases = [.. CaseFamily.Load("touch").Cases, .. CaseFamily.Load("degenerate").Cases];
+        var warm = default(WarmStart);
         AssertNone(() =>
         {
             foreach (HardCase c in cases)
             {
+                ConvexQuery.Distance(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, ref warm);
                 ConvexQuery.Distance(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB);
                 ConvexQuery.Overlaps(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB);
             }

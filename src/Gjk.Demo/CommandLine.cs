@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.CommandLine.Invocation;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Threading;
+using Gjk.Demo.Queries;
+using Gjk.Demo.Replay;
+using Gjk.Demo.Scenes;
+using Gjk.Demo.Timing;
+
+namespace Gjk.Demo;
+
+/// <summary>The commands, their options and help.</summary>
+internal static class CommandLine
+{
+    private const string Default = "replay";
+
+    private const double DefaultSeconds = 3;
+
+    /// <summary>A day; more is a slip of the finger.</summary>
+    private const double MaxSeconds = 86_400;
+
+    /// <summary>Parses and runs; what is refused is thrown.</summary>
+    public static int Run(string[] args, CancellationToken cancel)
+    {
+        var root = new RootCommand(
+            "Exact GJK for convex shapes: do they intersect, how far apart are they, where are the closest points. Without a command: replay.")
+        {
+            BuildReplay(cancel),
+            BuildQuery(cancel),
+            BuildTime(cancel),
+        };
+
+        // A file name may begin with @, and nothing else is to be read from it.
+        ParseResult parsed = root.Parse(WithDefault(args), new ParserConfiguration { ResponseFileTokenReplacer = null });
+        if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction)
+        {
+            string where = parsed.CommandResult.Command is RootCommand ? "" : parsed.CommandResult.Command.Name + ": ";
+            throw new RefusedException(where + string.Join(" ", parsed.Errors.Select(e => e.Message)));
+        }
+
+        return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
+    }
+
+    /// <summary>Options without a command belong to the default command, but for those of the program itself.</summary>
+    private static IReadOnlyList<string> WithDefault(string[] args)
+    {
+        bool isDefault = args.Length == 0 || (args[0].StartsWith('-') && args[0] is not ("-h" or "--help" or "-?" or "--version"));
+        return isDefault ? [Default, .. args] : args;
+    }
+
+    private static Command BuildReplay(CancellationToken cancel)
+    {
+        Option<double> seconds = Seconds();
+        var frames = new Option<int?>("--frames")
+        {
+            Description = "How many frames to measure per scene, instead of --seconds.",
+            HelpName = "N",
+            CustomParser = result => int.TryParse(result.Tokens[0].Value, NumberStyles.Integer, CultureInfo.InvariantCulture, out int n) ? n : 0,
+        };
+        frames.Validators.Add(result => Check(result, frames, n => n >= 1, $"must be a whole number, at least 1, at most {int.MaxValue}"));
+        var json = new Option<string?>("--json") { Description = "Also write the figures and all results to this file.", HelpName = "FILE" };
+        var command = new Command(Default, "Replay the report's two scenes, 20 objects and 190 pairs per frame, and print its table beside this machine's.")
+        {
+            seconds, frames, json,
+        };
+        command.Validators.Add(result =>
+        {
+            if (result.GetResult(seconds) is { Implicit: false } && result.GetResult(frames) is { Implicit: false })
+                result.AddError("--frames and --seconds exclude each other.");
+        });
+        command.SetAction(r => ReplayCommand.Run(
+            new ReplayLength(TimeSpan.FromSeconds(r.GetValue(seconds)), r.GetValue(frames)), r.GetValue(json), cancel));
+        return command;
+    }
+
+    private static Command BuildQuery(CancellationToken cancel)
+    {
+        var scene = new Argument<string>("SCENE.json") { Description = "The scene." };
+        var output = new Option<string?>("--out") { Description = "Write the CSV to this file instead of standard output.", HelpName = "FILE.csv" };
+        var max = new Option<float>("--max-distance")
+        {
+            Description = "Only tell of pairs further apart than this that they are.",
+            HelpName = "D",
+            DefaultValueFactory = _ => float.PositiveInfinity,
+            CustomParser = Number<float>,
+        };
+        max.Validators.Add(result =>
+        {
+            if (!result.Implicit) Check(result, max, d => float.IsFinite(d) && d >= 0, "must be a finite number, at least 0");
+        });
+        var command = new Command("query", "The distance and the closest points of every pair of a scene, as CSV.") { scene, output, max };
+        command.SetAction(r =>
+        {
+            string file = r.GetValue(scene)!;
+            string? target = r.GetValue(output);
+            if (target is not null && IsSameFile(file, target)) throw new RefusedException($"{target}: --out would overwrite the scene");
+            QueryCommand.Run(SceneFile.Load(file), target, r.GetValue(max), cancel);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static Command BuildTime(CancellationToken cancel)
+    {
+        var scenes = new Argument<string[]>("SCENE.json") { Description = "The scenes.", Arity = ArgumentArity.OneOrMore };
+        Option<double> seconds = Seconds();
+        var command = new Command("time", "Nanoseconds per pair of each scene: cold, warm, moving and boolean, as one line of JSON.") { scenes, seconds };
+        command.SetAction(r => TimeCommand.Run(r.GetValue(scenes)!, TimeSpan.FromSeconds(r.GetValue(seconds)), cancel));
+        return command;
+    }
+
+    private static Option<double> Seconds()
+    {
+        var seconds = new Option<double>("--seconds")
+        {
+            Description = "How long to measure per scene, in seconds.",
+            HelpName = "S",
+            DefaultValueFactory = _ => DefaultSeconds,
+            CustomParser = Number<double>,
+        };
+        seconds.Validators.Add(result => Check(result, seconds, s => s > 0 && s <= MaxSeconds, $"must be a number above 0, at most {MaxSeconds:F0}"));
+        return seconds;
+    }
+
+    private static T Number<T>(ArgumentResult result)
+        where T : struct, IFloatingPoint<T>
+    {
+        string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
+        return T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out T value) ? value : T.CreateChecked(0) / T.CreateChecked(0);
+    }
+
+    private static void Check<T>(OptionResult result, Option<T> option, Func<T, bool> isGood, string reason)
+    {
+        if (result.Errors.Any()) return;
+        if (!isGood(result.GetValueOrDefault<T>()!)) result.AddError($"{option.Name} {string.Join(" ", result.Tokens.Select(t => t.Value))}: {reason}.");
+    }
+
+    private static bool IsSameFile(string a, string b) => a.Length > 0 && b.Length > 0 && Path.GetFullPath(a) == Path.GetFullPath(b);
+}

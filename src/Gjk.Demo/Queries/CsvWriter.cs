@@ -1,0 +1,95 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Numerics;
+using System.Text;
+using Gjk.Core;
+
+namespace Gjk.Demo.Queries;
+
+/// <summary>Results as CSV, row by row through one buffer of fixed size. Floats have as many digits as bring the same bits back.</summary>
+internal sealed class CsvWriter
+{
+    /// <summary>The columns, in order.</summary>
+    public const string Header = "a,b,status,overlap,distance,lower_bound,ax,ay,az,bx,by,bz,nx,ny,nz,iterations";
+
+    private const int BufferBytes = 1 << 16;
+
+    /// <summary>More than the longest row: 13 numbers of at most 16 characters, the indices and the words.</summary>
+    private const int RowBytes = 512;
+
+    private readonly Stream _stream;
+    private readonly byte[] _buffer = new byte[BufferBytes];
+    private int _used;
+
+    public CsvWriter(Stream stream)
+    {
+        _stream = stream;
+        Add(Header);
+        EndRow();
+    }
+
+    public void Write(int a, int b, in DistanceResult result)
+    {
+        if (_used > BufferBytes - RowBytes) Flush();
+        Add(a);
+        Add(b);
+        Add(StatusName(result.Status));
+        Add(result.Overlaps ? "true" : "false");
+        Add(result.Distance);
+        Add(result.LowerBound);
+        Add(result.PointA);
+        Add(result.PointB);
+        Add(result.Normal);
+        Add(result.Iterations);
+        EndRow();
+    }
+
+    /// <summary>Hands everything to the stream.</summary>
+    public void Flush()
+    {
+        _stream.Write(_buffer, 0, _used);
+        _stream.Flush();
+        _used = 0;
+    }
+
+    /// <summary>As <see cref="GjkStatus"/> has it, without a search through its metadata for each row.</summary>
+    private static string StatusName(GjkStatus status) => status switch
+    {
+        GjkStatus.Separated => nameof(GjkStatus.Separated),
+        GjkStatus.Overlapping => nameof(GjkStatus.Overlapping),
+        GjkStatus.BeyondMaxDistance => nameof(GjkStatus.BeyondMaxDistance),
+        GjkStatus.IterationLimit => nameof(GjkStatus.IterationLimit),
+        GjkStatus.InvalidInput => nameof(GjkStatus.InvalidInput),
+        GjkStatus.InvalidShape => nameof(GjkStatus.InvalidShape),
+        _ => throw new ArgumentOutOfRangeException(nameof(status), status, "Unknown status."),
+    };
+
+    private void Add(Vector3 v)
+    {
+        Add(v.X);
+        Add(v.Y);
+        Add(v.Z);
+    }
+
+    private void Add(float value) => Add<float>(value, "R");
+
+    private void Add(int value) => Add<int>(value, default);
+
+    private void Add<T>(T value, ReadOnlySpan<char> format)
+        where T : IUtf8SpanFormattable
+    {
+        value.TryFormat(_buffer.AsSpan(_used), out int written, format, CultureInfo.InvariantCulture);
+        _used += written;
+        _buffer[_used++] = (byte)',';
+    }
+
+    private void Add(string text)
+    {
+        _used += Encoding.ASCII.GetBytes(text, _buffer.AsSpan(_used));
+        _buffer[_used++] = (byte)',';
+    }
+
+    /// <summary>The comma after the last column becomes the line's end.</summary>
+    private void EndRow() => _buffer[_used - 1] = (byte)'\n';
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Globalization;
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Queries;
+
+/// <summary>
+/// FNV-1a, 64 bits, over each pair in order: a, b (int32), status (byte), the IEEE bits of distance, both points and normal, little-endian, -0
+/// as +0. The same hash means the same answers to the last bit.
+/// </summary>
+internal struct ResultHash
+{
+    private const ulong OffsetBasis = 0xCBF29CE484222325;
+    private const ulong Prime = 0x100000001B3;
+
+    private ulong _state = OffsetBasis;
+
+    public ResultHash()
+    {
+    }
+
+    public void Add(int a, int b, in DistanceResult result)
+    {
+        Add((uint)a);
+        Add((uint)b);
+        AddByte((byte)result.Status);
+        Add(result.Distance);
+        Add(result.PointA);
+        Add(result.PointB);
+        Add(result.Normal);
+    }
+
+    /// <summary>16 lowercase hexadecimal digits.</summary>
+    public override readonly string ToString() => _state.ToString("x16", CultureInfo.InvariantCulture);
+
+    private void Add(Vector3 v)
+    {
+        Add(v.X);
+        Add(v.Y);
+        Add(v.Z);
+    }
+
+    private void Add(float x) => Add(x == 0 ? 0 : BitConverter.SingleToUInt32Bits(x));
+
+    private void Add(uint bits)
+    {
+        for (int shift = 0; shift < 32; shift += 8) AddByte((byte)(bits >> shift));
+    }
+
+    private void AddByte(byte value) => _state = unchecked((_state ^ value) * Prime);
+}

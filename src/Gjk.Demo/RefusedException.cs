@@ -1,0 +1,34 @@
+using System;
+using System.IO;
+
+namespace Gjk.Demo;
+
+/// <summary>The input or the arguments are refused; the message is the whole line for the user: what, where, why.</summary>
+internal sealed class RefusedException : Exception
+{
+    public RefusedException(string message)
+        : base(message)
+    {
+    }
+
+    /// <summary>A file that cannot be used at all.</summary>
+    /// <param name="file">As the user named it.</param>
+    /// <param name="failed">What did not work, such as "cannot be read".</param>
+    /// <param name="cause">Its message is the reason.</param>
+    public RefusedException(string file, string failed, Exception cause)
+        : base($"{file}: {failed}: {Reason(cause)}")
+    {
+    }
+
+    /// <summary>What the file system throws when a path is bad, missing, protected, of the wrong kind, or the disk is full.</summary>
+    public static bool IsFileTrouble(Exception e) =>
+        e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException or System.Security.SecurityException;
+
+    private static string Reason(Exception cause) => cause switch
+    {
+        FileNotFoundException => "there is no such file",
+        DirectoryNotFoundException => "there is no such directory",
+        UnauthorizedAccessException => "access is denied, or it is a directory",
+        _ => cause.Message,
+    };
+}

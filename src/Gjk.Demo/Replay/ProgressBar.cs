@@ -1,0 +1,38 @@
+using System;
+using System.Diagnostics;
+using Spectre.Console;
+
+namespace Gjk.Demo.Replay;
+
+/// <summary>A bar per scene on a terminal, nothing elsewhere. It draws only between frames, on the measuring thread, so that it disturbs no time.</summary>
+internal sealed class ProgressBar
+{
+    private static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.1);
+
+    private readonly ProgressContext? _context;
+    private long _lastDrawn;
+
+    private ProgressBar(ProgressContext? context) => _context = context;
+
+    /// <summary>Shows bars while the work runs.</summary>
+    public static void Show(IAnsiConsole console, bool plain, Action<ProgressBar> work)
+    {
+        if (plain) work(new ProgressBar(null));
+        else console.Progress().AutoRefresh(false).Start(context => work(new ProgressBar(context)));
+    }
+
+    /// <summary>Adds a bar; what it returns takes how much is done, from 0 to 1.</summary>
+    public Action<double> Add(string title)
+    {
+        if (_context is null) return _ => { };
+        ProgressTask task = _context.AddTask(Markup.Escape(title), maxValue: 1);
+        _context.Refresh();
+        return done =>
+        {
+            task.Value = done;
+            if (done < 1 && Stopwatch.GetElapsedTime(_lastDrawn) < Interval) return;
+            _lastDrawn = Stopwatch.GetTimestamp();
+            _context.Refresh();
+        };
+    }
+}

@@ -1,0 +1,76 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Text.Json;
+using Gjk.Core;
+
+namespace Gjk.Demo.Replay;
+
+/// <summary>The replay's figures and results as JSON; numbers that are not finite become null, which is all that JSON has for them.</summary>
+internal static class ReplayJson
+{
+    public static void Write(Stream stream, IReadOnlyList<SceneReport> reports)
+    {
+        using (var json = new Utf8JsonWriter(stream))
+        {
+            json.WriteStartObject();
+            json.WriteStartArray("scenes");
+            foreach (SceneReport report in reports) WriteScene(json, report);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        stream.WriteByte((byte)'\n');
+    }
+
+    private static void WriteScene(Utf8JsonWriter json, SceneReport report)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", report.Name);
+        json.WriteNumber("objects", report.ObjectNames.Length);
+        json.WriteNumber("vertices_per_object", report.VerticesPerObject);
+        json.WriteNumber("hull_vertices", report.HullVertices);
+        json.WriteNumber("calls_per_frame", report.Results.Length);
+        json.WriteNumber("intersecting_pairs", report.IntersectingPairs);
+        json.WriteNumber("loops_per_call", report.LoopsPerCall);
+        json.WriteNumber("frames", report.Frames);
+        json.WriteNumber("ms_per_frame_median", report.MedianMs);
+        json.WriteNumber("ms_per_frame_p99", report.P99Ms);
+        json.WriteNumber("support_share", report.SupportShare);
+        json.WriteNumber("bytes_per_call", report.BytesPerCall);
+        json.WriteNumber("iteration_limits", report.IterationLimits);
+        json.WriteString("hash", report.Hash);
+        json.WriteStartArray("pairs");
+        for (int i = 0; i < report.Results.Length; i++) WritePair(json, report.A[i], report.B[i], report.Results[i]);
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    /// <summary>The columns of the CSV as fields.</summary>
+    private static void WritePair(Utf8JsonWriter json, int a, int b, in DistanceResult result)
+    {
+        json.WriteStartObject();
+        json.WriteNumber("a", a);
+        json.WriteNumber("b", b);
+        json.WriteString("status", result.Status.ToString());
+        json.WriteBoolean("overlap", result.Overlaps);
+        Write(json, "distance", result.Distance);
+        Write(json, "lower_bound", result.LowerBound);
+        Write(json, "ax", result.PointA.X);
+        Write(json, "ay", result.PointA.Y);
+        Write(json, "az", result.PointA.Z);
+        Write(json, "bx", result.PointB.X);
+        Write(json, "by", result.PointB.Y);
+        Write(json, "bz", result.PointB.Z);
+        Write(json, "nx", result.Normal.X);
+        Write(json, "ny", result.Normal.Y);
+        Write(json, "nz", result.Normal.Z);
+        json.WriteNumber("iterations", result.Iterations);
+        json.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter json, string name, float value)
+    {
+        if (float.IsFinite(value)) json.WriteNumber(name, value);
+        else json.WriteNull(name);
+    }
+}

@@ -1,0 +1,89 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Runtime.InteropServices;
+using Spectre.Console;
+
+namespace Gjk.Demo.Replay;
+
+/// <summary>The report's Table 1 beside this machine's, and the pairs that intersect.</summary>
+internal static class ReplayTable
+{
+    private const string None = "-";
+
+    public static void Print(IAnsiConsole console, IReadOnlyList<SceneReport> reports, bool plain)
+    {
+        if (reports.Count == 0) return;
+        List<string[]> rows = Rows(reports);
+        if (plain) PrintMarkdown(console, rows);
+        else console.Write(Table(rows));
+        console.WriteLine();
+        console.WriteLine($"report: {PublishedFigures.Machine}");
+        console.WriteLine($"here:   {RuntimeInformation.FrameworkDescription}, {RuntimeInformation.ProcessArchitecture}, {Environment.ProcessorCount} processors");
+        foreach (SceneReport report in reports) PrintPairs(console, report);
+    }
+
+    /// <summary>The table as text, the heading first.</summary>
+    private static List<string[]> Rows(IReadOnlyList<SceneReport> reports)
+    {
+        var rows = new List<string[]>();
+        void Add(string title, Func<PublishedFigures, string> published, Func<SceneReport, string> here) => rows.Add(Row(reports, title, published, here));
+
+        rows.Add(["per scene", .. reports.SelectMany(r => new[] { $"{r.Name}, report", $"{r.Name}, here" })]);
+        Add("objects", p => Text(p.Objects), r => Text(r.ObjectNames.Length));
+        Add("vertices (of the hull)", p => Text(p.Vertices), r => $"{Text(r.VerticesPerObject)} ({Text(r.HullVertices)})");
+        Add("calls per frame", p => Text(p.CallsPerFrame), r => Text(r.Results.Length));
+        Add("intersecting pairs", _ => None, r => Text(r.IntersectingPairs));
+        Add("loops per call", p => Text(p.LoopsPerCall, "F2"), r => Text(r.LoopsPerCall, "F2"));
+        Add("ms per frame, median", p => Text(p.MsPerFrame, "F0"), r => Text(r.MedianMs, "F4"));
+        Add("ms per frame, 99 %", _ => None, r => Text(r.P99Ms, "F4"));
+        Add("time in support", p => p.SupportShare, r => Text(r.SupportShare * 100, "F0") + " %");
+        Add("factor", _ => "1", r => Text(PublishedFigures.Of(r.Name).MsPerFrame / r.MedianMs, "F0"));
+        Add("bytes per call", _ => None, r => Text(r.BytesPerCall, "0.##"));
+        Add("iteration limits", _ => None, r => Text(r.IterationLimits));
+        Add("frames measured", _ => None, r => Text(r.Frames));
+        Add("result hash", _ => None, r => r.Hash);
+        return rows;
+    }
+
+    private static string[] Row(
+        IReadOnlyList<SceneReport> reports, string title, Func<PublishedFigures, string> published, Func<SceneReport, string> here) =>
+        [title, .. reports.SelectMany(r => new[] { published(PublishedFigures.Of(r.Name)), here(r) })];
+
+    private static Table Table(List<string[]> rows)
+    {
+        var table = new Table { Border = TableBorder.Rounded };
+        for (int column = 0; column < rows[0].Length; column++)
+            table.AddColumn(new TableColumn(new Text(rows[0][column])) { Alignment = column == 0 ? Justify.Left : Justify.Right });
+        foreach (string[] row in rows.Skip(1)) table.AddRow(row.Select(cell => new Text(cell)));
+        return table;
+    }
+
+    /// <summary>Reads well in a pipe, and can be pasted into a page.</summary>
+    private static void PrintMarkdown(IAnsiConsole console, List<string[]> rows)
+    {
+        int[] widths = [.. Enumerable.Range(0, rows[0].Length).Select(column => rows.Max(row => row[column].Length))];
+        string[] rule = [.. widths.Select((width, column) => column == 0 ? new string('-', width) : new string('-', width - 1) + ":")];
+        rows.Insert(1, rule);
+        foreach (string[] row in rows)
+        {
+            IEnumerable<string> cells = row.Select((cell, column) => column == 0 ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column]));
+            console.WriteLine($"| {string.Join(" | ", cells)} |");
+        }
+    }
+
+    private static void PrintPairs(IAnsiConsole console, SceneReport report)
+    {
+        console.WriteLine();
+        console.WriteLine($"{report.Name}, intersecting pairs:");
+        for (int i = 0; i < report.Results.Length; i++)
+        {
+            if (report.Results[i].Overlaps) console.WriteLine($"  {report.ObjectNames[report.A[i]]} - {report.ObjectNames[report.B[i]]}");
+        }
+    }
+
+    private static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
+
+    private static string Text(double value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+using Gjk.Demo.Timing;
+
+namespace Gjk.Demo.Replay;
+
+/// <summary>
+/// How much of a frame is the search for support points: one frame runs on meshes that write down what they are asked, then the same
+/// questions are put to the meshes alone, and timed. No stopwatch runs inside the loop, where it would cost more than what it measures.
+/// </summary>
+internal sealed class SupportReplay
+{
+    private static readonly TimeSpan Duration = TimeSpan.FromSeconds(0.2);
+
+    private readonly ConvexMesh[] _meshes;
+    private readonly List<SupportCall> _calls = [];
+    private readonly CancellationToken _cancel;
+    private long _ids;
+
+    /// <param name="scene">Its shapes are unscaled meshes, which the queries ask directly, whatever type holds them.</param>
+    /// <param name="cancel">Ends the measuring.</param>
+    public SupportReplay(Scene scene, CancellationToken cancel)
+    {
+        _cancel = cancel;
+        _meshes = Array.ConvertAll(scene.Objects, o => new ConvexMesh(o.Shape.Hull!));
+        foreach ((int a, int b) in scene.Pairs)
+        {
+            var onA = new RecordingMesh(_meshes[a], a, _calls);
+            var onB = new RecordingMesh(_meshes[b], b, _calls);
+            ConvexQuery.Distance(onA, scene.Objects[a].Pose, onB, scene.Objects[b].Pose);
+        }
+    }
+
+    /// <summary>The time of all support calls of a frame.</summary>
+    public double MedianNs()
+    {
+        SupportCall[] calls = [.. _calls];
+        WarmUp.Run(() => Ask(calls), WarmUp.Short, _cancel);
+        return Samples.Of(() => Ask(calls), Duration, 1, _cancel).MedianNs;
+    }
+
+    private void Ask(SupportCall[] calls)
+    {
+        long ids = 0;
+        foreach (ref readonly SupportCall call in calls.AsSpan()) ids += _meshes[call.Object].Support(call.Direction, call.Hint, out _);
+        _ids = ids;
+    }
+
+    private readonly struct SupportCall
+    {
+        public readonly Vector3D Direction;
+        public readonly int Object;
+        public readonly int Hint;
+
+        public SupportCall(int index, in Vector3D direction, int hint)
+        {
+            Object = index;
+            Direction = direction;
+            Hint = hint;
+        }
+    }
+
+    /// <summary>A mesh that notes each question before it answers it.</summary>
+    private readonly struct RecordingMesh : ISupportMap
+    {
+        private readonly ConvexMesh _mesh;
+        private readonly int _object;
+        private readonly List<SupportCall> _calls;
+
+        public RecordingMesh(in ConvexMesh mesh, int index, List<SupportCall> calls)
+        {
+            _mesh = mesh;
+            _object = index;
+            _calls = calls;
+        }
+
+        public Vector3D Center => _mesh.Center;
+
+        public double Margin => _mesh.Margin;
+
+        public double BoundingRadius => _mesh.BoundingRadius;
+
+        public int Support(in Vector3D direction, int hint, out Vector3D point)
+        {
+            _calls.Add(new SupportCall(_object, direction, hint));
+            return _mesh.Support(direction, hint, out point);
+        }
+
+        public bool TryGetVertex(int id, out Vector3D point) => _mesh.TryGetVertex(id, out point);
+    }
+}

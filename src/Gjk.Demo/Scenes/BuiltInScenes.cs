@@ -1,0 +1,143 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Scenes;
+
+/// <summary>One of the two scenes of the report: copies of one mesh, each with its own pose.</summary>
+public sealed class BuiltInScene
+{
+    internal BuiltInScene(string name, string objectName, Vector3[] vertices, RigidPose[] poses)
+    {
+        Name = name;
+        Vertices = vertices;
+        Poses = poses;
+        var names = new string[poses.Length];
+        for (int i = 0; i < names.Length; i++) names[i] = $"{objectName} ({i + 1})";
+        ObjectNames = names;
+    }
+
+    /// <summary>"cubes" or "spheres".</summary>
+    public string Name { get; }
+
+    /// <summary>The mesh as given, before any deduplication.</summary>
+    public IReadOnlyList<Vector3> Vertices { get; }
+
+    /// <summary>Where the objects are.</summary>
+    public IReadOnlyList<RigidPose> Poses { get; }
+
+    /// <summary>What the objects are called, in the order of <see cref="Poses"/>.</summary>
+    public IReadOnlyList<string> ObjectNames { get; }
+}
+
+/// <summary>
+/// The report's experiment, generated: 20 objects of unit size in pseudo-random orientations, of which exactly five pairs overlap. Only
+/// additions, multiplications, divisions and square roots are used, which IEEE 754 rounds in one way: the same bits on every machine.
+/// </summary>
+public static class BuiltInScenes
+{
+    /// <summary>Objects per scene, half of them in each grid.</summary>
+    public const int ObjectCount = Columns * 2 * 2;
+
+    /// <summary>How many pairs overlap: one per column of the upper grid.</summary>
+    public const int OverlappingPairs = Columns;
+
+    private const int Columns = 5;
+
+    /// <summary>Between neighbours that must not touch, in units: more than twice the 0.866 from a unit cube's centre to its corner.</summary>
+    private const float Apart = 2f;
+
+    /// <summary>
+    /// Between the two objects of a column of the upper grid, in units: less than twice the 0.49 that fits as a ball into the coarsest of the
+    /// shapes, so they overlap in any orientation.
+    /// </summary>
+    private const float Close = 0.75f;
+
+    /// <summary>The height of the upper grid, in units: clear of the lower one by the same reason as <see cref="Apart"/>.</summary>
+    private const float UpperHeight = 2.25f;
+
+    /// <summary>The radius of the spheres and half the side of the cubes, in units.</summary>
+    private const float Half = 0.5f;
+
+    private const int SphereVertices = 515;
+
+    private const ulong CubeSeed = 0x43_75_62_65_73;
+    private const ulong SphereSeed = 0x53_70_68_65_72_65_73;
+
+    /// <summary>Cubes of 24 vertices: each corner once for each of its three faces, as an engine's mesh has it.</summary>
+    public static BuiltInScene Cubes() => new("cubes", "Cube", CubeMesh(), Poses(CubeSeed));
+
+    /// <summary>Spheres of 515 distinct vertices, each of them a corner of the hull.</summary>
+    public static BuiltInScene Spheres() => new("spheres", "Sphere", SphereMesh(), Poses(SphereSeed));
+
+    private static Vector3[] CubeMesh()
+    {
+        var vertices = new List<Vector3>();
+        for (int axis = 0; axis < 3; axis++)
+        {
+            for (int corner = 0; corner < 8; corner++)
+            {
+                // The bits of the corner, the axis of the face first, so that each face's four corners are neighbours in the list.
+                float along = (corner & 4) == 0 ? -Half : Half, u = (corner & 2) == 0 ? -Half : Half, v = (corner & 1) == 0 ? -Half : Half;
+                vertices.Add(axis switch { 0 => new(along, u, v), 1 => new(v, along, u), _ => new(u, v, along) });
+            }
+        }
+
+        return vertices.ToArray();
+    }
+
+    /// <summary>A Fibonacci sphere: each vertex one golden angle further about the axis and one equal slice lower (Swinbank and Purser 2006).</summary>
+    private static Vector3[] SphereMesh()
+    {
+        // Cosine and sine of the golden angle, pi (3 - sqrt 5); constants, because the sine of two machines may differ in the last bit.
+        const double cos = -0.7373688780783197, sin = 0.6754902942615238;
+        var vertices = new Vector3[SphereVertices];
+        double x = 1, z = 0;
+        for (int i = 0; i < vertices.Length; i++)
+        {
+            double y = 1 - (2 * i + 1) / (double)vertices.Length, ring = Math.Sqrt(1 - y * y);
+            vertices[i] = new Vector3((float)(Half * ring * x), (float)(Half * y), (float)(Half * ring * z));
+            (x, z) = (x * cos - z * sin, x * sin + z * cos);
+        }
+
+        return vertices;
+    }
+
+    private static RigidPose[] Poses(ulong seed)
+    {
+        var poses = new RigidPose[ObjectCount];
+        for (int i = 0; i < poses.Length; i++)
+        {
+            bool upper = i >= poses.Length / 2;
+            int column = i % (poses.Length / 2) / 2, row = i % 2;
+            var position = new Vector3(column * Apart, upper ? UpperHeight : 0, row * (upper ? Close : Apart));
+            poses[i] = new RigidPose(NextRotation(ref seed), position);
+        }
+
+        return poses;
+    }
+
+    /// <summary>A rotation drawn evenly: a point of the four-dimensional ball, brought to unit length.</summary>
+    private static Quaternion NextRotation(ref ulong state)
+    {
+        while (true)
+        {
+            double x = NextSigned(ref state), y = NextSigned(ref state), z = NextSigned(ref state), w = NextSigned(ref state);
+            double square = x * x + y * y + z * z + w * w;
+            if (square > 1 || square < 0.01) continue;
+            double s = 1 / Math.Sqrt(square);
+            return new Quaternion((float)(x * s), (float)(y * s), (float)(z * s), (float)(w * s));
+        }
+    }
+
+    /// <summary>From -1 up to 1, by SplitMix64 (Steele, Lea and Flood 2014).</summary>
+    private static double NextSigned(ref ulong state)
+    {
+        ulong z = unchecked(state += 0x9E3779B97F4A7C15);
+        z = unchecked((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9);
+        z = unchecked((z ^ (z >> 27)) * 0x94D049BB133111EB);
+        z ^= z >> 31;
+        return (z >> 11) * (2.0 / (1UL << 53)) - 1;
+    }
+}

@@ -1,0 +1,59 @@
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Scenes;
+
+/// <summary>What the commands work on: objects in their places, and the pairs to be asked about. Everything in it has been validated.</summary>
+internal sealed class Scene
+{
+    public Scene(string name, SceneObject[] objects, ScenePairs pairs, int frames)
+    {
+        Name = name;
+        Objects = objects;
+        Pairs = pairs;
+        Frames = frames;
+    }
+
+    public string Name { get; }
+
+    public SceneObject[] Objects { get; }
+
+    public ScenePairs Pairs { get; }
+
+    /// <summary>How many frames the motion lasts; the first has the poses as given.</summary>
+    public int Frames { get; }
+
+    public static Scene From(BuiltInScene scene)
+    {
+        ConvexShape shape = ConvexShape.Mesh(scene.Vertices);
+        var objects = new SceneObject[scene.Poses.Count];
+        for (int i = 0; i < objects.Length; i++)
+            objects[i] = new SceneObject(scene.ObjectNames[i], shape, scene.Poses[i], Vector3.Zero, Vector3.Zero);
+        return new Scene(scene.Name, objects, ScenePairs.All(objects.Length), 1);
+    }
+}
+
+/// <summary>A shape, scaled as it was asked for, where it is and how it moves.</summary>
+internal sealed class SceneObject
+{
+    public SceneObject(string? name, in ConvexShape shape, in RigidPose pose, Vector3 velocity, Vector3 angularVelocity)
+    {
+        Name = name;
+        Shape = shape;
+        Pose = pose;
+        Velocity = velocity;
+        AngularVelocity = angularVelocity;
+    }
+
+    public string? Name { get; }
+
+    public readonly ConvexShape Shape;
+
+    public readonly RigidPose Pose;
+
+    /// <summary>World units per frame.</summary>
+    public Vector3 Velocity { get; }
+
+    /// <summary>Radians per frame about the world's axes.</summary>
+    public Vector3 AngularVelocity { get; }
+}

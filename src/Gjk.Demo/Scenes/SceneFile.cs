@@ -1,0 +1,217 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Scenes;
+
+/// <summary>Reads a scene's JSON, version 1, and refuses everything that is not exactly right, with file, JSON path and reason.</summary>
+internal sealed class SceneFile
+{
+    private const int Version = 1;
+
+    private readonly Dictionary<string, List<Vector3>> _meshes = [];
+    private readonly Dictionary<string, ConvexShape> _hulls = [];
+    private readonly List<ObjectDraft> _objects = [];
+    private readonly HashSet<string> _objectFields = [];
+    private List<int>? _pairs;
+    private string? _name;
+    private int _frames = 1;
+
+    private SceneFile()
+    {
+    }
+
+    /// <summary>Reads and validates the whole file.</summary>
+    /// <exception cref="RefusedException">It cannot be read, or is not a scene.</exception>
+    public static Scene Load(string file)
+    {
+        byte[] bytes;
+        try
+        {
+            bytes = File.ReadAllBytes(file);
+        }
+        catch (Exception e) when (RefusedException.IsFileTrouble(e))
+        {
+            throw new RefusedException(file, "cannot be read", e);
+        }
+
+        return Parse(file, bytes);
+    }
+
+    private static Scene Parse(string file, ReadOnlySpan<byte> utf8)
+    {
+        if (utf8.StartsWith("\uFEFF"u8)) utf8 = utf8["\uFEFF"u8.Length..];
+        var json = new StrictJsonReader(file, utf8);
+        var scene = new SceneFile();
+        json.Start();
+        scene.ReadRoot(ref json);
+        json.End();
+        return scene.Resolve(json, Path.GetFileNameWithoutExtension(file));
+    }
+
+    private void ReadRoot(ref StrictJsonReader json)
+    {
+        var seen = new HashSet<string>();
+        json.BeginObject("an object: a scene");
+        while (json.NextField(seen, out string field))
+        {
+            if (field is not ("version" or "name" or "meshes" or "objects" or "pairs" or "frames")) throw json.Refuse("unknown field");
+            json.Value();
+            ReadRootField(ref json, field);
+            json.EndField();
+        }
+
+        foreach (string required in (ReadOnlySpan<string>)["version", "objects"])
+        {
+            if (seen.Contains(required)) continue;
+            json.Path.Enter(required);
+            throw json.Refuse("missing");
+        }
+    }
+
+    private void ReadRootField(ref StrictJsonReader json, string field)
+    {
+        switch (field)
+        {
+            case "version":
+                int version = json.Whole("the number 1");
+                if (version != Version) throw json.Refuse($"version {version} is not known; must be {Version}");
+                break;
+            case "name":
+                _name = json.String("a string");
+                break;
+            case "meshes":
+                ReadMeshes(ref json);
+                break;
+            case "objects":
+                json.BeginArray("an array of objects");
+                for (int i = 0; json.NextElement(i); i++) _objects.Add(ReadObject(ref json));
+                break;
+            case "pairs":
+                ReadPairs(ref json);
+                break;
+            case "frames":
+                _frames = json.Whole("a whole number, at least 1");
+                if (_frames < 1) throw json.Refuse($"must be at least 1, but is {_frames}");
+                break;
+        }
+    }
+
+    private void ReadMeshes(ref StrictJsonReader json)
+    {
+        var seen = new HashSet<string>();
+        json.BeginObject("an object of vertex arrays");
+        while (json.NextField(seen, out string mesh))
+        {
+            json.Value();
+            var vertices = new List<Vector3>();
+            json.BeginArray("an array of vertices");
+            while (json.NextElement(vertices.Count)) vertices.Add(json.Vector());
+            if (vertices.Count == 0) throw json.Refuse("a mesh needs at least one vertex");
+            _meshes.Add(mesh, vertices);
+            json.EndField();
+        }
+    }
+
+    private ObjectDraft ReadObject(ref StrictJsonReader json)
+    {
+        var draft = new ObjectDraft();
+        _objectFields.Clear();
+        json.BeginObject("an object with a \"shape\"");
+        while (json.NextField(_objectFields, out string field))
+        {
+            if (!ObjectDraft.IsField(field)) throw json.Refuse("unknown field");
+            json.Value();
+            draft.Read(ref json, field);
+            json.EndField();
+        }
+
+        if (_objectFields.Contains("shape")) return draft;
+        json.Path.Enter("shape");
+        throw json.Refuse("missing");
+    }
+
+    /// <summary>Only the form; the indices are checked when the objects, which may follow, are counted.</summary>
+    private void ReadPairs(ref StrictJsonReader json)
+    {
+        const string what = "two object indices [a, b]";
+        _pairs = [];
+        json.BeginArray("an array of pairs");
+        for (int i = 0; json.NextElement(i); i++)
+        {
+            json.BeginArray(what);
+            int count = 0;
+            for (; json.NextElement(count); count++)
+            {
+                if (count == 2)
+                {
+                    json.Path.Leave();
+                    throw json.Refuse($"must be {what}, but has more elements");
+                }
+
+                _pairs.Add(json.Whole("an object's index, a whole number"));
+            }
+
+            if (count < 2) throw json.Refuse($"must be {what}, but has {count} element{(count == 1 ? "" : "s")}");
+        }
+    }
+
+    private Scene Resolve(in StrictJsonReader json, string fileName)
+    {
+        var objects = new SceneObject[_objects.Count];
+        for (int i = 0; i < objects.Length; i++)
+        {
+            json.Path.Enter("objects");
+            json.Path.Enter(i);
+            objects[i] = Resolve(json, _objects[i]);
+            json.Path.Leave();
+            json.Path.Leave();
+        }
+
+        if (_pairs is not null) CheckPairs(json, _pairs);
+        ScenePairs pairs = _pairs is null ? ScenePairs.All(objects.Length) : ScenePairs.Listed(_pairs.ToArray());
+        return new Scene(_name ?? fileName, objects, pairs, _frames);
+    }
+
+    private SceneObject Resolve(in StrictJsonReader json, ObjectDraft draft)
+    {
+        ConvexShape shape = draft.Mesh is null ? draft.Shape : MeshNamed(json, draft.Mesh);
+        if (draft.Scale != Vector3.One) shape = shape.Scaled(draft.Scale);
+        return new SceneObject(draft.Name, shape, draft.Pose, draft.Velocity, draft.AngularVelocity);
+    }
+
+    /// <summary>Hulled at its first use, and shared by all objects that name it.</summary>
+    private ConvexShape MeshNamed(in StrictJsonReader json, string name)
+    {
+        if (_hulls.TryGetValue(name, out ConvexShape known)) return known;
+        if (!_meshes.TryGetValue(name, out List<Vector3>? vertices))
+        {
+            json.Path.Enter("shape");
+            json.Path.Enter("mesh");
+            throw json.Refuse($"there is no mesh \"{name}\" in \"meshes\"");
+        }
+
+        ConvexShape shape = ConvexShape.Mesh(vertices);
+        _hulls.Add(name, shape);
+        return shape;
+    }
+
+    private void CheckPairs(in StrictJsonReader json, List<int> pairs)
+    {
+        json.Path.Enter("pairs");
+        for (int i = 0; i < pairs.Count; i++)
+        {
+            bool inRange = (uint)pairs[i] < (uint)_objects.Count;
+            bool twice = i % 2 == 1 && pairs[i] == pairs[i - 1];
+            if (inRange && !twice) continue;
+            json.Path.Enter(i / 2);
+            if (inRange) throw json.Refuse($"pairs object {pairs[i]} with itself");
+            json.Path.Enter(i % 2);
+            throw json.Refuse($"there is no object {pairs[i]}: the scene has {_objects.Count} object{(_objects.Count == 1 ? "" : "s")}, counted from 0");
+        }
+
+        json.Path.Leave();
+    }
+}

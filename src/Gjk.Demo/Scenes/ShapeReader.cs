@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Scenes;
+
+/// <summary>
+/// The "shape" of an object. Its fields may come in any order, "type" last too, so they are gathered first and matched with the type at the end.
+/// </summary>
+internal sealed class ShapeReader
+{
+    private const string Kinds = "point, segment, triangle, sphere, capsule, box, cylinder, cone, ellipsoid or mesh";
+
+    private readonly HashSet<string> _seen = [];
+    private string _type = "";
+    private string _mesh = "";
+    private float _radius, _halfHeight;
+    private Vector3 _halfExtents, _radii, _a, _b, _c;
+
+    private ShapeReader(ref StrictJsonReader json)
+    {
+        json.BeginObject("an object with a \"type\"");
+        while (json.NextField(_seen, out string field))
+        {
+            if (!IsField(field)) throw json.Refuse("unknown field");
+            json.Value();
+            Read(ref json, field);
+            json.EndField();
+        }
+
+        CheckFields(json);
+    }
+
+    /// <summary>Reads a shape.</summary>
+    /// <param name="json">Stands on the shape.</param>
+    /// <param name="mesh">The name in "meshes", when it is one; else null. "meshes" may come later in the file.</param>
+    /// <returns>The shape; default when it is a mesh.</returns>
+    public static ConvexShape Read(ref StrictJsonReader json, out string? mesh)
+    {
+        var shape = new ShapeReader(ref json);
+        mesh = shape._type == "mesh" ? shape._mesh : null;
+        return shape.Build();
+    }
+
+    private static bool IsField(string field) =>
+        field is "type" or "mesh" or "radius" or "halfHeight" or "halfExtents" or "radii" or "a" or "b" or "c";
+
+    private static string[]? FieldsOf(string type) => type switch
+    {
+        "point" => [],
+        "segment" => ["a", "b"],
+        "triangle" => ["a", "b", "c"],
+        "sphere" => ["radius"],
+        "capsule" or "cylinder" or "cone" => ["radius", "halfHeight"],
+        "box" => ["halfExtents"],
+        "ellipsoid" => ["radii"],
+        "mesh" => ["mesh"],
+        _ => null,
+    };
+
+    private void Read(ref StrictJsonReader json, string field)
+    {
+        switch (field)
+        {
+            case "type":
+                _type = json.String(Kinds);
+                if (FieldsOf(_type) is null) throw json.Refuse($"unknown type \"{_type}\"; must be {Kinds}");
+                break;
+            case "mesh":
+                _mesh = json.String("the name of a mesh");
+                break;
+            case "radius":
+                _radius = json.NonNegative();
+                break;
+            case "halfHeight":
+                _halfHeight = json.NonNegative();
+                break;
+            case "halfExtents":
+                _halfExtents = json.Vector(NumberRule.NonNegative);
+                break;
+            case "radii":
+                _radii = json.Vector(NumberRule.NonNegative);
+                break;
+            case "a":
+                _a = json.Vector();
+                break;
+            case "b":
+                _b = json.Vector();
+                break;
+            case "c":
+                _c = json.Vector();
+                break;
+        }
+    }
+
+    private void CheckFields(in StrictJsonReader json)
+    {
+        if (!_seen.Contains("type")) throw Missing(json, "type");
+        string[] wanted = FieldsOf(_type)!;
+        foreach (string field in wanted)
+        {
+            if (!_seen.Contains(field)) throw Missing(json, field);
+        }
+
+        foreach (string field in _seen)
+        {
+            if (field == "type" || Array.IndexOf(wanted, field) >= 0) continue;
+            json.Path.Enter(field);
+            throw json.Refuse($"unknown field for the type \"{_type}\"");
+        }
+    }
+
+    private static RefusedException Missing(in StrictJsonReader json, string field)
+    {
+        json.Path.Enter(field);
+        return json.Refuse("missing");
+    }
+
+    private ConvexShape Build() => _type switch
+    {
+        "point" => ConvexShape.Point(),
+        "segment" => ConvexShape.Segment(_a, _b),
+        "triangle" => ConvexShape.Triangle(_a, _b, _c),
+        "sphere" => ConvexShape.Sphere(_radius),
+        "capsule" => ConvexShape.Capsule(_radius, _halfHeight),
+        "box" => ConvexShape.Box(_halfExtents),
+        "cylinder" => ConvexShape.Cylinder(_radius, _halfHeight),
+        "cone" => ConvexShape.Cone(_radius, _halfHeight),
+        "ellipsoid" => ConvexShape.Ellipsoid(_radii),
+        _ => default,
+    };
+}

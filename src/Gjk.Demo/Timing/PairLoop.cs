@@ -1,0 +1,116 @@
+using System;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+
+namespace Gjk.Demo.Timing;
+
+/// <summary>
+/// A scene laid out for measuring: shapes, poses and pairs in arrays, and one method per verb that goes through the whole list as a user's
+/// own loop would. The transforms are inside, the hulls were built before.
+/// </summary>
+internal sealed class PairLoop
+{
+    /// <summary>How many pairs are done between two looks at Ctrl-C; the look is too rare to be seen in a time.</summary>
+    private const int PairsPerLook = 1024;
+
+    private readonly ConvexShape[] _shapes;
+    private readonly RigidPose[] _poses;
+    private readonly int[] _a;
+    private readonly int[] _b;
+    private readonly CancellationToken _cancel;
+    private WarmStart[] _warm = [];
+
+    public PairLoop(Scene scene, CancellationToken cancel)
+    {
+        _shapes = Array.ConvertAll(scene.Objects, o => o.Shape);
+        _poses = Array.ConvertAll(scene.Objects, o => o.Pose);
+        _a = new int[scene.Pairs.Count];
+        _b = new int[scene.Pairs.Count];
+        scene.Pairs.CopyTo(_a, _b);
+        _cancel = cancel;
+    }
+
+    public int Count => _a.Length;
+
+    public ReadOnlySpan<int> A => _a;
+
+    public ReadOnlySpan<int> B => _b;
+
+    /// <summary>Loops of all pairs of the last pass: what a mean is made of, and what keeps the compiler from skipping the work.</summary>
+    public long Iterations { get; private set; }
+
+    /// <summary>Pairs that the last pass found overlapping.</summary>
+    public int Overlapping { get; private set; }
+
+    /// <summary>Distance, cold, with the results kept.</summary>
+    public void Distances(DistanceResult[] results)
+    {
+        for (int i = 0; i < _a.Length; i++)
+        {
+            int a = _a[i], b = _b[i];
+            results[i] = ConvexQuery.Distance(_shapes[a], _poses[a], _shapes[b], _poses[b]);
+        }
+    }
+
+    /// <summary>Distance, cold.</summary>
+    public void Cold()
+    {
+        long iterations = 0;
+        int overlapping = 0;
+        for (int start = 0; start < _a.Length; start += PairsPerLook)
+        {
+            _cancel.ThrowIfCancellationRequested();
+            int end = Math.Min(start + PairsPerLook, _a.Length);
+            for (int i = start; i < end; i++)
+            {
+                int a = _a[i], b = _b[i];
+                DistanceResult result = ConvexQuery.Distance(_shapes[a], _poses[a], _shapes[b], _poses[b]);
+                iterations += result.Iterations;
+                if (result.Overlaps) overlapping++;
+            }
+        }
+
+        Iterations = iterations;
+        Overlapping = overlapping;
+    }
+
+    /// <summary>Distance with what each pair remembers from its last query.</summary>
+    /// <param name="poses">Where the objects are in this frame; null for where the scene has them.</param>
+    public void Warm(RigidPose[]? poses = null)
+    {
+        poses ??= _poses;
+        if (_warm.Length == 0) _warm = new WarmStart[_a.Length];
+        long iterations = 0;
+        for (int start = 0; start < _a.Length; start += PairsPerLook)
+        {
+            _cancel.ThrowIfCancellationRequested();
+            int end = Math.Min(start + PairsPerLook, _a.Length);
+            for (int i = start; i < end; i++)
+            {
+                int a = _a[i], b = _b[i];
+                iterations += ConvexQuery.Distance(_shapes[a], poses[a], _shapes[b], poses[b], ref _warm[i]).Iterations;
+            }
+        }
+
+        Iterations = iterations;
+    }
+
+    /// <summary>The boolean question, cold.</summary>
+    public void Boolean()
+    {
+        int overlapping = 0;
+        for (int start = 0; start < _a.Length; start += PairsPerLook)
+        {
+            _cancel.ThrowIfCancellationRequested();
+            int end = Math.Min(start + PairsPerLook, _a.Length);
+            for (int i = start; i < end; i++)
+            {
+                int a = _a[i], b = _b[i];
+                if (ConvexQuery.Overlaps(_shapes[a], _poses[a], _shapes[b], _poses[b])) overlapping++;
+            }
+        }
+
+        Overlapping = overlapping;
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+
+namespace Gjk.Demo.Timing;
+
+/// <summary>
+/// Where every object is in every frame of a small, smooth motion: from one side of its place to the other and back, 1 % of its own size and
+/// 1 degree per frame. Worked out before anything is timed.
+/// </summary>
+internal sealed class ScenePath
+{
+    /// <summary>How far an object moves in a frame, as a share of its size.</summary>
+    private const double StepShare = 0.01;
+
+    /// <summary>How far it turns in a frame, in radians.</summary>
+    private const double StepAngle = Math.PI / 180;
+
+    /// <summary>Frames to either side of the given place; few enough that the scene's overlaps and gaps stay what they were, by and large.</summary>
+    private const int MostStepsAside = 16;
+
+    /// <summary>Fewer for long lists, so that a round takes no longer than about this many queries.</summary>
+    private const int QueriesPerRound = 4_000_000;
+
+    private readonly RigidPose[][] _frames;
+
+    public ScenePath(Scene scene)
+    {
+        int aside = (int)Math.Clamp(QueriesPerRound / 4 / Math.Max(scene.Pairs.Count, 1), 1, MostStepsAside);
+        var steps = new Vector3D[scene.Objects.Length];
+        var axes = new Vector3D[scene.Objects.Length];
+        var random = new DirectionSequence();
+        for (int i = 0; i < steps.Length; i++)
+        {
+            steps[i] = random.Next() * (StepShare * Size(scene.Objects[i].Shape));
+            axes[i] = random.Next();
+        }
+
+        _frames = new RigidPose[2 * aside + 1][];
+        for (int frame = 0; frame < _frames.Length; frame++)
+        {
+            int step = frame - aside;
+            _frames[frame] = new RigidPose[steps.Length];
+            for (int i = 0; i < steps.Length; i++) _frames[frame][i] = Moved(scene.Objects[i].Pose, steps[i] * step, axes[i], StepAngle * step);
+        }
+    }
+
+    /// <summary>Frames in a round, from one end to the other and back to the first but one.</summary>
+    public int FramesPerRound => 2 * (_frames.Length - 1);
+
+    /// <summary>The poses, frame by frame; the next round begins where this one ends.</summary>
+    public IEnumerable<RigidPose[]> Round()
+    {
+        for (int frame = 0; frame < _frames.Length; frame++) yield return _frames[frame];
+        for (int frame = _frames.Length - 2; frame > 0; frame--) yield return _frames[frame];
+    }
+
+    /// <summary>The longest side of the box about the shape in its own frame.</summary>
+    private static double Size(in ConvexShape shape)
+    {
+        shape.Support(new Vector3D(1, 0, 0), -1, out Vector3D right);
+        shape.Support(new Vector3D(-1, 0, 0), -1, out Vector3D left);
+        shape.Support(new Vector3D(0, 1, 0), -1, out Vector3D top);
+        shape.Support(new Vector3D(0, -1, 0), -1, out Vector3D bottom);
+        shape.Support(new Vector3D(0, 0, 1), -1, out Vector3D front);
+        shape.Support(new Vector3D(0, 0, -1), -1, out Vector3D back);
+        return Math.Max(Math.Max(right.X - left.X, top.Y - bottom.Y), front.Z - back.Z) + 2 * shape.Margin;
+    }
+
+    private static RigidPose Moved(in RigidPose pose, in Vector3D by, in Vector3D axis, double angle)
+    {
+        double s = Math.Sin(angle / 2), c = Math.Cos(angle / 2);
+        Quaternion q = pose.Rotation;
+        double tx = axis.X * s, ty = axis.Y * s, tz = axis.Z * s;
+        double x = c * q.X + tx * q.W + ty * q.Z - tz * q.Y;
+        double y = c * q.Y + ty * q.W + tz * q.X - tx * q.Z;
+        double z = c * q.Z + tz * q.W + tx * q.Y - ty * q.X;
+        double w = c * q.W - tx * q.X - ty * q.Y - tz * q.Z;
+        double unit = 1 / Math.Sqrt(x * x + y * y + z * z + w * w);
+        var rotation = new Quaternion((float)(x * unit), (float)(y * unit), (float)(z * unit), (float)(w * unit));
+        var position = (Vector3)(pose.Position + by);
+        return new RigidPose(rotation, IsFinite(position) ? position : pose.Position);
+    }
+
+    private static bool IsFinite(Vector3 v) => float.IsFinite(v.X) && float.IsFinite(v.Y) && float.IsFinite(v.Z);
+}

@@ -1,0 +1,78 @@
+using System;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+
+namespace Gjk.Demo.Timing;
+
+/// <summary>Times the verbs on one scene.</summary>
+internal sealed class SceneTimer
+{
+    /// <summary>How the time is split: the cold distance is what all else is compared with.</summary>
+    private const double ColdShare = 0.4, WarmShare = 0.2, MovingShare = 0.2, BooleanShare = 0.2;
+
+    /// <summary>A sample holds at least this many queries, or reading the clock would be part of the figure for a list of a few pairs.</summary>
+    private const int LeastQueriesPerSample = 512;
+
+    private readonly PairLoop _pairs;
+    private readonly ScenePath _path;
+    private readonly TimeSpan _duration;
+    private readonly CancellationToken _cancel;
+
+    public SceneTimer(Scene scene, TimeSpan duration, CancellationToken cancel)
+    {
+        _pairs = new PairLoop(scene, cancel);
+        _path = new ScenePath(scene);
+        _duration = duration;
+        _cancel = cancel;
+    }
+
+    /// <summary>Measures everything; without pairs there is nothing to measure, and all means are null.</summary>
+    public SceneTimes Run()
+    {
+        var times = new SceneTimes { Pairs = _pairs.Count };
+        if (_pairs.Count == 0) return times;
+
+        Samples cold = Measure(_pairs.Cold, 1, ColdShare);
+        times.Overlapping = _pairs.Overlapping;
+        times.Iterations = (double)_pairs.Iterations / _pairs.Count;
+        times.ColdNs = cold.MinimumNs;
+        times.ColdMedianNs = cold.MedianNs;
+        times.BytesPerCall = BytesPerCall();
+        times.WarmNs = Measure(() => _pairs.Warm(), 1, WarmShare).MinimumNs;
+        times.MovingNs = Measure(Move, _path.FramesPerRound, MovingShare).MinimumNs;
+        times.BooleanNs = Measure(_pairs.Boolean, 1, BooleanShare).MinimumNs;
+        return times;
+    }
+
+    private void Move()
+    {
+        foreach (RigidPose[] poses in _path.Round()) _pairs.Warm(poses);
+    }
+
+    private double BytesPerCall()
+    {
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        _pairs.Cold();
+        return (double)(GC.GetAllocatedBytesForCurrentThread() - before) / _pairs.Count;
+    }
+
+    /// <summary>Warms up and measures.</summary>
+    /// <param name="pass">The work.</param>
+    /// <param name="lists">How many times it goes through the list of pairs.</param>
+    /// <param name="share">Of the whole time.</param>
+    /// <returns>Times per pair.</returns>
+    private Samples Measure(Action pass, int lists, double share)
+    {
+        long queries = (long)_pairs.Count * lists;
+        int repeats = (int)Math.Max(LeastQueriesPerSample / queries, 1);
+        Action sample = repeats == 1 ? pass : () => Repeat(pass, repeats);
+        WarmUp.Run(sample, WarmUp.Usual, _cancel);
+        return Samples.Of(sample, _duration * share, queries * repeats, _cancel);
+    }
+
+    private static void Repeat(Action pass, int times)
+    {
+        for (int i = 0; i < times; i++) pass();
+    }
+}

@@ -1,0 +1,58 @@
+using System.IO;
+using System.Text.Json;
+
+namespace Gjk.Demo.Timing;
+
+/// <summary>What was measured on one scene; times in nanoseconds per pair, null where there was nothing to measure.</summary>
+internal sealed class SceneTimes
+{
+    public int Pairs { get; init; }
+
+    public int Overlapping { get; set; }
+
+    /// <summary>The fastest pass through the list, cold.</summary>
+    public double? ColdNs { get; set; }
+
+    /// <summary>The median pass, cold.</summary>
+    public double? ColdMedianNs { get; set; }
+
+    public double? WarmNs { get; set; }
+
+    public double? MovingNs { get; set; }
+
+    public double? BooleanNs { get; set; }
+
+    /// <summary>The mean of the cold queries.</summary>
+    public double? Iterations { get; set; }
+
+    public double? BytesPerCall { get; set; }
+
+    /// <summary>One line of JSON, flushed.</summary>
+    public void Write(Stream stream, string scene)
+    {
+        using (var json = new Utf8JsonWriter(stream))
+        {
+            json.WriteStartObject();
+            json.WriteString("scene", scene);
+            json.WriteNumber("pairs", Pairs);
+            json.WriteNumber("overlapping", Overlapping);
+            Write(json, "cold_ns", ColdNs);
+            Write(json, "cold_median_ns", ColdMedianNs);
+            Write(json, "warm_ns", WarmNs);
+            Write(json, "moving_ns", MovingNs);
+            Write(json, "bool_ns", BooleanNs);
+            Write(json, "iterations", Iterations);
+            Write(json, "bytes_per_call", BytesPerCall);
+            json.WriteEndObject();
+        }
+
+        stream.WriteByte((byte)'\n');
+        stream.Flush();
+    }
+
+    private static void Write(Utf8JsonWriter json, string name, double? value)
+    {
+        if (value is null) json.WriteNull(name);
+        else json.WriteNumber(name, value.Value);
+    }
+}

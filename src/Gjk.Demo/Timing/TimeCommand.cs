@@ -1,0 +1,41 @@
+using System;
+using System.IO;
+using System.Threading;
+using Gjk.Demo.Scenes;
+
+namespace Gjk.Demo.Timing;
+
+/// <summary>Nanoseconds per pair of each scene given, one line of JSON per scene, printed as soon as it is known.</summary>
+internal static class TimeCommand
+{
+    /// <summary>Every pair keeps a warm start, so the list must fit into memory.</summary>
+    private const long MostPairs = 50_000_000;
+
+    public static int Run(string[] files, TimeSpan duration, CancellationToken cancel)
+    {
+        Scene[] scenes = Array.ConvertAll(files, Load);
+        using Stream stdout = Console.OpenStandardOutput();
+        for (int i = 0; i < scenes.Length; i++)
+        {
+            SceneTimes times = new SceneTimer(scenes[i], duration, cancel).Run();
+            try
+            {
+                times.Write(stdout, Path.GetFileNameWithoutExtension(files[i]));
+            }
+            catch (IOException e)
+            {
+                throw new RefusedException("standard output", "cannot be written", e);
+            }
+        }
+
+        return ExitCode.Done;
+    }
+
+    private static Scene Load(string file)
+    {
+        Scene scene = SceneFile.Load(file);
+        return scene.Pairs.Count <= MostPairs
+            ? scene
+            : throw new RefusedException($"{file}: $.pairs: {scene.Pairs.Count} pairs, at most {MostPairs} can be timed");
+    }
+}

@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Text;
+using System.Threading;
+using System.Threading.Tasks;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Support;
+
+/// <summary>What a finished run of the demo left behind.</summary>
+public sealed record DemoRun(int ExitCode, string Out, string Error)
+{
+    /// <summary>One line on standard error that holds all the parts, exit code 2, nothing on standard output.</summary>
+    public void AssertRefused(params string[] parts)
+    {
+        Assert.True(ExitCode == 2, $"exit code {ExitCode}, error: {Error}");
+        Assert.Equal("", Out);
+        Assert.EndsWith("\n", Error);
+        Assert.Single(Error.TrimEnd('\n').Split('\n'));
+        foreach (string part in parts) Assert.Contains(part, Error);
+    }
+
+    public void AssertDone()
+    {
+        Assert.True(ExitCode == 0, $"exit code {ExitCode}, error: {Error}");
+        Assert.Equal("", Error);
+        Assert.DoesNotContain('\r', Out);
+    }
+}
+
+/// <summary>The built demo as a process, as its user runs it.</summary>
+public sealed class DemoProcess : IDisposable
+{
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(90);
+
+    private static readonly string Assembly = typeof(DemoProcess).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>()
+        .Single(a => a.Key == "DemoAssembly").Value!;
+
+    private readonly Process _process;
+    private readonly StringBuilder _out = new();
+    private readonly StringBuilder _error = new();
+    private readonly Task _readers;
+
+    private DemoProcess(IReadOnlyDictionary<string, string> environment, string[] args)
+    {
+        // A job that a shell started in the background ignores SIGINT, and hands that on; env gives the signal its meaning back.
+        bool restoreSignal = OperatingSystem.IsLinux();
+        var start = new ProcessStartInfo(restoreSignal ? "env" : Host)
+        {
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            RedirectStandardInput = true,
+            StandardOutputEncoding = new UTF8Encoding(false),
+            StandardErrorEncoding = new UTF8Encoding(false),
+        };
+        if (restoreSignal)
+        {
+            start.ArgumentList.Add("--default-signal=INT");
+            start.ArgumentList.Add(Host);
+        }
+
+        start.ArgumentList.Add(Assembly);
+        foreach (string arg in args) start.ArgumentList.Add(arg);
+        foreach ((string key, string value) in environment) start.Environment[key] = value;
+        _process = Process.Start(start)!;
+        _process.StandardInput.Close();
+        _readers = Task.WhenAll(Collect(_process.StandardOutput, _out), Collect(_process.StandardError, _error));
+    }
+
+    private static string Host => Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet";
+
+    /// <summary>Runs it to its end.</summary>
+    public static DemoRun Run(params string[] args) => RunWith(new Dictionary<string, string>(), args);
+
+    public static DemoRun RunWith(IReadOnlyDictionary<string, string> environment, params string[] args)
+    {
+        using var demo = new DemoProcess(environment, args);
+        return demo.Wait();
+    }
+
+    /// <summary>Starts it and returns at once.</summary>
+    public static DemoProcess Start(params string[] args) => new(new Dictionary<string, string>(), args);
+
+    /// <summary>What Ctrl-C sends.</summary>
+    public void Interrupt()
+    {
+        using Process kill = Process.Start("kill", ["-INT", _process.Id.ToString(System.Globalization.CultureInfo.InvariantCulture)]);
+        kill.WaitForExit();
+    }
+
+    /// <summary>Waits until a condition holds while the process runs.</summary>
+    public void WaitUntil(Func<string, bool> outputSoFar)
+    {
+        long start = Stopwatch.GetTimestamp();
+        while (true)
+        {
+            string text;
+            lock (_out) text = _out.ToString();
+            if (outputSoFar(text)) return;
+            Assert.False(_process.HasExited, $"The demo ended early: {_error}");
+            Assert.True(Stopwatch.GetElapsedTime(start) < Patience, "The demo did not get there in time.");
+            Thread.Sleep(20);
+        }
+    }
+
+    public DemoRun Wait()
+    {
+        bool ended = _process.WaitForExit(Patience);
+        if (!ended) _process.Kill(entireProcessTree: true);
+        Assert.True(ended, "The demo did not end.");
+        _readers.Wait();
+        return new DemoRun(_process.ExitCode, _out.ToString(), _error.ToString());
+    }
+
+    public void Dispose()
+    {
+        if (!_process.HasExited) _process.Kill(entireProcessTree: true);
+        _process.Dispose();
+    }
+
+    private static async Task Collect(TextReader reader, StringBuilder into)
+    {
+        var buffer = new char[4096];
+        while (await reader.ReadAsync(buffer) is int count and > 0)
+        {
+            lock (into) into.Append(buffer, 0, count);
+        }
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+using System.Linq;
+using System.Text.Json;
+using Gjk.Demo.Tests.Scenes;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Timing;
+
+public sealed class TimeTests
+{
+    private const string Boxes = """
+        {"version":1,"objects":[
+          {"shape":{"type":"box","halfExtents":[1,1,1]}},
+          {"shape":{"type":"box","halfExtents":[1,1,1]},"position":[1,0.5,0.25],"rotation":[0.5,0.5,0.5,0.5]},
+          {"shape":{"type":"mesh","mesh":"m"},"position":[9,0,0],"velocity":[1,0,0]}],
+         "meshes":{"m":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]}}
+        """;
+
+    private static readonly string[] Fields =
+    [
+        "scene", "pairs", "overlapping", "cold_ns", "cold_median_ns", "warm_ns", "moving_ns", "bool_ns", "iterations", "bytes_per_call",
+    ];
+
+    [Fact]
+    public void EachSceneIsALineOfJson()
+    {
+        using var directory = new TempDirectory();
+        string boxes = directory.Write("boxes.v1.json", Boxes), empty = directory.Write("empty.json", """{"version":1,"objects":[]}""");
+        DemoRun run = DemoProcess.Run("time", boxes, empty, "--seconds", "0.2");
+        run.AssertDone();
+        string[] lines = run.Out.TrimEnd('\n').Split('\n');
+        Assert.Equal(2, lines.Length);
+
+        using JsonDocument timed = JsonDocument.Parse(lines[0]);
+        JsonElement figures = timed.RootElement;
+        Assert.Equal(Fields, figures.EnumerateObject().Select(p => p.Name));
+        Assert.Equal("boxes.v1", figures.GetProperty("scene").GetString());
+        Assert.Equal(3, figures.GetProperty("pairs").GetInt32());
+        Assert.Equal(1, figures.GetProperty("overlapping").GetInt32());
+        Assert.Equal(0, figures.GetProperty("bytes_per_call").GetDouble());
+        Assert.InRange(figures.GetProperty("iterations").GetDouble(), 1, 20);
+        foreach (string time in Fields.Where(f => f.EndsWith("_ns", StringComparison.Ordinal)))
+            Assert.InRange(figures.GetProperty(time).GetDouble(), 1, 1e6);
+        Assert.True(figures.GetProperty("cold_median_ns").GetDouble() >= figures.GetProperty("cold_ns").GetDouble());
+
+        using JsonDocument nothing = JsonDocument.Parse(lines[1]);
+        Assert.Equal(Fields, nothing.RootElement.EnumerateObject().Select(p => p.Name));
+        Assert.Equal(0, nothing.RootElement.GetProperty("pairs").GetInt32());
+        Assert.Equal(JsonValueKind.Null, nothing.RootElement.GetProperty("cold_ns").ValueKind);
+    }
+
+    [Fact]
+    public void CtrlCKeepsTheScenesThatWereDone()
+    {
+        if (OperatingSystem.IsWindows()) return;
+        using var directory = new TempDirectory();
+        string empty = directory.Write("empty.json", """{"version":1,"objects":[]}"""), points = directory.Write("points.json", SceneTests.Points(40, pairs: ""));
+        using DemoProcess demo = DemoProcess.Start("time", empty, points, "--seconds", "60");
+        demo.WaitUntil(text => text.EndsWith('\n'));
+        demo.Interrupt();
+        DemoRun run = demo.Wait();
+        Assert.Equal((130, ""), (run.ExitCode, run.Error));
+        Assert.Single(run.Out.TrimEnd('\n').Split('\n'));
+        Assert.Contains("\"scene\":\"empty\"", run.Out);
+    }
+}

@@ -1,0 +1,72 @@
+using System.IO;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests;
+
+/// <summary>Arguments: help ends well, everything wrong is one line and exit code 2.</summary>
+public sealed class UsageTests
+{
+    [Theory]
+    [InlineData("--help", "replay", "query", "time")]
+    [InlineData("replay --help", "--seconds", "--frames", "--json")]
+    [InlineData("query --help", "SCENE.json", "--out", "--max-distance")]
+    [InlineData("time --help", "SCENE.json", "--seconds", "")]
+    public void HelpSaysWhatThereIs(string args, string one, string two, string three)
+    {
+        DemoRun run = DemoProcess.Run(args.Split(' '));
+        run.AssertDone();
+        foreach (string word in new[] { one, two, three }) Assert.Contains(word, run.Out);
+    }
+
+    [Fact]
+    public void VersionIsPrinted()
+    {
+        DemoRun run = DemoProcess.Run("--version");
+        run.AssertDone();
+        Assert.Matches(@"^\d+\.\d+\.\d+", run.Out);
+    }
+
+    [Theory]
+    [InlineData("frobnicate", "frobnicate")]
+    [InlineData("query", "SCENE.json")]
+    [InlineData("query one.json two.json", "two.json")]
+    [InlineData("query --nope", "--nope")]
+    [InlineData("query a.json --out", "--out")]
+    [InlineData("query a.json --max-distance -1", "--max-distance -1")]
+    [InlineData("query a.json --max-distance far", "--max-distance far")]
+    [InlineData("query a.json --max-distance NaN", "--max-distance NaN")]
+    [InlineData("query a.json --max-distance 1e39", "--max-distance 1e39")]
+    [InlineData("query a.json --out a.json", "overwrite")]
+    [InlineData("time", "SCENE.json")]
+    [InlineData("time a.json --seconds 0", "--seconds 0")]
+    [InlineData("--frames 0", "--frames 0")]
+    [InlineData("--frames 1.5", "--frames 1.5")]
+    [InlineData("replay --seconds soon", "--seconds soon")]
+    [InlineData("replay --frames 2 --seconds 1", "exclude")]
+    [InlineData("replay extra", "extra")]
+    [InlineData("@file", "@file")]
+    public void WrongArgumentsAreOneLine(string args, string part) => DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+
+    [Fact]
+    public void FilesThatCannotBeReadAreNamed()
+    {
+        using var directory = new TempDirectory();
+        DemoProcess.Run("query", directory.File("none.json")).AssertRefused(directory.File("none.json"), "no such file");
+        DemoProcess.Run("query", directory.Path).AssertRefused(directory.Path, "cannot be read");
+        DemoProcess.Run("time", directory.File("none.json")).AssertRefused(directory.File("none.json"));
+        DemoProcess.Run("query", "").AssertRefused("cannot be read");
+    }
+
+    [Fact]
+    public void FilesThatCannotBeWrittenAreRefusedBeforeTheWork()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", """{"version":1,"objects":[]}""");
+        string nowhere = Path.Combine(directory.Path, "nowhere", "out");
+        DemoProcess.Run("query", scene, "--out", nowhere).AssertRefused(nowhere, "no such directory");
+        DemoProcess.Run("query", scene, "--out", directory.Path).AssertRefused(directory.Path, "directory");
+        DemoProcess.Run("--frames", "1", "--json", nowhere).AssertRefused(nowhere, "no such directory");
+        Assert.Equal([scene], directory.Files);
+    }
+}
