@@ -58,7 +58,7 @@ internal static class GjkDistance
             simplex.Push(w, onA, idA, idB);
             if (!feature.Reduce(ref simplex))
             {
-                if (!separated && IsCertainlyInside(simplex)) outcome.Status = GjkStatus.Overlapping;
+                if (!separated && (IsCertainlyInside(simplex) || HoldsPointNear(simplex, touchSquared))) outcome.Status = GjkStatus.Overlapping;
                 return;
             }
 
@@ -80,7 +80,8 @@ internal static class GjkDistance
         distanceSquared = 0;
         if (!outcome.Feature.ReduceAny(ref outcome.Simplex))
         {
-            outcome.Status = IsCertainlyInside(outcome.Simplex) ? GjkStatus.Overlapping : GjkStatus.IterationLimit;
+            bool overlaps = IsCertainlyInside(outcome.Simplex) || HoldsPointNear(outcome.Simplex, touchSquared);
+            outcome.Status = overlaps ? GjkStatus.Overlapping : GjkStatus.IterationLimit;
             return false;
         }
 
@@ -125,6 +126,17 @@ internal static class GjkDistance
         Vector3D a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;
         if (Vector3D.Dot(Vector3D.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
         return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a) && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
+    }
+
+    /// <summary>
+    /// A point of the tetrahedron, worked out from its weights, is as near the origin as touching asks: what a sign leaves open where the origin lies on a
+    /// face or an edge, as it does for flush boxes, the weights can still prove.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool HoldsPointNear(in Simplex simplex, double touchSquared)
+    {
+        Weights w = ClosestPointWeights.Of(simplex);
+        return w.PointOf(simplex.WA, simplex.WB, simplex.WC, simplex.WD).LengthSquared <= touchSquared;
     }
 
     private static bool IsCertain(in Vector3D a, in Vector3D e, in Vector3D f)

@@ -19,8 +19,13 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class GjkExtendedPrecision
 {
+    /// <summary>
+    /// AggressiveOptimization, which netstandard2.0 has no name for: this code runs so seldom that the runtime would leave it unoptimised, some hundred times slower.
+    /// </summary>
+    private const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
+
     /// <summary>Solves from the beginning, in the first direction given.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(OptimizeAtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, in Vector3D firstNormal, double maxDistance, ref GjkOutcome outcome)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -102,6 +107,7 @@ internal static class GjkExtendedPrecision
     }
 
     /// <summary>Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.</summary>
+    [MethodImpl(OptimizeAtOnce)]
     internal static bool TryReduce(ref Simplex simplex, out ClosestFeature feature, out DoubleDouble distanceSquared)
     {
         feature = default;
@@ -127,6 +133,7 @@ internal static class GjkExtendedPrecision
     }
 
     /// <summary>The subset's normal and height, when its nearest point is inside it.</summary>
+    [MethodImpl(OptimizeAtOnce)]
     private static bool TryFeature(in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height, out bool flipped)
     {
         int i = NextIn(subset, 0), j = NextIn(subset, i + 1), k = NextIn(subset, j + 1);
@@ -161,6 +168,7 @@ internal static class GjkExtendedPrecision
     }
 
     /// <summary>The four volumes that the origin spans with the faces all have the sign of the whole.</summary>
+    [MethodImpl(OptimizeAtOnce)]
     private static bool Encloses(in Simplex simplex)
     {
         VectorDD a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;
