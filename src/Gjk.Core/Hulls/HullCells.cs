@@ -44,6 +44,12 @@ internal sealed class HullCells
     /// <summary>Length in units of the extents: corners that lie this little below the best are candidates too, far more than a rounded dot product can be off.</summary>
     private const double Slack = 1e-9;
 
+    /// <summary>How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are not touched in vain.</summary>
+    public readonly SupportKind Kind;
+
+    /// <summary>The blocks of a hull that is scanned as a whole.</summary>
+    public readonly int BlockCount;
+
     /// <summary>Cells along an edge of the cube; 0 when there is a single list.</summary>
     public readonly int Side;
 
@@ -80,6 +86,20 @@ internal sealed class HullCells
         Ids = new int[Start[lists.CellCount] * Lanes];
         for (int i = 0; i < lists.CellCount; i++) Fill(hull, lists, i);
         BoxSlots = FindBoxSlots(hull);
+        BlockCount = Start[1];
+        Kind = BoxSlots.Length > 0 ? SupportKind.Box : Side > 0 ? SupportKind.Cells : SupportKind.Scan;
+    }
+
+    public enum SupportKind
+    {
+        /// <summary>All corners are scanned; a corner's slot is its id.</summary>
+        Scan,
+
+        /// <summary>The signs of the direction name the corner.</summary>
+        Box,
+
+        /// <summary>The corners of the direction's cell are scanned.</summary>
+        Cells,
     }
 
     private static byte[] FindBoxSlots(ConvexHull hull)

@@ -22,9 +22,10 @@ internal static class HullSupport
     public static int Find(ConvexHull hull, in Vector3D direction, out Vector3D point)
     {
         HullCells cells = hull.Cells;
-        if (cells.BoxSlots.Length == 8) return BoxCorner(cells, direction, out point);
-        int cell = cells.Side == 0 ? 0 : CellOf(cells, direction.X, direction.Y, direction.Z);
-        return Best(cells, cells.Start[cell], cells.Start[cell + 1], direction, out point);
+        if (cells.Kind == HullCells.SupportKind.Box) return BoxCorner(cells, direction, out point);
+        if (cells.Kind == HullCells.SupportKind.Scan) return Corner(cells, Best(cells, 0, cells.BlockCount, direction), out point);
+        int cell = CellOf(cells, direction.X, direction.Y, direction.Z);
+        return cells.Ids[Corner(cells, Best(cells, cells.Start[cell], cells.Start[cell + 1], direction), out point)];
     }
 
     /// <summary>A component of 0 leaves two corners level, and the lowest id is wanted: the scan knows.</summary>
@@ -32,10 +33,13 @@ internal static class HullSupport
     private static int BoxCorner(HullCells cells, in Vector3D direction, out Vector3D point)
     {
         double x = direction.X, y = direction.Y, z = direction.Z;
-        if (x == 0 || y == 0 || z == 0) return Best(cells, 0, cells.Start[1], direction, out point);
-        int slot = cells.BoxSlots[(x < 0 ? 1 : 0) | (y < 0 ? 2 : 0) | (z < 0 ? 4 : 0)];
-        return Corner(cells, (uint)slot, out point);
+        int slot = x == 0 || y == 0 || z == 0
+            ? ScanBox(cells, x, y, z)
+            : cells.BoxSlots[(x < 0 ? 1 : 0) | (y < 0 ? 2 : 0) | (z < 0 ? 4 : 0)];
+        return Corner(cells, slot, out point);
     }
+
+    private static int ScanBox(HullCells cells, double x, double y, double z) => Best(cells, 0, cells.BlockCount, new Vector3D(x, y, z));
 
     /// <summary>The definition that every faster way must agree with.</summary>
     public static int Scan(ConvexHull hull, in Vector3D direction)
@@ -97,38 +101,29 @@ internal static class HullSupport
 #if NET
     /// <summary>The best of a run of blocks, four corners at a time.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int Best(HullCells cells, int block, int end, in Vector3D direction, out Vector3D point)
+    private static int Best(HullCells cells, int block, int end, in Vector3D direction)
     {
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(cells.Coordinates);
         Vector256<double> dx = Vector256.Create(direction.X), dy = Vector256.Create(direction.Y), dz = Vector256.Create(direction.Z);
         Vector256<double> first = Dots(ref coordinates, block, dx, dy, dz);
-        int slot;
         if (end - block == 1)
-        {
-            slot = block * HullCells.Lanes + FirstLane(Vector256.Equals(first, Highest(first)).ExtractMostSignificantBits());
-        }
-        else if (end - block == 2)
-        {
-            Vector256<double> second = Dots(ref coordinates, block + 1, dx, dy, dz);
-            Vector256<double> highest = Highest(Larger(first, second));
-            uint lanes = Vector256.Equals(first, highest).ExtractMostSignificantBits() | Vector256.Equals(second, highest).ExtractMostSignificantBits() << HullCells.Lanes;
-            slot = block * HullCells.Lanes + FirstLane(lanes);
-        }
-        else
-        {
-            slot = BestOfMany(ref coordinates, block, end, direction.X, direction.Y, direction.Z);
-        }
+            return block * HullCells.Lanes + FirstLane(Vector256.Equals(first, Highest(first)).ExtractMostSignificantBits());
+        if (end - block > 2) return BestOfMany(ref coordinates, block, end, direction.X, direction.Y, direction.Z);
 
-        return Corner(cells, (uint)slot, out point);
+        Vector256<double> second = Dots(ref coordinates, block + 1, dx, dy, dz);
+        Vector256<double> highest = Highest(Larger(first, second));
+        uint lanes = Vector256.Equals(first, highest).ExtractMostSignificantBits() | Vector256.Equals(second, highest).ExtractMostSignificantBits() << HullCells.Lanes;
+        return block * HullCells.Lanes + FirstLane(lanes);
     }
 
+    /// <summary>Reads the corner in a slot; gives the slot back.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int Corner(HullCells cells, uint slot, out Vector3D point)
+    private static int Corner(HullCells cells, int slot, out Vector3D point)
     {
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(cells.Coordinates);
-        ref float x = ref Unsafe.Add(ref coordinates, slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes);
+        ref float x = ref Unsafe.Add(ref coordinates, (uint)slot / HullCells.Lanes * HullCells.BlockFloats + (uint)slot % HullCells.Lanes);
         point = new Vector3D(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
-        return Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(cells.Ids), slot);
+        return slot;
     }
 
     /// <summary>Each lane keeps its first highest; of the lanes that tie for the whole run's highest the lowest slot wins.</summary>
@@ -189,7 +184,7 @@ internal static class HullSupport
     private static Vector256<double> Widen(ref float four) => Vector256.WidenLower(Vector128.LoadUnsafe(ref four).ToVector256Unsafe());
 #else
     /// <summary>The best of a run of blocks, one corner at a time.</summary>
-    private static int Best(HullCells cells, int block, int end, in Vector3D direction, out Vector3D point)
+    private static int Best(HullCells cells, int block, int end, in Vector3D direction)
     {
         float[] coordinates = cells.Coordinates;
         double dx = direction.X, dy = direction.Y, dz = direction.Z, bestDot = double.NegativeInfinity;
@@ -206,15 +201,16 @@ internal static class HullSupport
             }
         }
 
-        return Corner(cells, (uint)best, out point);
+        return best;
     }
 
-    private static int Corner(HullCells cells, uint slot, out Vector3D point)
+    /// <summary>Reads the corner in a slot; gives the slot back.</summary>
+    private static int Corner(HullCells cells, int slot, out Vector3D point)
     {
         float[] coordinates = cells.Coordinates;
-        uint x = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
+        int x = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
         point = new Vector3D(coordinates[x], coordinates[x + HullCells.Lanes], coordinates[x + 2 * HullCells.Lanes]);
-        return cells.Ids[slot];
+        return slot;
     }
 #endif
 }

@@ -54,6 +54,9 @@ internal struct ClosestFeature
     /// <returns>False when the origin is inside the tetrahedron, or as near as its weights can tell.</returns>
     public bool ReduceAny(ref Simplex simplex)
     {
+        // A pair that has not moved much: the remembered feature still is the nearest.
+        if (simplex.Count < 4 && IsFeatureOfItself(simplex)) return Reduce(ref simplex);
+
         Weights w = ClosestPointWeights.Of(simplex);
         int kept = 0;
         for (int i = 0; i < simplex.Count; i++)
@@ -72,6 +75,19 @@ internal struct ClosestFeature
         else if (kept == 2) Edge(ref simplex, simplex.WA, simplex.WB - simplex.WA);
         else Triangle(ref simplex);
         return true;
+    }
+
+    /// <summary>The origin is beside the whole vertex, edge or triangle, not beside a part of it.</summary>
+    private static bool IsFeatureOfItself(in Simplex simplex)
+    {
+        if (simplex.Count == 1) return true;
+        Vector3D a = simplex.WA, b = simplex.WB, ab = b - a;
+        if (simplex.Count == 2) return Vector3D.Dot(ab, a) < 0 && Vector3D.Dot(ab, b) > 0;
+
+        Vector3D ac = simplex.WC - a, normal = Vector3D.Cross(ab, ac);
+        return Vector3D.Dot(Vector3D.Cross(ab, normal), a) > 0
+            && Vector3D.Dot(Vector3D.Cross(normal, ac), a) > 0
+            && Vector3D.Dot(Vector3D.Cross(ac - ab, normal), b) > 0;
     }
 
     /// <summary>The newest vertex alone.</summary>
