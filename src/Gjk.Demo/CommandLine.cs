@@ -8,6 +8,7 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Threading;
+using Gjk.Demo.Fuzz;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
@@ -34,6 +35,7 @@ internal static class CommandLine
             BuildReplay(cancel),
             BuildQuery(cancel),
             BuildTime(cancel),
+            FuzzOptions.Build(cancel),
         };
 
         // A file name may begin with @, and nothing else is to be read from it.

@@ -1,0 +1,52 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Demo.Fuzz;
+
+/// <summary>Rotations as they occur: none, even ones, by quarter and half turns, by next to nothing, and quaternions whose length has drifted from 1.</summary>
+internal static class Rotations
+{
+    /// <summary>A pose accepts a length of 1 within 1e-3; the last tenth is left for the rounding to float.</summary>
+    private const double Drift = 9e-4;
+
+    public static Quaternion Any(FuzzRandom random) => random.Below(8) switch
+    {
+        0 => Quaternion.Identity,
+        1 => Turned(random, random.Of(0.25, 0.5, 0.75) * Math.PI),
+        2 => Tiny(random),
+        3 => Drifted(random, Even(random)),
+        _ => Even(random),
+    };
+
+    public static Quaternion Even(FuzzRandom random)
+    {
+        while (true)
+        {
+            double x = random.Range(-1, 1), y = random.Range(-1, 1), z = random.Range(-1, 1), w = random.Range(-1, 1);
+            double square = x * x + y * y + z * z + w * w;
+            if (square is < 0.01 or > 1) continue;
+            double s = 1 / Math.Sqrt(square);
+            return new Quaternion((float)(x * s), (float)(y * s), (float)(z * s), (float)(w * s));
+        }
+    }
+
+    /// <summary>By a thousandth of a radian down to the smallest angle that a float can hold beside 1, and below.</summary>
+    public static Quaternion Tiny(FuzzRandom random)
+    {
+        float angle = (float)random.Magnitude(1e-12, 1e-3);
+        return random.Below(3) switch { 0 => new(angle, 0, 0, 1), 1 => new(0, angle, 0, 1), _ => new(angle, -angle, angle, 1) };
+    }
+
+    public static Quaternion Drifted(FuzzRandom random, Quaternion q)
+    {
+        float factor = (float)(1 + random.Range(-Drift, Drift));
+        return new Quaternion(q.X * factor, q.Y * factor, q.Z * factor, q.W * factor);
+    }
+
+    /// <summary>About a coordinate axis; the argument is half the angle.</summary>
+    private static Quaternion Turned(FuzzRandom random, double half)
+    {
+        float s = (float)Math.Sin(half), c = (float)Math.Cos(half);
+        return random.Below(3) switch { 0 => new(s, 0, 0, c), 1 => new(0, s, 0, c), _ => new(0, 0, s, c) };
+    }
+}
