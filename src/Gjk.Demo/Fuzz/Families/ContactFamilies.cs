@@ -21,7 +21,7 @@ internal static class ContactFamilies
     {
         ConvexShape a = WithFaces(random), b = WithFaces(random);
         Quaternion q = Rotations.Any(random), turnB = q;
-        if (random.OneIn(3)) turnB = q * new Quaternion(0, (float)Math.Sqrt(0.5), 0, (float)Math.Sqrt(0.5));
+        if (random.OneIn(3)) turnB = Rotations.Times(q, new Quaternion(0, (float)Math.Sqrt(0.5), 0, (float)Math.Sqrt(0.5)));
         var poseA = new RigidPose(q, random.OneIn(2) ? Vector3.Zero : random.Vector(1));
         var bodyA = new PosedShape(a, poseA);
         Vector3D up = bodyA.Rotate(new Vector3D(0, random.Sign(), 0));
@@ -56,7 +56,7 @@ internal static class ContactFamilies
         var body = new PosedShape(a, new RigidPose(q, Vector3.Zero));
         Vector3D direction = random.OneIn(2) ? new Vector3D(1, 0, 0) : random.Direction();
         Vector3D gap = body.Rotate(direction) * Placement.AnyGap(random);
-        Quaternion turnB = random.Below(4) switch { 0 => Rotations.Tiny(random) * q, 1 => Rotations.Drifted(random, q), _ => q };
+        Quaternion turnB = random.Below(4) switch { 0 => Rotations.Nudged(random, q), 1 => Rotations.Drifted(random, q), _ => q };
         return new FuzzPair(a, new RigidPose(q, Vector3.Zero), b, new RigidPose(turnB, (Vector3)gap));
     }
 
@@ -64,7 +64,7 @@ internal static class ContactFamilies
     public static FuzzPair NearlyTheSame(FuzzRandom random)
     {
         ConvexShape shape = Shapes.Any(random);
-        Quaternion q = Rotations.Any(random), turned = random.OneIn(2) ? q : Rotations.Tiny(random) * q;
+        Quaternion q = Rotations.Any(random), turned = random.OneIn(2) ? q : Rotations.Nudged(random, q);
         Vector3 position = random.OneIn(2) ? Vector3.Zero : random.Vector(1);
         Vector3 moved = position + (Vector3)(random.Direction() * (random.OneIn(3) ? 0 : random.Magnitude(1e-15, 2)));
         return new FuzzPair(shape, new RigidPose(q, position), shape, new RigidPose(turned, moved));
