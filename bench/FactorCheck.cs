@@ -18,13 +18,13 @@ public static class FactorCheck
     /// Times faster than the baseline, cubes of 24 vertices. The hulls have 8 corners, so half of the time is the simplex and the call itself: below
     /// this, a copy of the simplex or an allocation has come into the loop.
     /// </summary>
-    private const double MinFactorCubes = 2.5;
+    private const double MinFactorCubes = 1.8;
 
     /// <summary>
     /// Times faster than the baseline, spheres of 515 vertices. Nearly all of the baseline's time is the linear search; below this, the library has
     /// fallen back to one.
     /// </summary>
-    private const double MinFactorSpheres = 4;
+    private const double MinFactorSpheres = 6;
 
     /// <summary>In units, on objects of size 1. The baseline stops while up to its <see cref="ReportGjk.ProgressEpsilon"/> over the distance is left to gain.</summary>
     private const float DistanceTolerance = 1e-3f;

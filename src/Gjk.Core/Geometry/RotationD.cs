@@ -7,41 +7,39 @@ namespace Gjk.Core;
 /// A rotation matrix in double, from a float quaternion that is divided by its own squared length, so that a quaternion
 /// a few units in the last place off unit length still gives a rotation to 1e-16.
 /// </summary>
-internal readonly struct RotationD
+internal struct RotationD
 {
-    public readonly double M00, M01, M02, M10, M11, M12, M20, M21, M22;
+    public double M00, M01, M02, M10, M11, M12, M20, M21, M22;
 
-    public RotationD(Quaternion q)
-        : this(q.X, q.Y, q.Z, q.W, 2 / ((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W))
-    {
-    }
+    public RotationD(Quaternion q) =>
+        Set(out this, q.X, q.Y, q.Z, q.W, 2 / ((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W));
 
-    /// <summary>The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985).</summary>
+    /// <summary>The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985), written where it is to be, without a copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public RotationD(double x, double y, double z, double w, double s)
+    public static void Set(out RotationD matrix, double x, double y, double z, double w, double s)
     {
         double xx = x * x, yy = y * y, zz = z * z;
         double xy = x * y * s, xz = x * z * s, yz = y * z * s;
         double wx = w * x * s, wy = w * y * s, wz = w * z * s;
-        M00 = 1 - (yy + zz) * s;
-        M01 = xy - wz;
-        M02 = xz + wy;
-        M10 = xy + wz;
-        M11 = 1 - (xx + zz) * s;
-        M12 = yz - wx;
-        M20 = xz - wy;
-        M21 = yz + wx;
-        M22 = 1 - (xx + yy) * s;
+        matrix.M00 = 1 - (yy + zz) * s;
+        matrix.M01 = xy - wz;
+        matrix.M02 = xz + wy;
+        matrix.M10 = xy + wz;
+        matrix.M11 = 1 - (xx + zz) * s;
+        matrix.M12 = yz - wx;
+        matrix.M20 = xz - wy;
+        matrix.M21 = yz + wx;
+        matrix.M22 = 1 - (xx + yy) * s;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3D Rotate(in Vector3D v) => new(
+    public readonly Vector3D Rotate(in Vector3D v) => new(
         M00 * v.X + M01 * v.Y + M02 * v.Z,
         M10 * v.X + M11 * v.Y + M12 * v.Z,
         M20 * v.X + M21 * v.Y + M22 * v.Z);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3D InverseRotate(in Vector3D v) => new(
+    public readonly Vector3D InverseRotate(in Vector3D v) => new(
         M00 * v.X + M10 * v.Y + M20 * v.Z,
         M01 * v.X + M11 * v.Y + M21 * v.Z,
         M02 * v.X + M12 * v.Y + M22 * v.Z);

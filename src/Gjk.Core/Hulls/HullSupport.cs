@@ -23,7 +23,7 @@ internal static class HullSupport
     {
         HullCells cells = hull.Cells;
         if (cells.BoxSlots.Length == 8) return BoxCorner(cells, direction, out point);
-        int cell = cells.Side == 0 ? 0 : CellOf(cells, direction);
+        int cell = cells.Side == 0 ? 0 : CellOf(cells, direction.X, direction.Y, direction.Z);
         return Best(cells, cells.Start[cell], cells.Start[cell + 1], direction, out point);
     }
 
@@ -58,9 +58,9 @@ internal static class HullSupport
     }
 
     /// <summary>The cube's face by the largest stretched component, then the cell by the other two over it. A zero or NaN direction gives some cell.</summary>
-    private static int CellOf(HullCells cells, in Vector3D direction)
+    private static int CellOf(HullCells cells, double dx, double dy, double dz)
     {
-        double x = direction.X * cells.Stretch.X, y = direction.Y * cells.Stretch.Y, z = direction.Z * cells.Stretch.Z;
+        double x = dx * cells.Stretch.X, y = dy * cells.Stretch.Y, z = dz * cells.Stretch.Z;
         double ax = Math.Abs(x), ay = Math.Abs(y), az = Math.Abs(z);
         int face;
         double u, v, w;
@@ -116,7 +116,7 @@ internal static class HullSupport
         }
         else
         {
-            slot = BestOfMany(ref coordinates, block, end, direction);
+            slot = BestOfMany(ref coordinates, block, end, direction.X, direction.Y, direction.Z);
         }
 
         return Corner(cells, (uint)slot, out point);
@@ -132,9 +132,9 @@ internal static class HullSupport
     }
 
     /// <summary>Each lane keeps its first highest; of the lanes that tie for the whole run's highest the lowest slot wins.</summary>
-    private static int BestOfMany(ref float coordinates, int block, int end, in Vector3D direction)
+    private static int BestOfMany(ref float coordinates, int block, int end, double x, double y, double z)
     {
-        Vector256<double> dx = Vector256.Create(direction.X), dy = Vector256.Create(direction.Y), dz = Vector256.Create(direction.Z);
+        Vector256<double> dx = Vector256.Create(x), dy = Vector256.Create(y), dz = Vector256.Create(z);
         Vector256<double> best = Dots(ref coordinates, block, dx, dy, dz);
         Vector256<long> bestBlock = Vector256.Create((long)block), now = bestBlock;
         for (int i = block + 1; i < end; i++)

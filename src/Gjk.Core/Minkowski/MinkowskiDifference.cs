@@ -10,23 +10,32 @@ internal static class MinkowskiDifference
 {
     /// <summary>
     /// The vertex of A - B that lies furthest against <paramref name="normal"/>, that is nearest the origin along it: A's furthest point against the
-    /// normal less B's furthest point along it. The vertex's ids come in as hints and go out as ids.
+    /// normal less B's furthest point along it.
     /// </summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="bInA">Where B is, seen from A.</param>
+    /// <param name="normal">In A's frame, of any length.</param>
+    /// <param name="idA">The id of A's last support point as a hint; becomes this one's.</param>
+    /// <param name="idB">The same for B.</param>
+    /// <param name="onA">The support point of A, from A's centre.</param>
+    /// <param name="w">The vertex: onA less the support point of B.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Support<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, in Vector3D normal, ref MinkowskiVertex vertex)
+    public static void Support<TA, TB>(
+        ref TA a, ref TB b, in RelativePose bInA, in Vector3D normal, ref int idA, ref int idB, out Vector3D onA, out Vector3D w)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        vertex.IdA = a.Support(-normal, vertex.IdA, out Vector3D onA);
-        vertex.IdB = b.Support(bInA.Rotation.InverseRotate(normal), vertex.IdB, out Vector3D onB);
-        Place(bInA, onA, onB, ref vertex);
+        idA = a.Support(-normal, idA, out Vector3D pointA);
+        idB = b.Support(bInA.Rotation.InverseRotate(normal), idB, out Vector3D pointB);
+        Place(bInA, pointA, pointB, out onA, out w);
     }
 
-    /// <summary>Sets the vertex's coordinates from a point of each shape in its own frame.</summary>
+    /// <summary>The vertex made from a point of each shape in its own frame.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Place(in RelativePose bInA, in Vector3D onA, in Vector3D onB, ref MinkowskiVertex vertex)
+    public static void Place(in RelativePose bInA, in Vector3D pointA, in Vector3D pointB, out Vector3D onA, out Vector3D w)
     {
-        vertex.OnA = onA - bInA.CenterA;
-        vertex.W = vertex.OnA - (bInA.Rotation.Rotate(onB - bInA.CenterB) + bInA.Translation);
+        onA = pointA - bInA.CenterA;
+        w = onA - (bInA.Rotation.Rotate(pointB - bInA.CenterB) + bInA.Translation);
     }
 }

@@ -41,16 +41,17 @@ internal readonly struct RelativePose
         double ax = a.X, ay = a.Y, az = a.Z, aw = a.W, bx = b.X, by = b.Y, bz = b.Z, bw = b.W;
         double normA = ax * ax + ay * ay + az * az + aw * aw, normB = bx * bx + by * by + bz * bz + bw * bw;
         double inverse = 1 / (normA * normB);
-        RotationA = new RotationD(ax, ay, az, aw, 2 * normB * inverse);
-        Rotation = new RotationD(
+        RotationD.Set(out RotationA, ax, ay, az, aw, 2 * normB * inverse);
+        RotationD.Set(
+            out Rotation,
             aw * bx - ax * bw - ay * bz + az * by,
             aw * by - ay * bw - az * bx + ax * bz,
             aw * bz - az * bw - ax * by + ay * bx,
             aw * bw + ax * bx + ay * by + az * bz,
             2 * inverse);
 
-        CenterA = centerA;
-        CenterB = centerB;
+        CenterA = new Vector3D(centerA.X, centerA.Y, centerA.Z);
+        CenterB = new Vector3D(centerB.X, centerB.Y, centerB.Z);
         Radius = radius;
         Vector3D between = (Vector3D)poseB.Position - poseA.Position;
         double offset = Math.Abs(centerA.X) + Math.Abs(centerA.Y) + Math.Abs(centerA.Z) + Math.Abs(centerB.X) + Math.Abs(centerB.Y) + Math.Abs(centerB.Z);

@@ -61,7 +61,7 @@ public static partial class ConvexQuery
         var bInA = new RelativePose(poseA, poseB, shapeA.Center, shapeB.Center, shapeA.BoundingRadius + shapeB.BoundingRadius);
         if (!bInA.IsValid || !AreMargins(shapeA.Margin, shapeB.Margin)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
-        GjkOutcome outcome = default;
+        GjkOutcome.Start(out GjkOutcome outcome);
         SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome);
         if (outcome.Status < GjkStatus.InvalidInput) simplex = new FinalSimplex(outcome.Simplex, bInA);
         return Finish(outcome, bInA, poseA, shapeA.Margin, shapeB.Margin, float.PositiveInfinity);
@@ -99,7 +99,7 @@ public static partial class ConvexQuery
         double marginA = a.Margin, marginB = b.Margin;
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
-        GjkOutcome outcome = default;
+        GjkOutcome.Start(out GjkOutcome outcome);
         SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
@@ -117,7 +117,7 @@ public static partial class ConvexQuery
         double marginA = a.Margin, marginB = b.Margin;
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
-        GjkOutcome outcome = default;
+        GjkOutcome.Start(out GjkOutcome outcome);
         SolveCoresWarm(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref warmStart, ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
@@ -128,6 +128,7 @@ public static partial class ConvexQuery
         Math.Max(maxDistance, 0.0) + margins + GjkTolerances.SeparatedBand * bInA.Radius;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult Finish(
         in GjkOutcome outcome, in RelativePose bInA, in RigidPose poseA, double marginA, double marginB, double maxDistance)
     {

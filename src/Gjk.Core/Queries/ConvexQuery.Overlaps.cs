@@ -65,7 +65,7 @@ public static partial class ConvexQuery
             }
         }
 
-        GjkOutcome outcome = default;
+        GjkOutcome.Start(out GjkOutcome outcome);
         SolveCores(ref a, ref b, bInA, margins + GjkTolerances.SeparatedBand * bInA.Radius, ref outcome);
         status = OverlapStatus(outcome, margins + GjkTolerances.Touch * bInA.Radius);
         return status == GjkStatus.Overlapping;

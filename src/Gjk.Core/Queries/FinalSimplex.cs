@@ -28,23 +28,23 @@ public readonly struct FinalSimplex
 
     /// <summary>The support point of A, in A's own frame.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Vector3D PointOnA(int index) => _simplex.OnA(_simplex[Checked(index)].Slot) + _bInA.CenterA;
+    public Vector3D PointOnA(int index) => _simplex.OnA(_simplex[Checked(index)]) + _bInA.CenterA;
 
     /// <summary>The support point of B, in B's own frame.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
     public Vector3D PointOnB(int index)
     {
-        SimplexVertex vertex = _simplex[Checked(index)];
-        return _bInA.Rotation.InverseRotate(_simplex.OnA(vertex.Slot) - vertex.W - _bInA.Translation) + _bInA.CenterB;
+        int slot = _simplex[Checked(index)];
+        return _bInA.Rotation.InverseRotate(_simplex.OnA(slot) - _simplex.W(slot) - _bInA.Translation) + _bInA.CenterB;
     }
 
     /// <summary>The id of A's support point, or -1 where A has no vertices.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public int IdA(int index) => _simplex.IdA(_simplex[Checked(index)].Slot);
+    public int IdA(int index) => _simplex.IdA(_simplex[Checked(index)]);
 
     /// <summary>The id of B's support point, or -1 where B has no vertices.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public int IdB(int index) => _simplex.IdB(_simplex[Checked(index)].Slot);
+    public int IdB(int index) => _simplex.IdB(_simplex[Checked(index)]);
 
     private int Checked(int index) =>
         index >= 0 && index < Count ? index : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such pair of points.");

@@ -30,17 +30,16 @@ public struct WarmStart
         int count = (uint)_count <= 4u ? _count : 0;
         for (int i = count - 1; i >= 0; i--)
         {
-            MinkowskiVertex vertex = default;
-            vertex.IdA = i == 0 ? _a0 : i == 1 ? _a1 : i == 2 ? _a2 : _a3;
-            vertex.IdB = i == 0 ? _b0 : i == 1 ? _b1 : i == 2 ? _b2 : _b3;
-            if (!a.TryGetVertex(vertex.IdA, out Vector3D onA) || !b.TryGetVertex(vertex.IdB, out Vector3D onB))
+            int idA = i == 0 ? _a0 : i == 1 ? _a1 : i == 2 ? _a2 : _a3;
+            int idB = i == 0 ? _b0 : i == 1 ? _b1 : i == 2 ? _b2 : _b3;
+            if (!a.TryGetVertex(idA, out Vector3D onA) || !b.TryGetVertex(idB, out Vector3D onB))
             {
                 simplex.Count = 0;
                 return;
             }
 
-            MinkowskiDifference.Place(bInA, onA, onB, ref vertex);
-            simplex.Push(vertex);
+            MinkowskiDifference.Place(bInA, onA, onB, out Vector3D fromCenter, out Vector3D w);
+            simplex.Push(w, fromCenter, idA, idB);
         }
     }
 
@@ -50,9 +49,9 @@ public struct WarmStart
         double scale = 1 / System.Math.Sqrt(normal.LengthSquared);
         (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));
         _count = simplex.Count;
-        (_a0, _b0) = (simplex.IdA(simplex.A.Slot), simplex.IdB(simplex.A.Slot));
-        if (_count > 1) (_a1, _b1) = (simplex.IdA(simplex.B.Slot), simplex.IdB(simplex.B.Slot));
-        if (_count > 2) (_a2, _b2) = (simplex.IdA(simplex.C.Slot), simplex.IdB(simplex.C.Slot));
-        if (_count > 3) (_a3, _b3) = (simplex.IdA(simplex.D.Slot), simplex.IdB(simplex.D.Slot));
+        (_a0, _b0) = (simplex.IdA(simplex.A), simplex.IdB(simplex.A));
+        if (_count > 1) (_a1, _b1) = (simplex.IdA(simplex.B), simplex.IdB(simplex.B));
+        if (_count > 2) (_a2, _b2) = (simplex.IdA(simplex.C), simplex.IdB(simplex.C));
+        if (_count > 3) (_a3, _b3) = (simplex.IdA(simplex.D), simplex.IdB(simplex.D));
     }
 }

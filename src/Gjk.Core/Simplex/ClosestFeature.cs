@@ -29,13 +29,16 @@ internal struct ClosestFeature
     /// <summary>The squared distance of the feature from the origin.</summary>
     public readonly double DistanceSquared => Height * Height / NormalSquared;
 
-    /// <summary>Reduces a simplex of two to four vertices, the last step's feature and the vertex found beyond it.</summary>
+    /// <summary>Reduces the simplex of the last step's feature and the vertex found beyond it.</summary>
     /// <returns>False when the origin is inside (or on the hidden side of every face of) the tetrahedron; the simplex then keeps its four vertices.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Reduce(ref Simplex simplex)
     {
         switch (simplex.Count)
         {
+            case 1:
+                Vertex(ref simplex);
+                return true;
             case 2:
                 Line(ref simplex);
                 return true;
@@ -56,7 +59,7 @@ internal struct ClosestFeature
         for (int i = 0; i < simplex.Count; i++)
         {
             if (!(w[i] > 0)) continue;
-            SimplexVertex vertex = simplex[i];
+            int vertex = simplex[i];
             if (kept == 0) simplex.A = vertex;
             else if (kept == 1) simplex.B = vertex;
             else if (kept == 2) simplex.C = vertex;
@@ -66,24 +69,27 @@ internal struct ClosestFeature
         if (kept == 4) return false;
         simplex.Count = kept;
         if (kept == 1) Vertex(ref simplex);
-        else if (kept == 2) Edge(ref simplex, simplex.A.W, simplex.B.W - simplex.A.W);
+        else if (kept == 2) Edge(ref simplex, simplex.WA, simplex.WB - simplex.WA);
         else Triangle(ref simplex);
         return true;
     }
 
     /// <summary>The newest vertex alone.</summary>
-    public void Vertex(ref Simplex simplex)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Vertex(ref Simplex simplex)
     {
         simplex.Count = 1;
-        Normal = simplex.A.W;
-        Height = Normal.LengthSquared;
+        Vector3D a = simplex.WA;
+        Normal = a;
+        Height = a.LengthSquared;
         NormalSquared = Height;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Line(ref Simplex simplex)
     {
-        Vector3D a = simplex.A.W;
-        Vector3D ab = simplex.B.W - a;
+        Vector3D a = simplex.WA;
+        Vector3D ab = simplex.WB - a;
         if (Vector3D.Dot(ab, a) < 0)
             Edge(ref simplex, a, ab);
         else
@@ -91,88 +97,79 @@ internal struct ClosestFeature
     }
 
     /// <summary>The inside of AB: (ab × a) × ab is perpendicular to AB to the last bits, however near the origin is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Edge(ref Simplex simplex, in Vector3D a, in Vector3D ab)
     {
         simplex.Count = 2;
         Vector3D moment = Vector3D.Cross(ab, a);
-        Normal = Vector3D.Cross(moment, ab);
+        Vector3D normal = Vector3D.Cross(moment, ab);
+        Normal = normal;
         Height = moment.LengthSquared;
-        NormalSquared = Normal.LengthSquared;
+        NormalSquared = normal.LengthSquared;
     }
 
     private void Triangle(ref Simplex simplex)
     {
-        Vector3D a = simplex.A.W;
-        Vector3D ab = simplex.B.W - a, ac = simplex.C.W - a;
-        Vector3D normal = Vector3D.Cross(ab, ac);
-        if (Vector3D.Dot(normal, a) >= 0)
-        {
-            Face(ref simplex, a, ab, ac, normal);
-            return;
-        }
-
-        (simplex.B, simplex.C) = (simplex.C, simplex.B);
-        Face(ref simplex, a, ac, ab, -normal);
+        Vector3D a = simplex.WA, ab = simplex.WB - a, ac = simplex.WC - a;
+        Face(ref simplex, a, ab, ac, Vector3D.Cross(ab, ac));
     }
 
-    /// <summary>The face ABC, wound so that its normal points away from the origin; BC was tested when A was not there.</summary>
+    /// <summary>
+    /// The face ABC with its normal ab × ac, whichever side the origin is on; BC was tested when A was not there. The two edge tests do not
+    /// change when B and C change places, so the winding is settled last, without a branch that no processor could predict.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Face(ref Simplex simplex, in Vector3D a, in Vector3D ab, in Vector3D ac, in Vector3D normal)
     {
         bool beyondAB = Vector3D.Dot(Vector3D.Cross(ab, normal), a) < 0;
         bool beyondAC = Vector3D.Dot(Vector3D.Cross(normal, ac), a) < 0;
         if (beyondAB | beyondAC)
         {
-            if (beyondAB && Vector3D.Dot(ab, a) < 0)
-            {
-                Edge(ref simplex, a, ab);
-            }
-            else if (beyondAC && Vector3D.Dot(ac, a) < 0)
-            {
-                simplex.B = simplex.C;
-                Edge(ref simplex, a, ac);
-            }
-            else
-            {
-                Vertex(ref simplex);
-            }
-
+            BesideFace(ref simplex, a, ab, ac, beyondAB, beyondAC);
             return;
         }
 
         simplex.Count = 3;
-        Normal = normal;
-        Height = Vector3D.Dot(normal, a);
+        double height = Vector3D.Dot(normal, a), sign = height < 0 ? -1 : 1;
+        int b = simplex.B, c = simplex.C;
+        simplex.B = height < 0 ? c : b;
+        simplex.C = height < 0 ? b : c;
+        Normal = normal * sign;
+        Height = height * sign;
         NormalSquared = normal.LengthSquared;
+    }
+
+    /// <summary>Beside AB or AC, or behind A.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void BesideFace(ref Simplex simplex, in Vector3D a, in Vector3D ab, in Vector3D ac, bool beyondAB, bool beyondAC)
+    {
+        bool besideAB = beyondAB & Vector3D.Dot(ab, a) < 0, besideAC = beyondAC & Vector3D.Dot(ac, a) < 0;
+        if (!(besideAB | besideAC))
+        {
+            Vertex(ref simplex);
+            return;
+        }
+
+        simplex.B = besideAB ? simplex.B : simplex.C;
+        Edge(ref simplex, a, simplex.WB - a);
     }
 
     /// <summary>The three faces at A; face BCD has the origin behind it, on A's side.</summary>
     private bool Tetrahedron(ref Simplex simplex)
     {
-        Vector3D a = simplex.A.W;
-        Vector3D ab = simplex.B.W - a, ac = simplex.C.W - a, ad = simplex.D.W - a;
-        Vector3D abc = Vector3D.Cross(ab, ac), acd = Vector3D.Cross(ac, ad), adb = Vector3D.Cross(ad, ab);
-        bool beyondABC = Vector3D.Dot(abc, a) > 0, beyondACD = Vector3D.Dot(acd, a) > 0, beyondADB = Vector3D.Dot(adb, a) > 0;
-        int faces = (beyondABC ? 1 : 0) + (beyondACD ? 1 : 0) + (beyondADB ? 1 : 0);
+        Vector3D a = simplex.WA, ab = simplex.WB - a, ac = simplex.WC - a, ad = simplex.WD - a;
+        int beyondABC = Vector3D.Dot(Vector3D.Cross(ab, ac), a) > 0 ? 1 : 0;
+        int beyondACD = Vector3D.Dot(Vector3D.Cross(ac, ad), a) > 0 ? 1 : 0;
+        int beyondADB = Vector3D.Dot(Vector3D.Cross(ad, ab), a) > 0 ? 1 : 0;
+        int faces = beyondABC + beyondACD + beyondADB;
         if (faces == 0) return false;
-        if (faces > 1) return NearestOfFaces(ref simplex, beyondABC, beyondACD, beyondADB);
+        if (faces > 1) return NearestOfFaces(ref simplex, beyondABC != 0, beyondACD != 0, beyondADB != 0);
 
-        if (beyondABC)
-        {
-            Face(ref simplex, a, ab, ac, abc);
-        }
-        else if (beyondACD)
-        {
-            simplex.B = simplex.C;
-            simplex.C = simplex.D;
-            Face(ref simplex, a, ac, ad, acd);
-        }
-        else
-        {
-            simplex.C = simplex.B;
-            simplex.B = simplex.D;
-            Face(ref simplex, a, ad, ab, adb);
-        }
-
+        // ABC stays, ACD moves up, ADB goes round.
+        int b = simplex.B, c = simplex.C, d = simplex.D;
+        simplex.B = beyondACD != 0 ? c : beyondADB != 0 ? d : b;
+        simplex.C = beyondACD != 0 ? d : beyondADB != 0 ? b : c;
+        Triangle(ref simplex);
         return true;
     }
 
@@ -180,18 +177,17 @@ internal struct ClosestFeature
     [MethodImpl(MethodImplOptions.NoInlining)]
     private bool NearestOfFaces(ref Simplex simplex, bool beyondABC, bool beyondACD, bool beyondADB)
     {
-        SimplexVertex a = simplex.A, b = simplex.B, c = simplex.C, d = simplex.D;
+        int b = simplex.B, c = simplex.C, d = simplex.D;
+        Vector3D a = simplex.WA;
         ClosestFeature best = default, candidate = default;
-        SimplexVertex bestB = b, bestC = c;
-        int bestCount = 0;
+        int bestB = b, bestC = c, bestCount = 0;
         for (int face = 0; face < 3; face++)
         {
             if (!(face == 0 ? beyondABC : face == 1 ? beyondACD : beyondADB)) continue;
             simplex.B = face == 0 ? b : face == 1 ? c : d;
             simplex.C = face == 0 ? c : face == 1 ? d : b;
-            simplex.A = a;
-            Vector3D e = simplex.B.W - a.W, f = simplex.C.W - a.W;
-            candidate.Face(ref simplex, a.W, e, f, Vector3D.Cross(e, f));
+            Vector3D e = simplex.WB - a, f = simplex.WC - a;
+            candidate.Face(ref simplex, a, e, f, Vector3D.Cross(e, f));
             if (bestCount != 0 && !(candidate.DistanceSquared < best.DistanceSquared)) continue;
             best = candidate;
             bestCount = simplex.Count;

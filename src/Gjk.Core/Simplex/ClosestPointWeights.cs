@@ -14,23 +14,23 @@ internal static class ClosestPointWeights
     public static Weights Of(in Simplex s) => s.Count switch
     {
         1 => new Weights(1, 0, 0, 0),
-        2 => Segment(s.A.W, s.B.W),
-        3 => Triangle(s.A.W, s.B.W, s.C.W),
-        _ => Tetrahedron(s.A.W, s.B.W, s.C.W, s.D.W),
+        2 => Segment(s.WA, s.WB),
+        3 => Triangle(s.WA, s.WB, s.WC),
+        _ => Tetrahedron(s.WA, s.WB, s.WC, s.WD),
     };
 
     /// <summary>The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to rounding the same as <see cref="Of"/>.</summary>
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
         if (s.Count == 1) return new Weights(1, 0, 0, 0);
-        Vector3D a = s.A.W, ab = s.B.W - a;
+        Vector3D a = s.WA, ab = s.WB - a;
         if (s.Count == 2)
         {
             double t = -Vector3D.Dot(ab, a) / ab.LengthSquared;
             return new Weights(1 - t, t, 0, 0);
         }
 
-        Vector3D ac = s.C.W - a, inPlane = Vector3D.Cross(feature.Normal, a);
+        Vector3D ac = s.WC - a, inPlane = Vector3D.Cross(feature.Normal, a);
         double scale = 1 / feature.NormalSquared;
         double b = -Vector3D.Dot(ac, inPlane) * scale, c = Vector3D.Dot(ab, inPlane) * scale;
         return new Weights(1 - b - c, b, c, 0);

@@ -34,7 +34,7 @@ internal static class NextSimplex
     /// <summary>The origin is beside AB, or behind A.</summary>
     public static void Line(ref Simplex simplex, ref Vector3D normal)
     {
-        Vector3D a = simplex.A.W, ab = simplex.B.W - a;
+        Vector3D a = simplex.WA, ab = simplex.WB - a;
         if (Vector3D.Dot(ab, a) < 0)
             KeepEdge(ref simplex, a, ab, ref normal);
         else
@@ -44,7 +44,7 @@ internal static class NextSimplex
     /// <summary>The origin is beside AB or AC, behind A, above the triangle or below it.</summary>
     public static void Triangle(ref Simplex simplex, ref Vector3D normal)
     {
-        Vector3D a = simplex.A.W, ab = simplex.B.W - a, ac = simplex.C.W - a;
+        Vector3D a = simplex.WA, ab = simplex.WB - a, ac = simplex.WC - a;
         Vector3D abc = Vector3D.Cross(ab, ac);
         if (Vector3D.Dot(abc, a) < 0)
         {
@@ -59,7 +59,7 @@ internal static class NextSimplex
     /// <summary>The origin is beyond one of the faces at A, or inside.</summary>
     public static bool Tetrahedron(ref Simplex simplex, ref Vector3D normal)
     {
-        Vector3D a = simplex.A.W, ab = simplex.B.W - a, ac = simplex.C.W - a, ad = simplex.D.W - a;
+        Vector3D a = simplex.WA, ab = simplex.WB - a, ac = simplex.WC - a, ad = simplex.WD - a;
         Vector3D abc = Vector3D.Cross(ab, ac), acd = Vector3D.Cross(ac, ad), adb = Vector3D.Cross(ad, ab);
         if (Vector3D.Dot(abc, a) > 0)
         {
@@ -86,6 +86,7 @@ internal static class NextSimplex
     }
 
     /// <summary>The part of the triangle case that is left when the triangle's normal already points away from the origin.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Face(ref Simplex simplex, in Vector3D a, in Vector3D ab, in Vector3D ac, in Vector3D abc, ref Vector3D normal)
     {
         bool besideAC = Vector3D.Dot(Vector3D.Cross(abc, ac), a) < 0;
@@ -108,15 +109,17 @@ internal static class NextSimplex
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void KeepEdge(ref Simplex simplex, in Vector3D a, in Vector3D ab, ref Vector3D normal)
     {
         simplex.Count = 2;
         normal = Vector3D.Cross(Vector3D.Cross(ab, a), ab);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void KeepVertex(ref Simplex simplex, in Vector3D a, ref Vector3D normal)
     {
         simplex.Count = 1;
-        normal = a;
+        normal = new Vector3D(a.X, a.Y, a.Z);
     }
 }

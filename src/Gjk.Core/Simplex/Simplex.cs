@@ -7,69 +7,82 @@ namespace Gjk.Core;
 /// (B - A) × (C - A) points away from the origin.
 /// </summary>
 /// <remarks>
-/// The steps of the algorithm read and reorder coordinates only. What a vertex was made from stays in the slot that it was given, so that
-/// reordering moves 32 bytes a vertex.
+/// A vertex is written once, into a slot; A, B, C and D are slot numbers, so that reordering moves four small integers. Coordinates are
+/// written and read one double at a time: a wide load of what narrow stores have just written would wait for them to leave the core.
 /// </remarks>
 internal unsafe struct Simplex
 {
-    public SimplexVertex A, B, C, D;
+    /// <summary>The slots of the vertices, newest first.</summary>
+    public int A, B, C, D;
+
+    /// <summary>How many of A, B, C, D are vertices.</summary>
     public int Count;
 
-    private fixed double _onA[12];
     private fixed int _ids[8];
+    private fixed double _w[12];
+    private fixed double _onA[12];
 
-    /// <summary>Makes the vertex the newest one, A; there must be room.</summary>
+    public readonly Vector3D WA => W(A);
+
+    public readonly Vector3D WB => W(B);
+
+    public readonly Vector3D WC => W(C);
+
+    public readonly Vector3D WD => W(D);
+
+    /// <summary>The slot by position: 0 is A, 3 is D.</summary>
+    public readonly int this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
+
+    /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Push(in MinkowskiVertex vertex)
-    {
-        int slot = FreeSlot();
-        _onA[3 * slot] = vertex.OnA.X;
-        _onA[3 * slot + 1] = vertex.OnA.Y;
-        _onA[3 * slot + 2] = vertex.OnA.Z;
-        _ids[2 * slot] = vertex.IdA;
-        _ids[2 * slot + 1] = vertex.IdB;
-        D = C;
-        C = B;
-        B = A;
-        A.W = vertex.W;
-        A.Slot = slot;
-        Count++;
-    }
+    public readonly Vector3D W(int slot) => new(_w[3 * slot], _w[3 * slot + 1], _w[3 * slot + 2]);
 
+    /// <summary>The support point of A that it was made from.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3D OnA(int slot) => new(_onA[3 * slot], _onA[3 * slot + 1], _onA[3 * slot + 2]);
 
     public readonly int IdA(int slot) => _ids[2 * slot];
 
     public readonly int IdB(int slot) => _ids[2 * slot + 1];
 
-    /// <summary>The vertex by position: 0 is A, 3 is D.</summary>
-    public readonly SimplexVertex this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
+    /// <summary>Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be room.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Push(in Vector3D w, in Vector3D onA, int idA, int idB)
+    {
+        int slot = FreeSlot();
+        D = C;
+        C = B;
+        B = A;
+        A = slot;
+        Count++;
+        _w[3 * slot] = w.X;
+        _w[3 * slot + 1] = w.Y;
+        _w[3 * slot + 2] = w.Z;
+        _onA[3 * slot] = onA.X;
+        _onA[3 * slot + 1] = onA.Y;
+        _onA[3 * slot + 2] = onA.Z;
+        _ids[2 * slot] = idA;
+        _ids[2 * slot + 1] = idB;
+    }
 
     /// <summary>The weighted sum of A's support points.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3D PointOnA(in Weights w)
     {
-        Vector3D point = OnA(A.Slot) * w.A;
-        if (Count > 1) point += OnA(B.Slot) * w.B;
-        if (Count > 2) point += OnA(C.Slot) * w.C;
-        if (Count > 3) point += OnA(D.Slot) * w.D;
+        Vector3D point = OnA(A) * w.A;
+        if (Count > 1) point += OnA(B) * w.B;
+        if (Count > 2) point += OnA(C) * w.C;
+        if (Count > 3) point += OnA(D) * w.D;
         return point;
     }
 
-    /// <summary>The lowest slot that no vertex holds: the slots of the first Count vertices are a subset of 0..3.</summary>
+    /// <summary>The lowest slot that no vertex holds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly int FreeSlot()
     {
-        int used = 0;
-        if (Count > 0) used = 1 << A.Slot;
-        if (Count > 1) used |= 1 << B.Slot;
-        if (Count > 2) used |= 1 << C.Slot;
+        int used = Count > 0 ? 1 << A : 0;
+        if (Count > 1) used |= 1 << B;
+        if (Count > 2) used |= 1 << C;
         return (used & 1) == 0 ? 0 : (used & 2) == 0 ? 1 : (used & 4) == 0 ? 2 : 3;
     }
-}
-
-/// <summary>A vertex of a simplex: its place in the Minkowski difference and the slot that remembers its support points.</summary>
-internal struct SimplexVertex
-{
-    public Vector3D W;
-    public int Slot;
 }

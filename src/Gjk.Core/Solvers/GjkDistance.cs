@@ -21,42 +21,27 @@ namespace Gjk.Core;
 internal static class GjkDistance
 {
     /// <summary>Runs the loop from <c>outcome.Feature.Normal</c> (cold), or from <c>outcome.Simplex</c> when that has vertices (warm).</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, double maxDistance, ref GjkOutcome outcome)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         double noise = GjkTolerances.Noise * bInA.Radius, touchSquared = Square(GjkTolerances.Touch * bInA.Radius);
         ref Simplex simplex = ref outcome.Simplex;
-        MinkowskiVertex vertex = default;
-        vertex.IdA = vertex.IdB = -1;
-        ClosestFeature feature = outcome.Feature;
-        if (simplex.Count == 0)
-        {
-            outcome.Iterations = 1;
-            MinkowskiDifference.Support(ref a, ref b, bInA, feature.Normal, ref vertex);
-            simplex.Push(vertex);
-            feature.Vertex(ref simplex);
-        }
-        else if (!feature.ReduceAny(ref simplex))
-        {
-            outcome.Status = IsCertainlyInside(simplex) ? GjkStatus.Overlapping : GjkStatus.IterationLimit;
-            return;
-        }
+        ref ClosestFeature feature = ref outcome.Feature;
+        double distanceSquared = double.PositiveInfinity;
+        if (simplex.Count == 0) feature.NormalSquared = feature.Normal.LengthSquared;
+        else if (!TryBegin(ref outcome, touchSquared, out distanceSquared)) return;
 
         bool separated = false;
-        double distanceSquared = feature.DistanceSquared;
+        int idA = -1, idB = -1;
         outcome.Status = GjkStatus.IterationLimit;
         while (outcome.Iterations < GjkTolerances.MaxIterations)
         {
-            if (!(distanceSquared > touchSquared))
-            {
-                outcome.Status = feature.Height == 0 || distanceSquared >= 0 ? GjkStatus.Overlapping : GjkStatus.InvalidShape;
-                break;
-            }
-
-            MinkowskiDifference.Support(ref a, ref b, bInA, feature.Normal, ref vertex);
+            var normal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
+            MinkowskiDifference.Support(ref a, ref b, bInA, normal, ref idA, ref idB, out Vector3D onA, out Vector3D w);
             outcome.Iterations++;
-            double plane = Vector3D.Dot(feature.Normal, vertex.W);
+            double plane = Vector3D.Dot(normal, w);
             if (plane > 0)
             {
                 separated |= plane * plane > touchSquared * feature.NormalSquared;
@@ -64,38 +49,67 @@ internal static class GjkDistance
                 {
                     outcome.Status = GjkStatus.BeyondMaxDistance;
                     SetPlane(ref outcome, feature, plane);
-                    break;
+                    return;
                 }
             }
 
-            bool curved = (vertex.IdA | vertex.IdB) < 0;
-            double gap = feature.Height - plane;
-            if (IsClosed(gap, feature, curved, curved ? GjkTolerances.NoiseCurved * bInA.Radius : noise))
-            {
-                outcome.Status = GjkStatus.Separated;
-                SetPlane(ref outcome, feature, plane);
-                break;
-            }
+            if (simplex.Count != 0 && IsEnd(ref outcome, plane, (idA | idB) < 0, noise, bInA.Radius)) return;
 
-            if (!(gap > 0))
-            {
-                SettleStall(ref outcome, feature, plane, -gap, bInA.Radius);
-                break;
-            }
-
-            simplex.Push(vertex);
+            simplex.Push(w, onA, idA, idB);
             if (!feature.Reduce(ref simplex))
             {
-                if (!separated && IsCertainlyInside(simplex)) outcome.Status = GjkStatus.Overlapping;
-                break;
+                if (!separated && (IsCertainlyInside(simplex) || HoldsPointNear(simplex, touchSquared))) outcome.Status = GjkStatus.Overlapping;
+                return;
             }
 
             double before = distanceSquared;
             distanceSquared = feature.DistanceSquared;
-            if (!(distanceSquared < before)) break;
+            if (!(distanceSquared > touchSquared))
+            {
+                outcome.Status = Touching(feature, distanceSquared);
+                return;
+            }
+
+            if (!(distanceSquared < before)) return;
+        }
+    }
+
+    /// <summary>Reduces a warm start's simplex; false when that settles the query already, or leaves it undecided.</summary>
+    private static bool TryBegin(ref GjkOutcome outcome, double touchSquared, out double distanceSquared)
+    {
+        distanceSquared = 0;
+        if (!outcome.Feature.ReduceAny(ref outcome.Simplex))
+        {
+            bool overlaps = IsCertainlyInside(outcome.Simplex) || HoldsPointNear(outcome.Simplex, touchSquared);
+            outcome.Status = overlaps ? GjkStatus.Overlapping : GjkStatus.IterationLimit;
+            return false;
         }
 
-        outcome.Feature = feature;
+        distanceSquared = outcome.Feature.DistanceSquared;
+        if (distanceSquared > touchSquared) return true;
+        outcome.Status = Touching(outcome.Feature, distanceSquared);
+        return false;
+    }
+
+    /// <summary>The feature is no further than rounding can tell from contact, unless its distance is NaN for another reason than a height of 0 over 0.</summary>
+    private static GjkStatus Touching(in ClosestFeature feature, double distanceSquared) =>
+        feature.Height == 0 || distanceSquared >= 0 ? GjkStatus.Overlapping : GjkStatus.InvalidShape;
+
+    /// <summary>The bounds have met, or the newest plane lies behind the feature, which no convex shape's can.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsEnd(ref GjkOutcome outcome, double plane, bool curved, double noise, double radius)
+    {
+        double gap = outcome.Feature.Height - plane;
+        if (IsClosed(gap, outcome.Feature, curved, curved ? GjkTolerances.NoiseCurved * radius : noise))
+        {
+            outcome.Status = GjkStatus.Separated;
+            SetPlane(ref outcome, outcome.Feature, plane);
+            return true;
+        }
+
+        if (gap > 0) return false;
+        SettleStall(ref outcome, outcome.Feature, plane, -gap, radius);
+        return true;
     }
 
     /// <summary>The gap between the feature and the plane is nothing beside the distance, or beside what rounding does.</summary>
@@ -109,9 +123,20 @@ internal static class GjkDistance
     /// <summary>The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could turn; either way round.</summary>
     internal static bool IsCertainlyInside(in Simplex simplex)
     {
-        Vector3D a = simplex.A.W, b = simplex.B.W, c = simplex.C.W, d = simplex.D.W;
+        Vector3D a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;
         if (Vector3D.Dot(Vector3D.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
         return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a) && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
+    }
+
+    /// <summary>
+    /// A point of the tetrahedron, worked out from its weights, is as near the origin as touching asks: what a sign leaves open where the origin lies on a
+    /// face or an edge, as it does for flush boxes, the weights can still prove.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool HoldsPointNear(in Simplex simplex, double touchSquared)
+    {
+        Weights w = ClosestPointWeights.Of(simplex);
+        return w.PointOf(simplex.WA, simplex.WB, simplex.WC, simplex.WD).LengthSquared <= touchSquared;
     }
 
     private static bool IsCertain(in Vector3D a, in Vector3D e, in Vector3D f)
@@ -134,7 +159,7 @@ internal static class GjkDistance
     public static void SetPlane(ref GjkOutcome outcome, in ClosestFeature feature, double plane)
     {
         outcome.PlaneValue = plane;
-        outcome.PlaneNormal = feature.Normal;
+        outcome.PlaneNormal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
         outcome.PlaneNormalSquared = feature.NormalSquared;
     }
 

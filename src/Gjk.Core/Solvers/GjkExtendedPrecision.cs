@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -18,25 +19,30 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class GjkExtendedPrecision
 {
+    /// <summary>
+    /// AggressiveOptimization, which netstandard2.0 has no name for: this code runs so seldom that the runtime would leave it unoptimised, some hundred times slower.
+    /// </summary>
+    private const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
+
     /// <summary>Solves from the beginning, in the first direction given.</summary>
+    [MethodImpl(OptimizeAtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, in Vector3D firstNormal, double maxDistance, ref GjkOutcome outcome)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         double touchSquared = GjkDistance.Square(GjkTolerances.Touch * bInA.Radius);
         int limit = outcome.Iterations + GjkTolerances.MaxIterations;
-        MinkowskiVertex vertex = default;
-        vertex.IdA = vertex.IdB = -1;
+        int idA = -1, idB = -1;
         ClosestFeature feature = default;
         Simplex simplex = default;
         DoubleDouble distanceSquared = default;
-        MinkowskiDifference.Support(ref a, ref b, bInA, firstNormal, ref vertex);
+        MinkowskiDifference.Support(ref a, ref b, bInA, firstNormal, ref idA, ref idB, out Vector3D onA, out Vector3D w);
         outcome.Iterations++;
         outcome.PlaneNormalSquared = 0;
         while (true)
         {
             Simplex before = simplex;
-            simplex.Push(vertex);
+            simplex.Push(w, onA, idA, idB);
             bool outside = TryReduce(ref simplex, out ClosestFeature next, out DoubleDouble nextSquared);
             if (!outside || !((double)nextSquared > touchSquared))
             {
@@ -49,7 +55,7 @@ internal static class GjkExtendedPrecision
 
             if (before.Count > 0 && !((nextSquared - distanceSquared).Sign < 0))
             {
-                double lost = feature.Height - Vector3D.Dot(feature.Normal, vertex.W);
+                double lost = feature.Height - Vector3D.Dot(feature.Normal, w);
                 GjkDistance.SettleStall(ref outcome, feature, feature.Height - lost, lost, bInA.Radius);
                 outcome.Simplex = before;
                 outcome.Feature = feature;
@@ -58,18 +64,17 @@ internal static class GjkExtendedPrecision
 
             distanceSquared = nextSquared;
             feature = next;
-            MinkowskiDifference.Support(ref a, ref b, bInA, feature.Normal, ref vertex);
+            MinkowskiDifference.Support(ref a, ref b, bInA, feature.Normal, ref idA, ref idB, out onA, out w);
             outcome.Iterations++;
-            if (Ends(ref outcome, bInA, simplex, feature, vertex, maxDistance, limit)) return;
+            if (Ends(ref outcome, bInA, simplex, feature, Vector3D.Dot(feature.Normal, w), (idA | idB) < 0, maxDistance, limit)) return;
         }
     }
 
     /// <summary>Records the newest plane and says whether it settles the query.</summary>
     private static bool Ends(
-        ref GjkOutcome outcome, in RelativePose bInA, in Simplex simplex, in ClosestFeature feature, in MinkowskiVertex vertex, double maxDistance, int limit)
+        ref GjkOutcome outcome, in RelativePose bInA, in Simplex simplex, in ClosestFeature feature, double plane, bool curved, double maxDistance, int limit)
     {
-        double plane = Vector3D.Dot(feature.Normal, vertex.W), gap = feature.Height - plane;
-        bool curved = (vertex.IdA | vertex.IdB) < 0;
+        double gap = feature.Height - plane;
         double noise = (curved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise) * bInA.Radius;
         outcome.Simplex = simplex;
         outcome.Feature = feature;
@@ -102,6 +107,7 @@ internal static class GjkExtendedPrecision
     }
 
     /// <summary>Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.</summary>
+    [MethodImpl(OptimizeAtOnce)]
     internal static bool TryReduce(ref Simplex simplex, out ClosestFeature feature, out DoubleDouble distanceSquared)
     {
         feature = default;
@@ -127,16 +133,17 @@ internal static class GjkExtendedPrecision
     }
 
     /// <summary>The subset's normal and height, when its nearest point is inside it.</summary>
+    [MethodImpl(OptimizeAtOnce)]
     private static bool TryFeature(in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height, out bool flipped)
     {
         int i = NextIn(subset, 0), j = NextIn(subset, i + 1), k = NextIn(subset, j + 1);
-        VectorDD a = simplex[i].W;
+        VectorDD a = simplex.W(simplex[i]);
         normal = a;
         height = VectorDD.Dot(a, a);
         flipped = false;
         if (j > 3) return true;
 
-        VectorDD ab = (VectorDD)simplex[j].W - a;
+        VectorDD ab = (VectorDD)simplex.W(simplex[j]) - a;
         if (k > 3)
         {
             DoubleDouble along = VectorDD.Dot(ab, a);
@@ -147,7 +154,7 @@ internal static class GjkExtendedPrecision
         }
 
         if (NextIn(subset, k + 1) <= 3) return false;
-        VectorDD b = simplex[j].W, ac = (VectorDD)simplex[k].W - a;
+        VectorDD b = simplex.W(simplex[j]), ac = (VectorDD)simplex.W(simplex[k]) - a;
         normal = VectorDD.Cross(ab, ac);
         height = VectorDD.Dot(normal, a);
         bool inside = VectorDD.Dot(VectorDD.Cross(ab, normal), a).Sign > 0
@@ -161,9 +168,10 @@ internal static class GjkExtendedPrecision
     }
 
     /// <summary>The four volumes that the origin spans with the faces all have the sign of the whole.</summary>
+    [MethodImpl(OptimizeAtOnce)]
     private static bool Encloses(in Simplex simplex)
     {
-        VectorDD a = simplex.A.W, b = simplex.B.W, c = simplex.C.W, d = simplex.D.W;
+        VectorDD a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;
         VectorDD ab = b - a, ac = c - a, ad = d - a;
         int abc = -VectorDD.Dot(VectorDD.Cross(ab, ac), a).Sign, acd = -VectorDD.Dot(VectorDD.Cross(ac, ad), a).Sign;
         int adb = -VectorDD.Dot(VectorDD.Cross(ad, ab), a).Sign, bcd = VectorDD.Dot(VectorDD.Cross(c - b, d - b), b).Sign;
@@ -181,7 +189,7 @@ internal static class GjkExtendedPrecision
     {
         int subset = Math.Abs(signedSubset);
         int i = NextIn(subset, 0), j = NextIn(subset, i + 1), k = NextIn(subset, j + 1);
-        SimplexVertex a = simplex[i], b = simplex[j], c = simplex[k];
+        int a = simplex[i], b = simplex[j], c = simplex[k];
         simplex.Count = k <= 3 ? 3 : j <= 3 ? 2 : 1;
         simplex.A = a;
         simplex.B = signedSubset > 0 ? b : c;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -22,4 +24,19 @@ internal struct GjkOutcome
 
     /// <summary>Support calls made on each shape.</summary>
     public int Iterations;
+
+    /// <summary>Makes an outcome without vertices and planes; slots that no vertex has been written to are not cleared.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Start(out GjkOutcome outcome)
+    {
+#if NET
+        Unsafe.SkipInit(out outcome);
+        outcome.Simplex.Count = 0;
+        outcome.Iterations = 0;
+        outcome.PlaneNormalSquared = 0;
+        outcome.Status = GjkStatus.IterationLimit;
+#else
+        outcome = default;
+#endif
+    }
 }

@@ -29,19 +29,18 @@ internal static class GjkOverlap
     {
         double bandSquared = GjkDistance.Square(GjkTolerances.SeparatedBand * bInA.Radius);
         Simplex simplex = default;
-        MinkowskiVertex vertex = default;
-        vertex.IdA = vertex.IdB = -1;
+        int idA = -1, idB = -1;
         Vector3D normal = firstNormal;
         for (int round = 0; round < MaxRounds; round++)
         {
-            MinkowskiDifference.Support(ref a, ref b, bInA, normal, ref vertex);
-            double plane = Vector3D.Dot(normal, vertex.W);
+            MinkowskiDifference.Support(ref a, ref b, bInA, normal, ref idA, ref idB, out Vector3D onA, out Vector3D w);
+            double plane = Vector3D.Dot(normal, w);
             if (plane > 0)
                 return plane * plane > bandSquared * normal.LengthSquared ? Answer.Separated : Answer.Unknown;
 
-            simplex.Push(vertex);
+            simplex.Push(w, onA, idA, idB);
             if (simplex.Count == 1)
-                normal = vertex.W;
+                normal = w;
             else if (NextSimplex.Advance(ref simplex, ref normal))
                 return GjkDistance.IsCertainlyInside(simplex) ? Answer.Overlapping : Answer.Unknown;
         }

@@ -57,14 +57,14 @@ public class ClosestFeatureTests
         // The direction of a distance of 3e-7 is known to 3e-16 / 3e-7, no better.
         Assert.Equal(0, (feature.Normal * (1 / length) - c.Normal).Length, c.Distance < 1e-3 ? 1e-8 : 1e-12);
         Weights w = ClosestPointWeights.OfFeature(simplex, feature);
-        Assert.Equal(c.Distance, w.PointOf(simplex.A.W, simplex.B.W, simplex.C.W, default).Length, 1e-12);
-        for (int i = 0; i < simplex.Count; i++) Assert.Equal(simplex[i].W, simplex.OnA(simplex[i].Slot));
+        Assert.Equal(c.Distance, w.PointOf(simplex.WA, simplex.WB, simplex.WC, default).Length, 1e-12);
+        for (int i = 0; i < simplex.Count; i++) Assert.Equal(simplex.W(simplex[i]), simplex.OnA(simplex[i]));
     }
 
     private static Simplex Filled(Vector3D[] vertices)
     {
         Simplex simplex = default;
-        foreach (Vector3D w in vertices.Reverse()) simplex.Push(new MinkowskiVertex { W = w, OnA = w });
+        foreach (Vector3D w in vertices.Reverse()) simplex.Push(w, w, -1, -1);
         return simplex;
     }
 
@@ -78,7 +78,7 @@ public class ClosestFeatureTests
     /// <summary>A lies on the origin's side of BCD: GJK would not have found it otherwise.</summary>
     private static bool IsBeyond(in Simplex s)
     {
-        Vector3D normal = Vector3D.Cross(s.C.W - s.B.W, s.D.W - s.B.W);
-        return Vector3D.Dot(normal, s.A.W) < Vector3D.Dot(normal, s.B.W);
+        Vector3D normal = Vector3D.Cross(s.WC - s.WB, s.WD - s.WB);
+        return Vector3D.Dot(normal, s.WA) < Vector3D.Dot(normal, s.WB);
     }
 }
