@@ -9,6 +9,11 @@ internal static class Accuracy
     /// <summary>Length, as a fraction of the scale: below it a distance is noise of double arithmetic.</summary>
     public const double DistanceScale = 1e-14;
 
+    /// <summary>
+    /// Length, as a fraction of how far a shape is from its own origin: what turning it there costs in double-double, 2^-100. It is seen only where both shapes are points.
+    /// </summary>
+    public const double Offset = 7.9e-31;
+
     /// <summary>Length, as a fraction of max(scale, distance), for shapes with a curved core.</summary>
     public const double CurvedRatio = 1e-6;
 

@@ -49,7 +49,7 @@ internal sealed class FuzzPair
     /// <summary>How much a distance may be off.</summary>
     public double Band(double distance) => IsCurved
         ? Accuracy.CurvedRatio * Math.Max(Scale, distance)
-        : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale + Accuracy.LeastFloat;
+        : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale + Accuracy.Offset * (BodyA.Reach + BodyB.Reach) + Accuracy.LeastFloat;
 
     /// <summary>How far a point of the answer may be off its shape, before it is rounded to float.</summary>
     public double WitnessSlack => (IsCurved ? Accuracy.CurvedRatio : Accuracy.WitnessScale) * Math.Max(Scale, IsCurved ? FiniteDistance : 0);
