@@ -8,6 +8,7 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Threading;
+using Gjk.Demo.Fuzz;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
@@ -34,6 +35,7 @@ internal static class CommandLine
             BuildReplay(cancel),
             BuildQuery(cancel),
             BuildTime(cancel),
+            FuzzOptions.Build(cancel),
         };
 
         // A file name may begin with @, and nothing else is to be read from it.
@@ -81,7 +83,12 @@ internal static class CommandLine
 
     private static Command BuildQuery(CancellationToken cancel)
     {
-        var scene = new Argument<string>("SCENE.json") { Description = "The scene." };
+        var scene = new Argument<string?>("SCENE.json") { Description = "The scene.", Arity = ArgumentArity.ZeroOrOne };
+        var record = new Option<string?>("--record")
+        {
+            Description = "Answer one query, written as the library's QueryRecord has it, instead of a scene; - reads it from standard input.",
+            HelpName = "TEXT",
+        };
         var output = new Option<string?>("--out") { Description = "Write the CSV to this file instead of standard output.", HelpName = "FILE.csv" };
         var max = new Option<float>("--max-distance")
         {
@@ -94,13 +101,19 @@ internal static class CommandLine
         {
             if (!result.Implicit) Check(result, max, d => float.IsFinite(d) && d >= 0, "must be a finite number, at least 0");
         });
-        var command = new Command("query", "The distance and the closest points of every pair of a scene, as CSV.") { scene, output, max };
+        var command = new Command("query", "The distance and the closest points of every pair of a scene, as CSV.") { scene, output, max, record };
+        command.Validators.Add(result =>
+        {
+            bool hasRecord = result.GetResult(record) is not null, hasScene = result.GetResult(scene) is { Implicit: false };
+            if (hasRecord && hasScene) result.AddError("--record and SCENE.json exclude each other.");
+            if (!hasRecord && !hasScene) result.AddError("SCENE.json or --record is needed.");
+        });
         command.SetAction(r =>
         {
-            string file = r.GetValue(scene)!;
-            string? target = r.GetValue(output);
-            if (target is not null && IsSameFile(file, target)) throw new RefusedException($"{target}: --out would overwrite the scene");
-            QueryCommand.Run(SceneFile.Load(file), target, r.GetValue(max), cancel);
+            string? file = r.GetValue(scene), target = r.GetValue(output);
+            if (file is not null && target is not null && IsSameFile(file, target)) throw new RefusedException($"{target}: --out would overwrite the scene");
+            Scene asked = file is null ? RecordScene.Read(r.GetValue(record)!) : SceneFile.Load(file);
+            QueryCommand.Run(asked, target, r.GetValue(max), cancel);
             return ExitCode.Done;
         });
         return command;

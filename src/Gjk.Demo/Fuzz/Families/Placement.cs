@@ -1,0 +1,38 @@
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Fuzz.Families;
+
+/// <summary>Puts two shapes next to each other.</summary>
+internal static class Placement
+{
+    /// <summary>Centres within reach of each other, so that about half of the pairs overlap.</summary>
+    public static FuzzPair Near(FuzzRandom random, in ConvexShape a, in ConvexShape b)
+    {
+        double apart = random.Range(0, 1) * (a.BoundingRadius + b.BoundingRadius);
+        var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
+        Quaternion turnB = Rotations.Any(random);
+        Vector3D centers = random.Direction() * apart;
+        return Between(a, poseA, b, turnB, centers);
+    }
+
+    /// <summary>Planes across a direction stand a gap apart, as nearly as the float position allows; negative gaps overlap.</summary>
+    public static FuzzPair Gap(in ConvexShape a, in RigidPose poseA, in ConvexShape b, Quaternion turnB, in Vector3D n, double gap)
+    {
+        var bodyA = new PosedShape(a, poseA);
+        var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
+        return Between(a, poseA, b, turnB, n * (bodyA.Height(n) + bodyB.Height(-n) + gap));
+    }
+
+    /// <summary>B with its centre a vector from A's, both in world axes.</summary>
+    public static FuzzPair Between(in ConvexShape a, in RigidPose poseA, in ConvexShape b, Quaternion turnB, in Vector3D centers)
+    {
+        var bodyA = new PosedShape(a, poseA);
+        var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
+        Vector3D position = bodyA.Position + bodyA.Rotate(bodyA.Center) + centers - bodyB.Rotate(bodyB.Center);
+        return new FuzzPair(a, poseA, b, new RigidPose(turnB, (Vector3)position));
+    }
+
+    /// <summary>From 1e-15 to 0.1, of either sign, or none at all.</summary>
+    public static double AnyGap(FuzzRandom random) => random.OneIn(8) ? 0 : random.Sign() * random.Magnitude(1e-15, 0.1);
+}

@@ -1,0 +1,56 @@
+using System;
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Threading;
+
+namespace Gjk.Demo.Fuzz;
+
+/// <summary>The command line of <c>fuzz</c>.</summary>
+internal static class FuzzOptions
+{
+    private const double DefaultSeconds = 60;
+
+    /// <summary>A month; more is a slip of the finger.</summary>
+    private const double MostSeconds = 31 * 86_400.0;
+
+    public static Command Build(CancellationToken cancel)
+    {
+        var seconds = new Option<double?>("--seconds") { Description = "How long to search. Without it and without --count: 60.", HelpName = "S", CustomParser = Seconds };
+        var count = new Option<long?>("--count") { Description = "End after so many pairs.", HelpName = "N", CustomParser = Count };
+        var seed = new Option<ulong?>("--seed") { Description = "Which sequence of pairs; a seed always gives the same. Without it: another one each time.", HelpName = "S", CustomParser = Seed };
+        var command = new Command("fuzz", "Search at random for a pair of shapes that breaks a promise of the library, and shrink what is found.") { seconds, seed, count };
+        command.SetAction(r =>
+        {
+            double? time = r.GetValue(seconds) ?? (r.GetValue(count) is null ? DefaultSeconds : null);
+            return FuzzCommand.Run(
+                new FuzzLength(time is null ? null : TimeSpan.FromSeconds(time.Value), r.GetValue(count)), r.GetValue(seed) ?? (ulong)Random.Shared.Next(), cancel);
+        });
+        return command;
+    }
+
+    private static double? Seconds(ArgumentResult result) =>
+        double.TryParse(Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double s) && s > 0 && s <= MostSeconds
+            ? s
+            : Refuse<double>(result, $"must be a number above 0, at most {MostSeconds:F0}");
+
+    private static long? Count(ArgumentResult result) =>
+        long.TryParse(Text(result), NumberStyles.None, CultureInfo.InvariantCulture, out long n) && n >= 1
+            ? n
+            : Refuse<long>(result, "must be a whole number, at least 1");
+
+    private static ulong? Seed(ArgumentResult result) =>
+        ulong.TryParse(Text(result), NumberStyles.None, CultureInfo.InvariantCulture, out ulong s)
+            ? s
+            : Refuse<ulong>(result, "must be a whole number, at least 0");
+
+    private static string Text(ArgumentResult result) => result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
+
+    private static T? Refuse<T>(ArgumentResult result, string reason)
+        where T : struct
+    {
+        string name = result.Parent is OptionResult option ? option.Option.Name : "";
+        result.AddError($"{name} {Text(result)}: {reason}.");
+        return null;
+    }
+}

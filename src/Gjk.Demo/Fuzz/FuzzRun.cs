@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Fuzz.Families;
+using Gjk.Demo.Fuzz.Promises;
+using Gjk.Demo.Fuzz.Shrinking;
+
+namespace Gjk.Demo.Fuzz;
+
+/// <summary>A pair that breaks a promise.</summary>
+/// <param name="Index">Its number in the seed's sequence.</param>
+/// <param name="Family">Its family.</param>
+/// <param name="Promise">What it breaks.</param>
+/// <param name="How">In what way, after shrinking.</param>
+/// <param name="Record">The shrunk pair.</param>
+internal sealed record BrokenPromise(long Index, string Family, string Promise, string How, QueryRecord Record);
+
+/// <summary>Draws pairs and holds each to all promises until one breaks, or time, count or patience ends.</summary>
+internal sealed class FuzzRun
+{
+    private readonly FuzzLength _length;
+    private readonly ulong _seed;
+    private readonly IReadOnlyList<IPromise> _promises = AllPromises.Make();
+
+    public FuzzRun(FuzzLength length, ulong seed)
+    {
+        _length = length;
+        _seed = seed;
+    }
+
+    /// <summary>How many pairs were held to all promises.</summary>
+    public long Tried { get; private set; }
+
+    public TimeSpan Elapsed { get; private set; }
+
+    /// <param name="progress">Told how much is done, from 0 to 1.</param>
+    /// <param name="cancel">Ends the search after the pair at hand.</param>
+    /// <returns>The first pair that breaks a promise, or null.</returns>
+    public BrokenPromise? Search(Action<double> progress, CancellationToken cancel)
+    {
+        long start = Stopwatch.GetTimestamp();
+        while (!cancel.IsCancellationRequested && _length.Done(Tried, Elapsed) < 1)
+        {
+            FuzzPair pair = PairFamilies.Draw(_seed, Tried, out string family);
+            foreach (IPromise promise in _promises)
+            {
+                if (promise.Broken(pair) is { } how) return Smallest(pair, family, promise, how, cancel);
+            }
+
+            Tried++;
+            Elapsed = Stopwatch.GetElapsedTime(start);
+            progress(_length.Done(Tried, Elapsed));
+        }
+
+        return null;
+    }
+
+    private BrokenPromise Smallest(FuzzPair pair, string family, IPromise promise, string how, CancellationToken cancel)
+    {
+        QueryRecord record = Shrinker.Shrink(pair.Record, promise, cancel);
+        return new BrokenPromise(Tried, family, promise.Name, promise.Broken(new FuzzPair(record)) ?? how, record);
+    }
+}

@@ -1,0 +1,26 @@
+using System.Collections.Generic;
+
+namespace Gjk.Demo.Fuzz.Promises;
+
+/// <summary>All of them, those first that the others build on.</summary>
+internal static class AllPromises
+{
+    public static IReadOnlyList<IPromise> Make() =>
+    [
+        new QueriesEndWithAnAnswer(),
+        new TheExactAnswer(),
+        new LowerBoundHolds(),
+        new NormalSeparates(),
+        new PointsLieOnTheShapes(),
+        new PointsDifferByTheDistance(),
+        new NoPlaneSeparatesAnOverlap(),
+        new OverlapsAgrees(),
+        new SwappingMirrors(),
+        new WarmStartsChangeNothing(),
+        new MaxDistanceEndsEarly(),
+        new RepeatsChangeNothing(),
+        new SizeChangesNothing(),
+        new MotionChangesNothing(),
+        new TheSameBitsAgain(),
+    ];
+}

@@ -1,0 +1,29 @@
+using System;
+using Gjk.Core;
+
+namespace Gjk.Demo.Fuzz.Promises;
+
+/// <summary>Of shapes that are said to overlap, no plane has one on either side: looked for along many directions and across the faces of both.</summary>
+internal sealed class NoPlaneSeparatesAnOverlap : IPromise
+{
+    private const int MostFaces = 200;
+
+    public string Name => "no plane separates shapes that are said to overlap";
+
+    public string? Broken(FuzzPair pair)
+    {
+        if (!pair.Answer.Overlaps) return null;
+        double widest = Widest(pair), allowed = pair.Band(0) + pair.Noise;
+        return widest <= allowed ? null : Say.Line($"a plane leaves {widest} between them");
+    }
+
+    private static double Widest(FuzzPair pair)
+    {
+        double widest = double.NegativeInfinity;
+        foreach (Vector3D n in Directions.Many) widest = Math.Max(widest, pair.Gap(n));
+        foreach (Vector3D n in pair.BodyA.FaceNormals(MostFaces)) widest = Math.Max(widest, pair.Gap(pair.BodyA.Rotate(n)));
+        foreach (Vector3D n in pair.BodyB.FaceNormals(MostFaces)) widest = Math.Max(widest, pair.Gap(pair.BodyB.Rotate(-n)));
+        double length = pair.Centers.Length;
+        return length > 0 ? Math.Max(widest, pair.Gap(pair.Centers * (1 / length))) : widest;
+    }
+}

@@ -1,0 +1,16 @@
+using Gjk.Core;
+
+namespace Gjk.Demo.Fuzz.Promises;
+
+/// <summary>The boolean query says what the distance query says, touching included.</summary>
+internal sealed class OverlapsAgrees : IPromise
+{
+    public string Name => "Overlaps says what Distance says";
+
+    public string? Broken(FuzzPair pair)
+    {
+        bool overlaps = ConvexQuery.Overlaps(pair.A, pair.PoseA, pair.B, pair.PoseB, out GjkStatus status);
+        DistanceResult r = pair.Answer;
+        return overlaps == r.Overlaps && status == r.Status ? null : Say.Line($"Overlaps says {overlaps} ({status}), Distance {r.Status}, {r.Distance}");
+    }
+}

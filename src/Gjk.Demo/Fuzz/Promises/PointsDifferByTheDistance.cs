@@ -1,0 +1,31 @@
+using Gjk.Core;
+
+namespace Gjk.Demo.Fuzz.Promises;
+
+/// <summary>From one closest point to the other is normal times distance, in the world and through the local frames; of overlapping shapes both are one.</summary>
+internal sealed class PointsDifferByTheDistance : IPromise
+{
+    /// <summary>Ratio to the distance: the rounding of the distance and of the normal's three components.</summary>
+    private const double Product = 4 * Accuracy.HalfFloat;
+
+    public string Name => "the closest points differ by normal times distance";
+
+    public string? Broken(FuzzPair pair)
+    {
+        DistanceResult r = pair.Answer;
+        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
+        if (r.Overlaps && r.PointA != r.PointB) return Say.Line($"overlapping with the points {r.PointA} and {r.PointB}");
+
+        Vector3D step = (Vector3D)r.Normal * r.Distance;
+        double slack = pair.WitnessSlack + Product * r.Distance + pair.Noise;
+        double world = ((Vector3D)r.PointB - r.PointA - step).Length;
+        if (!(world <= slack + PointsLieOnTheShapes.Rounded(r.PointA) + PointsLieOnTheShapes.Rounded(r.PointB)))
+            return Say.Line($"in the world they are {world} off that");
+
+        Vector3D between = pair.BodyB.Position - pair.BodyA.Position + (pair.BodyB.Rotate(r.LocalPointB) - pair.BodyA.Rotate(r.LocalPointA));
+        double local = (between - step).Length;
+        return local <= slack + PointsLieOnTheShapes.Rounded(r.LocalPointA) + PointsLieOnTheShapes.Rounded(r.LocalPointB)
+            ? null
+            : Say.Line($"the local ones are {local} off that");
+    }
+}

@@ -1,0 +1,32 @@
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Fuzz.Promises;
+
+/// <summary>Each closest point lies in its shape, in its own frame as in the world's, as far as a float can hold it.</summary>
+internal sealed class PointsLieOnTheShapes : IPromise
+{
+    private const int MostFaces = 64;
+
+    public string Name => "the closest points lie on their shapes";
+
+    public string? Broken(FuzzPair pair)
+    {
+        DistanceResult r = pair.Answer;
+        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
+        return Problem(pair, pair.BodyA, r.LocalPointA, r.PointA, "A") ?? Problem(pair, pair.BodyB, r.LocalPointB, r.PointB, "B");
+    }
+
+    private static string? Problem(FuzzPair pair, PosedShape body, Vector3 local, Vector3 world, string name)
+    {
+        double slack = pair.WitnessSlack + pair.Noise, rounding = Rounded(local);
+        Vector3D[] directions = [.. Directions.Few, .. body.FaceNormals(MostFaces)];
+        double outside = body.Outside(local, directions);
+        if (!(outside <= slack + rounding)) return Say.Line($"the local point of {name} lies {outside} outside");
+        double off = (body.Rotate(local) + body.Position - world).Length;
+        return off <= slack + rounding + Rounded(world) ? null : Say.Line($"the point of {name} is {off} off the place of its local one");
+    }
+
+    /// <summary>What rounding to float does to a point.</summary>
+    public static double Rounded(Vector3 p) => 2 * Accuracy.HalfFloat * ((Vector3D)p).Length + 2 * Accuracy.LeastFloat;
+}

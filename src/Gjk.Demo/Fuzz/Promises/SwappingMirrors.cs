@@ -1,0 +1,15 @@
+using Gjk.Core;
+
+namespace Gjk.Demo.Fuzz.Promises;
+
+/// <summary>With A and B exchanged the answer is the same, mirrored, within the accuracy.</summary>
+internal sealed class SwappingMirrors : IPromise
+{
+    public string Name => "exchanging A and B mirrors the answer";
+
+    public string? Broken(FuzzPair pair)
+    {
+        DistanceResult s = ConvexQuery.Distance(pair.B, pair.PoseB, pair.A, pair.PoseA);
+        return Same.Problem(pair, s, "exchanged");
+    }
+}

@@ -1,0 +1,48 @@
+using System.Collections.Generic;
+
+namespace Gjk.Demo.Fuzz.Shrinking;
+
+/// <summary>One posed shape of a record, as its words: what shrinking changes. Immutable.</summary>
+/// <param name="Kind">The shape's name.</param>
+/// <param name="Numbers">Its numbers; of a mesh three for each corner.</param>
+/// <param name="Scale">Three factors, or none.</param>
+/// <param name="Pose">Rotation and position, seven numbers.</param>
+internal sealed record ShapeWords(string Kind, IReadOnlyList<string> Numbers, IReadOnlyList<string> Scale, IReadOnlyList<string> Pose)
+{
+    public const string Mesh = "mesh";
+
+    public static ShapeWords Read(Queue<string> words)
+    {
+        string kind = words.Dequeue();
+        if (kind == Mesh) words.Dequeue();
+        List<string> numbers = UntilSign(words), scale = [];
+        if (words.Dequeue() == "*")
+        {
+            scale = UntilSign(words);
+            words.Dequeue();
+        }
+
+        var pose = new string[7];
+        for (int i = 0; i < pose.Length; i++) pose[i] = words.Dequeue();
+        return new ShapeWords(kind, numbers, scale, pose);
+    }
+
+    public override string ToString()
+    {
+        var words = new List<string> { Kind };
+        if (Kind == Mesh) words.Add((Numbers.Count / 3).ToString(System.Globalization.CultureInfo.InvariantCulture));
+        words.AddRange(Numbers);
+        if (Scale.Count > 0) words.Add("*");
+        words.AddRange(Scale);
+        words.Add("@");
+        words.AddRange(Pose);
+        return string.Join(' ', words);
+    }
+
+    private static List<string> UntilSign(Queue<string> words)
+    {
+        var numbers = new List<string>();
+        while (words.Peek() is not ("*" or "@")) numbers.Add(words.Dequeue());
+        return numbers;
+    }
+}

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Runs the netstandard2.0 library on Mono: the hard cases, the golden hash, the time per pair. Installs Mono where that is possible, else says so and ends well.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+install_mono() {
+  command -v apt-get > /dev/null || return 1
+  local packages=(mono-runtime mono-devel)
+  apt-get install -y --no-install-recommends "${packages[@]}" > /dev/null 2>&1 && return 0
+  apt-get update > /dev/null 2>&1 && apt-get install -y --no-install-recommends "${packages[@]}" > /dev/null 2>&1
+}
+
+if ! command -v mono > /dev/null && ! { install_mono && command -v mono > /dev/null; }; then
+  echo "skipped: Mono is not installed and cannot be installed here"
+  exit 0
+fi
+
+dotnet build -c Release -v quiet Gjk.Mono.csproj
+exec mono bin/Release/net472/gjk-mono.exe ../Cases
