@@ -102,6 +102,13 @@ internal static class GjkDistance
         double gap = outcome.Feature.Height - plane;
         if (IsClosed(gap, outcome.Feature, curved, curved ? GjkTolerances.NoiseCurved * radius : noise))
         {
+            // The normal of a needle of a triangle can be tilted so far by rounding that its corners no longer are level: then the height of one proves nothing.
+            if (outcome.Simplex.Count == 3 && !IsLevel(outcome.Simplex, outcome.Feature, plane, curved, GjkTolerances.Level * radius))
+            {
+                outcome.Status = GjkStatus.IterationLimit;
+                return true;
+            }
+
             outcome.Status = GjkStatus.Separated;
             SetPlane(ref outcome, outcome.Feature, plane);
             return true;
@@ -110,6 +117,14 @@ internal static class GjkDistance
         if (gap > 0) return false;
         SettleStall(ref outcome, outcome.Feature, plane, -gap, radius);
         return true;
+    }
+
+    /// <summary>The other two corners of a triangle lie no further above the plane than the bounds may be apart.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsLevel(in Simplex simplex, in ClosestFeature feature, double plane, bool curved, double level)
+    {
+        double b = Vector3D.Dot(feature.Normal, simplex.WB) - plane, c = Vector3D.Dot(feature.Normal, simplex.WC) - plane;
+        return curved || (IsClosed(b, feature, false, level) && IsClosed(c, feature, false, level));
     }
 
     /// <summary>The gap between the feature and the plane is nothing beside the distance, or beside what rounding does.</summary>

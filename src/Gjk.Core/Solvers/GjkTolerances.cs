@@ -30,6 +30,12 @@ internal static class GjkTolerances
     public const double NoiseCurved = 1e-10;
 
     /// <summary>
+    /// Length: how far the corners of a nearest triangle may be from level. Between Noise, which well-shaped triangles keep, and the promised 1e-14 of the scale; what is
+    /// above goes to extended precision. Pinned by the regression of the nearly parallel segments.
+    /// </summary>
+    public const double Level = 4 * Noise;
+
+    /// <summary>
     /// Length: shapes nearer than this touch. Four times the noise, so that a distance that the gap test ended cannot fall on the other side than an enclosed
     /// origin does; below the promised 1e-14 of the scale. Pinned by ConsistencyTests.
     /// </summary>
