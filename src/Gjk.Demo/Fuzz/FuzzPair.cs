@@ -15,9 +15,15 @@ internal sealed class FuzzPair
     }
 
     public FuzzPair(in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB)
+        : this(a, poseA, b, poseB, ConvexQuery.Distance(a, poseA, b, poseB))
+    {
+    }
+
+    /// <summary>With an answer from elsewhere, which may be wrong.</summary>
+    public FuzzPair(in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, in DistanceResult answer)
     {
         (A, PoseA, B, PoseB) = (a, poseA, b, poseB);
-        Answer = ConvexQuery.Distance(a, poseA, b, poseB);
+        Answer = answer;
         BodyA = new PosedShape(a, poseA);
         BodyB = new PosedShape(b, poseB);
         double side = Math.Max(BodyA.LongestSide, BodyB.LongestSide);

@@ -21,14 +21,16 @@ internal sealed record BrokenPromise(long Index, string Family, string Promise, 
 internal sealed class FuzzRun
 {
     private readonly FuzzLength _length;
-    private readonly ulong _seed;
-    private readonly IReadOnlyList<IPromise> _promises = AllPromises.Make();
+    private readonly IReadOnlyList<IPromise> _promises;
 
-    public FuzzRun(FuzzLength length, ulong seed)
+    public FuzzRun(FuzzLength length, ulong seed, IReadOnlyList<IPromise> promises)
     {
         _length = length;
-        _seed = seed;
+        Seed = seed;
+        _promises = promises;
     }
+
+    public ulong Seed { get; }
 
     /// <summary>How many pairs were held to all promises.</summary>
     public long Tried { get; private set; }
@@ -43,7 +45,7 @@ internal sealed class FuzzRun
         long start = Stopwatch.GetTimestamp();
         while (!cancel.IsCancellationRequested && _length.Done(Tried, Elapsed) < 1)
         {
-            FuzzPair pair = PairFamilies.Draw(_seed, Tried, out string family);
+            FuzzPair pair = PairFamilies.Draw(Seed, Tried, out string family);
             foreach (IPromise promise in _promises)
             {
                 if (promise.Broken(pair) is { } how) return Smallest(pair, family, promise, how, cancel);

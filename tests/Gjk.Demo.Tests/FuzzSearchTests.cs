@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Fuzz;
+using Gjk.Demo.Fuzz.Families;
+using Gjk.Demo.Fuzz.Promises;
+using Gjk.Demo.Fuzz.Shrinking;
+using Xunit;
+
+namespace Gjk.Demo.Tests;
+
+/// <summary>The search of <c>fuzz</c> from within: that pairs repeat, that wrong answers are noticed, that what is found is shrunk and reported.</summary>
+public sealed class FuzzSearchTests
+{
+    private static readonly ConvexShape Cube = ConvexShape.Mesh([.. Enumerable.Range(0, 8).Select(i => new Vector3((i & 1) - 0.5f, (i >> 1 & 1) - 0.5f, (i >> 2 & 1) - 0.5f))]);
+
+    private static readonly RigidPose Right = new(new Vector3(2, 0.25f, 0.125f));
+
+    [Fact]
+    public void ASeedGivesTheSamePairs()
+    {
+        for (long i = 0; i < 500; i++)
+        {
+            string first = PairFamilies.Draw(9, i, out string family).Record.ToString();
+            Assert.Equal(first, PairFamilies.Draw(9, i, out string again).Record.ToString());
+            Assert.Equal(family, again);
+            Assert.NotEqual(first, PairFamilies.Draw(10, i, out _).Record.ToString());
+        }
+    }
+
+    [Fact]
+    public void EveryFamilyIsDrawnAndBothAnswersOccur()
+    {
+        var families = new HashSet<string>();
+        int overlaps = 0;
+        const int Count = 2000;
+        for (long i = 0; i < Count; i++)
+        {
+            overlaps += PairFamilies.Draw(1, i, out string family).Answer.Overlaps ? 1 : 0;
+            families.Add(family);
+        }
+
+        Assert.Equal(PairFamilies.Names.Count, families.Count);
+        Assert.InRange(overlaps, 0.3 * Count, 0.7 * Count);
+    }
+
+    /// <summary>The answer of the pair a thousandth further apart, of the pair turned round, of an overlap, and of nothing.</summary>
+    [Theory]
+    [InlineData("further", "exact|planes|points|mirrors|bits|warm|maximum|repeated|unit|moving")]
+    [InlineData("mirrored", "planes|points")]
+    [InlineData("overlapping", "exact|plane|Overlaps|mirrors")]
+    [InlineData("invalid", "ends|Overlaps|mirrors")]
+    [InlineData("beyond", "ends|Overlaps|bits")]
+    public void WrongAnswersAreNoticed(string lie, string names)
+    {
+        FuzzPair pair = Told(lie);
+        string[] broken = [.. AllPromises.Make().Where(p => p.Broken(pair) is not null).Select(p => p.Name)];
+        foreach (string name in names.Split('|')) Assert.Contains(broken, b => b.Contains(name, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void ARightAnswerBreaksNothing()
+    {
+        var pair = new FuzzPair(Cube, RigidPose.Identity, Cube, Right);
+        foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+    }
+
+    [Fact]
+    public void APairIsShrunkToWhatThePromiseIsAbout()
+    {
+        FuzzPair pair = PairFamilies.Draw(3, 0, out _);
+        for (long i = 1; !(pair.A.Kind == ShapeKind.Mesh && pair.B.Kind == ShapeKind.Mesh && new Far().Broken(pair) is not null); i++) pair = PairFamilies.Draw(3, i, out _);
+        QueryRecord shrunk = Shrinker.Shrink(pair.Record, new Far(), default);
+        Assert.NotNull(new Far().Broken(new FuzzPair(shrunk)));
+        Assert.True(shrunk.ToString().Length < 90, shrunk.ToString());
+        Assert.Equal(ShapeKind.Point, shrunk.A.Kind);
+        Assert.Equal(Quaternion.Identity, shrunk.PoseA.Rotation);
+    }
+
+    [Fact]
+    public void ShrinkingKeepsThePromiseThatWasBroken()
+    {
+        var record = new QueryRecord(Cube, RigidPose.Identity, Cube, Right);
+        QueryRecord shrunk = Shrinker.Shrink(record, new ManyCorners(), default);
+        Assert.Equal(5, shrunk.A.Hull!.VertexCount);
+        Assert.Equal(ShapeKind.Point, shrunk.B.Kind);
+    }
+
+    [Fact]
+    public void WhatIsFoundIsReportedWithExitCodeOne()
+    {
+        var run = new FuzzRun(new FuzzLength(TimeSpan.FromSeconds(60), null), 4, [new QueriesEndWithAnAnswer(), new Far()]);
+        BrokenPromise? broken = run.Search(_ => { }, CancellationToken.None);
+        Assert.NotNull(broken);
+        FuzzReport report = FuzzReport.Of(run, broken, cancelled: false);
+        Assert.Equal(1, report.ExitCode);
+        string[] lines = report.Text.Split('\n');
+        Assert.Matches($@"^{run.Tried} pairs tried in \d+\.\d s, \d+ pairs per second, seed 4$", lines[0]);
+        Assert.StartsWith($"pair {broken.Index} ({broken.Family}) breaks a promise: nothing is far: ", lines[1]);
+        Assert.True(QueryRecord.TryParse(lines[2], out QueryRecord record, out string? reason), reason);
+        Assert.NotNull(new Far().Broken(new FuzzPair(record)));
+        Assert.Equal(run.Tried, broken.Index);
+    }
+
+    [Fact]
+    public void ACancelledSearchEndsAtOnce()
+    {
+        var run = new FuzzRun(new FuzzLength(null, null), 4, AllPromises.Make());
+        Assert.Null(run.Search(_ => { }, new CancellationToken(canceled: true)));
+        Assert.Equal(130, FuzzReport.Of(run, null, cancelled: true).ExitCode);
+        Assert.Equal(0, run.Tried);
+    }
+
+    private static FuzzPair Told(string lie)
+    {
+        DistanceResult right = ConvexQuery.Distance(Cube, RigidPose.Identity, Cube, Right);
+        DistanceResult answer = lie switch
+        {
+            "further" => ConvexQuery.Distance(Cube, RigidPose.Identity, Cube, new RigidPose(Right.Position + new Vector3(1e-3f, 0, 0))),
+            "mirrored" => right.Swapped,
+            "overlapping" => ConvexQuery.Distance(Cube, RigidPose.Identity, Cube, RigidPose.Identity),
+            "beyond" => ConvexQuery.Distance(Cube, RigidPose.Identity, Cube, Right, 0.5f),
+            _ => ConvexQuery.Distance(Cube, RigidPose.Identity, default(ConvexShape), Right),
+        };
+        return new FuzzPair(Cube, RigidPose.Identity, Cube, Right, answer);
+    }
+
+    private sealed class Far : IPromise
+    {
+        public string Name => "nothing is far";
+
+        public string? Broken(FuzzPair pair) => pair.Answer.Distance > 0.125f ? "it is" : null;
+    }
+
+    private sealed class ManyCorners : IPromise
+    {
+        public string Name => "hulls are small";
+
+        public string? Broken(FuzzPair pair) => pair.A.Hull is { VertexCount: > 4 } ? "five corners" : null;
+    }
+}

@@ -1,0 +1,74 @@
+using System;
+using System.Text.RegularExpressions;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests;
+
+/// <summary><c>fuzz</c> as its user runs it. Length, seed, words and exit codes; the search itself is in FuzzSearchTests.</summary>
+public sealed class FuzzTests
+{
+    [Fact]
+    public void ACountIsTriedAndNothingBreaks()
+    {
+        DemoRun run = DemoProcess.Run("fuzz", "--count", "3000", "--seed", "5");
+        run.AssertDone();
+        Assert.Matches(@"^3000 pairs tried in \d+\.\d s, \d+ pairs per second, seed 5: no promise broken\n$", run.Out);
+    }
+
+    [Fact]
+    public void SecondsEndIt()
+    {
+        DemoRun run = DemoProcess.Run("fuzz", "--seconds", "1.5", "--seed", "6");
+        run.AssertDone();
+        Assert.Matches(@"^\d+ pairs tried in 1\.\d s, \d+ pairs per second, seed 6: no promise broken\n$", run.Out);
+        Assert.NotEqual("0", run.Out.Split(' ')[0]);
+    }
+
+    [Fact]
+    public void TheFirstOfBothEndsIt()
+    {
+        DemoRun run = DemoProcess.Run("fuzz", "--seconds", "600", "--count", "10");
+        run.AssertDone();
+        Assert.StartsWith("10 pairs tried", run.Out);
+    }
+
+    [Fact]
+    public void WithoutASeedEachRunHasItsOwnAndSaysWhich()
+    {
+        DemoRun run = DemoProcess.Run("fuzz", "--count", "1");
+        run.AssertDone();
+        Assert.Matches("seed [0-9]+:", run.Out);
+    }
+
+    [Fact]
+    public void CtrlCPrintsWhatWasDone()
+    {
+        if (OperatingSystem.IsWindows()) return;
+        using DemoProcess demo = DemoProcess.Start("fuzz", "--seconds", "600", "--seed", "7");
+        System.Threading.Thread.Sleep(TimeSpan.FromSeconds(3));
+        demo.Interrupt();
+        DemoRun run = demo.Wait();
+        Assert.Equal((130, ""), (run.ExitCode, run.Error));
+        Assert.Matches(@"^\d+ pairs tried in \d+\.\d s, \d+ pairs per second, seed 7: no promise broken until cancelled\n$", run.Out);
+    }
+
+    [Theory]
+    [InlineData("--seconds 0")]
+    [InlineData("--seconds -1")]
+    [InlineData("--seconds long")]
+    [InlineData("--seconds NaN")]
+    [InlineData("--count 0")]
+    [InlineData("--count 1.5")]
+    [InlineData("--count many")]
+    [InlineData("--seed -1")]
+    [InlineData("--seed x")]
+    [InlineData("--seed 99999999999999999999")]
+    public void WrongNumbersAreOneLine(string args) => DemoProcess.Run(["fuzz", .. args.Split(' ')]).AssertRefused("fuzz: " + Regex.Replace(args, " .*", ""), args.Split(' ')[1]);
+
+    [Theory]
+    [InlineData("fuzz scene.json", "scene.json")]
+    [InlineData("fuzz --nope", "--nope")]
+    [InlineData("fuzz --count", "--count")]
+    public void WrongArgumentsAreOneLine(string args, string part) => DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+}
