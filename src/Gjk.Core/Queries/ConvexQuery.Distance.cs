@@ -100,7 +100,10 @@ public static partial class ConvexQuery
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
-        SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome);
+        if (bInA.Radius == marginA + marginB)
+            GjkDistance.SolvePoints(bInA, ref outcome);
+        else
+            SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
 

@@ -42,7 +42,11 @@ internal static class GjkOverlap
             if (simplex.Count == 1)
                 normal = w;
             else if (NextSimplex.Advance(ref simplex, ref normal))
-                return GjkDistance.IsCertainlyInside(simplex) ? Answer.Overlapping : Answer.Unknown;
+            {
+                // The distance solver may have ended on a curved core within its tolerance of contact, before the origin was enclosed: let it say.
+                bool curved = (idA | idB) < 0;
+                return !curved && GjkDistance.IsCertainlyInside(simplex) ? Answer.Overlapping : Answer.Unknown;
+            }
         }
 
         return Answer.Unknown;
