@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Gjk.Bench;
 
@@ -14,8 +15,13 @@ public sealed class BenchOptions
           --filter GLOB     which benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*')
           --quick           the report's scenes, distance cold, warm and by the baseline, three short iterations in this process: a minute.
                             Without it every benchmark runs in a process of its own; '*' takes half an hour.
-          --csv             keep the figures as bench/results/MACHINE.csv (replaced whole: use it with --filter '*')
-          --machine NAME    the name for that file and its first line (default: the CPU's model)
+          --table           no BenchmarkDotNet: every figure of the goals, on the report's scenes, random pairs, primitives and hulls of up to 100,000
+                            vertices, library and baseline in turn in this process; prints a table with the goals scaled to this machine.
+                            Two minutes.
+          --seconds S       with --table: how long to measure each set, from 0.01 to 600 (default 6)
+          --csv             with --table: keep the figures as bench/results/MACHINE.csv and draw docs/cost.svg; otherwise keep those of BenchmarkDotNet
+                            as bench/results/MACHINE-benchmarkdotnet.csv (replaced whole: use it with --filter '*')
+          --machine NAME    the name for those files and their first line (default: the CPU's model)
           --factor          no BenchmarkDotNet: check that both algorithms agree on the report's scenes, time them in turn, print the
                             factor per scene, and exit 1 if it is below the wanted one. About ten seconds.
           --help            this text; '--help all' adds BenchmarkDotNet's
@@ -35,6 +41,11 @@ public sealed class BenchOptions
     public bool Csv { get; private set; }
 
     public bool Factor { get; private set; }
+
+    public bool Table { get; private set; }
+
+    /// <summary>Null where none were given.</summary>
+    public double? Seconds { get; private set; }
 
     public string? MachineName { get; private set; }
 
@@ -62,6 +73,14 @@ public sealed class BenchOptions
                 case "--factor":
                     options.Factor = true;
                     break;
+                case "--table":
+                    options.Table = true;
+                    break;
+                case "--seconds":
+                    options.Seconds = i + 1 < args.Length ? SecondsOf(args[++i]) : null;
+                    if (options.Seconds is not null) break;
+                    error = "--seconds: a number from 0.01 to 600 must follow";
+                    return null;
                 case "--machine" when i + 1 < args.Length && !args[i + 1].StartsWith('-'):
                     options.MachineName = args[++i];
                     break;
@@ -77,10 +96,15 @@ public sealed class BenchOptions
         return options.IsConsistent(out error) ? options : null;
     }
 
+    private static double? SecondsOf(string text) =>
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double seconds) && seconds is >= 0.01 and <= 600 ? seconds : null;
+
     private bool IsConsistent(out string error)
     {
         error = "";
-        if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";
+        if (Table && (Factor || Quick || Remaining.Count > 0)) error = "--table: takes --seconds, --csv and --machine only";
+        else if (Seconds is not null && !Table) error = "--seconds: goes with --table only";
+        else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all")) error = "--help: takes nothing but 'all'";
         return error.Length == 0;
     }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using BenchmarkDotNet.Configs;
@@ -7,6 +8,7 @@ using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
 using BenchmarkDotNet.Toolchains.InProcess.Emit;
 using Gjk.Bench.Reporting;
+using Gjk.Bench.Table;
 
 namespace Gjk.Bench;
 
@@ -26,10 +28,10 @@ public static class Program
         if (options.Help) return PrintHelp(options);
         if (options.Factor) return CheckFactors();
 
-        string? results = options.Csv ? ResultsFolder() : null;
-        return options.Csv && results is null
-            ? Complain("--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder", BadArguments)
-            : Measure(options, results);
+        string? project = options.Csv ? ProjectFolder() : null;
+        if (options.Csv && project is null)
+            return Complain("--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder", BadArguments);
+        return options.Table ? PrintTable(options, project) : Measure(options, project);
     }
 
     private static int PrintHelp(BenchOptions options)
@@ -51,7 +53,31 @@ public static class Program
         }
     }
 
-    private static int Measure(BenchOptions options, string? results)
+    /// <param name="options">With --table.</param>
+    /// <param name="project">Where to keep the figures, or null.</param>
+    private static int PrintTable(BenchOptions options, string? project)
+    {
+        List<TableRow> rows;
+        double meanSlowness;
+        try
+        {
+            rows = TableRun.Run(Console.Error, options.Seconds ?? TableRun.DefaultSeconds, out meanSlowness);
+        }
+        catch (FactorCheckException e)
+        {
+            return Complain(e.Message, Failed);
+        }
+
+        Console.Write(TableReport.Markdown(rows, meanSlowness));
+        if (project is null) return Done;
+        string results = ResultFile(options, project, ""), figure = Path.Combine(project, "..", "docs", "cost.svg");
+        SummaryCsv.Write(results, TableReport.Csv(rows, MachineLine(options)));
+        SummaryCsv.Write(figure, CostFigure.Draw(rows, (options.MachineName ?? Machine.CpuModel).ReplaceLineEndings(" ")));
+        Console.Error.WriteLine($"Figures kept in {results} and {Path.GetFullPath(figure)}");
+        return Done;
+    }
+
+    private static int Measure(BenchOptions options, string? project)
     {
         string[] args = [.. options.Remaining];
         bool printOnly = args.Any(a => PrintOnly.Contains(a));
@@ -61,12 +87,11 @@ public static class Program
         Summary[] summaries = [.. BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args, Config(options.Quick))];
         if (summaries.Length == 0) return printOnly ? Done : Failed;
 
-        string machine = options.MachineName is null ? "" : options.MachineName.ReplaceLineEndings(" ") + ": ";
-        string text = SummaryCsv.Format(summaries, machine + Machine.Description + (options.Quick ? ", quick run" : ""));
+        string text = SummaryCsv.Format(summaries, MachineLine(options) + (options.Quick ? ", quick run" : ""));
         SummaryCsv.Write(Path.Combine(DefaultConfig.Instance.ArtifactsPath, "summary.csv"), text);
-        if (results is not null)
+        if (project is not null)
         {
-            string file = Path.Combine(results, Machine.FileName(options.MachineName ?? Machine.CpuModel) + ".csv");
+            string file = ResultFile(options, project, "-benchmarkdotnet");
             SummaryCsv.Write(file, text);
             Console.WriteLine($"Figures kept in {file}");
         }
@@ -81,13 +106,19 @@ public static class Program
             .AddJob(Job.ShortRun.WithToolchain(InProcessEmitToolchain.Instance))
             .AddFilter(new QuickFilter());
 
-    /// <summary>bench/results, found from where the program was built or is run.</summary>
-    private static string? ResultsFolder()
+    private static string MachineLine(BenchOptions options) =>
+        (options.MachineName is null ? "" : options.MachineName.ReplaceLineEndings(" ") + ": ") + Machine.Description;
+
+    private static string ResultFile(BenchOptions options, string project, string suffix) =>
+        Path.Combine(project, "results", Machine.FileName(options.MachineName ?? Machine.CpuModel) + suffix + ".csv");
+
+    /// <summary>The folder bench, found from where the program was built or is run.</summary>
+    private static string? ProjectFolder()
     {
         foreach (string start in new[] { AppContext.BaseDirectory, Environment.CurrentDirectory, Path.Combine(Environment.CurrentDirectory, "bench") })
         {
             for (DirectoryInfo? folder = new(start); folder is not null; folder = folder.Parent)
-                if (File.Exists(Path.Combine(folder.FullName, "Gjk.Bench.csproj"))) return Path.Combine(folder.FullName, "results");
+                if (File.Exists(Path.Combine(folder.FullName, "Gjk.Bench.csproj"))) return folder.FullName;
         }
 
         return null;

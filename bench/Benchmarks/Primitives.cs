@@ -1,8 +1,6 @@
-using System.Numerics;
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
 using Gjk.Bench.Scenes;
-using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 
@@ -11,46 +9,32 @@ namespace Gjk.Bench.Benchmarks;
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory)]
 public class Primitives
 {
-    private TypedPairs<SphereShape> _spheres = null!;
-    private TypedPairs<CapsuleShape> _capsules = null!;
-    private TypedPairs<BoxShape> _cubes = null!;
-    private TypedPairs<BoxShape> _boxes = null!;
+    private PrimitivePairs _pairs = null!;
 
     [GlobalSetup]
-    public void Setup()
-    {
-        Vector3[] sphere = MeshVertices.Sphere(0.3f), capsule = MeshVertices.Capsule(0.2f, 0.3f), cube = MeshVertices.Cube(0.35f);
-        _spheres = new(21, _ => (new SphereShape(0.3f), sphere));
-        _capsules = new(22, _ => (new CapsuleShape(0.2f, 0.3f), capsule));
-        _cubes = new(23, _ => (new BoxShape(new Vector3(0.35f)), cube));
-        _boxes = new(24, prng =>
-        {
-            var half = new Vector3(prng.Range(0.15f, 0.5f), prng.Range(0.15f, 0.5f), prng.Range(0.15f, 0.5f));
-            return (new BoxShape(half), MeshVertices.Box(half));
-        });
-    }
+    public void Setup() => _pairs = new PrimitivePairs();
 
     [Benchmark(Baseline = true, OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.SphereSphere)]
-    public float BaselineSphereMesh() => _spheres.BaselineDistance();
+    public float BaselineSphereMesh() => _pairs.Spheres.BaselineDistance();
 
     [Benchmark(OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.SphereSphere)]
-    public float SphereSphere() => _spheres.Distance();
+    public float SphereSphere() => _pairs.Spheres.Distance();
 
     [Benchmark(Baseline = true, OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.CapsuleCapsule)]
-    public float BaselineCapsuleMesh() => _capsules.BaselineDistance();
+    public float BaselineCapsuleMesh() => _pairs.Capsules.BaselineDistance();
 
     [Benchmark(OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.CapsuleCapsule)]
-    public float CapsuleCapsule() => _capsules.Distance();
+    public float CapsuleCapsule() => _pairs.Capsules.Distance();
 
     [Benchmark(Baseline = true, OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.Cubes)]
-    public float BaselineCubeMesh() => _cubes.BaselineDistance();
+    public float BaselineCubeMesh() => _pairs.Cubes.BaselineDistance();
 
     [Benchmark(OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.Cubes)]
-    public float CubeCube() => _cubes.Distance();
+    public float CubeCube() => _pairs.Cubes.Distance();
 
     [Benchmark(Baseline = true, OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.Boxes)]
-    public float BaselineBoxMesh() => _boxes.BaselineDistance();
+    public float BaselineBoxMesh() => _pairs.Boxes.BaselineDistance();
 
     [Benchmark(OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.Boxes)]
-    public float BoxBox() => _boxes.Distance();
+    public float BoxBox() => _pairs.Boxes.Distance();
 }

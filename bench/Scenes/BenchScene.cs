@@ -50,5 +50,8 @@ public sealed class BenchScene
         return this;
     }
 
+    /// <summary>The same objects with the beginning of the list of pairs.</summary>
+    public BenchScene WithFirstPairs(int count) => new() { Shapes = Shapes, Poses = Poses, Colliders = Colliders, Pairs = Pairs[..count] };
+
     public readonly record struct Pair(int A, int B);
 }

@@ -5,41 +5,58 @@ using Gjk.Core;
 namespace Gjk.Bench.Scenes;
 
 /// <summary>
-/// Poses of a scene over a few frames, walked to and fro so that they never run out: the second object of each pair turns by a degree about an axis of its
-/// own and moves by one percent of a size of 1; the first one rests. For scenes that use an object in one pair only.
+/// Poses of a scene over a few frames, walked to and fro so that they never run out: every object turns by a degree about an axis of its own and moves by one
+/// percent of its size per frame, from one side of its place to the other, as in the demo's <c>time</c>.
 /// </summary>
 public sealed class Motion
 {
-    private const int FrameCount = 8;
+    /// <summary>Frames to either side of the given place; few enough that the scene's overlaps and gaps stay what they were, by and large.</summary>
+    private const int StepsAside = 16;
+
     private const float RadiansPerFrame = MathF.PI / 180;
-    private const float UnitsPerFrame = 0.01f;
+    private const double SizesPerFrame = 0.01;
     private const ulong Seed = 41;
 
-    private readonly RigidPose[][] _frames = new RigidPose[FrameCount][];
+    private readonly RigidPose[][] _frames = new RigidPose[2 * StepsAside + 1][];
     private int _frame;
     private int _step = 1;
 
     public Motion(BenchScene scene)
     {
-        for (int i = 0; i < FrameCount; i++) _frames[i] = [.. scene.Poses];
+        for (int i = 0; i < _frames.Length; i++) _frames[i] = new RigidPose[scene.Poses.Length];
         var prng = new Prng(Seed);
-        foreach (BenchScene.Pair pair in scene.Pairs)
+        for (int i = 0; i < scene.Poses.Length; i++)
         {
-            RigidPose start = scene.Poses[pair.B];
-            Vector3 axis = prng.Direction(), course = prng.Direction() * UnitsPerFrame;
-            for (int i = 0; i < FrameCount; i++)
+            RigidPose middle = scene.Poses[i];
+            Vector3 axis = prng.Direction(), course = prng.Direction() * (float)(SizesPerFrame * Size(scene.Shapes[i]));
+            for (int frame = 0; frame < _frames.Length; frame++)
             {
-                Quaternion turn = Quaternion.CreateFromAxisAngle(axis, i * RadiansPerFrame);
-                _frames[i][pair.B] = new RigidPose(Quaternion.Normalize(turn * start.Rotation), start.Position + i * course);
+                int step = frame - StepsAside;
+                Quaternion turn = Quaternion.CreateFromAxisAngle(axis, step * RadiansPerFrame);
+                _frames[frame][i] = new RigidPose(Quaternion.Normalize(turn * middle.Rotation), middle.Position + step * course);
             }
         }
     }
 
+    /// <summary>Frames from one end to the other and back.</summary>
+    public static int FramesPerRound => 4 * StepsAside;
+
     /// <summary>One frame on from the last.</summary>
     public RigidPose[] Next()
     {
-        if (_frame + _step is < 0 or >= FrameCount) _step = -_step;
+        if (_frame + _step < 0 || _frame + _step >= _frames.Length) _step = -_step;
         _frame += _step;
         return _frames[_frame];
+    }
+
+    /// <summary>The longest side of the box about the shape in its own frame.</summary>
+    private static double Size(in ConvexShape shape) =>
+        Math.Max(Math.Max(Extent(shape, new(1, 0, 0)), Extent(shape, new(0, 1, 0))), Extent(shape, new(0, 0, 1)));
+
+    private static double Extent(in ConvexShape shape, in Vector3D axis)
+    {
+        shape.Support(axis, -1, out Vector3D furthest);
+        shape.Support(-axis, -1, out Vector3D nearest);
+        return Vector3D.Dot(axis, furthest - nearest) + 2 * shape.Margin;
     }
 }

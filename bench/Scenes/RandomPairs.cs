@@ -13,7 +13,14 @@ namespace Gjk.Bench.Scenes;
 /// </summary>
 public static class RandomPairs
 {
+    /// <summary>Pairs in every set: few enough to be visited often, too many for a branch predictor to learn.</summary>
     public const int Count = 1000;
+
+    /// <summary>The largest hull of <see cref="Names"/>.</summary>
+    private const int LargestUsual = 2048;
+
+    /// <summary>How many pairs of a large set the baseline is asked for.</summary>
+    public const int LargeBaselinePairs = 100;
 
     private const float MinDistance = 0.2f;
     private const float MaxDistance = 1.6f;
@@ -26,6 +33,12 @@ public static class RandomPairs
     /// </summary>
     private const int HullPool = 64;
 
+    /// <summary>
+    /// Vertices in the hulls that a large set draws from, and the least number of hulls: twice those of the largest usual set, so that the caches do not get a
+    /// larger part of them; more would take long to build.
+    /// </summary>
+    private const int LargePoolVertices = 2 * HullPool * LargestUsual, LeastHulls = 4;
+
     /// <summary>The set, its vertices (0: boxes), the mean radius or half extent, and the seed.</summary>
     private static readonly (string Name, int Vertices, float Size, ulong Seed)[] Sets =
     [
@@ -36,9 +49,19 @@ public static class RandomPairs
         ("hull128", 128, 0.33f, 14),
         ("hull512", 512, 0.32f, 15),
         ("hull2048", 2048, 0.32f, 16),
+        ("hull8192", 8192, 0.32f, 17),
+        ("hull32768", 32768, 0.32f, 18),
+        ("hull100000", 100_000, 0.32f, 19),
     ];
 
-    public static IReadOnlyList<string> Names { get; } = [.. Sets.Select(s => s.Name)];
+    /// <summary>The usual sets.</summary>
+    public static IReadOnlyList<string> Names { get; } = [.. Sets.Where(s => !IsLarge(s.Vertices)).Select(s => s.Name)];
+
+    /// <summary>The sets of larger hulls, smallest first; the baseline takes seconds for one of these lists.</summary>
+    public static IReadOnlyList<string> LargeNames { get; } = [.. Sets.Where(s => IsLarge(s.Vertices)).Select(s => s.Name)];
+
+    /// <summary>The corners of an object of the set.</summary>
+    public static int VerticesOf(string name) => Math.Max(Sets.Single(s => s.Name == name).Vertices, 8);
 
     public static BenchScene Create(string name)
     {
@@ -53,12 +76,14 @@ public static class RandomPairs
             scene.AddPair(a, b);
         }
 
-        return CheckOverlapRate(name, scene.Build());
+        return CheckOverlapRate(name, scene.Build(), IsLarge(set.Vertices) ? LargeBaselinePairs : Count);
     }
 
     /// <summary>The share of pairs that overlap, by the baseline: the check must not depend on what is measured.</summary>
     public static double OverlapRate(BenchScene scene) =>
         scene.Pairs.Count(p => ReportGjk.Intersects(scene.Colliders[p.A], scene.Colliders[p.B])) / (double)scene.Pairs.Length;
+
+    private static bool IsLarge(int vertices) => vertices > LargestUsual;
 
     private static int AddObject(
         BenchScene scene, Prng prng, string name, float size, (Vector3[] Vertices, ConvexShape Shape)[] pool, Vector3 position)
@@ -77,7 +102,7 @@ public static class RandomPairs
 
     private static (Vector3[] Vertices, ConvexShape Shape)[] HullsOf(Prng prng, int count, float size)
     {
-        var pool = new (Vector3[] Vertices, ConvexShape Shape)[HullPool];
+        var pool = new (Vector3[] Vertices, ConvexShape Shape)[IsLarge(count) ? Math.Max(LeastHulls, LargePoolVertices / count) : HullPool];
         for (int i = 0; i < pool.Length; i++)
         {
             Vector3[] vertices = MeshVertices.OnEllipsoid(prng, count, RandomRadii(prng, size));
@@ -90,9 +115,9 @@ public static class RandomPairs
     private static Vector3 RandomRadii(Prng prng, float mean) =>
         new(prng.Range(0.5f, 1.5f) * mean, prng.Range(0.5f, 1.5f) * mean, prng.Range(0.5f, 1.5f) * mean);
 
-    private static BenchScene CheckOverlapRate(string name, BenchScene scene)
+    private static BenchScene CheckOverlapRate(string name, BenchScene scene, int pairs)
     {
-        double rate = OverlapRate(scene);
+        double rate = OverlapRate(scene.WithFirstPairs(pairs));
         return rate is >= MinOverlapRate and <= MaxOverlapRate
             ? scene
             : throw new InvalidOperationException(

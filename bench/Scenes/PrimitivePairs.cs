@@ -1,0 +1,31 @@
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Bench.Scenes;
+
+/// <summary>The random pairs of primitives that every measurement of the generic path uses.</summary>
+public sealed class PrimitivePairs
+{
+    public PrimitivePairs()
+    {
+        Vector3[] sphere = MeshVertices.Sphere(0.3f), capsule = MeshVertices.Capsule(0.2f, 0.3f), cube = MeshVertices.Cube(0.35f);
+        Spheres = new(21, _ => (new SphereShape(0.3f), sphere));
+        Capsules = new(22, _ => (new CapsuleShape(0.2f, 0.3f), capsule));
+        Cubes = new(23, _ => (new BoxShape(new Vector3(0.35f)), cube));
+        Boxes = new(24, prng =>
+        {
+            var half = new Vector3(prng.Range(0.15f, 0.5f), prng.Range(0.15f, 0.5f), prng.Range(0.15f, 0.5f));
+            return (new BoxShape(half), MeshVertices.Box(half));
+        });
+    }
+
+    public TypedPairs<SphereShape> Spheres { get; }
+
+    public TypedPairs<CapsuleShape> Capsules { get; }
+
+    /// <summary>Boxes of equal sides.</summary>
+    public TypedPairs<BoxShape> Cubes { get; }
+
+    /// <summary>Boxes of random sides.</summary>
+    public TypedPairs<BoxShape> Boxes { get; }
+}

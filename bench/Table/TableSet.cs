@@ -1,0 +1,112 @@
+using System.Collections.Generic;
+using Gjk.Bench.Benchmarks;
+using Gjk.Bench.Scenes;
+using Gjk.Core;
+
+namespace Gjk.Bench.Table;
+
+/// <summary>The loops of one set of pairs.</summary>
+internal sealed class TableSet
+{
+    private readonly TimedLoop _baseline;
+    private readonly TimedLoop? _baselineBoolean;
+    private readonly List<(Query Query, TimedLoop Loop)> _library = [];
+    private readonly List<TimedLoop> _loops;
+    private readonly int _vertices;
+    private readonly int _pairs;
+
+    private TableSet(string name, int vertices, int pairs, TimedLoop baseline, TimedLoop? baselineBoolean = null)
+    {
+        Name = name;
+        _vertices = vertices;
+        _pairs = pairs;
+        _baseline = baseline;
+        _baselineBoolean = baselineBoolean;
+        _loops = baselineBoolean is null ? [baseline] : [baseline, baselineBoolean];
+    }
+
+    public string Name { get; }
+
+    public IReadOnlyCollection<TimedLoop> Loops => _loops;
+
+    /// <summary>How many times slower this machine is than the goals'; null where that has no figure.</summary>
+    public double? Slowness => Goals.Slowness(Name, _baseline.Nanoseconds);
+
+    public static TableSet OfReportScene(string name)
+    {
+        BenchScene scene = ReportScenes.Create(name);
+        return OfScene(name, name == ReportScenes.Cubes ? 24 : 515, scene, scene);
+    }
+
+    public static TableSet OfRandomPairs(string name)
+    {
+        BenchScene scene = RandomPairs.Create(name);
+        return OfScene(name, RandomPairs.VerticesOf(name), scene, scene);
+    }
+
+    /// <summary>A set on which the baseline is so slow that it gets the first pairs only.</summary>
+    public static TableSet OfLargePairs(string name)
+    {
+        BenchScene scene = RandomPairs.Create(name);
+        return OfScene(name, RandomPairs.VerticesOf(name), scene, scene.WithFirstPairs(RandomPairs.LargeBaselinePairs));
+    }
+
+    /// <summary>The primitives through the generic path, cold only.</summary>
+    public static IEnumerable<TableSet> OfPrimitives()
+    {
+        var pairs = new PrimitivePairs();
+        yield return OfTyped("sphere-sphere", pairs.Spheres);
+        yield return OfTyped("capsule-capsule", pairs.Capsules);
+        yield return OfTyped("box-box cubes", pairs.Cubes);
+        yield return OfTyped("box-box random", pairs.Boxes);
+    }
+
+    /// <param name="meanSlowness">For goals of sets that have no slowness of their own.</param>
+    public IEnumerable<TableRow> Rows(double meanSlowness)
+    {
+        foreach ((Query query, TimedLoop loop) in _library)
+        {
+            TimedLoop baseline = query == Query.Boolean && _baselineBoolean is not null ? _baselineBoolean : _baseline;
+            double? goal = Goals.For(Name, query);
+            yield return new TableRow(
+                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline.Nanoseconds, goal, goal * (Slowness ?? meanSlowness));
+        }
+    }
+
+    private static TableSet OfScene(string name, int vertices, BenchScene scene, BenchScene forBaseline)
+    {
+        int pairs = scene.Pairs.Length, baselinePairs = forBaseline.Pairs.Length;
+        var baseline = new TimedLoop(baselinePairs, () => SceneQueries.BaselineDistance(forBaseline));
+        var baselineBoolean = new TimedLoop(baselinePairs, () => SceneQueries.BaselineOverlaps(forBaseline));
+        var set = new TableSet(name, vertices, pairs, baseline, baselineBoolean);
+        WarmStart[] resting = new WarmStart[pairs], moving = new WarmStart[pairs];
+        var motion = new Motion(scene);
+        set.Add(Query.Cold, new TimedLoop(pairs, () => SceneQueries.Distance(scene)));
+        set.Add(Query.Warm, new TimedLoop(pairs, () => SceneQueries.WarmDistance(scene, scene.Poses, resting)));
+        set.Add(Query.Moving, new TimedLoop(pairs * Motion.FramesPerRound, () => Round(scene, motion, moving)));
+        set.Add(Query.Boolean, new TimedLoop(pairs, () => SceneQueries.Overlaps(scene)));
+        return set;
+    }
+
+    private static TableSet OfTyped<TShape>(string name, TypedPairs<TShape> pairs)
+        where TShape : struct, ISupportMap
+    {
+        var set = new TableSet(name, 0, RandomPairs.Count, new TimedLoop(RandomPairs.Count, pairs.BaselineDistance));
+        set.Add(Query.Cold, new TimedLoop(RandomPairs.Count, pairs.Distance));
+        return set;
+    }
+
+    /// <summary>All frames, there and back: every sample does the same work.</summary>
+    private static float Round(BenchScene scene, Motion motion, WarmStart[] warmStarts)
+    {
+        float sum = 0;
+        for (int i = 0; i < Motion.FramesPerRound; i++) sum += SceneQueries.WarmDistance(scene, motion.Next(), warmStarts);
+        return sum;
+    }
+
+    private void Add(Query query, TimedLoop loop)
+    {
+        _library.Add((query, loop));
+        _loops.Add(loop);
+    }
+}
