@@ -6,6 +6,7 @@ public static class Categories
     public const string Distance = "Distance";
     public const string Overlap = "Overlap";
     public const string Support = "Support";
+    public const string Simplex = "Simplex";
     public const string SphereSphere = "SphereSphere";
     public const string CapsuleCapsule = "CapsuleCapsule";
     public const string Cubes = "Cubes";

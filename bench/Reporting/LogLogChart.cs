@@ -15,7 +15,7 @@ internal sealed record ChartLine(string Name, string Colour, IReadOnlyList<(doub
 internal sealed class LogLogChart
 {
     private const int Width = 760, Height = 470;
-    private const double Left = 84, Right = 724, Top = 84, Bottom = 404;
+    private const double Left = 84, Right = 712, Top = 84, Bottom = 404;
     private const string Paper = "#ffffff", Frame = "#d0d7de", Grid = "#e6e9ed", Axis = "#8c959f", Ink = "#1f2328", Soft = "#57606a";
 
     private readonly ChartLine[] _lines;
@@ -90,7 +90,7 @@ internal sealed class LogLogChart
     {
         const double RowHeight = 22, LineLength = 26, Padding = 12;
         double x = Left + 14, y = Top + 8, height = RowHeight * _lines.Length + Padding;
-        svg.Rectangle(x, y, 240, height, 6, Paper, Grid);
+        svg.Rectangle(x, y, 276, height, 6, Paper, Grid);
         for (int i = 0; i < _lines.Length; i++)
         {
             double row = y + Padding / 2 + RowHeight * (i + 0.5);

@@ -10,10 +10,14 @@ internal sealed class TimedLoop
     private const double LeastSampleMilliseconds = 0.1;
 
     /// <summary>
-    /// Milliseconds of samples per turn, at least one sample: enough to bring the loop's own data back into the caches after another's turn, little enough that
-    /// many turns fit into a second.
+    /// A turn has at least this many samples, of which the first brings the loop's own data back into the caches, and lasts at least this many milliseconds:
+    /// little enough that many turns fit into a second.
     /// </summary>
+    private const int LeastSamples = 3;
     private const double TurnMilliseconds = 4;
+
+    /// <summary>Milliseconds after which one sample is enough: reloading the caches is nothing beside it.</summary>
+    private const double LongSampleMilliseconds = 40;
 
     private readonly Func<float> _pass;
     private readonly int _queries;
@@ -39,10 +43,13 @@ internal sealed class TimedLoop
     {
         double before = Nanoseconds;
         long start = Stopwatch.GetTimestamp();
-        do Nanoseconds = Math.Min(Nanoseconds, Sample());
-        while (Stopwatch.GetElapsedTime(start).TotalMilliseconds < TurnMilliseconds);
+        for (int samples = 0; !IsOver(samples, Stopwatch.GetElapsedTime(start).TotalMilliseconds); samples++)
+            Nanoseconds = Math.Min(Nanoseconds, Sample());
         return Nanoseconds < before * (1 - share);
     }
+
+    private static bool IsOver(int samples, double milliseconds) =>
+        (samples >= LeastSamples && milliseconds >= TurnMilliseconds) || (samples > 0 && milliseconds >= samples * LongSampleMilliseconds);
 
     private double Sample()
     {

@@ -1,0 +1,111 @@
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Bench.Baseline;
+using Gjk.Core;
+
+namespace Gjk.Bench.Scenes;
+
+/// <summary>A simplex as a query's step gets it: what the last step left, and the vertex that was found beyond it.</summary>
+internal readonly struct RecordedStep
+{
+    /// <summary>Steps after which a walk is given up; a pair that touches may make many.</summary>
+    private const int MostSteps = 32;
+
+    /// <summary>The least share of the feature's height that a vertex must be nearer the origin, or the walk is at its end.</summary>
+    private const double LeastProgress = 1e-10;
+
+    public readonly Simplex Simplex;
+
+    /// <summary>What the last step found; of the boolean walk its normal only.</summary>
+    public readonly ClosestFeature Feature;
+
+    private RecordedStep(in Simplex simplex, in ClosestFeature feature)
+    {
+        Simplex = simplex;
+        Feature = feature;
+    }
+
+    /// <summary>The steps of the distance walks of a scene of meshes.</summary>
+    public static List<RecordedStep> OfDistance(BenchScene scene)
+    {
+        var steps = new List<RecordedStep>();
+        foreach (BenchScene.Pair pair in scene.Pairs)
+        {
+            var walk = new Walk(scene, pair);
+            for (int i = 0; i < MostSteps; i++)
+            {
+                double plane = walk.Push();
+                if (i > 0 && walk.Feature.Height - plane <= LeastProgress * walk.Feature.Height) break;
+                steps.Add(new RecordedStep(walk.Simplex, walk.Feature));
+                if (!walk.Feature.Reduce(ref walk.Simplex)) break;
+            }
+        }
+
+        return steps;
+    }
+
+    /// <summary>The steps of the boolean walks of a scene of meshes.</summary>
+    public static List<RecordedStep> OfOverlap(BenchScene scene)
+    {
+        var steps = new List<RecordedStep>();
+        foreach (BenchScene.Pair pair in scene.Pairs)
+        {
+            var walk = new Walk(scene, pair);
+            for (int i = 0; i < MostSteps; i++)
+            {
+                if (walk.Push() > 0) break;
+                if (i == 0)
+                {
+                    walk.Feature.Normal = walk.Simplex.WA;
+                    continue;
+                }
+
+                steps.Add(new RecordedStep(walk.Simplex, walk.Feature));
+                if (Core.NextSimplex.Advance(ref walk.Simplex, ref walk.Feature.Normal)) break;
+            }
+        }
+
+        return steps;
+    }
+
+    /// <summary>As the report's step wants it: the newest vertex last.</summary>
+    public MinkowskiPoint[] ForReport()
+    {
+        var points = new MinkowskiPoint[Simplex.Count];
+        for (int i = 0; i < points.Length; i++)
+        {
+            int slot = Simplex[points.Length - 1 - i];
+            Vector3D onA = Simplex.OnA(slot);
+            points[i] = new MinkowskiPoint((Vector3)onA, (Vector3)(onA - Simplex.W(slot)));
+        }
+
+        return points;
+    }
+
+    /// <summary>A query under way.</summary>
+    private struct Walk
+    {
+        public Simplex Simplex;
+        public ClosestFeature Feature;
+        private readonly RelativePose _bInA;
+        private ConvexMesh _a, _b;
+        private int _idA = -1, _idB = -1;
+
+        public Walk(BenchScene scene, BenchScene.Pair pair)
+        {
+            _a = new ConvexMesh(scene.Shapes[pair.A].Hull!);
+            _b = new ConvexMesh(scene.Shapes[pair.B].Hull!);
+            _bInA = new RelativePose(scene.Poses[pair.A], scene.Poses[pair.B], _a.Center, _b.Center, _a.BoundingRadius + _b.BoundingRadius);
+            Feature.Normal = -_bInA.Translation;
+        }
+
+        /// <summary>Adds the vertex that lies furthest against the normal.</summary>
+        /// <returns>The value of the plane through it.</returns>
+        public double Push()
+        {
+            MinkowskiDifference.Support(ref _a, ref _b, _bInA, Feature.Normal, ref _idA, ref _idB, out Vector3D onA, out Vector3D w);
+            Simplex.Push(w, onA, _idA, _idB);
+            return Vector3D.Dot(Feature.Normal, w);
+        }
+    }
+}

@@ -1,0 +1,19 @@
+namespace Gjk.Core.Tests.Support;
+
+/// <summary>A shape that counts how often it is asked for a support point; everything else is the shape's own.</summary>
+internal readonly struct SupportCounter(ConvexShape shape, int[] calls) : ISupportMap
+{
+    public Vector3D Center => shape.Center;
+
+    public double Margin => shape.Margin;
+
+    public double BoundingRadius => shape.BoundingRadius;
+
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        calls[0]++;
+        return shape.Support(direction, hint, out point);
+    }
+
+    public bool TryGetVertex(int id, out Vector3D point) => shape.TryGetVertex(id, out point);
+}
