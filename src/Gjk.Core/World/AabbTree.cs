@@ -14,7 +14,7 @@ internal sealed class AabbTree
 {
     private const int None = -1;
 
-    private Node[] _nodes = [];
+    private AabbNode[] _nodes = [];
     private int[] _parents = [];
     private int[] _free = [];
     private int[] _stack = new int[64];
@@ -28,14 +28,14 @@ internal sealed class AabbTree
     public int Capacity => _leafEnd;
 
     /// <summary>A leaf's box, as it was inserted.</summary>
-    public ref readonly Node Leaf(int leaf) => ref _nodes[leaf];
+    public ref readonly AabbNode Leaf(int leaf) => ref _nodes[leaf];
 
     /// <summary>Empties the tree, and makes room for leaves with numbers below the capacity.</summary>
     public void Reset(int capacity)
     {
         if (capacity > _leafEnd)
         {
-            _nodes = new Node[2 * capacity];
+            _nodes = new AabbNode[2 * capacity];
             _parents = new int[2 * capacity];
             _free = new int[capacity];
             _leafEnd = capacity;
@@ -50,7 +50,7 @@ internal sealed class AabbTree
     public void Grow(int capacity)
     {
         int shift = capacity - _leafEnd;
-        var nodes = new Node[2 * capacity];
+        var nodes = new AabbNode[2 * capacity];
         var parents = new int[2 * capacity];
         Array.Copy(_nodes, nodes, _leafEnd);
         Array.Copy(_parents, parents, _leafEnd);
@@ -74,7 +74,7 @@ internal sealed class AabbTree
 
     public void Insert(int leaf, Vector3 min, Vector3 max)
     {
-        ref Node box = ref _nodes[leaf];
+        ref AabbNode box = ref _nodes[leaf];
         box.Min = min;
         box.Max = max;
         if (_root == None)
@@ -86,7 +86,7 @@ internal sealed class AabbTree
 
         int sibling = FindSibling(box);
         int parent = _free[--_freeCount], above = _parents[sibling];
-        ref Node joined = ref _nodes[parent];
+        ref AabbNode joined = ref _nodes[parent];
         joined.Left = sibling;
         joined.Right = leaf;
         _parents[parent] = above;
@@ -142,9 +142,9 @@ internal sealed class AabbTree
         int node = _root;
         while (node != None)
         {
-            ref readonly Node box = ref _nodes[node];
+            ref readonly AabbNode box = ref _nodes[node];
             bool down = false;
-            if (Meets(box, min, max))
+            if (box.Meets(min, max))
             {
                 down = node >= _leafEnd;
                 if (!down) leaves.Add(node);
@@ -175,7 +175,7 @@ internal sealed class AabbTree
         int node = _root;
         while (true)
         {
-            ref readonly Node box = ref _nodes[node];
+            ref readonly AabbNode box = ref _nodes[node];
             if (box.Min.X <= max.X && min.X <= (float)(box.Max.X + margin) &&
                 box.Min.Y <= max.Y && min.Y <= (float)(box.Max.Y + margin) &&
                 box.Min.Z <= max.Z && min.Z <= (float)(box.Max.Z + margin))
@@ -196,10 +196,6 @@ internal sealed class AabbTree
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool Meets(in Node box, Vector3 min, Vector3 max) =>
-        box.Min.X <= max.X && min.X <= box.Max.X && box.Min.Y <= max.Y && min.Y <= box.Max.Y && box.Min.Z <= max.Z && min.Z <= box.Max.Z;
-
     /// <summary>A tree over part of the curve, cut where the highest bit changes; its depth is that of the bits and, among equal places, logarithmic.</summary>
     private int Join(ulong[] curve, int begin, int end)
     {
@@ -218,13 +214,13 @@ internal sealed class AabbTree
     /// Down from the root: each node entered grows by the new box, so stopping at it, as the box's sibling, costs its grown surface; going on costs what the node itself
     /// grows by and at least the new box's own growth of a child.
     /// </summary>
-    private int FindSibling(in Node box)
+    private int FindSibling(in AabbNode box)
     {
         int node = _root;
         while (node >= _leafEnd)
         {
-            ref readonly Node inner = ref _nodes[node];
-            float joined = UnionArea(inner, box), growth = joined - Area(inner);
+            ref readonly AabbNode inner = ref _nodes[node];
+            float joined = AabbNode.UnionArea(inner, box), growth = joined - AabbNode.Area(inner);
             float left = growth + DescentCost(_nodes[inner.Left], box, inner.Left < _leafEnd);
             float right = growth + DescentCost(_nodes[inner.Right], box, inner.Right < _leafEnd);
             if (joined < left && joined < right) break;
@@ -234,7 +230,7 @@ internal sealed class AabbTree
         return node;
     }
 
-    private static float DescentCost(in Node child, in Node box, bool isLeaf) => isLeaf ? UnionArea(child, box) : UnionArea(child, box) - Area(child);
+    private static float DescentCost(in AabbNode child, in AabbNode box, bool isLeaf) => isLeaf ? AabbNode.UnionArea(child, box) : AabbNode.UnionArea(child, box) - AabbNode.Area(child);
 
     /// <summary>From a node to the root: the boxes, and a turn where it lessens the surface.</summary>
     private void Refit(int node)
@@ -251,9 +247,9 @@ internal sealed class AabbTree
     private void Turn(int node, int child, int sibling)
     {
         if (sibling < _leafEnd) return;
-        ref Node branch = ref _nodes[sibling];
-        float area = Area(branch);
-        float withLeft = UnionArea(_nodes[child], _nodes[branch.Left]), withRight = UnionArea(_nodes[child], _nodes[branch.Right]);
+        ref AabbNode branch = ref _nodes[sibling];
+        float area = AabbNode.Area(branch);
+        float withLeft = AabbNode.UnionArea(_nodes[child], _nodes[branch.Left]), withRight = AabbNode.UnionArea(_nodes[child], _nodes[branch.Right]);
         int raised;
         if (withLeft < area && withLeft <= withRight)
         {
@@ -285,29 +281,10 @@ internal sealed class AabbTree
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Enclose(int node)
     {
-        ref Node box = ref _nodes[node];
-        ref readonly Node left = ref _nodes[box.Left];
-        ref readonly Node right = ref _nodes[box.Right];
+        ref AabbNode box = ref _nodes[node];
+        ref readonly AabbNode left = ref _nodes[box.Left];
+        ref readonly AabbNode right = ref _nodes[box.Right];
         box.Min = Vector3.Min(left.Min, right.Min);
         box.Max = Vector3.Max(left.Max, right.Max);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float UnionArea(in Node a, in Node b) => Area(Vector3.Max(a.Max, b.Max) - Vector3.Min(a.Min, b.Min));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Area(in Node box) => Area(box.Max - box.Min);
-
-    /// <summary>Half the surface.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Area(Vector3 d) => d.X * d.Y + d.Y * d.Z + d.Z * d.X;
-
-    /// <summary>A box, and the children of an inner node; 32 bytes, so that two share a cache line.</summary>
-    public struct Node
-    {
-        public Vector3 Min;
-        public int Left;
-        public Vector3 Max;
-        public int Right;
     }
 }

@@ -14,7 +14,7 @@ public sealed class DynamicAabbTree : IBroadPhase
     /// <summary>
     /// Ratio to the box's longest side: how much larger a leaf is on each side. More makes leaves last longer and pairs more. A matter of speed only.
     /// </summary>
-    private const float Fatness = 0.08f;
+    private const float Fatness = 0.14f;
 
     /// <summary>Ratio: when more of the leaves have left their boxes, building anew is faster than moving each. A matter of speed only.</summary>
     private const int MovedPartForBuild = 3;
@@ -118,7 +118,7 @@ public sealed class DynamicAabbTree : IBroadPhase
         ids.Sort();
     }
 
-    private static bool IsInside(in Aabb box, in AabbTree.Node leaf) =>
+    private static bool IsInside(in Aabb box, in AabbNode leaf) =>
         box.Min.X >= leaf.Min.X && box.Min.Y >= leaf.Min.Y && box.Min.Z >= leaf.Min.Z &&
         box.Max.X <= leaf.Max.X && box.Max.Y <= leaf.Max.Y && box.Max.Z <= leaf.Max.Z;
 
