@@ -1,0 +1,249 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using System.Threading;
+
+namespace Gjk.Core;
+
+public sealed partial class CollisionScene
+{
+    /// <summary>Ratio: four times float's rounding, which a margin meets twice, when it is widened by this and when it is added to a bound.</summary>
+    private const float MarginSlack = 1 + 4f / (1 << 24);
+
+    /// <summary>Ratio: by how much the search for the nearest object widens while it finds none. A matter of speed only.</summary>
+    private const float SearchGrowth = 4;
+
+    private readonly List<ObjectPair> _candidates = [];
+    private readonly List<int> _near = [];
+    private readonly PairWarmStarts _pairWarmStarts = new();
+    private readonly WarmStartTable _singleWarmStarts = new();
+    private bool[] _overlaps = [];
+    private DistanceResult[] _distances = [];
+
+    /// <summary>How many warm starts are kept, for the tests.</summary>
+    internal int WarmStartCount => _pairWarmStarts.Count + _singleWarmStarts.Count;
+
+    /// <summary>The broad phase alone: the pairs whose bounds overlap, or are within a distance.</summary>
+    /// <param name="candidates">Emptied first; then the pairs of ids, sorted.</param>
+    /// <param name="distance">At least 0; may be infinite.</param>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    public void CollectCandidates(List<ObjectPair> candidates, float distance = 0)
+    {
+        CheckNotVisiting();
+        Guard.NotNull(candidates, nameof(candidates));
+        CheckDistance(distance);
+        CollectSlots(distance, candidates);
+        if (_objects.IsDirect) return;
+        for (int i = 0; i < candidates.Count; i++) candidates[i] = IdsOf(candidates[i]);
+    }
+
+    /// <summary>The narrow phase alone: those pairs that do overlap.</summary>
+    /// <param name="candidates">Pairs of ids, from <see cref="CollectCandidates"/> or of your own.</param>
+    /// <param name="results">Emptied first; then the pairs that overlap, in the order of the candidates.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <exception cref="ArgumentNullException">A list is missing.</exception>
+    /// <exception cref="ArgumentException">The two lists are the same, or there is no object with one of the ids; the message names the pair.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void OverlapsOf(List<ObjectPair> candidates, List<ObjectPair> results, Workers? workers = null)
+    {
+        CheckNotVisiting();
+        Guard.NotNull(candidates, nameof(candidates));
+        Guard.NotNull(results, nameof(results));
+        if (ReferenceEquals(candidates, results)) throw new ArgumentException("The results need a list of their own.", nameof(results));
+        _candidates.Clear();
+        for (int i = 0; i < candidates.Count; i++)
+        {
+            int a = _objects.SlotOf(candidates[i].A), b = _objects.SlotOf(candidates[i].B);
+            if (a < 0 || b < 0) throw new ArgumentException(FormattableString.Invariant($"Pair {i}, {candidates[i]}, names an object that is not there."), nameof(candidates));
+            _candidates.Add(new ObjectPair(a, b));
+        }
+
+        FindOverlaps(workers);
+        CopyOverlaps(results);
+    }
+
+    /// <summary>The pairs that overlap, touching included.</summary>
+    /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void Overlaps(List<ObjectPair> results, Workers? workers = null)
+    {
+        CheckNotVisiting();
+        Guard.NotNull(results, nameof(results));
+        CollectSlots(0, _candidates);
+        FindOverlaps(workers);
+        CopyOverlaps(results);
+    }
+
+    /// <summary>Shows the pairs that overlap, touching included, to a visitor, sorted by id.</summary>
+    /// <typeparam name="TVisitor">A struct.</typeparam>
+    /// <param name="visitor">It may not use the scene before it has seen all pairs. What it throws passes through.</param>
+    /// <param name="workers">The threads to use for the queries; null for the caller's own, which makes the visits in either case.</param>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void Overlaps<TVisitor>(ref TVisitor visitor, Workers? workers = null)
+        where TVisitor : struct, IPairVisitor
+    {
+        CheckNotVisiting();
+        CollectSlots(0, _candidates);
+        FindOverlaps(workers);
+        _visiting = true;
+        try
+        {
+            for (int i = 0; i < _candidates.Count; i++)
+                if (_overlaps[i]) visitor.Visit(IdsOf(_candidates[i]));
+        }
+        finally
+        {
+            _visiting = false;
+        }
+    }
+
+    /// <summary>
+    /// The pairs no further apart than a distance, and how far. Each pair's query begins where the one of the last call ended, if the pair was near enough then; so the results are those of
+    /// <see cref="ConvexQuery"/> within the accuracy, not always to the last bit.
+    /// </summary>
+    /// <param name="distance">At least 0; infinite for all pairs.</param>
+    /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void PairsWithin(float distance, List<PairDistance> results, Workers? workers = null)
+    {
+        CheckNotVisiting();
+        Guard.NotNull(results, nameof(results));
+        CheckDistance(distance);
+        FindDistances(distance, workers);
+        results.Clear();
+        for (int i = 0; i < _candidates.Count; i++)
+            if (_distances[i].Status != GjkStatus.BeyondMaxDistance) results.Add(new PairDistance(IdsOf(_candidates[i]), _distances[i]));
+    }
+
+    /// <summary>Shows the pairs no further apart than a distance to a visitor, sorted by id; as the other otherwise.</summary>
+    /// <typeparam name="TVisitor">A struct.</typeparam>
+    /// <param name="distance">At least 0; infinite for all pairs.</param>
+    /// <param name="visitor">It may not use the scene before it has seen all pairs. What it throws passes through.</param>
+    /// <param name="workers">The threads to use for the queries; null for the caller's own, which makes the visits in either case.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void PairsWithin<TVisitor>(float distance, ref TVisitor visitor, Workers? workers = null)
+        where TVisitor : struct, IPairDistanceVisitor
+    {
+        CheckNotVisiting();
+        CheckDistance(distance);
+        FindDistances(distance, workers);
+        _visiting = true;
+        try
+        {
+            for (int i = 0; i < _candidates.Count; i++)
+                if (_distances[i].Status != GjkStatus.BeyondMaxDistance) visitor.Visit(IdsOf(_candidates[i]), _distances[i]);
+        }
+        finally
+        {
+            _visiting = false;
+        }
+    }
+
+    /// <summary>The object nearest to one; of several the one with the least id.</summary>
+    /// <param name="id">The object.</param>
+    /// <param name="other">The nearest other object, or -1 where there is none.</param>
+    /// <param name="result">The distance from the object (A) to the other (B), as <see cref="ConvexQuery"/> has it.</param>
+    /// <returns>False when there is no other object.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public bool Nearest(int id, out int other, out DistanceResult result)
+    {
+        CheckNotVisiting();
+        int slot = _objects.Checked(id, nameof(id));
+        other = -1;
+        result = default;
+        if (_objects.Count == 1) return false;
+
+        int best = -1;
+        float reach = (float)Math.Min(Math.Max(_objects.Bounds[slot].Radius, float.Epsilon), float.MaxValue);
+        while (best < 0)
+        {
+            NearestWithin(slot, reach, ref best, ref result);
+            if (best < 0) reach *= SearchGrowth;
+        }
+
+        // What lies nearer than the one found may be outside the box in which it was found.
+        if (result.Distance > reach) NearestWithin(slot, result.Distance, ref best, ref result);
+        other = _objects.Ids[best];
+        return true;
+    }
+
+    /// <summary>The distance between two objects, from where the last question about this pair ended; within the accuracy that of <see cref="ConvexQuery"/>, not always to the last bit.</summary>
+    /// <param name="idA">The first object.</param>
+    /// <param name="idB">The second object, another one.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with one of the ids, or no longer.</exception>
+    /// <exception cref="ArgumentException">The two are the same.</exception>
+    public DistanceResult Distance(int idA, int idB)
+    {
+        CheckNotVisiting();
+        int a = _objects.Checked(idA, nameof(idA)), b = _objects.Checked(idB, nameof(idB));
+        if (a == b) throw new ArgumentException("An object has no distance to itself.", nameof(idB));
+        _asked = true;
+        (int first, int second) = a < b ? (a, b) : (b, a);
+        ref WarmStart warmStart = ref _singleWarmStarts.Find(PairKeys.Key(idA, idB), _frame);
+        DistanceResult result = ConvexQuery.Distance(
+            _objects.Shapes[first], _objects.Poses[first], _objects.Shapes[second], _objects.Poses[second], ref warmStart);
+        return a < b ? result : result.Swapped;
+    }
+
+    private static void CheckDistance(float distance)
+    {
+        if (!(distance >= 0)) throw new ArgumentOutOfRangeException(nameof(distance), distance, "Must not be negative or NaN.");
+    }
+
+    private ObjectPair IdsOf(ObjectPair slots) => new(_objects.Ids[slots.A], _objects.Ids[slots.B]);
+
+    private void FindOverlaps(Workers? workers)
+    {
+        if (_overlaps.Length < _candidates.Count) _overlaps = new bool[BoundsTable.Grown(_overlaps.Length, _candidates.Count)];
+        Workers.Run(workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count, PairBatch.PartLength, CancellationToken.None);
+    }
+
+    private void CopyOverlaps(List<ObjectPair> results)
+    {
+        results.Clear();
+        for (int i = 0; i < _candidates.Count; i++)
+            if (_overlaps[i]) results.Add(IdsOf(_candidates[i]));
+    }
+
+    private void FindDistances(float distance, Workers? workers)
+    {
+        CollectSlots(distance, _candidates);
+        if (_distances.Length < _candidates.Count) _distances = new DistanceResult[BoundsTable.Grown(_distances.Length, _candidates.Count)];
+        _pairWarmStarts.Begin(_candidates, _objects.Ids);
+        Workers.Run(workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance, _distances), _candidates.Count, PairBatch.PartLength, CancellationToken.None);
+    }
+
+    /// <summary>Improves the nearest object found so far by those whose bounds are within reach.</summary>
+    private void NearestWithin(int slot, float reach, ref int best, ref DistanceResult result)
+    {
+        _phase.CollectInBox(Widened(_objects.Bounds[slot].BoxAt(_objects.Poses[slot]), reach), _near);
+        for (int i = 0; i < _near.Count; i++)
+        {
+            int other = _near[i];
+            if (other == slot) continue;
+
+            // A little more than the best, so that equals are found and the one of several does not depend on the order of the search.
+            float limit = best < 0 ? float.PositiveInfinity : result.Distance * MarginSlack + float.Epsilon;
+            DistanceResult found = ConvexQuery.Distance(
+                _objects.Shapes[slot], _objects.Poses[slot], _objects.Shapes[other], _objects.Poses[other], limit);
+            bool better = best < 0 || found.Distance < result.Distance || (found.Distance == result.Distance && other < best);
+            if (!better) continue;
+            best = other;
+            result = found;
+        }
+    }
+
+    private static Aabb Widened(in Aabb box, float reach)
+    {
+        var widening = new Vector3(reach * MarginSlack);
+        var limit = new Vector3(float.MaxValue);
+        return new Aabb(Vector3.Max(box.Min - widening, -limit), Vector3.Min(box.Max + widening, limit));
+    }
+}

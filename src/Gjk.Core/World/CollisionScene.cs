@@ -1,0 +1,164 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Posed shapes, and the questions that are asked of all of them: which overlap, which are within a distance, which is nearest. A broad phase leaves the queries only the
+/// pairs that are worth one.
+/// </summary>
+/// <remarks>
+/// Mutable and not thread-safe; with <see cref="Workers"/> it uses several threads inside a call. Results come sorted by id and are the same for every broad phase, and to the
+/// last bit for one thread or many. Ids count up from 0 and are never given twice. A refused call changes nothing. Nothing is allocated once the internal
+/// buffers and the caller's lists have their size.
+/// </remarks>
+public sealed partial class CollisionScene
+{
+    private readonly SceneObjects _objects = new();
+    private readonly IBroadPhase _phase;
+
+    /// <summary>The balls' centres by slot, where balls are the bound.</summary>
+    private Vector3D[] _centers = [];
+
+    /// <summary>Whether a visitor is being called, which may not use the scene.</summary>
+    private bool _visiting;
+
+    /// <summary>Counts up when the scene changes after a question about a single pair.</summary>
+    private int _frame;
+
+    private bool _asked;
+
+    /// <summary>Makes an empty scene.</summary>
+    /// <param name="broadPhase">How pairs are found; changes the speed only.</param>
+    /// <param name="bound">What stands for an object there; changes the speed only.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such kind.</exception>
+    public CollisionScene(BroadPhaseKind broadPhase = BroadPhaseKind.DynamicTree, BoundKind bound = BoundKind.Box)
+    {
+        _phase = broadPhase switch
+        {
+            BroadPhaseKind.AllPairs => new AllPairs(),
+            BroadPhaseKind.SortAndSweep => new SortAndSweep(),
+            BroadPhaseKind.SweepAndPrune => new SweepAndPrune(),
+            BroadPhaseKind.DynamicTree => new DynamicAabbTree(),
+            _ => throw new ArgumentOutOfRangeException(nameof(broadPhase), broadPhase, "There is no such broad phase."),
+        };
+        if (bound is not (BoundKind.Box or BoundKind.Ball)) throw new ArgumentOutOfRangeException(nameof(bound), bound, "There is no such bound.");
+        BroadPhase = broadPhase;
+        Bound = bound;
+    }
+
+    /// <summary>How pairs are found.</summary>
+    public BroadPhaseKind BroadPhase { get; }
+
+    /// <summary>What stands for an object in the broad phase.</summary>
+    public BoundKind Bound { get; }
+
+    /// <summary>How many objects there are.</summary>
+    public int Count => _objects.Count;
+
+    /// <summary>Whether there is an object with this id.</summary>
+    public bool Contains(int id) => _objects.SlotOf(id) >= 0;
+
+    /// <summary>Where an object is.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public RigidPose PoseOf(int id) => _objects.Poses[_objects.Checked(id, nameof(id))];
+
+    /// <summary>An object's shape.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public ConvexShape ShapeOf(int id) => _objects.Shapes[_objects.Checked(id, nameof(id))];
+
+    /// <summary>Adds an object.</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct.</param>
+    /// <param name="pose">Where it is.</param>
+    /// <returns>Its id: the next number, from 0.</returns>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    public int Add(in ConvexShape shape, in RigidPose pose)
+    {
+        CheckNotVisiting();
+        var bounds = new WorldBounds(shape);
+        CheckPose(pose);
+        if (_objects.ShouldCloseUp) CloseUp();
+        int slot = _objects.Add(shape, pose, bounds);
+        if (Bound == BoundKind.Ball && _centers.Length < _objects.Ids.Length) Array.Resize(ref _centers, _objects.Ids.Length);
+        _phase.Add(slot, PlaceBound(slot, pose));
+        NoteChange();
+        return _objects.Ids[slot];
+    }
+
+    /// <summary>Puts an object somewhere else.</summary>
+    /// <param name="id">The object.</param>
+    /// <param name="pose">Where it is now.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    /// <exception cref="ArgumentException">The pose is a <c>default</c> struct.</exception>
+    public void Move(int id, in RigidPose pose)
+    {
+        CheckNotVisiting();
+        int slot = _objects.Checked(id, nameof(id));
+        CheckPose(pose);
+        _objects.Poses[slot] = pose;
+        _phase.Move(slot, PlaceBound(slot, pose));
+        NoteChange();
+    }
+
+    /// <summary>Removes an object; its id is not given again.</summary>
+    /// <param name="id">The object.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public void Remove(int id)
+    {
+        CheckNotVisiting();
+        int slot = _objects.Checked(id, nameof(id));
+        _phase.Remove(slot);
+        _objects.Remove(slot);
+        NoteChange();
+    }
+
+    private static void CheckPose(in RigidPose pose)
+    {
+        Quaternion q = pose.Rotation;
+        if (!RigidPose.IsUnit((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W) || !Guard.IsFinite(pose.Position))
+            throw new ArgumentException("The pose is no rotation with a finite position; a default RigidPose is not, RigidPose.Identity is.", nameof(pose));
+    }
+
+    private void CheckNotVisiting()
+    {
+        if (_visiting) throw new InvalidOperationException("The scene cannot be used before its visitor has seen all pairs.");
+    }
+
+    private Aabb PlaceBound(int slot, in RigidPose pose)
+    {
+        ref readonly WorldBounds bounds = ref _objects.Bounds[slot];
+        if (Bound == BoundKind.Box) return bounds.BoxAt(pose);
+        _centers[slot] = bounds.CenterAt(pose);
+        return bounds.BallBoxAt(pose);
+    }
+
+    /// <summary>Closes up the arrays; the broad phase knows slots, so it begins again.</summary>
+    private void CloseUp()
+    {
+        _objects.CloseUp();
+        _phase.Clear();
+        for (int slot = 0; slot < _objects.End; slot++) _phase.Add(slot, PlaceBound(slot, _objects.Poses[slot]));
+    }
+
+    private void NoteChange()
+    {
+        if (_asked) _frame++;
+        _asked = false;
+    }
+
+    /// <summary>The pairs of slots whose bounds are within a distance.</summary>
+    private void CollectSlots(float distance, List<ObjectPair> pairs)
+    {
+        _phase.CollectPairs(distance * MarginSlack, pairs);
+        if (Bound != BoundKind.Ball) return;
+        int kept = 0;
+        for (int i = 0; i < pairs.Count; i++)
+        {
+            (int a, int b) = (pairs[i].A, pairs[i].B);
+            if (WorldBounds.BallsNear(_centers[a], _objects.Bounds[a].Radius, _centers[b], _objects.Bounds[b].Radius, distance)) pairs[kept++] = pairs[i];
+        }
+
+        pairs.RemoveRange(kept, pairs.Count - kept);
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The objects of a scene in arrays, ordered by id. An id is the next number ever; its slot is the same until so many objects were removed that the arrays are closed up, which
+/// keeps the order, so pairs sorted by slot are always sorted by id.
+/// </summary>
+internal sealed class SceneObjects
+{
+    /// <summary>By slot.</summary>
+    public ConvexShape[] Shapes = [];
+
+    /// <inheritdoc cref="Shapes"/>
+    public RigidPose[] Poses = [];
+
+    /// <inheritdoc cref="Shapes"/>
+    public WorldBounds[] Bounds = [];
+
+    /// <summary>The id of each slot, ascending.</summary>
+    public int[] Ids = [];
+
+    /// <summary>False for a slot whose object was removed.</summary>
+    public bool[] Alive = [];
+
+    /// <summary>How many slots are in use, with removed objects in some.</summary>
+    public int End;
+
+    /// <summary>How many objects there are.</summary>
+    public int Count;
+
+    private int _nextId;
+
+    /// <summary>Whether every slot is its id.</summary>
+    public bool IsDirect { get; private set; } = true;
+
+    /// <summary>Whether the next object needs the arrays closed up first; slots change.</summary>
+    public bool ShouldCloseUp => End == Ids.Length && Count < End / 2;
+
+    /// <summary>The slot of the new object.</summary>
+    public int Add(in ConvexShape shape, in RigidPose pose, in WorldBounds bounds)
+    {
+        if (_nextId == int.MaxValue) throw new InvalidOperationException("All ids of this scene were given out.");
+        if (End == Ids.Length) Grow();
+        int slot = End++;
+        Shapes[slot] = shape;
+        Poses[slot] = pose;
+        Bounds[slot] = bounds;
+        Ids[slot] = _nextId++;
+        Alive[slot] = true;
+        Count++;
+        return slot;
+    }
+
+    /// <summary>Lets go of the hull, too.</summary>
+    public void Remove(int slot)
+    {
+        Alive[slot] = false;
+        Shapes[slot] = default;
+        Count--;
+    }
+
+    /// <summary>The slot of an id, or -1 where there is no such object.</summary>
+    public int SlotOf(int id)
+    {
+        int slot = IsDirect ? id : Array.BinarySearch(Ids, 0, End, id);
+        return (uint)slot < (uint)End && Alive[slot] ? slot : -1;
+    }
+
+    /// <summary>The slot of an id that the caller gave as an argument.</summary>
+    public int Checked(int id, string name)
+    {
+        int slot = SlotOf(id);
+        if (slot >= 0) return slot;
+        bool wasThere = id >= 0 && id < _nextId;
+        throw new ArgumentOutOfRangeException(name, id, wasThere ? "The object with this id was removed." : "There was never an object with this id.");
+    }
+
+    /// <summary>Moves the objects together.</summary>
+    public void CloseUp()
+    {
+        int kept = 0;
+        for (int slot = 0; slot < End; slot++)
+        {
+            if (!Alive[slot]) continue;
+            Shapes[kept] = Shapes[slot];
+            Poses[kept] = Poses[slot];
+            Bounds[kept] = Bounds[slot];
+            Ids[kept] = Ids[slot];
+            Alive[kept++] = true;
+        }
+
+        Array.Clear(Shapes, kept, End - kept);
+        Array.Clear(Alive, kept, End - kept);
+        IsDirect = IsDirect && kept == End;
+        End = kept;
+    }
+
+    private void Grow()
+    {
+        int capacity = BoundsTable.Grown(Ids.Length, End);
+        Array.Resize(ref Shapes, capacity);
+        Array.Resize(ref Poses, capacity);
+        Array.Resize(ref Bounds, capacity);
+        Array.Resize(ref Ids, capacity);
+        Array.Resize(ref Alive, capacity);
+    }
+}

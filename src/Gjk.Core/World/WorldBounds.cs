@@ -1,0 +1,91 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// What is known of a shape's extent in its own frame, so that its bounds in the world cost a few dozen operations at any pose: the smallest box around the core with its
+/// margin, and a ball about the box's centre.
+/// </summary>
+/// <remarks>Immutable. For those who use a broad phase alone; a <see cref="CollisionScene"/> does it by itself.</remarks>
+public readonly struct WorldBounds
+{
+    /// <summary>
+    /// Ratio to the coordinates, outward: four times float's rounding, 2^-24. One covers the bound's own rounding, one that of a margin added to it in a broad phase, and the rest
+    /// what shapes may be apart and still touch. Pinned by WorldBoundsTests.
+    /// </summary>
+    private const double FloatSlack = 4.0 / (1 << 24);
+
+    /// <summary>Ratio to the position and to the local centre, outward: what rounding in double does to the rotated centre, with a factor of 16 to spare.</summary>
+    private const double DoubleSlack = 64.0 / (1L << 53);
+
+    private readonly Vector3D _center;
+    private readonly Vector3D _half;
+    private readonly double _margin;
+    private readonly double _radius;
+    private readonly double _offset;
+
+    /// <summary>Measures a shape; do it once per shape.</summary>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
+    public WorldBounds(in ConvexShape shape)
+    {
+        if (shape.Kind == ShapeKind.None) throw new ArgumentException("A default ConvexShape has no extent.", nameof(shape));
+        var high = new Vector3D(Reach(shape, new Vector3D(1, 0, 0)), Reach(shape, new Vector3D(0, 1, 0)), Reach(shape, new Vector3D(0, 0, 1)));
+        var low = new Vector3D(-Reach(shape, new Vector3D(-1, 0, 0)), -Reach(shape, new Vector3D(0, -1, 0)), -Reach(shape, new Vector3D(0, 0, -1)));
+        _center = (low + high) * 0.5;
+        _half = (high - low) * 0.5;
+        _margin = shape.Margin;
+        _radius = Math.Min(_half.Length + _margin, shape.BoundingRadius + (_center - shape.Center).Length);
+        _offset = _center.Length;
+    }
+
+    /// <summary>The radius of the ball in <see cref="BallBoxAt"/>.</summary>
+    internal double Radius => _radius;
+
+    /// <summary>A box that holds the shape at a pose: the box around the turned local box, or that around the ball, whichever is narrower along each axis; rounded outward.</summary>
+    public Aabb BoxAt(in RigidPose pose)
+    {
+        var rotation = new RotationD(pose.Rotation);
+        Vector3D center = (_offset > 0 ? rotation.Rotate(_center) : default) + pose.Position;
+        double x = Math.Abs(rotation.M00) * _half.X + Math.Abs(rotation.M01) * _half.Y + Math.Abs(rotation.M02) * _half.Z + _margin;
+        double y = Math.Abs(rotation.M10) * _half.X + Math.Abs(rotation.M11) * _half.Y + Math.Abs(rotation.M12) * _half.Z + _margin;
+        double z = Math.Abs(rotation.M20) * _half.X + Math.Abs(rotation.M21) * _half.Y + Math.Abs(rotation.M22) * _half.Z + _margin;
+        return Around(center, new Vector3D(Math.Min(x, _radius), Math.Min(y, _radius), Math.Min(z, _radius)));
+    }
+
+    /// <summary>A box that holds a ball that holds the shape at a pose. Where the shape's centre is its local origin the rotation is not looked at.</summary>
+    public Aabb BallBoxAt(in RigidPose pose) => Around(CenterAt(pose), new Vector3D(_radius, _radius, _radius));
+
+    /// <summary>The ball's centre.</summary>
+    internal Vector3D CenterAt(in RigidPose pose) => _offset > 0 ? new RotationD(pose.Rotation).Rotate(_center) + pose.Position : pose.Position;
+
+    /// <summary>Whether two balls are no further apart than a distance, or perhaps by no more than rounding.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static bool BallsNear(in Vector3D a, double radiusA, in Vector3D b, double radiusB, double distance)
+    {
+        double reach = (radiusA + radiusB + distance) * (1 + FloatSlack) + DoubleSlack * (a.Length + b.Length);
+        return (b - a).LengthSquared <= reach * reach;
+    }
+
+    private static double Reach(in ConvexShape shape, in Vector3D axis)
+    {
+        shape.Support(axis, -1, out Vector3D point);
+        return Vector3D.Dot(point, axis);
+    }
+
+    private Aabb Around(in Vector3D center, in Vector3D half)
+    {
+        double rounding = DoubleSlack * (_offset + _radius);
+        double x = half.X + FloatSlack * (Math.Abs(center.X) + half.X) + rounding;
+        double y = half.Y + FloatSlack * (Math.Abs(center.Y) + half.Y) + rounding;
+        double z = half.Z + FloatSlack * (Math.Abs(center.Z) + half.Z) + rounding;
+        return new Aabb(
+            new Vector3(Clamped(center.X - x), Clamped(center.Y - y), Clamped(center.Z - z)),
+            new Vector3(Clamped(center.X + x), Clamped(center.Y + y), Clamped(center.Z + z)));
+    }
+
+    /// <summary>To a finite float: all positions are, so what reaches beyond meets nothing there.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static float Clamped(double x) => x > float.MaxValue ? float.MaxValue : x < -float.MaxValue ? -float.MaxValue : (float)x;
+}

@@ -1,0 +1,318 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>What a scene does, and what it refuses without a trace.</summary>
+public class CollisionSceneTests
+{
+    private static readonly ConvexShape Ball = ConvexShape.Sphere(1);
+
+    public static TheoryData<BroadPhaseKind, BoundKind> Scenes
+    {
+        get
+        {
+            TheoryData<BroadPhaseKind, BoundKind> data = [];
+            foreach (BroadPhaseKind kind in new[] { BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree })
+                foreach (BoundKind bound in new[] { BoundKind.Box, BoundKind.Ball }) data.Add(kind, bound);
+            return data;
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void AFewBallsInARow(BroadPhaseKind kind, BoundKind bound)
+    {
+        CollisionScene scene = Row(kind, bound, 0, 2, 5, 9);
+        Assert.Equal([new(0, 1)], Overlaps(scene));
+        List<PairDistance> within = [];
+        scene.PairsWithin(1, within);
+        Assert.Equal([(new(0, 1), 0f), (new ObjectPair(1, 2), 1f)], within.Select(p => (p.Pair, p.Result.Distance)));
+        scene.PairsWithin(float.PositiveInfinity, within);
+        Assert.Equal(6, within.Count);
+        Assert.True(scene.Nearest(3, out int other, out DistanceResult nearest));
+        Assert.Equal((2, 2f, At(8), At(6)), (other, nearest.Distance, nearest.PointA, nearest.PointB));
+        Assert.Equal(3f, scene.Distance(0, 2).Distance);
+        Assert.Equal((At(4), At(1)), (scene.Distance(2, 0).PointA, scene.Distance(2, 0).PointB));
+
+        scene.Move(2, new RigidPose(At(10)));
+        Assert.Equal([new(0, 1), new(2, 3)], Overlaps(scene));
+        scene.Remove(0);
+        Assert.Equal([new(2, 3)], Overlaps(scene));
+        Assert.False(scene.Contains(0));
+        Assert.Equal((At(10), 1.0), (scene.PoseOf(2).Position, scene.ShapeOf(2).Margin));
+    }
+
+    [Fact]
+    public void VisitorsSeeWhatListsGet()
+    {
+        CollisionScene scene = Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1, 2, 5);
+        var visitor = new Recorder { Pairs = [], Distances = [] };
+        scene.Overlaps(ref visitor);
+        scene.PairsWithin(1, ref visitor);
+        List<PairDistance> within = [];
+        scene.PairsWithin(1, within);
+        Assert.Equal(Overlaps(scene), visitor.Pairs);
+        Assert.Equal([new(0, 1), new(0, 2), new(1, 2), new(2, 3)], within.Select(p => p.Pair));
+        Assert.Equal(within.Select(p => (p.Pair, p.Result.Distance)), visitor.Distances);
+    }
+
+    [Fact]
+    public void AVisitorCannotUseTheScene()
+    {
+        CollisionScene scene = Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1);
+        Action[] uses =
+        [
+            () => scene.Add(Ball, RigidPose.Identity), () => scene.Move(0, RigidPose.Identity), () => scene.Remove(0), () => Overlaps(scene),
+            () => scene.Nearest(0, out _, out _), () => scene.Distance(0, 1), () => scene.CollectCandidates([]), () => scene.OverlapsOf([], []),
+            () => scene.PairsWithin(1, []),
+        ];
+        foreach (Action use in uses)
+        {
+            var visitor = new User { Use = use };
+            Assert.Throws<InvalidOperationException>(() => scene.Overlaps(ref visitor));
+            Assert.Throws<InvalidOperationException>(() => scene.PairsWithin(1, ref visitor));
+        }
+
+        // The visitor's exception ended the visit; the scene is as it was.
+        Assert.Equal([new(0, 1)], Overlaps(scene));
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void IdsAreNeverGivenTwiceAndKeepTheirObjects(BroadPhaseKind kind, BoundKind bound)
+    {
+        var scene = new CollisionScene(kind, bound);
+        var rng = new Rng(5);
+        SortedDictionary<int, Vector3> there = [];
+        for (int i = 0; i < 3000; i++)
+        {
+            Vector3 position = rng.Vector(0, 12);
+            Assert.Equal(i, scene.Add(Ball, new RigidPose(position)));
+            there.Add(i, position);
+            // Every thousandth stays for good, the others for some forty rounds; so the arrays close up again and again.
+            foreach (int old in there.Keys.Where(id => id % 1000 != 0 && id < i - 40).ToArray())
+            {
+                scene.Remove(old);
+                there.Remove(old);
+                Assert.Throws<ArgumentOutOfRangeException>(() => scene.Move(old, RigidPose.Identity));
+            }
+
+            if (i % 97 == 0) CheckObjects(scene, there);
+        }
+
+        CheckObjects(scene, there);
+        foreach (int id in there.Keys.ToArray()) scene.Remove(id);
+        Assert.Equal(0, scene.Count);
+        Assert.Empty(Overlaps(scene));
+        Assert.Equal(3000, scene.Add(Ball, RigidPose.Identity));
+    }
+
+    [Fact]
+    public void CandidatesAndTheirOverlapsAreTheTwoHalvesOfOverlaps()
+    {
+        CollisionScene scene = new MovingWorld(4, 100, ["box", "hull", "sphere"]).Scene(BroadPhaseKind.SortAndSweep, BoundKind.Box);
+        for (int id = 0; id < 60; id++) scene.Remove(id);
+        for (int i = 0; i < 90; i++) scene.Add(Ball, new RigidPose(At(i)));
+        List<ObjectPair> candidates = [], results = [];
+        scene.CollectCandidates(candidates);
+        scene.OverlapsOf(candidates, results);
+        Assert.Equal(Overlaps(scene), results);
+        Assert.InRange(results.Count, 90, candidates.Count - 1);
+        List<ObjectPair> wider = [];
+        scene.CollectCandidates(wider, 1);
+        Assert.True(wider.Count > candidates.Count && !candidates.Except(wider).Any());
+        candidates.Reverse();
+        scene.OverlapsOf(candidates, results);
+        Assert.Equal(Overlaps(scene).AsEnumerable().Reverse(), results);
+    }
+
+    [Fact]
+    public void WarmStartsAreDroppedWithTheirPairs()
+    {
+        var world = new MovingWorld(9, 100, ["hull"]);
+        CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree, BoundKind.Box);
+        List<PairDistance> within = [];
+        scene.PairsWithin(float.PositiveInfinity, within);
+        Assert.Equal(100 * 99 / 2, scene.WarmStartCount);
+        scene.PairsWithin(0, within);
+        Assert.InRange(scene.WarmStartCount, 1, 1000);
+        for (int id = 0; id < 100; id++) scene.Remove(id);
+        scene.PairsWithin(0, within);
+        Assert.Equal(0, scene.WarmStartCount);
+    }
+
+    [Fact]
+    public void WarmStartsOfSinglePairsDoNotPileUp()
+    {
+        var world = new MovingWorld(9, 100, ["hull"]);
+        CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree, BoundKind.Box);
+        int most = 0;
+        for (int frame = 0; frame < 1000; frame++)
+        {
+            scene.Move(frame % 100, world.Poses[frame % 100]);
+            for (int i = 0; i < 10; i++) scene.Distance(world.Rng.Below(50), 50 + world.Rng.Below(50));
+            most = Math.Max(most, scene.WarmStartCount);
+        }
+
+        Assert.InRange(most, 10, 64);
+    }
+
+    [Fact]
+    public void AWarmDistanceTakesFewerIterations()
+    {
+        CollisionScene scene = new MovingWorld(11, 40, ["bigHull"], side: 20).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box);
+        int cold = 0, warm = 0;
+        for (int i = 0; i < 39; i++) cold += scene.Distance(i, i + 1).Iterations;
+        for (int i = 0; i < 39; i++) warm += scene.Distance(i + 1, i).Iterations;
+        Assert.True(warm < 0.7 * cold, $"{warm} warm, {cold} cold");
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void BadCallsAreRefusedAndTheSceneIsUnchanged(BroadPhaseKind kind, BoundKind bound)
+    {
+        CollisionScene scene = Row(kind, bound, 0, 1, 2, 3);
+        scene.Remove(2);
+        RigidPose[] noPoses = [default, NaNPose(new Quaternion(float.NaN, 0, 0, 1), default), NaNPose(Quaternion.Identity, new Vector3(0, float.NaN, 0)), NaNPose(Quaternion.Identity, new Vector3(float.PositiveInfinity))];
+        foreach (RigidPose pose in noPoses)
+        {
+            Assert.Equal("pose", Assert.Throws<ArgumentException>(() => scene.Add(Ball, pose)).ParamName);
+            Assert.Equal("pose", Assert.Throws<ArgumentException>(() => scene.Move(0, pose)).ParamName);
+        }
+
+        Assert.Equal("shape", Assert.Throws<ArgumentException>(() => scene.Add(default, RigidPose.Identity)).ParamName);
+        RefusesIds(scene);
+        RefusesLists(scene);
+        Assert.Equal(3, scene.Count);
+        Assert.Equal([new(0, 1), new(1, 3)], Overlaps(scene));
+        Assert.Equal(4, scene.Add(Ball, RigidPose.Identity));
+    }
+
+    [Fact]
+    public void UnknownKindsAreRefused()
+    {
+        Assert.Equal("broadPhase", Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene((BroadPhaseKind)4)).ParamName);
+        Assert.Equal("bound", Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene(BroadPhaseKind.AllPairs, (BoundKind)2)).ParamName);
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void EmptyAndLonelyScenes(BroadPhaseKind kind, BoundKind bound)
+    {
+        var scene = new CollisionScene(kind, bound);
+        Assert.Empty(Overlaps(scene));
+        scene.Add(Ball, RigidPose.Identity);
+        Assert.Empty(Overlaps(scene));
+        Assert.False(scene.Nearest(0, out int other, out _));
+        Assert.Equal(-1, other);
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void TheNearestIsFoundAcrossTheWholeRange(BroadPhaseKind kind, BoundKind bound)
+    {
+        var scene = new CollisionScene(kind, bound);
+        scene.Add(ConvexShape.Point(), new RigidPose(new Vector3(-3e38f, 0, 0)));
+        scene.Add(ConvexShape.Point(), new RigidPose(new Vector3(-1e38f, 0, 0)));
+        Assert.True(scene.Nearest(0, out int other, out DistanceResult result));
+        Assert.Equal((1, (float)((double)3e38f - 1e38f)), (other, result.Distance));
+    }
+
+    private static void RefusesIds(CollisionScene scene)
+    {
+        foreach (int id in new[] { -1, 2, 4, int.MinValue, int.MaxValue })
+        {
+            Action[] calls =
+            [
+                () => scene.Move(id, RigidPose.Identity), () => scene.Remove(id), () => scene.PoseOf(id), () => scene.ShapeOf(id), () => scene.Nearest(id, out _, out _),
+            ];
+            foreach (Action call in calls)
+            {
+                var e = Assert.Throws<ArgumentOutOfRangeException>(call);
+                Assert.True(e.ParamName == "id" && e.Message.StartsWith(id == 2 ? "The object with this id was removed." : "There was never an object with this id.", StringComparison.Ordinal), e.Message);
+            }
+
+            Assert.Equal("idA", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(id, 0)).ParamName);
+            Assert.Equal("idB", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(0, id)).ParamName);
+            Assert.Contains("Pair 1, ", Assert.Throws<ArgumentException>(() => scene.OverlapsOf([new(0, 1), new(0, id)], [])).Message);
+            Assert.False(scene.Contains(id));
+        }
+
+        Assert.Equal("idB", Assert.Throws<ArgumentException>(() => scene.Distance(1, 1)).ParamName);
+    }
+
+    private static void RefusesLists(CollisionScene scene)
+    {
+        List<ObjectPair> pairs = [new(0, 1)];
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.Overlaps(null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.PairsWithin(0, null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.OverlapsOf(pairs, null!)).ParamName);
+        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.OverlapsOf(null!, pairs)).ParamName);
+        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.CollectCandidates(null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentException>(() => scene.OverlapsOf(pairs, pairs)).ParamName);
+        var visitor = new Recorder { Pairs = [], Distances = [] };
+        foreach (float distance in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
+        {
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.PairsWithin(distance, [])).ParamName);
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.PairsWithin(distance, ref visitor)).ParamName);
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.CollectCandidates(pairs, distance)).ParamName);
+        }
+
+        Assert.Equal([new(0, 1)], pairs);
+    }
+
+    private static void CheckObjects(CollisionScene scene, SortedDictionary<int, Vector3> there)
+    {
+        Assert.Equal(there.Count, scene.Count);
+        foreach ((int id, Vector3 position) in there) Assert.Equal(position, scene.PoseOf(id).Position);
+        ObjectPair[] expected = [.. from a in there from b in there where a.Key < b.Key && ConvexQuery.Overlaps(Ball, new RigidPose(a.Value), Ball, new RigidPose(b.Value)) select new ObjectPair(a.Key, b.Key)];
+        Assert.Equal(expected, Overlaps(scene));
+    }
+
+    private static CollisionScene Row(BroadPhaseKind kind, BoundKind bound, params float[] places)
+    {
+        var scene = new CollisionScene(kind, bound);
+        foreach (float x in places) scene.Add(Ball, new RigidPose(At(x)));
+        return scene;
+    }
+
+    private static List<ObjectPair> Overlaps(CollisionScene scene)
+    {
+        List<ObjectPair> results = [];
+        scene.Overlaps(results);
+        return results;
+    }
+
+    private static Vector3 At(float x) => new(x, 0, 0);
+
+    /// <summary>What no constructor makes, but a copy of raw memory may.</summary>
+    private static RigidPose NaNPose(Quaternion rotation, Vector3 position)
+    {
+        (Quaternion, Vector3) raw = (rotation, position);
+        return Unsafe.As<(Quaternion, Vector3), RigidPose>(ref raw);
+    }
+
+    private struct Recorder : IPairVisitor, IPairDistanceVisitor
+    {
+        public List<ObjectPair> Pairs;
+        public List<(ObjectPair, float)> Distances;
+
+        public readonly void Visit(ObjectPair pair) => Pairs.Add(pair);
+
+        public readonly void Visit(ObjectPair pair, in DistanceResult result) => Distances.Add((pair, result.Distance));
+    }
+
+    private struct User : IPairVisitor, IPairDistanceVisitor
+    {
+        public Action Use;
+
+        public readonly void Visit(ObjectPair pair) => Use();
+
+        public readonly void Visit(ObjectPair pair, in DistanceResult result) => Use();
+    }
+}

@@ -1,0 +1,161 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>A scene's answers are those of asking every pair, and the same bits for every broad phase, bound and number of threads.</summary>
+public class SceneEqualityTests
+{
+    private static readonly string[] Kinds = [.. Generators.AllKinds.Where(k => k != "point")];
+
+    [Fact]
+    public void OverlapsAreThoseOfAllPairsInMovingScenes()
+    {
+        using var workers = new Workers(3);
+        int touched = 0, objects = 0;
+        for (int seed = 0; seed < Budget.Count(3); seed++)
+        {
+            var world = new MovingWorld((ulong)seed, 120, Kinds);
+            CollisionScene[] scenes = [.. Scenes(world)];
+            List<ObjectPair> found = [];
+            for (int frame = 0; frame < 12; frame++)
+            {
+                Change(world, scenes, frame);
+                List<ObjectPair> expected = world.AllOverlaps(scenes[0].Contains);
+                touched += MovingWorld.Touched(expected);
+                objects += scenes[0].Count;
+                foreach (CollisionScene scene in scenes)
+                {
+                    string message = $"seed {seed}, frame {frame}, {scene.BroadPhase}, {scene.Bound}";
+                    scene.Overlaps(found);
+                    Assert.True(expected.SequenceEqual(found), message);
+                    scene.Overlaps(found, workers);
+                    Assert.True(expected.SequenceEqual(found), message + ", three threads");
+                }
+            }
+        }
+
+        Assert.InRange((double)touched / objects, 0.3, 0.7);
+    }
+
+    [Fact]
+    public void DistancesAreThoseOfAllPairsInMovingScenes()
+    {
+        using var workers = new Workers(2);
+        for (int seed = 0; seed < Budget.Count(2); seed++)
+        {
+            var world = new MovingWorld((ulong)(50 + seed), 60, Kinds);
+            CollisionScene[] serial = [.. Scenes(world)], parallel = [.. Scenes(world)];
+            List<PairDistance> first = [], found = [];
+            for (int frame = 0; frame < 12; frame++)
+            {
+                Change(world, [.. serial, .. parallel], frame);
+                float distance = frame % 6 == 5 ? float.PositiveInfinity : 0.25f * (frame % 3);
+                serial[0].PairsWithin(distance, first);
+                CheckAgainstColdQueries(world, serial[0], distance, first, $"seed {seed}, frame {frame}");
+                foreach (CollisionScene scene in serial)
+                {
+                    if (scene == serial[0]) continue;
+                    scene.PairsWithin(distance, found);
+                    SameBits(first, found, scene.Bound, $"seed {seed}, frame {frame}, {scene.BroadPhase}, {scene.Bound}");
+                }
+
+                for (int i = 0; i < parallel.Length; i++)
+                {
+                    parallel[i].PairsWithin(distance, found, workers);
+                    SameBits(first, found, parallel[i].Bound, $"seed {seed}, frame {frame}, {parallel[i].BroadPhase}, {parallel[i].Bound}, two threads");
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void TheNearestIsThatOfAllPairs()
+    {
+        var world = new MovingWorld(7, 80, Kinds);
+        // Sparse, so that most have a nearest one at a distance; a twin for some, so that there are ties.
+        for (int i = 0; i < 80; i++) world.Poses[i] = new RigidPose(world.Poses[i].Rotation, world.Poses[i].Position * 3);
+        for (int i = 0; i < 10; i++)
+        {
+            int twin = world.Add();
+            (world.Shapes[twin], world.Poses[twin]) = (world.Shapes[i], world.Poses[i]);
+        }
+
+        int apart = 0;
+        foreach (CollisionScene scene in Scenes(world))
+        {
+            scene.Remove(33);
+            for (int a = 0; a < world.Count; a++)
+            {
+                if (a == 33) continue;
+                (float Distance, int Id) expected = Enumerable.Range(0, world.Count).Where(b => b != a && b != 33)
+                    .Select(b => (ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[b], world.Poses[b]).Distance, b)).Min();
+                Assert.True(scene.Nearest(a, out int other, out DistanceResult result));
+                Assert.True(expected == (result.Distance, other), $"{scene.BroadPhase}, {scene.Bound}, object {a}: {result.Distance:R} to {other}, not {expected}");
+                DistanceResult cold = ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[other], world.Poses[other]);
+                Assert.Equal(ResultHash.Of(a, other, cold), ResultHash.Of(a, other, result));
+                if (result.Distance > 0) apart++;
+            }
+        }
+
+        Assert.InRange(apart / (8.0 * 89), 0.3, 0.9);
+    }
+
+    private static IEnumerable<CollisionScene> Scenes(MovingWorld world) =>
+        from bound in new[] { BoundKind.Box, BoundKind.Ball }
+        from kind in new[] { BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree }
+        select world.Scene(kind, bound);
+
+    /// <summary>The same to all scenes: most objects move, some go, some come; every fourth frame is at rest.</summary>
+    private static void Change(MovingWorld world, CollisionScene[] scenes, int frame)
+    {
+        if (frame % 4 == 3) return;
+        for (int i = 0; i < world.Count; i++)
+        {
+            if (!scenes[0].Contains(i)) continue;
+            world.Step(i);
+            if (world.Rng.Below(40) == 0)
+            {
+                foreach (CollisionScene scene in scenes) scene.Remove(i);
+                continue;
+            }
+
+            foreach (CollisionScene scene in scenes) scene.Move(i, world.Poses[i]);
+        }
+
+        for (int i = world.Rng.Below(5); i > 0; i--)
+        {
+            int id = world.Add();
+            foreach (CollisionScene scene in scenes) Assert.Equal(id, scene.Add(world.Shapes[id], world.Poses[id]));
+        }
+    }
+
+    private static void CheckAgainstColdQueries(MovingWorld world, CollisionScene scene, float distance, List<PairDistance> found, string message)
+    {
+        Dictionary<ObjectPair, DistanceResult> byPair = found.ToDictionary(p => p.Pair, p => p.Result);
+        Assert.True(found.Select(p => p.Pair).SequenceEqual(byPair.Keys.Order()), message);
+        for (int a = 0; a < world.Count; a++)
+        {
+            for (int b = a + 1; b < world.Count; b++)
+            {
+                if (!scene.Contains(a) || !scene.Contains(b)) continue;
+                DistanceResult cold = ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[b], world.Poses[b], distance);
+                bool isThere = byPair.TryGetValue(new ObjectPair(a, b), out DistanceResult warm);
+                // The accuracy of a distance between curved shapes, which a limit may fall into.
+                bool clear = cold.Status != GjkStatus.BeyondMaxDistance || cold.LowerBound > distance + 1e-5f;
+                if (clear) Assert.True(isThere == (cold.Status != GjkStatus.BeyondMaxDistance), $"{message}: {a}, {b}, {cold.Status}");
+                if (isThere && clear) Assert.True(Math.Abs(warm.Distance - cold.Distance) <= 1e-5f, $"{message}: {a}, {b}, {warm.Distance:R}, cold {cold.Distance:R}");
+            }
+        }
+    }
+
+    /// <summary>Which pairs are warm depends on the bound: a ball's pair may be remembered where a box's is new. So the bits are compared for boxes, the pairs for both.</summary>
+    private static void SameBits(List<PairDistance> expected, List<PairDistance> found, BoundKind bound, string message)
+    {
+        Assert.True(expected.Select(p => p.Pair).SequenceEqual(found.Select(p => p.Pair)), message);
+        if (bound == BoundKind.Box)
+            Assert.True(expected.Select(p => ResultHash.Of(p.Pair.A, p.Pair.B, p.Result)).SequenceEqual(found.Select(p => ResultHash.Of(p.Pair.A, p.Pair.B, p.Result))), message);
+    }
+}

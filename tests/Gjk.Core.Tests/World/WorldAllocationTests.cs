@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>A frame allocates nothing once the buffers have their size.</summary>
+public class WorldAllocationTests
+{
+    private const int Objects = 300;
+    private const int WarmUpFrames = 30;
+    private const int Frames = 30;
+
+    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void OnOneThread(BroadPhaseKind kind, BoundKind bound)
+    {
+        Action frame = Frame(kind, bound, null);
+        for (int i = 0; i < WarmUpFrames; i++) frame();
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        for (int i = 0; i < Frames; i++) frame();
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+    }
+
+    /// <summary>Counts every thread of the process, so other tests must rest meanwhile.</summary>
+    [Collection(nameof(Alone))]
+    public class OnManyThreads
+    {
+        [Fact]
+        public void InTotal()
+        {
+            using var workers = new Workers(2);
+            Action frame = Frame(BroadPhaseKind.DynamicTree, BoundKind.Box, workers);
+            for (int i = 0; i < WarmUpFrames; i++) frame();
+
+            Assert.True(Least(() => GC.KeepAlive(new byte[64])) >= 64, "the measure does not see an allocation");
+            Assert.Equal(Least(() => { }), Least(frame));
+        }
+
+        /// <summary>
+        /// What ten runs allocate in all threads, the measure's own included. The runtime allocates now and then too; what the work allocates, it allocates in every try.
+        /// </summary>
+        private static long Least(Action work)
+        {
+            long least = long.MaxValue;
+            for (int attempt = 0; attempt < 20; attempt++)
+            {
+                long before = GC.GetTotalAllocatedBytes(true);
+                for (int i = 0; i < 10; i++) work();
+                least = Math.Min(least, GC.GetTotalAllocatedBytes(true) - before);
+            }
+
+            return least;
+        }
+    }
+
+    /// <summary>Every object moves to and fro; all questions are asked, with lists and visitors.</summary>
+    private static Action Frame(BroadPhaseKind kind, BoundKind bound, Workers? workers)
+    {
+        var world = new MovingWorld(21, Objects, ["box", "hull", "sphere", "cylinder"]);
+        var there = new RigidPose[Objects];
+        for (int i = 0; i < Objects; i++) there[i] = new RigidPose(world.Rng.Rotation(), world.Poses[i].Position + world.Rng.Vector(-0.1, 0.1));
+        RigidPose[] here = [.. world.Poses];
+        CollisionScene scene = world.Scene(kind, bound);
+        List<ObjectPair> overlaps = [], candidates = [];
+        List<PairDistance> within = [];
+        var statuses = new GjkStatus[1000];
+        var distances = new DistanceResult[1000];
+        ConvexShape[] shapes = [.. world.Shapes];
+        var pairs = new ObjectPair[1000];
+        for (int i = 0; i < pairs.Length; i++) pairs[i] = new ObjectPair(world.Rng.Below(Objects), world.Rng.Below(Objects));
+        bool back = false;
+        return () =>
+        {
+            RigidPose[] poses = back ? here : there;
+            back = !back;
+            for (int i = 0; i < Objects; i++) scene.Move(i, poses[i]);
+            scene.Overlaps(overlaps, workers);
+            scene.CollectCandidates(candidates);
+            scene.OverlapsOf(candidates, overlaps, workers);
+            scene.PairsWithin(0.2f, within, workers);
+            var counter = default(Counter);
+            scene.Overlaps(ref counter, workers);
+            scene.PairsWithin(0.2f, ref counter, workers);
+            for (int i = 0; i < 50; i++)
+            {
+                scene.Nearest(i, out int _, out _);
+                scene.Distance(i, i + 1);
+            }
+
+            PairBatch.Overlaps(shapes, poses, pairs, statuses, workers);
+            PairBatch.Distance(shapes, poses, pairs, distances, 1, workers);
+        };
+    }
+
+    private struct Counter : IPairVisitor, IPairDistanceVisitor
+    {
+        private int _count;
+
+        public void Visit(ObjectPair pair) => _count++;
+
+        public void Visit(ObjectPair pair, in DistanceResult result) => _count++;
+    }
+}
+
+/// <summary>Tests that no other test may run beside.</summary>
+[CollectionDefinition(nameof(Alone), DisableParallelization = true)]
+public class Alone;
