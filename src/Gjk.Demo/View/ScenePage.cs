@@ -19,11 +19,12 @@ internal static class ScenePage
         json.WriteString("name", scene.Name);
         json.WriteNumber("frames", scene.Frames);
         json.WriteNumber("objects", scene.Objects.Length);
-        json.WriteNumber("pairs", scene.Pairs.Count);
+        json.WriteNumber("pairs", results.Pairs.Count);
+        json.WriteNumber("allPairs", scene.Pairs.Count);
         WriteNames(json, scene);
         data.Array<int>("shapeOf", shapes.OfObject);
         WriteShapes(data, shapes.Meshes);
-        WritePairs(data, scene.Pairs);
+        WritePairs(data, results.Pairs);
         data.Array<float>("poses", results.Poses);
         data.Array<byte>("status", results.Status);
         data.Array<ushort>("iterations", results.Iterations);
@@ -34,7 +35,7 @@ internal static class ScenePage
         json.WriteEndObject();
         HtmlPage.Write(
             stream, scene.Name,
-            [("objects", scene.Objects.Length), ("pairs", scene.Pairs.Count), ("frames", scene.Frames), ("overlapping", results.Overlapping[0])], data.Text);
+            [("objects", scene.Objects.Length), ("pairs", scene.Pairs.Count), ("listed", results.Pairs.Count), ("frames", scene.Frames), ("overlapping", results.Overlapping[0])], data.Text);
     }
 
     /// <summary>A shape's surface, as both pages read it.</summary>

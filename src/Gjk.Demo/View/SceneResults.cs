@@ -21,8 +21,10 @@ internal sealed class SceneResults
     /// <summary>How many pairs are answered between two looks at Ctrl-C.</summary>
     private const int PairsPerLook = 256;
 
-    private SceneResults(int objects, int pairs, int frames)
+    private SceneResults(int objects, ScenePairs chosen, int frames)
     {
+        Pairs = chosen;
+        int pairs = (int)chosen.Count;
         Poses = new float[frames * objects * PoseSize];
         Status = new byte[frames * pairs];
         Iterations = new ushort[frames * pairs];
@@ -31,6 +33,9 @@ internal sealed class SceneResults
         Normal = new float[frames * pairs * 3];
         Overlapping = new int[frames];
     }
+
+    /// <summary>Those that were asked about; see <see cref="PairChoice"/>.</summary>
+    public ScenePairs Pairs { get; }
 
     public float[] Poses { get; }
 
@@ -48,33 +53,24 @@ internal sealed class SceneResults
     /// <summary>How many pairs overlap in each frame.</summary>
     public int[] Overlapping { get; }
 
-    /// <summary>Refuses what no page could hold, before any work.</summary>
-    public static void CheckSize(Scene scene, string name)
+    /// <exception cref="RefusedException">It is more than a page can hold, or the motion leaves the range of float.</exception>
+    public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
     {
-        if (scene.Pairs.Count * scene.Frames > MostAnswers)
-        {
-            throw new RefusedException(
-                $"{name}: {scene.Pairs.Count} pairs in {scene.Frames} frames are more than the {MostAnswers} answers that a page can hold; list fewer in $.pairs");
-        }
-
         if ((long)scene.Objects.Length * scene.Frames > MostPoses)
             throw new RefusedException($"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses that a page can hold");
-    }
-
-    public static SceneResults Of(Scene scene, string name, CancellationToken cancel)
-    {
-        CheckSize(scene, name);
-        int pairs = (int)scene.Pairs.Count;
-        var results = new SceneResults(scene.Objects.Length, pairs, scene.Frames);
         var motion = new SceneMotion(scene, name);
+        ScenePairs chosen = PairChoice.Of(scene, motion, name, progress, cancel);
+        int pairs = (int)chosen.Count;
+        var results = new SceneResults(scene.Objects.Length, chosen, scene.Frames);
         var poses = new RigidPose[scene.Objects.Length];
         for (int frame = 0; frame < scene.Frames; frame++)
         {
             cancel.ThrowIfCancellationRequested();
+            progress((double)frame / scene.Frames);
             motion.Poses(frame, poses);
             for (int i = 0; i < poses.Length; i++) results.Store(frame * poses.Length + i, poses[i]);
             int pair = 0;
-            foreach ((int a, int b) in scene.Pairs)
+            foreach ((int a, int b) in chosen)
             {
                 if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
                 DistanceResult answer = ConvexQuery.Distance(scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
@@ -83,6 +79,7 @@ internal sealed class SceneResults
             }
         }
 
+        progress(1);
         return results;
     }
 

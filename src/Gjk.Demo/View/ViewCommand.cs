@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Threading;
 using Gjk.Demo.Output;
+using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
@@ -16,13 +17,15 @@ internal static class ViewCommand
     /// <param name="cancel">Ends the work; no file is left then.</param>
     public static int Run(Scene scene, string name, string? page, string? picture, CancellationToken cancel)
     {
-        SceneResults.CheckSize(scene, name);
         using AtomicFile? pageFile = page is null ? null : new AtomicFile(page);
         using AtomicFile? pictureFile = picture is null ? null : new AtomicFile(picture);
-        SceneResults results = SceneResults.Of(scene, name, cancel);
-        var shapes = new ShapeTable(scene);
-        if (pageFile is not null) Write(pageFile, page!, stream => ScenePage.Write(stream, scene, shapes, results));
-        if (pictureFile is not null) Write(pictureFile, picture!, stream => ScenePicture.Write(stream, scene, shapes, results, cancel));
+        ProgressBar.Show(OutputConsole.Create(), OutputConsole.IsPlain, bars =>
+        {
+            SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
+            var shapes = new ShapeTable(scene);
+            if (pageFile is not null) Write(pageFile, page!, stream => ScenePage.Write(stream, scene, shapes, results));
+            if (pictureFile is not null) Write(pictureFile, picture!, stream => ScenePicture.Write(stream, scene, shapes, results, bars.Add("picture"), cancel));
+        });
         cancel.ThrowIfCancellationRequested();
         pageFile?.Commit();
         pictureFile?.Commit();

@@ -27,6 +27,7 @@ internal sealed class PictureBody
         Center = default;
         foreach (Vector3D v in Vertices) Center += v * (1.0 / Vertices.Length);
         foreach (Vector3D v in Vertices) Radius = Math.Max(Radius, (v - Center).Length);
+        EyeDistance = (Center - eye).Length;
         _across = mesh.Dimension > 1 ? mesh.Neighbours() : [];
         _faces = new bool[mesh.Triangles.Length / 3];
         for (int i = 0; i < _faces.Length; i++) _faces[i] = Vector3D.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
@@ -39,6 +40,9 @@ internal sealed class PictureBody
 
     /// <summary>About the centre.</summary>
     public double Radius { get; }
+
+    /// <summary>From the eye to the centre.</summary>
+    public double EyeDistance { get; }
 
     public Shadow Shadow { get; }
 

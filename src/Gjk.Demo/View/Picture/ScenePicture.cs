@@ -26,6 +26,9 @@ internal sealed class ScenePicture
     /// <summary>The scene is drawn this large from its middle to its end, whatever its size, as on the page.</summary>
     private const double DrawnRadius = 10;
 
+    /// <summary>Ratio: angles that differ by no more than this count as equal, far more than the arc functions round.</summary>
+    private const double Rounding = 1 + 1e-9;
+
     private readonly Scene _scene;
     private readonly SceneResults _results;
     private readonly Vector3D _middle;
@@ -57,10 +60,10 @@ internal sealed class ScenePicture
         Rank();
     }
 
-    public static void Write(Stream stream, Scene scene, ShapeTable shapes, SceneResults results, CancellationToken cancel)
+    public static void Write(Stream stream, Scene scene, ShapeTable shapes, SceneResults results, Action<double> progress, CancellationToken cancel)
     {
         using var writer = new StreamWriter(stream, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
-        new ScenePicture(scene, shapes, results).Write(writer, cancel);
+        new ScenePicture(scene, shapes, results).Write(writer, progress, cancel);
     }
 
     private static (Vector3D Middle, double Unit) Measure(Scene scene, ShapeTable shapes)
@@ -88,7 +91,7 @@ internal sealed class ScenePicture
     private void Rank()
     {
         int pair = 0;
-        foreach ((int a, int b) in _scene.Pairs)
+        foreach ((int a, int b) in _results.Pairs)
         {
             float distance = _results.Distance[pair];
             if (_results.Status[pair] == (byte)GjkStatus.Overlapping)
@@ -105,7 +108,7 @@ internal sealed class ScenePicture
         }
     }
 
-    private void Write(StreamWriter writer, CancellationToken cancel)
+    private void Write(StreamWriter writer, Action<double> progress, CancellationToken cancel)
     {
         string title = string.Create(
             CultureInfo.InvariantCulture,
@@ -121,6 +124,7 @@ internal sealed class ScenePicture
         for (int i = 0; i < _bodies.Length; i++)
         {
             cancel.ThrowIfCancellationRequested();
+            progress((double)i / _bodies.Length);
             if (!TryBefore(_bodies[i].Center, _bodies[i].Radius, i, out List<PictureBody> before)) continue;
             faces.Add(_bodies[i], _hit[i], before);
             if (_bodies[i].Dimension < 2) thin.Add(_bodies[i], _hit[i], before);
@@ -136,6 +140,7 @@ internal sealed class ScenePicture
         if (!edges.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#0a0d12\" stroke-opacity=\".75\" d=\"{edges}\"/>");
         thin.Write(writer);
         WriteLines(writer, cancel);
+        progress(1);
         writer.WriteLine("</svg>");
     }
 
@@ -144,19 +149,19 @@ internal sealed class ScenePicture
     {
         SvgPath bright = new(), faint = new();
         int pair = -1;
-        foreach ((int a, int b) in _scene.Pairs)
+        foreach ((int a, int b) in _results.Pairs)
         {
             cancel.ThrowIfCancellationRequested();
             pair++;
             bool isNearest = _nearest[a] == pair || _nearest[b] == pair;
             double distance = _results.Distance[pair];
-            if (!(distance > 0) || double.IsInfinity(distance) || (!isNearest && _scene.Pairs.Count > ManyPairs)) continue;
+            if (!(distance > 0) || double.IsInfinity(distance) || (!isNearest && _results.Pairs.Count > ManyPairs)) continue;
             Vector3D from = new Vector3(_results.PointA.AsSpan(3 * pair)), normal = new Vector3(_results.Normal.AsSpan(3 * pair));
             Vector3D start = Drawn(from), end = Drawn(from + normal * distance), middle = (start + end) * 0.5;
             if (TryBefore(middle, (end - middle).Length, -1, out List<PictureBody> before)) AddLine(isNearest ? bright : faint, start, end, before);
         }
 
-        if (!faint.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#fff\" stroke-opacity=\".3\" stroke-width=\".8\" d=\"{faint}\"/>");
+        if (!faint.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#fff\" stroke-opacity=\".38\" stroke-width=\".8\" d=\"{faint}\"/>");
         if (!bright.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#fff\" stroke-width=\"1.8\" d=\"{bright}\"/>");
     }
 
@@ -164,14 +169,26 @@ internal sealed class ScenePicture
     private bool TryBefore(in Vector3D center, double radius, int except, out List<PictureBody> before)
     {
         before = [];
+        double distance = (center - _camera.Eye).Length;
         for (int i = 0; i < _bodies.Length; i++)
         {
-            if (i == except || _bodies[i].Shadow.Misses(center, radius)) continue;
+            if (i == except || IsAside(_bodies[i], center, radius, distance) || _bodies[i].Shadow.Misses(center, radius)) continue;
             if (_bodies[i].Shadow.Hides(center, radius)) return false;
             before.Add(_bodies[i]);
         }
 
+        // The nearest hide the most, and what is hidden need not be cut any more.
+        before.Sort((x, y) => x.EyeDistance.CompareTo(y.EyeDistance));
         return true;
+    }
+
+    /// <summary>A quick look at the two balls: the body's is behind, or the eye sees them apart.</summary>
+    private bool IsAside(PictureBody body, in Vector3D center, double radius, double distance)
+    {
+        if (body.EyeDistance - body.Radius > distance + radius) return true;
+        if (body.Radius >= body.EyeDistance || radius >= distance) return false;
+        double between = Math.Acos(Math.Min(1, Vector3D.Dot(body.Center - _camera.Eye, center - _camera.Eye) / (body.EyeDistance * distance)));
+        return between > (Math.Asin(body.Radius / body.EyeDistance) + Math.Asin(radius / distance)) * Rounding;
     }
 
     private void AddLine(SvgPath path, Vector3D from, Vector3D to, List<PictureBody> before)

@@ -15,6 +15,9 @@ internal sealed class Shadow
 
     private readonly (Vector3D Normal, double Value)[] _planes;
 
+    /// <summary>The plane that cleared the last polygon; it mostly clears the next one too, which is its neighbour.</summary>
+    private int _lastClear;
+
     public Shadow(IEnumerable<(Vector3D Normal, double Value)> planes) => _planes = [.. planes];
 
     /// <summary>Whether no part of a ball is hidden.</summary>
@@ -78,14 +81,26 @@ internal sealed class Shadow
 
     private bool IsClear(Vector3D[] polygon)
     {
-        foreach ((Vector3D normal, double value) in _planes)
+        if (_planes.Length == 0 || IsBeyond(polygon, _lastClear)) return true;
+        for (int i = 0; i < _planes.Length; i++)
         {
-            bool anyInside = false;
-            foreach (Vector3D corner in polygon) anyInside |= Vector3D.Dot(normal, corner) - value < -Slack;
-            if (!anyInside) return true;
+            if (!IsBeyond(polygon, i)) continue;
+            _lastClear = i;
+            return true;
         }
 
-        return _planes.Length == 0;
+        return false;
+    }
+
+    private bool IsBeyond(Vector3D[] polygon, int plane)
+    {
+        (Vector3D normal, double value) = _planes[plane];
+        foreach (Vector3D corner in polygon)
+        {
+            if (Vector3D.Dot(normal, corner) - value < -Slack) return false;
+        }
+
+        return true;
     }
 
     private static void Split(Vector3D[] polygon, in Vector3D normal, double value, out Vector3D[] outside, out Vector3D[] inside)

@@ -16,6 +16,7 @@ export class SceneModel {
     this.frames = json.frames;
     this.objects = json.objects;
     this.pairs = json.pairs;
+    this.allPairs = json.allPairs;
     this.names = json.names.map((name, i) => name ?? `#${i}`);
     this.shapes = json.shapes.map(shape);
     this.shapeOf = ints(json.shapeOf);

@@ -47,7 +47,8 @@ export function scenePage(json) {
     const hits = model.overlapping[frame];
     document.body.dataset.overlapping = hits;
     summary.replaceChildren(
-      `${model.objects} objects, ${model.pairs} pairs, `, element('span', { className: 'hit', textContent: `${hits} intersecting` }));
+      `${model.objects} objects, ${model.allPairs} pairs, `, element('span', { className: 'hit', textContent: `${hits} intersecting` }),
+      model.pairs < model.allPairs ? `; listed: those that intersect, and each object’s nearest (${model.pairs})` : '');
     showDetail();
   }
 

@@ -10,8 +10,8 @@ const ACCENT = 0xffd166;
 /** Bodies that are not asked about while a pair is selected keep this share of their colour. */
 const DIMMED = 0.28;
 
-/** Edges are drawn body by body, which more bodies than this would make slow. */
-const MOST_EDGED = 2000;
+/** Edges are drawn body by body, which more bodies, or more edges in all, would make slow. */
+const MOST_EDGED = 2000, MOST_EDGES = 300_000;
 
 /** How thick a point or segment is drawn, in units (a scene is 20 across). */
 const THIN = 0.035;
@@ -43,7 +43,8 @@ export class SceneView {
     });
     model.shapeOf.forEach((s, i) => { this.bodies[s].objects[this.place[i]] = i; });
     this.outlines = [];
-    if (model.objects > MOST_EDGED) return;
+    const lineCount = model.shapeOf.reduce((sum, s) => sum + model.shapes[s].edges.length / 2, 0);
+    if (model.objects > MOST_EDGED || lineCount > MOST_EDGES) return;
     const shared = model.shapes.map((s) => (s.dimension > 1 ? edges(s, model.unit) : null));
     const faint = model.shapes.map((s) => new LineBasicMaterial({ color: 0x0a0d12, transparent: true, opacity: s.edges.length > 200 ? 0.22 : 0.6 }));
     this.outlines = Array.from(model.shapeOf, (s) => {
