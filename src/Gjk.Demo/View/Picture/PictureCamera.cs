@@ -16,12 +16,14 @@ internal sealed class PictureCamera
     /// <summary>Room around the scene, as a share of the picture.</summary>
     private const double Border = 0.05;
 
+    /// <summary>A scene of one point is shown from this near: the width of the picture as a tangent.</summary>
+    private const double Smallest = 1e-3;
+
     private readonly Vector3D _right, _up, _back;
-    private readonly double _scale, _left, _top;
+    private double _scale, _left, _top;
 
     /// <param name="balls">What must be in sight.</param>
-    /// <param name="width">Of the picture, in its own units.</param>
-    public PictureCamera(IReadOnlyList<(Vector3D Center, double Radius)> balls, double width)
+    public PictureCamera(IReadOnlyList<(Vector3D Center, double Radius)> balls)
     {
         _back = Unit(new Vector3D(0.34, 0.42, 1));
         _right = Unit(Vector3D.Cross(new Vector3D(0, 1, 0), _back));
@@ -35,10 +37,32 @@ internal sealed class PictureCamera
         }
 
         Eye = _back * away;
-        (double left, double right, double bottom, double top) = Window(balls);
-        double sides = (right - left) * Border, wide = right - left + 2 * sides, tall = top - bottom + 2 * sides;
-        double high = Math.Clamp(tall, wide / Widest, wide / Narrowest);
-        wide = Math.Max(wide, high * Narrowest);
+    }
+
+    public Vector3D Eye { get; }
+
+    public double Width { get; private set; }
+
+    public double Height { get; private set; }
+
+    /// <summary>Makes the picture as wide as asked, and just as tall as all points need.</summary>
+    public void Frame(IEnumerable<Vector3D> points, double width)
+    {
+        double left = double.PositiveInfinity, right = -left, bottom = left, top = -left;
+        foreach (Vector3D point in points)
+        {
+            (double x, double y) = OnWindow(point);
+            left = Math.Min(left, x);
+            right = Math.Max(right, x);
+            bottom = Math.Min(bottom, y);
+            top = Math.Max(top, y);
+        }
+
+        if (left > right) (left, right, bottom, top) = (0, 0, 0, 0);
+        double border = Border * Math.Max(right - left, top - bottom);
+        double wide = right - left + 2 * border, high = Math.Max(top - bottom + 2 * border, wide / Widest);
+        wide = Math.Max(Math.Max(wide, high * Narrowest), Smallest);
+        high = Math.Max(high, wide / Widest);
         Width = width;
         Height = Math.Round(width * high / wide);
         _scale = width / wide;
@@ -46,21 +70,12 @@ internal sealed class PictureCamera
         _top = (top + bottom + high) / 2;
     }
 
-    public Vector3D Eye { get; }
-
-    public double Width { get; }
-
-    public double Height { get; }
-
     /// <summary>Where a point is in the picture: x to the right, y down.</summary>
     public (double X, double Y) Project(in Vector3D point)
     {
         (double x, double y) = OnWindow(point);
         return ((x - _left) * _scale, (_top - y) * _scale);
     }
-
-    /// <summary>How large a length is in the picture, seen at a point.</summary>
-    public double Project(in Vector3D point, double length) => length * _scale / Depth(point);
 
     /// <summary>A direction given by how far it goes right, up and towards the viewer.</summary>
     public Vector3D Direction(double right, double up, double back) => Unit(_right * right + _up * up + _back * back);
@@ -75,22 +90,4 @@ internal sealed class PictureCamera
     }
 
     private double Depth(in Vector3D point) => Vector3D.Dot(Eye - point, _back);
-
-    /// <summary>The part of the plane one unit before the eye that shows all balls; each by its square, which is a little more than it needs.</summary>
-    private (double Left, double Right, double Bottom, double Top) Window(IReadOnlyList<(Vector3D Center, double Radius)> balls)
-    {
-        if (balls.Count == 0) return (-1, 1, -1 / Narrowest, 1 / Narrowest);
-        double left = double.PositiveInfinity, right = -left, bottom = left, top = -left;
-        foreach ((Vector3D center, double radius) in balls)
-        {
-            (double x, double y) = OnWindow(center);
-            double size = Math.Max(radius, 1e-3) / Depth(center);
-            left = Math.Min(left, x - size);
-            right = Math.Max(right, x + size);
-            bottom = Math.Min(bottom, y - size);
-            top = Math.Max(top, y + size);
-        }
-
-        return (left, right, bottom, top);
-    }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Net;
 using System.Numerics;
 using System.Text;
@@ -46,7 +47,7 @@ internal sealed class ScenePicture
         (_middle, _unit) = Measure(scene, shapes);
         var balls = new List<(Vector3D, double)>(count);
         for (int i = 0; i < count; i++) balls.Add((Drawn(scene.Objects[i].Pose.Position), shapes.Meshes[shapes.OfObject[i]].Radius * _unit));
-        _camera = new PictureCamera(balls, Width);
+        _camera = new PictureCamera(balls);
         _bodies = new PictureBody[count];
         for (int i = 0; i < count; i++)
         {
@@ -54,6 +55,7 @@ internal sealed class ScenePicture
             _bodies[i] = new PictureBody(shapes.Meshes[shapes.OfObject[i]], v => Drawn(v + pose.Position), pose.Rotation, _camera.Eye);
         }
 
+        _camera.Frame(_bodies.SelectMany(body => body.Vertices), Width);
         _hit = new bool[count];
         _nearest = new int[count];
         Array.Fill(_nearest, -1);

@@ -54,6 +54,7 @@ internal sealed class Shadow
         Vector3D[] rest = polygon;
         foreach ((Vector3D normal, double value) in _planes)
         {
+            if (!Array.Exists(rest, corner => Vector3D.Dot(normal, corner) - value > -Slack)) continue;
             Split(rest, normal, value - Slack, out Vector3D[] outside, out rest);
             if (outside.Length > 2) visible.Add(outside);
             if (rest.Length < 3) return;
