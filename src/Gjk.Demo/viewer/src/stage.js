@@ -68,6 +68,10 @@ export class Stage {
     this.look = this.look ?? look;
     if (!this.renderer) return;
     this.controls.addEventListener('start', () => { this.balls = null; });
+    // Without damping an update forgets the motion that is still running out.
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = true;
     const target = middle(balls);
     const right = new Vector3(0, 1, 0).cross(this.look).normalize();
     const up = this.look.clone().cross(right);
