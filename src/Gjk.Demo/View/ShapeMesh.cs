@@ -59,6 +59,9 @@ internal sealed class ShapeMesh
         return new ShapeMesh(new ConvexHull(points), Vector3.One, SupportSamples.IsCurved(shape));
     }
 
+    /// <summary>A hull as it is.</summary>
+    public static ShapeMesh Of(ConvexHull hull, bool isSmooth) => new(hull, Vector3.One, isSmooth);
+
     /// <summary>A triangle's normal of any length; its corners' differences are taken in double.</summary>
     public Vector3D Normal(int triangle)
     {

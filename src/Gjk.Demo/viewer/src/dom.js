@@ -52,3 +52,10 @@ export function player(name, count, change, stepMs) {
   show(0);
   return { root: element('div', { className: 'player', hidden: count < 2 }, play, slider, output), show, stop };
 }
+
+/** An entry of a legend. */
+export function swatch(color, text) {
+  const box = element('i');
+  box.style.background = color;
+  return element('span', {}, box, text);
+}

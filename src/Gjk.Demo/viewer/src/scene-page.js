@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { number, vector } from './data.js';
-import { definitions, element, player, segmented } from './dom.js';
+import { definitions, element, player, segmented, swatch } from './dom.js';
 import { PairList } from './pair-list.js';
 import { SceneModel } from './scene-model.js';
 import { SceneView } from './scene-view.js';
@@ -118,12 +118,6 @@ export function scenePage(json) {
     selected: () => view.selected,
     drawNow: () => stage.drawNow(),
   };
-}
-
-function swatch(color, text) {
-  const box = element('i');
-  box.style.background = color;
-  return element('span', {}, box, text);
 }
 
 /** Hovering, and clicks that are not the end of a drag. */
