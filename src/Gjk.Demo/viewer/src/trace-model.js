@@ -1,6 +1,9 @@
 import { Quaternion, Vector3 } from 'three';
 import { number, shape, vector } from './data.js';
 
+/** Ratio: bounds that are closer look the same in six digits. */
+const VISIBLE = 1e-6;
+
 const FEATURES = ['vertex', 'edge', 'triangle', 'tetrahedron'];
 
 /** One query: its steps with the bounds so far, and each step in words. Numbers are in world units and A's frame; drawn ones are multiplied by the unit. */
@@ -55,7 +58,7 @@ export class TraceModel {
 
   proof({ lower, best }) {
     if (lower === null || lower <= 0) return 'Bound: the plane through it, across n, does not keep the origin out, so it proves nothing yet.';
-    return `Bound: all of A − B lies beyond the plane through it, across n, so the cores are at least ${number(lower)} apart${best > lower ? ` (${number(best)} is known already)` : ''}.`;
+    return `Bound: all of A − B lies beyond the plane through it, across n, so the cores are at least ${number(lower)} apart${best > lower * (1 + VISIBLE) ? ` (${number(best)} is known already)` : ''}.`;
   }
 
   reduction(at) {
@@ -69,7 +72,7 @@ export class TraceModel {
     if (step.after.length === 4) return `Region: the origin is inside the ${this.feature(step.after)}: A − B holds the origin, so the shapes share a point.`;
     const dropped = joined.filter((i) => !step.after.includes(i));
     const rest = dropped.length ? `; ${dropped.map((i) => `w${i + 1}`).join(' and ')} ${dropped.length > 1 ? 'are' : 'is'} dropped` : '';
-    const what = joined.length > 1 ? `of the ${this.feature(joined)}, the origin is nearest the ${this.feature(step.after)}${rest}` : `the simplex is the ${this.feature(joined)}`;
+    const what = !dropped.length && joined.length > 1 ? `the point of the ${this.feature(joined)} nearest the origin lies inside it; all are kept` : joined.length > 1 ? `of the ${this.feature(joined)}, the origin is nearest the ${this.feature(step.after)}${rest}` : `the simplex is the ${this.feature(joined)}`;
     const end = !isLast ? '' : this.result.status === 'Overlapping' ? ' That is no further than rounding can tell from contact.' : ' It falls no more.';
     return `Region: ${what}. |v| = ${number(step.upper)}.${end}`;
   }
@@ -79,7 +82,10 @@ export class TraceModel {
     const margins = this.marginA + this.marginB;
     const less = margins > 0 ? ` (|v| less the margins ${number(this.marginA)} and ${number(this.marginB)})` : '';
     const after = `after ${iterations} iterations`;
-    if (status === 'Overlapping') return `Answer: the shapes intersect${margins > 0 && this.steps.at(-1)?.bound > 0 ? less : ''}, ${after}.`;
+    if (status === 'Overlapping') {
+      const bound = this.steps.at(-1)?.bound;
+      return `Answer: the shapes intersect${margins > 0 && bound > 0 ? `, for |v| = ${number(bound)} is no more than the margins ${number(this.marginA)} and ${number(this.marginB)}` : ''}, ${after}.`;
+    }
     if (distance === null) return `Answer: ${status}, ${after}.`;
     return `Answer: distance ${number(distance)}${less}, at least ${number(lowerBound)}, ${after}.`;
   }

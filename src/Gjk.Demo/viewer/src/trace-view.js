@@ -128,6 +128,13 @@ export class ShapesView {
         changing.add(dot(a, COLORS.nearest, DOT * 0.7), dot(b, COLORS.nearest, DOT * 0.7));
       }
     }
+    // The marks lie on, and often in, the shapes: they are seen through them.
+    changing.traverse((mark) => {
+      if (!mark.material) return;
+      mark.material.depthTest = false;
+      mark.material.transparent = true;
+      mark.renderOrder = 2;
+    });
     this.stage.drawNow();
   }
 }
