@@ -37,7 +37,8 @@ public static partial class ConvexQuery
     {
         TA copyA = default;
         TB copyB = default;
-        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance);
+        NoTrace trace = default;
+        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref trace);
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -62,10 +63,11 @@ public static partial class ConvexQuery
         if (!bInA.IsValid || !AreMargins(shapeA.Margin, shapeB.Margin)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
+        NoTrace trace = default;
         if (ArePoints(bInA, shapeA.Margin + shapeB.Margin))
             GjkDistance.SolvePoints(bInA, ref outcome);
         else
-            SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome);
+            SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome, ref trace);
         if (outcome.Status < GjkStatus.InvalidInput) simplex = new FinalSimplex(outcome.Simplex, bInA);
         return Finish(outcome, bInA, poseA, shapeA.Margin, shapeB.Margin, float.PositiveInfinity);
     }
@@ -91,12 +93,14 @@ public static partial class ConvexQuery
     }
 
     /// <summary>The cold query. Two plain meshes in the clothes of <see cref="ConvexShape"/> are solved as meshes, without a look at the kind in each support.</summary>
-    private static DistanceResult DistanceOf<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance)
+    private static DistanceResult DistanceOf<TA, TB, TTrace>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
     {
         if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
-            return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance);
+            return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance, ref trace);
 
         var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
         double marginA = a.Margin, marginB = b.Margin;
@@ -106,7 +110,7 @@ public static partial class ConvexQuery
         if (ArePoints(bInA, marginA + marginB))
             GjkDistance.SolvePoints(bInA, ref outcome);
         else
-            SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome);
+            SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome, ref trace);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
 
