@@ -18,9 +18,13 @@ public sealed class BenchOptions
           --table           no BenchmarkDotNet: every figure of the goals, on the report's scenes, random pairs, primitives and hulls of up to 100,000
                             vertices, library and baseline in turn in this process; prints a table with the goals scaled to this machine.
                             Two minutes.
-          --seconds S       with --table: how long to measure each set, from 0.01 to 600 (default 6)
-          --csv             with --table: keep the figures as bench/results/MACHINE.csv and draw docs/cost.svg; otherwise keep those of BenchmarkDotNet
-                            as bench/results/MACHINE-benchmarkdotnet.csv (replaced whole: use it with --filter '*')
+          --scale           no BenchmarkDotNet: which pairs intersect among 20 to 100,000 cubes, at rest and moving, for every broad phase, on one thread
+                            and on all: ms per frame in the broad and in the narrow phase, candidates, pairs, memory, bytes allocated; and the report's
+                            scenes, all judged by the goals. Four minutes.
+          --seconds S       with --table: how long to measure each set (default 6); with --scale: each row (default 1); from 0.01 to 600
+          --csv             with --table: keep the figures as bench/results/MACHINE.csv and draw docs/cost.svg; with --scale: as MACHINE-scale.csv,
+                            and docs/scale.svg; otherwise keep those of BenchmarkDotNet as MACHINE-benchmarkdotnet.csv (replaced whole: use it
+                            with --filter '*')
           --machine NAME    the name for those files and their first line (default: the CPU's model)
           --factor          no BenchmarkDotNet: check that both algorithms agree on the report's scenes, time them in turn, print the
                             factor per scene, and exit 1 if it is below the wanted one. About ten seconds.
@@ -43,6 +47,8 @@ public sealed class BenchOptions
     public bool Factor { get; private set; }
 
     public bool Table { get; private set; }
+
+    public bool Scale { get; private set; }
 
     /// <summary>Null where none were given.</summary>
     public double? Seconds { get; private set; }
@@ -76,6 +82,9 @@ public sealed class BenchOptions
                 case "--table":
                     options.Table = true;
                     break;
+                case "--scale":
+                    options.Scale = true;
+                    break;
                 case "--seconds":
                     options.Seconds = i + 1 < args.Length ? SecondsOf(args[++i]) : null;
                     if (options.Seconds is not null) break;
@@ -102,8 +111,10 @@ public sealed class BenchOptions
     private bool IsConsistent(out string error)
     {
         error = "";
-        if (Table && (Factor || Quick || Remaining.Count > 0)) error = "--table: takes --seconds, --csv and --machine only";
-        else if (Seconds is not null && !Table) error = "--seconds: goes with --table only";
+        bool hasForeign = Factor || Quick || Remaining.Count > 0;
+        if (Table && (hasForeign || Scale)) error = "--table: takes --seconds, --csv and --machine only";
+        else if (Scale && hasForeign) error = "--scale: takes --seconds, --csv and --machine only";
+        else if (Seconds is not null && !Table && !Scale) error = "--seconds: goes with --table and --scale only";
         else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all")) error = "--help: takes nothing but 'all'";
         return error.Length == 0;

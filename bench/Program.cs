@@ -8,6 +8,7 @@ using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
 using BenchmarkDotNet.Toolchains.InProcess.Emit;
 using Gjk.Bench.Reporting;
+using Gjk.Bench.Scale;
 using Gjk.Bench.Table;
 
 namespace Gjk.Bench;
@@ -31,7 +32,8 @@ public static class Program
         string? project = options.Csv ? ProjectFolder() : null;
         if (options.Csv && project is null)
             return Complain("--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder", BadArguments);
-        return options.Table ? PrintTable(options, project) : Measure(options, project);
+        if (options.Table) return PrintTable(options, project);
+        return options.Scale ? PrintScale(options, project) : Measure(options, project);
     }
 
     private static int PrintHelp(BenchOptions options)
@@ -70,11 +72,25 @@ public static class Program
 
         Console.Write(TableReport.Markdown(rows, meanSlowness));
         if (project is null) return Done;
-        string results = ResultFile(options, project, ""), figure = Path.Combine(project, "..", "docs", "cost.svg");
-        SummaryCsv.Write(results, TableReport.Csv(rows, MachineLine(options)));
-        SummaryCsv.Write(figure, CostFigure.Draw(rows, (options.MachineName ?? Machine.CpuModel).ReplaceLineEndings(" ")));
-        Console.Error.WriteLine($"Figures kept in {results} and {Path.GetFullPath(figure)}");
+        Keep(ResultFile(options, project, ""), TableReport.Csv(rows, MachineLine(options)), Figure(project, "cost"), CostFigure.Draw(rows, MachineName(options)));
         return Done;
+    }
+
+    /// <inheritdoc cref="PrintTable"/>
+    private static int PrintScale(BenchOptions options, string? project)
+    {
+        List<ScaleRow> rows = ScaleRun.Run(Console.Error, options.Seconds ?? ScaleRun.DefaultSeconds, out double slowness);
+        Console.Write(ScaleReport.Markdown(rows, slowness));
+        if (project is null) return Done;
+        Keep(ResultFile(options, project, "-scale"), ScaleReport.Csv(rows, MachineLine(options)), Figure(project, "scale"), ScaleFigure.Draw(rows, MachineName(options)));
+        return Done;
+    }
+
+    private static void Keep(string csvFile, string csv, string figureFile, string figure)
+    {
+        SummaryCsv.Write(csvFile, csv);
+        SummaryCsv.Write(figureFile, figure);
+        Console.Error.WriteLine($"Figures kept in {csvFile} and {figureFile}");
     }
 
     private static int Measure(BenchOptions options, string? project)
@@ -108,6 +124,10 @@ public static class Program
 
     private static string MachineLine(BenchOptions options) =>
         (options.MachineName is null ? "" : options.MachineName.ReplaceLineEndings(" ") + ": ") + Machine.Description;
+
+    private static string MachineName(BenchOptions options) => (options.MachineName ?? Machine.CpuModel).ReplaceLineEndings(" ");
+
+    private static string Figure(string project, string name) => Path.GetFullPath(Path.Combine(project, "..", "docs", name + ".svg"));
 
     private static string ResultFile(BenchOptions options, string project, string suffix) =>
         Path.Combine(project, "results", Machine.FileName(options.MachineName ?? Machine.CpuModel) + suffix + ".csv");

@@ -42,7 +42,7 @@ internal sealed class LogLogChart
 
     public required string AxisY { get; init; }
 
-    /// <summary>How to write a decade of the upright axis.</summary>
+    /// <summary>How to write a decade of the upright axis, and a point.</summary>
     public required Func<double, string> Unit { get; init; }
 
     public string Draw()
@@ -82,7 +82,7 @@ internal sealed class LogLogChart
     {
         svg.Polyline(line.Points.Select(p => (PlaceX(p.X), PlaceY(p.Y))), line.Colour, 2.4);
         foreach ((double x, double y) in line.Points)
-            svg.Dot(PlaceX(x), PlaceY(y), 3.6, line.Colour, string.Create(CultureInfo.InvariantCulture, $"{line.Name}, {x:#,0}: {y:#,0.#} ns"));
+            svg.Dot(PlaceX(x), PlaceY(y), 3.6, line.Colour, string.Create(CultureInfo.InvariantCulture, $"{line.Name}, {x:#,0}: {Unit(y)}"));
     }
 
     /// <summary>In the upper left corner, which costs that grow leave free.</summary>

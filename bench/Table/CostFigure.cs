@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using Gjk.Bench.Reporting;
 
@@ -27,14 +26,7 @@ internal static class CostFigure
             Subtitle = "Random pairs of equal size, a fifth to two fifths overlapping. " + machine,
             AxisX = "vertices per hull",
             AxisY = "time per pair",
-            Unit = Unit,
+            Unit = TimeText.Of,
         }.Draw();
     }
-
-    private static string Unit(double nanoseconds) => nanoseconds switch
-    {
-        < 1e3 => nanoseconds.ToString("0.## ns", CultureInfo.InvariantCulture),
-        < 1e6 => (nanoseconds / 1e3).ToString("0.## µs", CultureInfo.InvariantCulture),
-        _ => (nanoseconds / 1e6).ToString("0.## ms", CultureInfo.InvariantCulture),
-    };
 }

@@ -29,6 +29,9 @@ internal sealed class TableSet
 
     public IReadOnlyCollection<TimedLoop> Loops => _loops;
 
+    /// <summary>The report's distance.</summary>
+    public TimedLoop Baseline => _baseline;
+
     /// <summary>How many times slower this machine is than the goals'; null where that has no figure.</summary>
     public double? Slowness => Goals.Slowness(Name, _baseline.Nanoseconds);
 

@@ -80,8 +80,14 @@ internal static class CommandLine
             if (result.GetResult(seconds) is { Implicit: false } && result.GetResult(frames) is { Implicit: false })
                 result.AddError("--frames and --seconds exclude each other.");
         });
-        command.SetAction(r => ReplayCommand.Run(
-            new ReplayLength(TimeSpan.FromSeconds(r.GetValue(seconds)), r.GetValue(frames)), r.GetValue(json), cancel));
+        var world = new WorldOptions(command);
+        command.SetAction(r =>
+        {
+            var length = new ReplayLength(TimeSpan.FromSeconds(r.GetValue(seconds)), r.GetValue(frames));
+            return world.Read(r) is { } settings
+                ? ReplayCommand.RunWorlds(settings, length, r.GetValue(json), cancel)
+                : ReplayCommand.Run(length, r.GetValue(json), cancel);
+        });
         return command;
     }
 

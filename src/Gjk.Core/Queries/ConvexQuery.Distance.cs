@@ -64,7 +64,10 @@ public static partial class ConvexQuery
 
         GjkOutcome.Start(out GjkOutcome outcome);
         NoTrace trace = default;
-        SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome, ref trace);
+        if (ArePoints(bInA, shapeA.Margin + shapeB.Margin))
+            GjkDistance.SolvePoints(bInA, ref outcome);
+        else
+            SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome, ref trace);
         if (outcome.Status < GjkStatus.InvalidInput) simplex = new FinalSimplex(outcome.Simplex, bInA);
         return Finish(outcome, bInA, poseA, shapeA.Margin, shapeB.Margin, float.PositiveInfinity);
     }
@@ -104,7 +107,7 @@ public static partial class ConvexQuery
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
-        if (bInA.Radius == marginA + marginB)
+        if (ArePoints(bInA, marginA + marginB))
             GjkDistance.SolvePoints(bInA, ref outcome);
         else
             SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome, ref trace);
@@ -125,9 +128,16 @@ public static partial class ConvexQuery
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
-        SolveCoresWarm(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref warmStart, ref outcome);
+        if (ArePoints(bInA, marginA + marginB))
+            GjkDistance.SolvePoints(bInA, ref outcome);
+        else
+            SolveCoresWarm(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref warmStart, ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
+
+    /// <summary>Nothing is left of either shape without its margin: points and spheres.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool ArePoints(in RelativePose bInA, double margins) => bInA.Radius == margins;
 
     /// <summary>How far apart the cores may be before the query may end early; the band keeps its answer that of the full query.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -31,6 +31,17 @@ internal struct ResultHash
         Add(result.Normal);
     }
 
+    /// <summary>The pairs that a frame found intersecting: how many, then a and b of each.</summary>
+    public void Add(ReadOnlySpan<ObjectPair> pairs)
+    {
+        Add((uint)pairs.Length);
+        foreach (ObjectPair pair in pairs)
+        {
+            Add((uint)pair.A);
+            Add((uint)pair.B);
+        }
+    }
+
     /// <summary>16 lowercase hexadecimal digits.</summary>
     public override readonly string ToString() => _state.ToString("x16", CultureInfo.InvariantCulture);
 

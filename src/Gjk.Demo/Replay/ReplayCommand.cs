@@ -8,31 +8,51 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>The report's experiment on this machine.</summary>
+/// <summary>The report's experiment on this machine, or a whole world of its objects.</summary>
 internal static class ReplayCommand
 {
+    /// <summary>The report's scenes, all pairs and their closest points in each frame.</summary>
     /// <param name="length">How long to measure each scene.</param>
     /// <param name="jsonFile">Where to write figures and results, or null.</param>
     /// <param name="cancel">Ends the work; the scenes that were completed are printed and written.</param>
-    public static int Run(ReplayLength length, string? jsonFile, CancellationToken cancel)
+    public static int Run(ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
+        [BuiltInScenes.Cubes, BuiltInScenes.Spheres],
+        (scene, progress) => SceneReplay.Run(scene, length, progress, cancel), jsonFile, ReplayJson.Write, ReplayTable.Print);
+
+    /// <summary>The same scenes, or larger ones of their kind, moving if they are to; and their intersecting pairs in each frame.</summary>
+    /// <param name="settings">How many objects, and how they move and are found.</param>
+    /// <param name="length">How long to measure each scene.</param>
+    /// <param name="jsonFile">Where to write figures and pairs, or null.</param>
+    /// <param name="cancel">Ends the work; the scenes that were completed are printed and written.</param>
+    public static int RunWorlds(WorldSettings settings, ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
+        settings.Objects is int count ? [() => BuiltInScenes.Cubes(count), () => BuiltInScenes.Spheres(count)] : [BuiltInScenes.Cubes, BuiltInScenes.Spheres],
+        (scene, progress) => WorldReplay.Run(scene, settings, length, progress, cancel), jsonFile, ReplayJson.Write, WorldTable.Print);
+
+    private static int Run<TReport>(
+        Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, string? jsonFile,
+        Action<Stream, IReadOnlyList<TReport>> writeJson, Action<IAnsiConsole, IReadOnlyList<TReport>, bool> print)
     {
         using AtomicFile? json = jsonFile is null ? null : new AtomicFile(jsonFile);
         IAnsiConsole console = OutputConsole.Create();
-        var reports = new List<SceneReport>();
+        var reports = new List<TReport>();
         bool cancelled = false;
-        ProgressBar.Show(console, OutputConsole.IsPlain, bar => cancelled = !RunScenes(length, bar, reports, cancel));
-        WriteJson(json, jsonFile, reports);
-        ReplayTable.Print(console, reports, OutputConsole.IsPlain);
+        ProgressBar.Show(console, OutputConsole.IsPlain, bar => cancelled = !RunScenes(scenes, replay, bar, reports));
+        if (json is not null) WriteJson(json, jsonFile!, stream => writeJson(stream, reports));
+        print(console, reports, OutputConsole.IsPlain);
         return cancelled ? ExitCode.Cancelled : ExitCode.Done;
     }
 
     /// <summary>False when it was cancelled before the last scene was complete.</summary>
-    private static bool RunScenes(ReplayLength length, ProgressBar bar, List<SceneReport> reports, CancellationToken cancel)
+    private static bool RunScenes<TReport>(Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, ProgressBar bar, List<TReport> reports)
     {
         try
         {
-            foreach (BuiltInScene scene in (ReadOnlySpan<BuiltInScene>)[BuiltInScenes.Cubes(), BuiltInScenes.Spheres()])
-                reports.Add(SceneReplay.Run(scene, length, bar.Add(scene.Name), cancel));
+            foreach (Func<BuiltInScene> make in scenes)
+            {
+                BuiltInScene scene = make();
+                reports.Add(replay(scene, bar.Add(scene.Name)));
+            }
+
             return true;
         }
         catch (OperationCanceledException)
@@ -42,16 +62,15 @@ internal static class ReplayCommand
     }
 
     /// <summary>Before the table, so that a full disk leaves nothing on standard output.</summary>
-    private static void WriteJson(AtomicFile? json, string? name, List<SceneReport> reports)
+    private static void WriteJson(AtomicFile json, string name, Action<Stream> write)
     {
-        if (json is null) return;
         try
         {
-            ReplayJson.Write(json.Stream, reports);
+            write(json.Stream);
         }
         catch (IOException e)
         {
-            throw new RefusedException(name!, "cannot be written", e);
+            throw new RefusedException(name, "cannot be written", e);
         }
 
         json.Commit();

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
@@ -8,13 +9,17 @@ namespace Gjk.Demo.Replay;
 /// <summary>The replay's figures and results as JSON; numbers that are not finite become null, which is all that JSON has for them.</summary>
 internal static class ReplayJson
 {
-    public static void Write(Stream stream, IReadOnlyList<SceneReport> reports)
+    public static void Write(Stream stream, IReadOnlyList<SceneReport> reports) => WriteScenes(stream, reports, WriteScene);
+
+    public static void Write(Stream stream, IReadOnlyList<WorldReport> reports) => WriteScenes(stream, reports, WriteWorld);
+
+    private static void WriteScenes<T>(Stream stream, IReadOnlyList<T> reports, Action<Utf8JsonWriter, T> write)
     {
         using (var json = new Utf8JsonWriter(stream))
         {
             json.WriteStartObject();
             json.WriteStartArray("scenes");
-            foreach (SceneReport report in reports) WriteScene(json, report);
+            foreach (T report in reports) write(json, report);
             json.WriteEndArray();
             json.WriteEndObject();
         }
@@ -41,6 +46,41 @@ internal static class ReplayJson
         json.WriteString("hash", report.Hash);
         json.WriteStartArray("pairs");
         for (int i = 0; i < report.Results.Length; i++) WritePair(json, report.A[i], report.B[i], report.Results[i]);
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    private static void WriteWorld(Utf8JsonWriter json, WorldReport report)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", report.Name);
+        json.WriteNumber("objects", report.Objects);
+        json.WriteNumber("vertices_per_object", report.VerticesPerObject);
+        json.WriteNumber("hull_vertices", report.HullVertices);
+        json.WriteString("broad", report.Settings.BroadPhaseName);
+        json.WriteNumber("motion", report.Settings.Speed);
+        json.WriteNumber("threads", report.Settings.Threads);
+        json.WriteNumber("pairs_per_frame", report.PairsPerFrame);
+        json.WriteNumber("calls_per_frame", report.CallsPerFrame);
+        json.WriteNumber("calls_saved_per_frame", report.CallsSavedPerFrame);
+        json.WriteNumber("intersecting_pairs", report.IntersectingPairs);
+        json.WriteNumber("frames", report.Frames);
+        json.WriteNumber("ms_broad_median", report.BroadMs);
+        json.WriteNumber("ms_narrow_median", report.NarrowMs);
+        json.WriteNumber("ms_per_frame_median", report.MedianMs);
+        json.WriteNumber("ms_per_frame_p99", report.P99Ms);
+        json.WriteNumber("bytes_per_frame", report.BytesPerFrame);
+        json.WriteNumber("hashed_frames", report.CountedFrames);
+        json.WriteString("hash", report.Hash);
+        json.WriteStartArray("pairs");
+        foreach (ObjectPair pair in report.FirstPairs)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("a", pair.A);
+            json.WriteNumber("b", pair.B);
+            json.WriteEndObject();
+        }
+
         json.WriteEndArray();
         json.WriteEndObject();
     }

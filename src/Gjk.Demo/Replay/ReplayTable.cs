@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
-using System.Runtime.InteropServices;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
@@ -15,12 +14,10 @@ internal static class ReplayTable
     public static void Print(IAnsiConsole console, IReadOnlyList<SceneReport> reports, bool plain)
     {
         if (reports.Count == 0) return;
-        List<string[]> rows = Rows(reports);
-        if (plain) PrintMarkdown(console, rows);
-        else console.Write(Table(rows));
+        TextTable.Print(console, Rows(reports), plain);
         console.WriteLine();
         console.WriteLine($"report: {PublishedFigures.Machine}");
-        console.WriteLine($"here:   {RuntimeInformation.FrameworkDescription}, {RuntimeInformation.ProcessArchitecture}, {Environment.ProcessorCount} processors");
+        console.WriteLine($"here:   {TextTable.ThisMachine}");
         foreach (SceneReport report in reports) PrintPairs(console, report);
     }
 
@@ -50,28 +47,6 @@ internal static class ReplayTable
     private static string[] Row(
         IReadOnlyList<SceneReport> reports, string title, Func<PublishedFigures, string> published, Func<SceneReport, string> here) =>
         [title, .. reports.SelectMany(r => new[] { published(PublishedFigures.Of(r.Name)), here(r) })];
-
-    private static Table Table(List<string[]> rows)
-    {
-        var table = new Table { Border = TableBorder.Rounded };
-        for (int column = 0; column < rows[0].Length; column++)
-            table.AddColumn(new TableColumn(new Text(rows[0][column])) { Alignment = column == 0 ? Justify.Left : Justify.Right });
-        foreach (string[] row in rows.Skip(1)) table.AddRow(row.Select(cell => new Text(cell)));
-        return table;
-    }
-
-    /// <summary>Reads well in a pipe, and can be pasted into a page.</summary>
-    private static void PrintMarkdown(IAnsiConsole console, List<string[]> rows)
-    {
-        int[] widths = [.. Enumerable.Range(0, rows[0].Length).Select(column => rows.Max(row => row[column].Length))];
-        string[] rule = [.. widths.Select((width, column) => column == 0 ? new string('-', width) : new string('-', width - 1) + ":")];
-        rows.Insert(1, rule);
-        foreach (string[] row in rows)
-        {
-            IEnumerable<string> cells = row.Select((cell, column) => column == 0 ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column]));
-            console.WriteLine($"| {string.Join(" | ", cells)} |");
-        }
-    }
 
     private static void PrintPairs(IAnsiConsole console, SceneReport report)
     {

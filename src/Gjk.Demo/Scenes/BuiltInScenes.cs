@@ -5,11 +5,12 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>One of the two scenes of the report: copies of one mesh, each with its own pose.</summary>
+/// <summary>One of the two scenes of the report, or one of the same kind: copies of one mesh of unit size, each with its own pose.</summary>
 public sealed class BuiltInScene
 {
-    internal BuiltInScene(string name, string objectName, Vector3[] vertices, RigidPose[] poses)
+    internal BuiltInScene(string name, string objectName, Vector3[] vertices, RigidPose[] poses, in Aabb room)
     {
+        Room = room;
         Name = name;
         Vertices = vertices;
         Poses = poses;
@@ -27,20 +28,24 @@ public sealed class BuiltInScene
     /// <summary>Where the objects are.</summary>
     public IReadOnlyList<RigidPose> Poses { get; }
 
+    /// <summary>Where the objects' centres stay when they move.</summary>
+    public Aabb Room { get; }
+
     /// <summary>What the objects are called, in the order of <see cref="Poses"/>.</summary>
     public IReadOnlyList<string> ObjectNames { get; }
 }
 
 /// <summary>
-/// The report's experiment, generated: 20 objects of unit size in pseudo-random orientations, of which exactly five pairs overlap. Only
-/// additions, multiplications, divisions and square roots are used, which IEEE 754 rounds in one way: the same bits on every machine.
+/// The report's experiment, generated: 20 objects of unit size in pseudo-random orientations, of which exactly five pairs overlap; and the same kind of scene with any number of
+/// objects, anywhere in a cubic room where about half of them touch another, as in the report's. Only additions, multiplications, divisions and square roots are used, which
+/// IEEE 754 rounds in one way: the same bits on every machine.
 /// </summary>
 public static class BuiltInScenes
 {
-    /// <summary>Objects per scene, half of them in each grid.</summary>
+    /// <summary>Objects in a scene of the report, half of them in each grid.</summary>
     public const int ObjectCount = Columns * 2 * 2;
 
-    /// <summary>How many pairs overlap: one per column of the upper grid.</summary>
+    /// <summary>How many pairs of it overlap: one per column of the upper grid.</summary>
     public const int OverlappingPairs = Columns;
 
     private const int Columns = 5;
@@ -62,14 +67,51 @@ public static class BuiltInScenes
 
     private const int SphereVertices = 515;
 
+    /// <summary>
+    /// In cubic units: where one unit cube's centre is when it touches another, both turned at random: the mean volume of their Minkowski sum, which is V + V' + (S M' + S' M) / 4 pi,
+    /// with the volume 1, the surface 6 and the mean curvature 3 pi (Schneider and Weil 2008, section 6.1).
+    /// </summary>
+    private const double CubeContactVolume = 11;
+
+    /// <summary>In cubic units: a ball of twice the radius; the polyhedron's is less by a percent.</summary>
+    private const double SphereContactVolume = 4.0 / 3 * Math.PI;
+
+    /// <summary>Around the centres of both grids, as far as neighbours are apart.</summary>
+    private static readonly Aabb GridRoom = new(new Vector3(-Apart), new Vector3(Columns * Apart, UpperHeight + Apart, 2 * Apart));
+
     private const ulong CubeSeed = 0x43_75_62_65_73;
     private const ulong SphereSeed = 0x53_70_68_65_72_65_73;
 
     /// <summary>Cubes of 24 vertices: each corner once for each of its three faces, as an engine's mesh has it.</summary>
-    public static BuiltInScene Cubes() => new("cubes", "Cube", CubeMesh(), Poses(CubeSeed));
+    public static BuiltInScene Cubes() => new("cubes", "Cube", CubeMesh(), GridPoses(CubeSeed), GridRoom);
+
+    /// <summary>Any number of such cubes.</summary>
+    public static BuiltInScene Cubes(int objects)
+    {
+        Aabb room = RoomFor(objects, CubeContactVolume);
+        return new("cubes", "Cube", CubeMesh(), PosesIn(room, objects, CubeSeed), room);
+    }
 
     /// <summary>Spheres of 515 distinct vertices, each of them a corner of the hull.</summary>
-    public static BuiltInScene Spheres() => new("spheres", "Sphere", SphereMesh(), Poses(SphereSeed));
+    public static BuiltInScene Spheres() => new("spheres", "Sphere", SphereMesh(), GridPoses(SphereSeed), GridRoom);
+
+    /// <summary>Any number of such spheres.</summary>
+    public static BuiltInScene Spheres(int objects)
+    {
+        Aabb room = RoomFor(objects, SphereContactVolume);
+        return new("spheres", "Sphere", SphereMesh(), PosesIn(room, objects, SphereSeed), room);
+    }
+
+    /// <summary>A unit vector drawn evenly: a point of the ball, brought to unit length.</summary>
+    internal static Vector3D NextDirection(ref ulong state)
+    {
+        while (true)
+        {
+            var v = new Vector3D(NextSigned(ref state), NextSigned(ref state), NextSigned(ref state));
+            double square = v.LengthSquared;
+            if (square <= 1 && square > 0.01) return v * (1 / Math.Sqrt(square));
+        }
+    }
 
     private static Vector3[] CubeMesh()
     {
@@ -104,7 +146,7 @@ public static class BuiltInScenes
         return vertices;
     }
 
-    private static RigidPose[] Poses(ulong seed)
+    private static RigidPose[] GridPoses(ulong seed)
     {
         var poses = new RigidPose[ObjectCount];
         for (int i = 0; i < poses.Length; i++)
@@ -116,6 +158,37 @@ public static class BuiltInScenes
         }
 
         return poses;
+    }
+
+    /// <summary>Anywhere in the room, each place as likely as the other.</summary>
+    private static RigidPose[] PosesIn(in Aabb room, int count, ulong seed)
+    {
+        var poses = new RigidPose[count];
+        Vector3 middle = (room.Min + room.Max) / 2, half = (room.Max - room.Min) / 2;
+        for (int i = 0; i < poses.Length; i++)
+        {
+            var place = new Vector3((float)NextSigned(ref seed), (float)NextSigned(ref seed), (float)NextSigned(ref seed));
+            poses[i] = new RigidPose(NextRotation(ref seed), middle + half * place);
+        }
+
+        return poses;
+    }
+
+    /// <summary>A cube in which half of the objects have no other's centre in their contact volume: as in a Poisson process with ln 2 centres per contact volume.</summary>
+    private static Aabb RoomFor(int objects, double contactVolume)
+    {
+        const double Ln2 = 0.6931471805599453;
+        return new Aabb(Vector3.Zero, new Vector3((float)CubeRoot(objects * contactVolume / Ln2)));
+    }
+
+    /// <summary>By Newton's method, from above: Math.Cbrt of two machines may differ in the last bit.</summary>
+    private static double CubeRoot(double x)
+    {
+        // A third off per step, so 60 come down from any number of objects to its root, and then a few get all the digits.
+        const int NewtonSteps = 100;
+        double root = Math.Max(x, 1);
+        for (int step = 0; step < NewtonSteps; step++) root = (2 * root + x / (root * root)) / 3;
+        return root;
     }
 
     /// <summary>A rotation drawn evenly: a point of the four-dimensional ball, brought to unit length.</summary>

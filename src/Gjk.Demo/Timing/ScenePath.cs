@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
@@ -42,8 +41,9 @@ internal sealed class ScenePath
         for (int frame = 0; frame < _frames.Length; frame++)
         {
             int step = frame - aside;
+            double sin = Math.Sin(StepAngle * step / 2), cos = Math.Cos(StepAngle * step / 2);
             _frames[frame] = new RigidPose[steps.Length];
-            for (int i = 0; i < steps.Length; i++) _frames[frame][i] = Moved(scene.Objects[i].Pose, steps[i] * step, axes[i], StepAngle * step);
+            for (int i = 0; i < steps.Length; i++) _frames[frame][i] = PoseMotion.Moved(scene.Objects[i].Pose, steps[i] * step, axes[i] * sin, cos);
         }
     }
 
@@ -68,21 +68,4 @@ internal sealed class ScenePath
         shape.Support(new Vector3D(0, 0, -1), -1, out Vector3D back);
         return Math.Max(Math.Max(right.X - left.X, top.Y - bottom.Y), front.Z - back.Z) + 2 * shape.Margin;
     }
-
-    private static RigidPose Moved(in RigidPose pose, in Vector3D by, in Vector3D axis, double angle)
-    {
-        double s = Math.Sin(angle / 2), c = Math.Cos(angle / 2);
-        Quaternion q = pose.Rotation;
-        double tx = axis.X * s, ty = axis.Y * s, tz = axis.Z * s;
-        double x = c * q.X + tx * q.W + ty * q.Z - tz * q.Y;
-        double y = c * q.Y + ty * q.W + tz * q.X - tx * q.Z;
-        double z = c * q.Z + tz * q.W + tx * q.Y - ty * q.X;
-        double w = c * q.W - tx * q.X - ty * q.Y - tz * q.Z;
-        double unit = 1 / Math.Sqrt(x * x + y * y + z * z + w * w);
-        var rotation = new Quaternion((float)(x * unit), (float)(y * unit), (float)(z * unit), (float)(w * unit));
-        var position = (Vector3)(pose.Position + by);
-        return new RigidPose(rotation, IsFinite(position) ? position : pose.Position);
-    }
-
-    private static bool IsFinite(Vector3 v) => float.IsFinite(v.X) && float.IsFinite(v.Y) && float.IsFinite(v.Z);
 }

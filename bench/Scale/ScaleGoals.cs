@@ -1,0 +1,41 @@
+using System.Linq;
+using Gjk.Bench.Scenes;
+using Gjk.Bench.Table;
+
+namespace Gjk.Bench.Scale;
+
+/// <summary>What frames are to need, in milliseconds on two cores of the machine that the peers were measured on; scaled to this one as <see cref="Goals"/> are.</summary>
+internal static class ScaleGoals
+{
+    /// <summary>Seconds to measure how slow this machine is.</summary>
+    private const double BaselineSeconds = 1;
+
+    /// <summary>Null where no goal was set.</summary>
+    public static double? For(ScaleRow row, int cores) => row switch
+    {
+        { Question: Question.Distances, Scene: ReportScenes.Cubes } => 0.010,
+        { Question: Question.Distances, Scene: ReportScenes.Spheres } => 0.014,
+        { Scene: ReportScenes.Cubes or ReportScenes.Spheres } => 0.004,
+        { IsMoving: true, Phase: Core.BroadPhaseKind.DynamicTree } when row.Threads == cores => row.Objects switch
+        {
+            2_000 => 0.8,
+            20_000 => 10,
+            100_000 => 70,
+            _ => null,
+        },
+        _ => null,
+    };
+
+    /// <summary>How many times slower than the goals' machine this one is, by what the report's algorithm needs for the report's scenes.</summary>
+    public static double Slowness()
+    {
+        TableSet[] scenes = [.. ReportScenes.Names.Select(TableSet.OfReportScene)];
+        foreach (TableSet scene in scenes)
+        {
+            TurnTaking.WarmUp([scene.Baseline], BaselineSeconds);
+            TurnTaking.Measure([scene.Baseline], BaselineSeconds);
+        }
+
+        return Goals.MeanSlowness(scenes.Select(s => s.Slowness).OfType<double>());
+    }
+}

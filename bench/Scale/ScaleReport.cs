@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Text;
+
+namespace Gjk.Bench.Scale;
+
+/// <summary>The rows as text.</summary>
+internal static class ScaleReport
+{
+    private const string CsvHeader =
+        "scene,question,objects,motion,broad_phase,threads,broad_ms,narrow_ms,frame_ms,candidates,pairs,touching_share,bytes_per_frame,memory_mb,goal_ms,goal_here_ms,met";
+
+    public static string Markdown(IReadOnlyCollection<ScaleRow> rows, double slowness)
+    {
+        var text = new StringBuilder();
+        text.Append("| objects | | broad phase | threads | move + broad, ms | narrow, ms | frame, ms | candidates | pairs | touching | bytes per frame | memory, MB |\n");
+        text.Append("|--:|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+        foreach (ScaleRow r in rows.Where(r => r.Scene == ScaleRun.Room))
+        {
+            FrameFigures f = r.Figures;
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"| {r.Objects:#,0} | {Motion(r)} | {PhaseName(r.Phase)} | {r.Threads} | {Ms(f.BroadMs)} | {Ms(f.NarrowMs)} | {Ms(f.FrameMs)} | {f.Candidates:#,0} | {f.Pairs:#,0} | {f.TouchingShare:0 %} | {f.BytesPerFrame:0.##} | {f.MemoryMb:0.0} |\n");
+        }
+
+        text.Append("\n| goal | ms | here | frame, ms | |\n|---|--:|--:|--:|---|\n");
+        foreach (ScaleRow r in rows.Where(r => r.Goal is not null))
+        {
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"| {Name(r)} | {r.Goal:0.0##} | {Ms(r.GoalHere)} | {Ms(r.Figures.FrameMs)} | {(r.Met == true ? "met" : "missed")} |\n");
+        }
+
+        text.Append(CultureInfo.InvariantCulture, $"\n{Growth(rows)}\n");
+        text.Append(
+            CultureInfo.InvariantCulture,
+            $"""
+            Medians over a second of frames, after a second of warm-up; the narrow phase on all threads, the broad phase on one.
+            Here: the goal times what the report's algorithm needs here over what it needed where the goals were set, {slowness:0.00}.
+
+            """);
+        return text.ToString();
+    }
+
+    /// <summary>One line per row, under a first line that describes the machine.</summary>
+    public static string Csv(IEnumerable<ScaleRow> rows, string machine)
+    {
+        var text = new StringBuilder();
+        text.Append("# ").Append(machine).Append('\n').Append(CsvHeader).Append('\n');
+        foreach (ScaleRow r in rows)
+        {
+            FrameFigures f = r.Figures;
+            string met = r.Met switch { true => "true", false => "false", null => "" };
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"{r.Scene},{r.Question.ToString().ToLowerInvariant()},{r.Objects},{Motion(r)},{PhaseName(r.Phase).Replace(' ', '-')},{r.Threads},");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"{f.BroadMs:0.######},{f.NarrowMs:0.######},{f.FrameMs:0.######},{f.Candidates:0.#},{f.Pairs:0.#},{f.TouchingShare:0.###},{f.BytesPerFrame:0.##},{f.MemoryMb:0.##},{r.Goal},{r.GoalHere:0.####},{met}\n");
+        }
+
+        return text.ToString();
+    }
+
+    public static string PhaseName(Core.BroadPhaseKind phase) => phase switch
+    {
+        Core.BroadPhaseKind.AllPairs => "all pairs",
+        Core.BroadPhaseKind.SortAndSweep => "sort and sweep",
+        Core.BroadPhaseKind.SweepAndPrune => "sweep and prune",
+        Core.BroadPhaseKind.DynamicTree => "dynamic tree",
+        _ => throw new ArgumentOutOfRangeException(nameof(phase)),
+    };
+
+    /// <summary>How the moving frames of the tree grow over the largest goals, beside n log n.</summary>
+    private static string Growth(IEnumerable<ScaleRow> rows)
+    {
+        ScaleRow[] judged = [.. rows.Where(r => r.Scene == ScaleRun.Room && r.Goal is not null).OrderBy(r => r.Objects)];
+        ScaleRow first = judged[0], last = judged[^1];
+        double expected = last.Objects * Math.Log(last.Objects) / (first.Objects * Math.Log(first.Objects));
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"From {first.Objects:#,0} to {last.Objects:#,0} moving objects a frame takes {last.Figures.FrameMs / first.Figures.FrameMs:0} times as long; n log n grows by {expected:0}.");
+    }
+
+    private static string Name(ScaleRow r) => r.Scene == ScaleRun.Room
+        ? string.Create(CultureInfo.InvariantCulture, $"{r.Objects:#,0} {Motion(r)} cubes, intersecting pairs")
+        : $"the report's {r.Scene}, {Motion(r)}, {(r.Question == Question.Distances ? "190 distances, warm" : "intersecting pairs")}";
+
+    private static string Motion(ScaleRow r) => r.IsMoving ? "moving" : "static";
+
+    /// <summary>Three digits at least.</summary>
+    private static string Ms(double? milliseconds) => milliseconds switch
+    {
+        null => "",
+        < 0.1 => milliseconds.Value.ToString("0.0000", CultureInfo.InvariantCulture),
+        < 10 => milliseconds.Value.ToString("0.000", CultureInfo.InvariantCulture),
+        _ => milliseconds.Value.ToString("0.0", CultureInfo.InvariantCulture),
+    };
+}

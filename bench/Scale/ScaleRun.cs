@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Gjk.Bench.Scenes;
+using Gjk.Core;
+
+namespace Gjk.Bench.Scale;
+
+/// <summary>How a frame grows with the number of objects: every broad phase, at rest and moving, on one thread and on all; and the report's scenes.</summary>
+internal static class ScaleRun
+{
+    /// <summary>The name of the scenes of any number of cubes.</summary>
+    public const string Room = "room";
+
+    /// <summary>Seconds to measure a row; with them the whole run takes some four minutes.</summary>
+    public const double DefaultSeconds = 1;
+
+    /// <summary>Count: above it, comparing all pairs takes several seconds per frame and shows nothing new.</summary>
+    private const int MostForAllPairs = 20_000;
+
+    private static readonly int[] Sizes = [20, 200, 2_000, 20_000, 100_000];
+
+    private static readonly BroadPhaseKind[] Phases =
+        [BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree];
+
+    /// <param name="progress">Gets a line per size.</param>
+    /// <param name="seconds">To measure a row, after a second of warm-up.</param>
+    /// <param name="slowness">How many times slower than the goals' machine this one is.</param>
+    public static List<ScaleRow> Run(TextWriter progress, double seconds, out double slowness)
+    {
+        progress.WriteLine("the baseline");
+        double slower = ScaleGoals.Slowness();
+        slowness = slower;
+        using var workers = new Workers();
+        IEnumerable<ScaleRow> rows = ReportRows(progress, seconds).Concat(RoomRows(progress, seconds, workers));
+        return
+        [
+            .. rows.Select(row =>
+            {
+                double? goal = ScaleGoals.For(row, workers.ThreadCount);
+                return row with { Goal = goal, GoalHere = goal * slower };
+            }),
+        ];
+    }
+
+    private static IEnumerable<ScaleRow> ReportRows(TextWriter progress, double seconds)
+    {
+        progress.WriteLine("the report's scenes");
+        foreach (string name in ReportScenes.Names)
+        {
+            foreach (Question question in Enum.GetValues<Question>())
+            {
+                yield return ReportSceneClock.Measure(name, question, isMoving: false, seconds);
+                yield return ReportSceneClock.Measure(name, question, isMoving: true, seconds);
+            }
+        }
+    }
+
+    private static IEnumerable<ScaleRow> RoomRows(TextWriter progress, double seconds, Workers workers)
+    {
+        foreach (int count in Sizes)
+        {
+            progress.WriteLine(FormattableString.Invariant($"{count} objects"));
+            foreach (bool isMoving in new[] { false, true })
+            {
+                foreach (BroadPhaseKind phase in Phases.Where(p => p != BroadPhaseKind.AllPairs || count <= MostForAllPairs))
+                {
+                    yield return Row(count, isMoving, phase, null, seconds);
+                    if (workers.ThreadCount > 1) yield return Row(count, isMoving, phase, workers, seconds);
+                }
+            }
+        }
+    }
+
+    private static ScaleRow Row(int count, bool isMoving, BroadPhaseKind phase, Workers? workers, double seconds) =>
+        new(Room, Question.Overlaps, count, isMoving, phase, workers?.ThreadCount ?? 1, RoomClock.Measure(count, isMoving, phase, workers, seconds));
+}

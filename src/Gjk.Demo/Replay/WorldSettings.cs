@@ -1,0 +1,23 @@
+using Gjk.Core;
+
+namespace Gjk.Demo.Replay;
+
+/// <summary>How a whole scene is replayed.</summary>
+internal sealed class WorldSettings
+{
+    public BroadPhaseKind BroadPhase { get; init; } = BroadPhaseKind.DynamicTree;
+
+    /// <summary>Object sizes per frame.</summary>
+    public double Speed { get; init; }
+
+    /// <summary>Null for the report's own scenes.</summary>
+    public int? Objects { get; init; }
+
+    /// <summary>How many work at once, the one that asks included.</summary>
+    public int Threads { get; init; } = 1;
+
+    /// <summary>The words of the command line, in the order of <see cref="BroadPhaseKind"/>.</summary>
+    public static string[] BroadPhaseNames { get; } = ["all", "sort", "sweep", "tree"];
+
+    public string BroadPhaseName => BroadPhaseNames[(int)BroadPhase];
+}
