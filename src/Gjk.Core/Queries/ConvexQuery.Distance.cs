@@ -108,9 +108,15 @@ public static partial class ConvexQuery
 
         GjkOutcome.Start(out GjkOutcome outcome);
         if (ArePoints(bInA, marginA + marginB))
+        {
             GjkDistance.SolvePoints(bInA, ref outcome);
+            if (trace.IsOn) TellPoints(bInA, outcome, ref trace);
+        }
         else
+        {
             SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome, ref trace);
+        }
+
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
 

@@ -10,7 +10,7 @@ public static partial class ConvexQuery
     /// <param name="poseA">Where it is.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Where it is.</param>
-    /// <param name="trace">Told of every support and reduction; of none where two spheres are solved by a formula, or the input is invalid.</param>
+    /// <param name="trace">Told of every support and reduction; two spheres, which a formula solves, are told as the one round that it stands for. Invalid input tells nothing.</param>
     /// <returns>See <see cref="DistanceResult"/>. What the trace throws passes through.</returns>
     public static DistanceResult Trace<TA, TB, TTrace>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref TTrace trace)
         where TA : struct, ISupportMap
@@ -20,5 +20,13 @@ public static partial class ConvexQuery
         TA copyA = default;
         TB copyB = default;
         return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, float.PositiveInfinity, ref trace);
+    }
+
+    /// <summary>The closed form of two points, told as the loop's only round.</summary>
+    private static void TellPoints<TTrace>(in RelativePose bInA, in GjkOutcome outcome, ref TTrace trace)
+        where TTrace : struct, IGjkTrace
+    {
+        trace.OnSupport(new TracedSupport(bInA, FirstNormal(bInA), default, -bInA.Translation, 0, 0, isExtended: false));
+        trace.OnReduced(new TracedSimplex(outcome.Simplex, isExtended: false));
     }
 }

@@ -32,24 +32,14 @@ internal sealed class SceneMotion
                 continue;
             }
 
-            var position = (Vector3)(o.Pose.Position + (Vector3D)o.Velocity * frame);
+            Vector3D by = (Vector3D)o.Velocity * frame;
+            var position = (Vector3)(o.Pose.Position + by);
             if (!float.IsFinite(position.X + position.Y + position.Z))
                 throw new RefusedException($"{_name}: $.objects[{i}].velocity: the position leaves the range of float in frame {frame}");
-            poses[i] = new RigidPose(Turned(o.Pose.Rotation, o.AngularVelocity, frame), position);
+            Vector3D spin = o.AngularVelocity;
+            double speed = spin.Length;
+            (double sin, double cos) = Math.SinCos(speed * frame / 2);
+            poses[i] = speed > 0 ? PoseMotion.Moved(o.Pose, by, spin * (sin / speed), cos) : new RigidPose(o.Pose.Rotation, position);
         }
-    }
-
-    private static Quaternion Turned(Quaternion q, Vector3D perFrame, int frames)
-    {
-        double speed = perFrame.Length;
-        if (speed == 0) return q;
-        (double s, double c) = Math.SinCos(speed * frames / 2);
-        double tx = perFrame.X / speed * s, ty = perFrame.Y / speed * s, tz = perFrame.Z / speed * s;
-        double x = c * q.X + tx * q.W + ty * q.Z - tz * q.Y;
-        double y = c * q.Y + ty * q.W + tz * q.X - tx * q.Z;
-        double z = c * q.Z + tz * q.W + tx * q.Y - ty * q.X;
-        double w = c * q.W - tx * q.X - ty * q.Y - tz * q.Z;
-        double unit = 1 / Math.Sqrt(x * x + y * y + z * z + w * w);
-        return new Quaternion((float)(x * unit), (float)(y * unit), (float)(z * unit), (float)(w * unit));
     }
 }

@@ -46,12 +46,13 @@ public class TraceTests
     }
 
     [Fact]
-    public void SpheresAndInvalidInputTellNothing()
+    public void SpheresAreToldAsOneRoundAndInvalidInputTellsNothing()
     {
         var spheres = new Recorder();
         DistanceResult apart = ConvexQuery.Trace(ConvexShape.Sphere(1), RigidPose.Identity, ConvexShape.Sphere(1), new RigidPose(new(3, 0, 0)), ref spheres);
-        Assert.Equal((GjkStatus.Separated, 1f, 0), (apart.Status, apart.Distance, apart.Iterations));
-        Assert.Empty(spheres.Supports);
+        Assert.Equal((GjkStatus.Separated, 1f, 1), (apart.Status, apart.Distance, apart.Iterations));
+        Assert.Equal((new Vector3D(-3, 0, 0), 3.0), (Assert.Single(spheres.Supports).Vertex, spheres.Supports[0].LowerBound));
+        Assert.Equal((1, 3.0), (Assert.Single(spheres.Simplices).Count, spheres.Simplices[0].UpperBound));
 
         var invalid = new Recorder();
         Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.Trace(ConvexShape.Sphere(1), default, default(ConvexShape), default, ref invalid).Status);

@@ -73,7 +73,7 @@ export class TraceModel {
     const dropped = joined.filter((i) => !step.after.includes(i));
     const rest = dropped.length ? `; ${dropped.map((i) => `w${i + 1}`).join(' and ')} ${dropped.length > 1 ? 'are' : 'is'} dropped` : '';
     const what = !dropped.length && joined.length > 1 ? `the point of the ${this.feature(joined)} nearest the origin lies inside it; all are kept` : joined.length > 1 ? `of the ${this.feature(joined)}, the origin is nearest the ${this.feature(step.after)}${rest}` : `the simplex is the ${this.feature(joined)}`;
-    const end = !isLast ? '' : this.result.status === 'Overlapping' ? ' That is no further than rounding can tell from contact.' : ' It falls no more.';
+    const end = !isLast ? '' : this.result.status === 'Overlapping' ? ' That is no further than rounding can tell from contact.' : step.best >= step.upper * (1 - VISIBLE) ? ' The plane proves the same: the two bounds have met.' : ' It falls no more.';
     return `Region: ${what}. |v| = ${number(step.upper)}.${end}`;
   }
 
@@ -91,7 +91,6 @@ export class TraceModel {
   }
 
   withoutSteps() {
-    if (this.result.distance === null) return `No steps: ${this.result.status}.`;
-    return `No steps: both cores are points, so the distance is that of the centres less the margins ${number(this.marginA)} and ${number(this.marginB)}. ${this.answer()}`;
+    return `No steps: ${this.result.status}.`;
   }
 }
