@@ -116,7 +116,7 @@ internal sealed class AabbTree
         }
 
         Replace(above, parent, sibling);
-        Refit(above);
+        Shrink(above);
     }
 
     /// <summary>Builds the tree anew over leaves that are sorted along a space-filling curve; their boxes are set by <see cref="SetLeaf"/>.</summary>
@@ -138,8 +138,7 @@ internal sealed class AabbTree
     /// <summary>The leaves whose boxes overlap the given one.</summary>
     public void Query(Vector3 min, Vector3 max, List<int> leaves)
     {
-        int depth = 0;
-        int node = _root;
+        int depth = 0, node = _root;
         while (node != None)
         {
             ref readonly AabbNode box = ref _nodes[node];
@@ -171,8 +170,7 @@ internal sealed class AabbTree
     {
         var widening = new Vector3(margin);
         Vector3 min = _nodes[leaf].Min, max = _nodes[leaf].Max + widening;
-        int depth = 0;
-        int node = _root;
+        int depth = 0, node = _root;
         while (true)
         {
             ref readonly AabbNode box = ref _nodes[node];
@@ -240,6 +238,17 @@ internal sealed class AabbTree
             Turn(node, _nodes[node].Left, _nodes[node].Right);
             Turn(node, _nodes[node].Right, _nodes[node].Left);
             Enclose(node);
+        }
+    }
+
+    /// <summary>From a node to the root, or to where the removed leaf was not at the edge: the boxes alone; the next insertion turns the branches.</summary>
+    private void Shrink(int node)
+    {
+        for (; node != None; node = _parents[node])
+        {
+            AabbNode before = _nodes[node];
+            Enclose(node);
+            if (_nodes[node].Min == before.Min && _nodes[node].Max == before.Max) return;
         }
     }
 

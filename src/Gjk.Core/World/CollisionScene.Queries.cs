@@ -214,6 +214,7 @@ public sealed partial class CollisionScene
 
     private void FindDistances(float distance, Workers? workers)
     {
+        Workers.Check(workers);
         CollectSlots(distance, _candidates);
         if (_distances.Length < _candidates.Count) _distances = new DistanceResult[BoundsTable.Grown(_distances.Length, _candidates.Count)];
         _pairWarmStarts.Begin(_candidates, _objects.Ids);

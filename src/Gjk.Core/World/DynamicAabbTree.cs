@@ -22,6 +22,9 @@ public sealed class DynamicAabbTree : IBroadPhase
     /// <summary>Count: frames in a row that asked for less than half the margin of the kept pairs, until pairs are found anew with the lesser one. A matter of speed only.</summary>
     private const int PatienceFrames = 16;
 
+    /// <summary>Count: from here on it pays to bring the objects that get new leaves into an order. A matter of speed only.</summary>
+    private const int LeastToOrder = 64;
+
     private readonly BoundsTable _table = new();
     private readonly AabbTree _tree = new();
     private readonly PairKeys _pairs = new();
@@ -189,6 +192,7 @@ public sealed class DynamicAabbTree : IBroadPhase
         }
 
         if (_tree.Capacity < _table.Boxes.Length) _tree.Grow(_table.Boxes.Length);
+        if (_pendingList.Count >= LeastToOrder) OrderPending();
         foreach (int id in _pendingList)
         {
             if (_inTree[id]) _tree.Remove(id);
@@ -215,54 +219,54 @@ public sealed class DynamicAabbTree : IBroadPhase
         _pendingList.RemoveRange(kept, _pendingList.Count - kept);
     }
 
-    /// <summary>The whole tree from the objects' order along a curve; all of them get new leaves, and are looked up in that order, which finds most of what it needs in the cache.</summary>
+    /// <summary>The whole tree from the objects' order along a curve; all of them get new leaves.</summary>
     private void Build()
     {
         if (_tree.Capacity < _table.Boxes.Length) _tree.Reset(_table.Boxes.Length);
+        _pendingList.Clear();
+        for (int id = 0; id < _table.End; id++)
+            if (_table.Present[id]) _pendingList.Add(id);
+        OrderPending();
+        foreach (int id in _pendingList)
+        {
+            Fatten(_table.Boxes[id], out Vector3 min, out Vector3 max);
+            _tree.SetLeaf(id, min, max);
+            _inTree[id] = true;
+            _pending[id] = true;
+        }
+
+        _tree.Build(_curve, _pendingList.Count);
+    }
+
+    /// <summary>Brings the pending objects into their order along a curve: what one needs of the tree is in the cache from the one before.</summary>
+    private void OrderPending()
+    {
         if (_curve.Length < _table.Boxes.Length)
         {
             _curve = new ulong[_table.Boxes.Length];
             _scratch = new ulong[_table.Boxes.Length];
         }
 
-        int n = SortAlongCurve();
-        _pendingList.Clear();
-        for (int i = 0; i < n; i++)
-        {
-            int id = (int)(uint)_curve[i];
-            Fatten(_table.Boxes[id], out Vector3 min, out Vector3 max);
-            _tree.SetLeaf(id, min, max);
-            _inTree[id] = true;
-            _pending[id] = true;
-            _pendingList.Add(id);
-        }
-
-        _tree.Build(_curve, n);
-    }
-
-    private int SortAlongCurve()
-    {
         var low = new Vector3(float.MaxValue);
         Vector3 high = -low;
-        for (int id = 0; id < _table.End; id++)
+        foreach (int id in _pendingList)
         {
-            if (!_table.Present[id]) continue;
             low = Vector3.Min(low, _table.Boxes[id].Min);
             high = Vector3.Max(high, _table.Boxes[id].Max);
         }
 
         Vector3D corner = low, size = (Vector3D)high - low;
         var perUnit = new Vector3D(MortonCurve.PerUnit(size.X), MortonCurve.PerUnit(size.Y), MortonCurve.PerUnit(size.Z));
-        int n = 0;
-        for (int id = 0; id < _table.End; id++)
+        int n = _pendingList.Count;
+        for (int i = 0; i < n; i++)
         {
-            if (!_table.Present[id]) continue;
-            Vector3D centre = ((Vector3D)_table.Boxes[id].Min + _table.Boxes[id].Max) * 0.5;
-            _curve[n++] = (ulong)MortonCurve.Cell(centre, corner, perUnit) << 32 | (uint)id;
+            ref readonly Aabb box = ref _table.Boxes[_pendingList[i]];
+            Vector3D centre = ((Vector3D)box.Min + box.Max) * 0.5;
+            _curve[i] = (ulong)MortonCurve.Cell(centre, corner, perUnit) << 32 | (uint)_pendingList[i];
         }
 
         SortKeys.Sort(ref _curve, ref _scratch, _histograms, n);
-        return n;
+        for (int i = 0; i < n; i++) _pendingList[i] = (int)(uint)_curve[i];
     }
 
     /// <summary>Rounding is monotone, so the larger box holds the box.</summary>

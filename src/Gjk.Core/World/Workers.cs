@@ -67,6 +67,12 @@ public sealed class Workers : IDisposable
         }
     }
 
+    /// <summary>Refuses workers that were disposed of, before a caller changes anything.</summary>
+    internal static void Check(Workers? workers)
+    {
+        if (workers is { _disposed: true }) throw new ObjectDisposedException(nameof(Workers));
+    }
+
     /// <summary>Runs every part of a job, on the caller's thread alone where there is no other.</summary>
     /// <param name="workers">The threads, or null.</param>
     /// <param name="job">The job; parts may run at the same time.</param>
@@ -96,7 +102,7 @@ public sealed class Workers : IDisposable
     private void Run<TJob>(in TJob job, int count, int partLength, CancellationToken cancellation)
         where TJob : struct, IPartJob
     {
-        if (_disposed) throw new ObjectDisposedException(nameof(Workers));
+        Check(this);
         if (_threads.Length == 0 || count <= partLength)
         {
             RunHere(job, count, partLength, cancellation);
@@ -105,7 +111,7 @@ public sealed class Workers : IDisposable
 
         lock (_turn)
         {
-            if (_disposed) throw new ObjectDisposedException(nameof(Workers));
+            Check(this);
             Task<TJob> task = TaskFor<TJob>();
             task.Begin(job, count, partLength, cancellation);
             Open(task);

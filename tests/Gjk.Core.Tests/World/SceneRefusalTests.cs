@@ -1,0 +1,116 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>What a scene refuses, without a trace.</summary>
+public class SceneRefusalTests
+{
+    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void BadCallsAreRefusedAndTheSceneIsUnchanged(BroadPhaseKind kind, BoundKind bound)
+    {
+        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 0, 1, 2, 3);
+        scene.Remove(2);
+        RigidPose[] noPoses = [default, NaNPose(new Quaternion(float.NaN, 0, 0, 1), default), NaNPose(Quaternion.Identity, new Vector3(0, float.NaN, 0)), NaNPose(Quaternion.Identity, new Vector3(float.PositiveInfinity))];
+        foreach (RigidPose pose in noPoses)
+        {
+            Assert.Equal("pose", Assert.Throws<ArgumentException>(() => scene.Add(CollisionSceneTests.Ball, pose)).ParamName);
+            Assert.Equal("pose", Assert.Throws<ArgumentException>(() => scene.Move(0, pose)).ParamName);
+        }
+
+        Assert.Equal("shape", Assert.Throws<ArgumentException>(() => scene.Add(default, RigidPose.Identity)).ParamName);
+        RefusesIds(scene);
+        RefusesLists(scene);
+        Assert.Equal(3, scene.Count);
+        Assert.Equal([new(0, 1), new(1, 3)], CollisionSceneTests.Overlaps(scene));
+        Assert.Equal(4, scene.Add(CollisionSceneTests.Ball, RigidPose.Identity));
+    }
+
+    /// <summary>What the next question answers to the last bit depends on what the pairs remember.</summary>
+    [Fact]
+    public void DisposedWorkersAreRefusedAndTheSceneIsUnchanged()
+    {
+        var workers = new Workers(2);
+        workers.Dispose();
+        CollisionScene[] scenes = [.. Enumerable.Range(0, 2).Select(_ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box))];
+        List<PairDistance> one = [], other = [];
+        for (int frame = 0; frame < 4; frame++)
+        {
+            var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].PairsWithin(0.5f, one, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].PairsWithin(10, ref visitor, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].Overlaps(ref visitor, workers));
+            Assert.Equal(other.Count, one.Count);
+            Assert.Empty(visitor.Pairs);
+            scenes[0].PairsWithin(0.5f, one);
+            scenes[1].PairsWithin(0.5f, other);
+            Assert.True(one.Count > 20 && Hashes(other).SequenceEqual(Hashes(one)));
+        }
+    }
+
+    [Fact]
+    public void UnknownKindsAreRefused()
+    {
+        Assert.Equal("broadPhase", Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene((BroadPhaseKind)4)).ParamName);
+        Assert.Equal("bound", Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene(BroadPhaseKind.AllPairs, (BoundKind)2)).ParamName);
+    }
+
+    private static void RefusesIds(CollisionScene scene)
+    {
+        foreach (int id in new[] { -1, 2, 4, int.MinValue, int.MaxValue })
+        {
+            Action[] calls =
+            [
+                () => scene.Move(id, RigidPose.Identity), () => scene.Remove(id), () => scene.PoseOf(id), () => scene.ShapeOf(id), () => scene.Nearest(id, out _, out _),
+            ];
+            foreach (Action call in calls)
+            {
+                var e = Assert.Throws<ArgumentOutOfRangeException>(call);
+                Assert.True(e.ParamName == "id" && e.Message.StartsWith(id == 2 ? "The object with this id was removed." : "There was never an object with this id.", StringComparison.Ordinal), e.Message);
+            }
+
+            Assert.Equal("idA", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(id, 0)).ParamName);
+            Assert.Equal("idB", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(0, id)).ParamName);
+            Assert.Contains("Pair 1, ", Assert.Throws<ArgumentException>(() => scene.OverlapsOf([new(0, 1), new(0, id)], [])).Message);
+            Assert.False(scene.Contains(id));
+        }
+
+        Assert.Equal("idB", Assert.Throws<ArgumentException>(() => scene.Distance(1, 1)).ParamName);
+    }
+
+    private static void RefusesLists(CollisionScene scene)
+    {
+        List<ObjectPair> pairs = [new(0, 1)];
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.Overlaps(null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.PairsWithin(0, null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.OverlapsOf(pairs, null!)).ParamName);
+        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.OverlapsOf(null!, pairs)).ParamName);
+        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.CollectCandidates(null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentException>(() => scene.OverlapsOf(pairs, pairs)).ParamName);
+        var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
+        foreach (float distance in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
+        {
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.PairsWithin(distance, [])).ParamName);
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.PairsWithin(distance, ref visitor)).ParamName);
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.CollectCandidates(pairs, distance)).ParamName);
+        }
+
+        Assert.Equal([new(0, 1)], pairs);
+    }
+
+    private static IEnumerable<string> Hashes(List<PairDistance> pairs) => pairs.Select(p => ResultHash.Of(p.Pair.A, p.Pair.B, p.Result));
+
+    /// <summary>What no constructor makes, but a copy of raw memory may.</summary>
+    private static RigidPose NaNPose(Quaternion rotation, Vector3 position)
+    {
+        (Quaternion, Vector3) raw = (rotation, position);
+        return Unsafe.As<(Quaternion, Vector3), RigidPose>(ref raw);
+    }
+}
