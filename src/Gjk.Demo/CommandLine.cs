@@ -13,6 +13,8 @@ using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Timing;
+using Gjk.Demo.Trace;
+using Gjk.Demo.View;
 
 namespace Gjk.Demo;
 
@@ -36,6 +38,8 @@ internal static class CommandLine
             BuildQuery(cancel),
             BuildTime(cancel),
             FuzzOptions.Build(cancel),
+            ViewOptions.Build(cancel),
+            TraceOptions.Build(cancel),
         };
 
         // A file name may begin with @, and nothing else is to be read from it.

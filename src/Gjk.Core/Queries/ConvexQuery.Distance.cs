@@ -37,7 +37,8 @@ public static partial class ConvexQuery
     {
         TA copyA = default;
         TB copyB = default;
-        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance);
+        NoTrace trace = default;
+        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref trace);
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -62,7 +63,11 @@ public static partial class ConvexQuery
         if (!bInA.IsValid || !AreMargins(shapeA.Margin, shapeB.Margin)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
-        SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome);
+        NoTrace trace = default;
+        if (ArePoints(bInA, shapeA.Margin + shapeB.Margin))
+            GjkDistance.SolvePoints(bInA, ref outcome);
+        else
+            SolveCores(ref shapeA, ref shapeB, bInA, double.PositiveInfinity, ref outcome, ref trace);
         if (outcome.Status < GjkStatus.InvalidInput) simplex = new FinalSimplex(outcome.Simplex, bInA);
         return Finish(outcome, bInA, poseA, shapeA.Margin, shapeB.Margin, float.PositiveInfinity);
     }
@@ -88,22 +93,24 @@ public static partial class ConvexQuery
     }
 
     /// <summary>The cold query. Two plain meshes in the clothes of <see cref="ConvexShape"/> are solved as meshes, without a look at the kind in each support.</summary>
-    private static DistanceResult DistanceOf<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance)
+    private static DistanceResult DistanceOf<TA, TB, TTrace>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
     {
         if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
-            return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance);
+            return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance, ref trace);
 
         var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
         double marginA = a.Margin, marginB = b.Margin;
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
-        if (bInA.Radius == marginA + marginB)
+        if (ArePoints(bInA, marginA + marginB))
             GjkDistance.SolvePoints(bInA, ref outcome);
         else
-            SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome);
+            SolveCores(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref outcome, ref trace);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
 
@@ -121,9 +128,16 @@ public static partial class ConvexQuery
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
-        SolveCoresWarm(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref warmStart, ref outcome);
+        if (ArePoints(bInA, marginA + marginB))
+            GjkDistance.SolvePoints(bInA, ref outcome);
+        else
+            SolveCoresWarm(ref a, ref b, bInA, CoreReach(maxDistance, marginA + marginB, bInA), ref warmStart, ref outcome);
         return Finish(outcome, bInA, poseA, marginA, marginB, maxDistance);
     }
+
+    /// <summary>Nothing is left of either shape without its margin: points and spheres.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool ArePoints(in RelativePose bInA, double margins) => bInA.Radius == margins;
 
     /// <summary>How far apart the cores may be before the query may end early; the band keeps its answer that of the full query.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -66,7 +66,8 @@ public static partial class ConvexQuery
         }
 
         GjkOutcome.Start(out GjkOutcome outcome);
-        SolveCores(ref a, ref b, bInA, margins + GjkTolerances.SeparatedBand * bInA.Radius, ref outcome);
+        NoTrace trace = default;
+        SolveCores(ref a, ref b, bInA, margins + GjkTolerances.SeparatedBand * bInA.Radius, ref outcome, ref trace);
         status = OverlapStatus(outcome, margins + GjkTolerances.Touch * bInA.Radius);
         return status == GjkStatus.Overlapping;
     }

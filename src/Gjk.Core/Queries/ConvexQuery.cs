@@ -49,14 +49,16 @@ public static partial class ConvexQuery
     }
 
     /// <summary>Cold solve of the cores; what double cannot prove goes to extended precision.</summary>
-    private static void SolveCores<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, double maxCoreDistance, ref GjkOutcome outcome)
+    private static void SolveCores<TA, TB, TTrace>(
+        ref TA a, ref TB b, in RelativePose bInA, double maxCoreDistance, ref GjkOutcome outcome, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
     {
         outcome.Feature.Normal = FirstNormal(bInA);
-        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome);
+        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome, ref trace);
         if (outcome.Status == GjkStatus.IterationLimit)
-            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome);
+            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome, ref trace);
     }
 
     /// <summary>The same from a warm start's simplex or, for shapes without vertices, its normal.</summary>
@@ -67,10 +69,11 @@ public static partial class ConvexQuery
     {
         warmStart.Restore(ref a, ref b, bInA, ref outcome.Simplex);
         Vector3D normal = warmStart.Normal;
+        NoTrace trace = default;
         outcome.Feature.Normal = normal.LengthSquared > 0 ? normal : FirstNormal(bInA);
-        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome);
+        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome, ref trace);
         if (outcome.Status == GjkStatus.IterationLimit)
-            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome);
+            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome, ref trace);
         if (outcome.Status < GjkStatus.InvalidInput) warmStart.Store(outcome.Simplex, outcome.Feature.Normal);
     }
 

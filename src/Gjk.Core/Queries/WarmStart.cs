@@ -47,12 +47,12 @@ public struct WarmStart
     internal void Store(in Simplex simplex, in Vector3D normal)
     {
         _count = simplex.Count;
-        (_a0, _b0) = (simplex.IdA(simplex.A), simplex.IdB(simplex.A));
+        (_a0, _b0) = _count > 0 ? (simplex.IdA(simplex.A), simplex.IdB(simplex.A)) : (-1, -1);
         if (_count > 1) (_a1, _b1) = (simplex.IdA(simplex.B), simplex.IdB(simplex.B));
         if (_count > 2) (_a2, _b2) = (simplex.IdA(simplex.C), simplex.IdB(simplex.C));
         if (_count > 3) (_a3, _b3) = (simplex.IdA(simplex.D), simplex.IdB(simplex.D));
 
-        // Only shapes without vertices need the normal; brought to unit length, it is a float for any size of shape.
+        // Only shapes without vertices need the normal, and a query whose first plane was further than asked; brought to unit length, it is a float for any size of shape.
         if ((_a0 | _b0) >= 0) return;
         double scale = 1 / System.Math.Sqrt(normal.LengthSquared);
         (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));

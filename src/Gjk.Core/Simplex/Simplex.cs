@@ -45,6 +45,10 @@ internal unsafe struct Simplex
 
     public readonly int IdB(int slot) => _ids[2 * slot + 1];
 
+    /// <summary>No vertices, and slot numbers that are some, so that nothing can be read out of bounds.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Clear() => A = B = C = D = Count = 0;
+
     /// <summary>Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be room.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Push(in Vector3D w, in Vector3D onA, int idA, int idB)

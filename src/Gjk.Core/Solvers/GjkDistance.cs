@@ -22,9 +22,11 @@ internal static class GjkDistance
 {
     /// <summary>Runs the loop from <c>outcome.Feature.Normal</c> (cold), or from <c>outcome.Simplex</c> when that has vertices (warm).</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Solve<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, double maxDistance, ref GjkOutcome outcome)
+    public static void Solve<TA, TB, TTrace>(
+        ref TA a, ref TB b, in RelativePose bInA, double maxDistance, ref GjkOutcome outcome, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
     {
         double noise = GjkTolerances.Noise * bInA.Radius, touchSquared = Square(GjkTolerances.Touch * bInA.Radius);
         ref Simplex simplex = ref outcome.Simplex;
@@ -41,6 +43,7 @@ internal static class GjkDistance
             var normal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
             MinkowskiDifference.Support(ref a, ref b, bInA, normal, ref idA, ref idB, out Vector3D onA, out Vector3D w);
             outcome.Iterations++;
+            if (trace.IsOn) trace.OnSupport(new TracedSupport(bInA, normal, onA, w, idA, idB, isExtended: false));
             double plane = Vector3D.Dot(normal, w);
             if (plane > 0)
             {
@@ -56,7 +59,9 @@ internal static class GjkDistance
             if (simplex.Count != 0 && IsEnd(ref outcome, plane, (idA | idB) < 0, noise, bInA.Radius)) return;
 
             simplex.Push(w, onA, idA, idB);
-            if (!feature.Reduce(ref simplex))
+            bool isOutside = feature.Reduce(ref simplex);
+            if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, isExtended: false));
+            if (!isOutside)
             {
                 if (!separated && (IsCertainlyInside(simplex) || HoldsPointNear(simplex, touchSquared))) outcome.Status = GjkStatus.Overlapping;
                 return;
@@ -74,11 +79,12 @@ internal static class GjkDistance
         }
     }
 
-    /// <summary>Two cores that are points, as those of spheres are (their margins are all of their radii): what the loop would find, without a support call.</summary>
+    /// <summary>Two cores that are points, as those of spheres are (their margins are all of their radii): what the loop would find in its one round, in closed form.</summary>
     public static void SolvePoints(in RelativePose bInA, ref GjkOutcome outcome)
     {
         Vector3D w = -bInA.Translation;
         outcome.Simplex.Push(w, default, 0, 0);
+        outcome.Iterations = 1;
         outcome.Feature.Reduce(ref outcome.Simplex);
         outcome.Status = outcome.Feature.Height > 0 ? GjkStatus.Separated : GjkStatus.Overlapping;
         SetPlane(ref outcome, outcome.Feature, outcome.Feature.Height);

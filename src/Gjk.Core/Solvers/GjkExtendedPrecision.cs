@@ -26,9 +26,11 @@ internal static class GjkExtendedPrecision
 
     /// <summary>Solves from the beginning, in the first direction given.</summary>
     [MethodImpl(OptimizeAtOnce | MethodImplOptions.NoInlining)]
-    public static void Solve<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, in Vector3D firstNormal, double maxDistance, ref GjkOutcome outcome)
+    public static void Solve<TA, TB, TTrace>(
+        ref TA a, ref TB b, in RelativePose bInA, in Vector3D firstNormal, double maxDistance, ref GjkOutcome outcome, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
     {
         double touchSquared = GjkDistance.Square(GjkTolerances.Touch * bInA.Radius);
         int limit = outcome.Iterations + GjkTolerances.MaxIterations;
@@ -38,12 +40,14 @@ internal static class GjkExtendedPrecision
         DoubleDouble distanceSquared = default;
         MinkowskiDifference.Support(ref a, ref b, bInA, firstNormal, ref idA, ref idB, out Vector3D onA, out Vector3D w);
         outcome.Iterations++;
+        if (trace.IsOn) trace.OnSupport(new TracedSupport(bInA, firstNormal, onA, w, idA, idB, isExtended: true));
         outcome.PlaneNormalSquared = 0;
         while (true)
         {
             Simplex before = simplex;
             simplex.Push(w, onA, idA, idB);
             bool outside = TryReduce(ref simplex, out ClosestFeature next, out DoubleDouble nextSquared);
+            if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, isExtended: true));
             if (!outside || !((double)nextSquared > touchSquared))
             {
                 bool isNumber = !outside || (double)nextSquared >= 0;
@@ -66,6 +70,7 @@ internal static class GjkExtendedPrecision
             feature = next;
             MinkowskiDifference.Support(ref a, ref b, bInA, feature.Normal, ref idA, ref idB, out onA, out w);
             outcome.Iterations++;
+            if (trace.IsOn) trace.OnSupport(new TracedSupport(bInA, feature.Normal, onA, w, idA, idB, isExtended: true));
             if (Ends(ref outcome, bInA, simplex, feature, Vector3D.Dot(feature.Normal, w), (idA | idB) < 0, maxDistance, limit)) return;
         }
     }

@@ -25,13 +25,13 @@ internal struct GjkOutcome
     /// <summary>Support calls made on each shape.</summary>
     public int Iterations;
 
-    /// <summary>Makes an outcome without vertices and planes; slots that no vertex has been written to are not cleared.</summary>
+    /// <summary>Makes an outcome without vertices and planes; the contents of empty slots are not cleared.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Start(out GjkOutcome outcome)
     {
 #if NET
         Unsafe.SkipInit(out outcome);
-        outcome.Simplex.Count = 0;
+        outcome.Simplex.Clear();
         outcome.Iterations = 0;
         outcome.PlaneNormalSquared = 0;
         outcome.Status = GjkStatus.IterationLimit;

@@ -1,0 +1,24 @@
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>The distance query, telling a trace what it does: for teaching, drawing and finding out. The result is the ordinary query's, bit for bit.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <typeparam name="TTrace">The trace's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="trace">Told of every support and reduction; of none where two spheres are solved by a formula, or the input is invalid.</param>
+    /// <returns>See <see cref="DistanceResult"/>. What the trace throws passes through.</returns>
+    public static DistanceResult Trace<TA, TB, TTrace>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        TA copyA = default;
+        TB copyB = default;
+        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, float.PositiveInfinity, ref trace);
+    }
+}

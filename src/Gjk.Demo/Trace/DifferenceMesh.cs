@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core;
+using Gjk.Demo.View;
+
+namespace Gjk.Demo.Trace;
+
+/// <summary>
+/// The surface of the Minkowski difference of two cores, to be drawn: the hull of all differences of corners where there are few, else of support points in many directions, among
+/// them all that the query asked for.
+/// </summary>
+internal static class DifferenceMesh
+{
+    /// <summary>Differences of corners that are still hulled all.</summary>
+    private const int MostCorners = 4096;
+
+    /// <summary>Directions about an axis, and from pole to pole: steps of 7.5 degrees.</summary>
+    private const int Meridians = 48, Parallels = 24;
+
+    /// <param name="a">The first shape.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="bInA">Where that is, seen from the first.</param>
+    /// <param name="unit">What points are multiplied by, so that they fit into floats at any size.</param>
+    /// <param name="steps">The query's.</param>
+    public static ShapeMesh Of(in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, List<TraceStep> steps)
+    {
+        List<Vector3D>? cornersA = Corners(a), cornersB = Corners(b);
+        var points = new List<Vector3>();
+        bool isExact = cornersA is not null && cornersB is not null && cornersA.Count * cornersB.Count <= MostCorners;
+        if (isExact)
+        {
+            foreach (Vector3D corner in cornersA!)
+            {
+                foreach (Vector3D other in cornersB!) points.Add((Vector3)((corner - bInA.Place(other)) * unit));
+            }
+        }
+        else
+        {
+            for (int row = 0; row <= Parallels; row++)
+            {
+                (double up, double outward) = Math.SinCos(Math.PI * row / Parallels - Math.PI / 2);
+                for (int i = 0; i < Meridians; i++)
+                {
+                    (double z, double x) = Math.SinCos(2 * Math.PI * i / Meridians);
+                    points.Add((Vector3)(Support(a, b, bInA, new Vector3D(outward * x, up, outward * z)) * unit));
+                }
+            }
+        }
+
+        foreach (TraceStep step in steps) points.Add((Vector3)(step.Support.Vertex * unit));
+        return ShapeMesh.Of(new ConvexHull(points), isSmooth: !isExact && (cornersA is null || cornersB is null));
+    }
+
+    private static Vector3D Support(in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, in Vector3D direction)
+    {
+        a.Support(direction, -1, out Vector3D onA);
+        b.Support(-bInA.InverseTurn(direction), -1, out Vector3D onB);
+        return onA - bInA.Place(onB);
+    }
+
+    /// <summary>The core's vertices, or null where it has none.</summary>
+    private static List<Vector3D>? Corners(in ConvexShape shape)
+    {
+        var corners = new List<Vector3D>();
+        for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) corners.Add(corner);
+        return corners.Count > 0 ? corners : null;
+    }
+}

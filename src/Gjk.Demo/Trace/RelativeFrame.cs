@@ -1,0 +1,37 @@
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.Trace;
+
+/// <summary>Where B is, seen from A, in double: the frame that the solver works in and the page draws.</summary>
+internal readonly struct RelativeFrame
+{
+    private readonly double _x, _y, _z, _w;
+
+    public RelativeFrame(in RigidPose a, in RigidPose b)
+    {
+        Quaternion p = a.Rotation, q = b.Rotation;
+        _x = (double)p.W * q.X - (double)p.X * q.W - (double)p.Y * q.Z + (double)p.Z * q.Y;
+        _y = (double)p.W * q.Y - (double)p.Y * q.W - (double)p.Z * q.X + (double)p.X * q.Z;
+        _z = (double)p.W * q.Z - (double)p.Z * q.W - (double)p.X * q.Y + (double)p.Y * q.X;
+        _w = (double)p.W * q.W + (double)p.X * q.X + (double)p.Y * q.Y + (double)p.Z * q.Z;
+        Position = Turned((Vector3D)b.Position - a.Position, -(double)p.X, -(double)p.Y, -(double)p.Z, p.W);
+    }
+
+    public Vector3D Position { get; }
+
+    /// <summary>A point of B in A's frame.</summary>
+    public Vector3D Place(in Vector3D local) => Turned(local, _x, _y, _z, _w) + Position;
+
+    /// <summary>A direction of A's frame in B's.</summary>
+    public Vector3D InverseTurn(in Vector3D direction) => Turned(direction, -_x, -_y, -_z, _w);
+
+    public double[] Quaternion() => [_x, _y, _z, _w];
+
+    /// <summary>v + 2 u × (u × v + w v) / |q|².</summary>
+    private static Vector3D Turned(in Vector3D v, double x, double y, double z, double w)
+    {
+        var u = new Vector3D(x, y, z);
+        return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * w) * (2 / (u.LengthSquared + w * w));
+    }
+}

@@ -1,0 +1,71 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Output;
+using Gjk.Demo.Scenes;
+using Gjk.Demo.View;
+
+namespace Gjk.Demo.Trace;
+
+/// <summary>The command line of <c>trace</c>, and its work.</summary>
+internal static class TraceOptions
+{
+    public static Command Build(CancellationToken cancel)
+    {
+        var source = new SceneSource();
+        var pair = new Option<string?>("--pair") { Description = "The two objects, by their indices in the scene, such as 0,1.", HelpName = "I,J", Required = true };
+        var page = new Option<string?>("--out") { Description = "Write the page to this file.", HelpName = "FILE.html", Required = true };
+        pair.Validators.Add(result =>
+        {
+            if (result.Tokens.Count == 1 && !TryParse(result.Tokens[0].Value, out _, out _))
+                result.AddError($"--pair {result.Tokens[0].Value}: must be two different indices, such as 0,1.");
+        });
+        var command = new Command("trace", "Show one query step by step: supports, simplex and bounds, as a page that needs no network.") { source.File, source.BuiltIn, pair, page };
+        source.Validate(command);
+        command.SetAction(r =>
+        {
+            string html = r.GetValue(page)!;
+            TargetFiles.Check(r.GetValue(source.File), ("--out", html));
+            Scene scene = source.Load(r, out string name);
+            TryParse(r.GetValue(pair)!, out int a, out int b);
+            int count = scene.Objects.Length;
+            if (a >= count || b >= count) throw new RefusedException($"{name}: --pair {a},{b}: the scene has {count} objects, the first is 0");
+            Write(scene, (a, b), html, cancel);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static void Write(Scene scene, (int A, int B) pair, string target, CancellationToken cancel)
+    {
+        SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
+        using var file = new AtomicFile(target);
+        var steps = new List<TraceStep>();
+        var recorder = new TraceRecorder(steps);
+        DistanceResult result = ConvexQuery.Trace(a.Shape, a.Pose, b.Shape, b.Pose, ref recorder);
+        try
+        {
+            TracePage.Write(file.Stream, scene, pair, steps, result);
+        }
+        catch (IOException e)
+        {
+            throw new RefusedException(target, "cannot be written", e);
+        }
+
+        cancel.ThrowIfCancellationRequested();
+        file.Commit();
+    }
+
+    private static bool TryParse(string text, out int a, out int b)
+    {
+        string[] parts = text.Split(',');
+        b = 0;
+        return int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out a)
+            && parts.Length == 2
+            && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out b)
+            && a != b;
+    }
+}

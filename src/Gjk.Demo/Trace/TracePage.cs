@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text.Json;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+using Gjk.Demo.View;
+
+namespace Gjk.Demo.Trace;
+
+/// <summary>The page of one query: both shapes and their Minkowski difference in A's frame, and every step.</summary>
+internal static class TracePage
+{
+    /// <summary>The Minkowski difference is written this large, from the origin to its furthest point, so that no size is too small or too large to draw.</summary>
+    private const double DrawnRadius = 10;
+
+    /// <param name="stream">Where to.</param>
+    /// <param name="scene">Where both come from.</param>
+    /// <param name="pair">Their indices.</param>
+    /// <param name="steps">What the query told.</param>
+    /// <param name="result">What it answered.</param>
+    public static void Write(Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result)
+    {
+        SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
+        var bInA = new RelativeFrame(a.Pose, b.Pose);
+        double reach = (bInA.Place(b.Shape.Center) - a.Shape.Center).Length + a.Shape.BoundingRadius + b.Shape.BoundingRadius;
+        double unit = reach > 0 ? DrawnRadius / reach : 1;
+        string nameA = a.Name ?? $"#{pair.A}", nameB = b.Name ?? $"#{pair.B}";
+        using var data = new PageData();
+        Utf8JsonWriter json = data.Json;
+        json.WriteStartObject();
+        json.WriteString("kind", "trace");
+        json.WriteString("name", scene.Name);
+        json.WriteString("nameA", nameA);
+        json.WriteString("nameB", nameB);
+        json.WriteNumber("unit", unit);
+        json.WriteNumber("marginA", a.Shape.Margin);
+        json.WriteNumber("marginB", b.Shape.Margin);
+        Numbers(json, "rotation", bInA.Quaternion());
+        Vector(json, "position", bInA.Position);
+        json.WritePropertyName("shapeA");
+        ScenePage.WriteShape(data, ShapeMesh.Of(a.Shape));
+        json.WritePropertyName("shapeB");
+        ScenePage.WriteShape(data, ShapeMesh.Of(b.Shape));
+        json.WritePropertyName("difference");
+        ScenePage.WriteShape(data, DifferenceMesh.Of(a.Shape, b.Shape, bInA, unit, steps));
+        WriteResult(json, result);
+        WriteSteps(json, steps);
+        json.WriteEndObject();
+        HtmlPage.Write(
+            stream, $"{scene.Name}: {nameA} – {nameB}",
+            [("steps", steps.Count), ("iterations", result.Iterations), ("a", pair.A), ("b", pair.B)], data.Text);
+    }
+
+    private static void WriteResult(Utf8JsonWriter json, in DistanceResult result)
+    {
+        json.WriteStartObject("result");
+        json.WriteString("status", result.Status.ToString());
+        Number(json, "distance", result.Distance);
+        Number(json, "lowerBound", result.LowerBound);
+        Vector(json, "normal", result.Normal);
+        Vector(json, "pointA", result.LocalPointA);
+        json.WriteNumber("iterations", result.Iterations);
+        json.WriteEndObject();
+    }
+
+    private static void WriteSteps(Utf8JsonWriter json, List<TraceStep> steps)
+    {
+        json.WriteStartArray("steps");
+        foreach (TraceStep step in steps)
+        {
+            json.WriteStartObject();
+            Vector(json, "normal", step.Support.Normal * (1 / step.Support.Normal.Length));
+            Vector(json, "onA", step.Support.PointOnA);
+            Vector(json, "onB", step.Support.PointOnB);
+            Vector(json, "w", step.Support.Vertex);
+            json.WriteNumber("idA", step.Support.IdA);
+            json.WriteNumber("idB", step.Support.IdB);
+            Number(json, "lower", step.Support.LowerBound);
+            json.WriteBoolean("extended", step.Support.IsExtended);
+            Indices(json, "before", step.Before);
+            if (step.After is not null)
+            {
+                Indices(json, "after", step.After);
+                Numbers(json, "weights", step.Weights);
+                Vector(json, "nearest", step.Nearest);
+                Number(json, "upper", step.UpperBound);
+            }
+
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <summary>JSON has no infinities; the page takes null for "none".</summary>
+    private static void Number(Utf8JsonWriter json, string name, double value)
+    {
+        if (double.IsFinite(value)) json.WriteNumber(name, value);
+        else json.WriteNull(name);
+    }
+
+    private static void Vector(Utf8JsonWriter json, string name, in Vector3D v) => Numbers(json, name, [v.X, v.Y, v.Z]);
+
+    private static void Numbers(Utf8JsonWriter json, string name, ReadOnlySpan<double> values)
+    {
+        json.WriteStartArray(name);
+        foreach (double value in values)
+        {
+            if (double.IsFinite(value)) json.WriteNumberValue(value);
+            else json.WriteNullValue();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void Indices(Utf8JsonWriter json, string name, int[] values)
+    {
+        json.WriteStartArray(name);
+        foreach (int value in values) json.WriteNumberValue(value);
+        json.WriteEndArray();
+    }
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Net;
+using System.Reflection;
+using System.Text;
+
+namespace Gjk.Demo.View;
+
+/// <summary>One self-contained file: the page's frame, style and script, which are embedded in the demo, around the data.</summary>
+internal static class HtmlPage
+{
+    /// <summary>Writes the page.</summary>
+    /// <param name="stream">Where to.</param>
+    /// <param name="title">Shown as plain text.</param>
+    /// <param name="attributes">Counts that can be read off the body element without running the script.</param>
+    /// <param name="json">What the page shows.</param>
+    public static void Write(Stream stream, string title, ReadOnlySpan<(string Name, long Value)> attributes, ReadOnlySpan<byte> json)
+    {
+        var counts = new StringBuilder();
+        foreach ((string name, long value) in attributes) counts.Append(CultureInfo.InvariantCulture, $" data-{name}=\"{value}\"");
+        ReadOnlySpan<char> rest = Asset("page.html");
+        while (true)
+        {
+            int start = rest.IndexOf("{{");
+            if (start < 0) break;
+            int end = rest.IndexOf("}}");
+            Add(stream, rest[..start]);
+            switch (rest[(start + 2)..end])
+            {
+                case "title":
+                    Add(stream, WebUtility.HtmlEncode(title));
+                    break;
+                case "counts":
+                    Add(stream, counts.ToString());
+                    break;
+                case "style":
+                    Add(stream, Asset("page.css"));
+                    break;
+                case "data":
+                    stream.Write(json);
+                    break;
+                case "script":
+                    Add(stream, Asset("viewer.js"));
+                    break;
+            }
+
+            rest = rest[(end + 2)..];
+        }
+
+        Add(stream, rest);
+        stream.Flush();
+    }
+
+    private static string Asset(string name)
+    {
+        using Stream asset = Assembly.GetExecutingAssembly().GetManifestResourceStream(name)
+            ?? throw new InvalidOperationException($"The demo was built without {name}.");
+        using var reader = new StreamReader(asset, Encoding.UTF8);
+        return reader.ReadToEnd();
+    }
+
+    private static void Add(Stream stream, ReadOnlySpan<char> text)
+    {
+        byte[] bytes = new byte[Encoding.UTF8.GetByteCount(text)];
+        stream.Write(bytes, 0, Encoding.UTF8.GetBytes(text, bytes));
+    }
+}

@@ -1,0 +1,40 @@
+using System;
+using System.IO;
+using System.Runtime.InteropServices;
+using System.Text.Json;
+
+namespace Gjk.Demo.View;
+
+/// <summary>JSON for a script element: compact, with arrays of numbers as base64 of their little-endian bytes.</summary>
+internal sealed class PageData : IDisposable
+{
+    private readonly MemoryStream _bytes = new();
+
+    public PageData() => Json = new Utf8JsonWriter(_bytes);
+
+    /// <summary>Its default escaping writes &lt; as \u003C, so that no text can end the script element.</summary>
+    public Utf8JsonWriter Json { get; }
+
+    /// <summary>The whole text, when the last value has been written.</summary>
+    public ReadOnlySpan<byte> Text
+    {
+        get
+        {
+            Json.Flush();
+            return _bytes.GetBuffer().AsSpan(0, (int)_bytes.Length);
+        }
+    }
+
+    public void Array<T>(string name, ReadOnlySpan<T> values)
+        where T : unmanaged
+    {
+        if (!BitConverter.IsLittleEndian) throw new PlatformNotSupportedException("The page's numbers are little-endian.");
+        Json.WriteBase64String(name, MemoryMarshal.AsBytes(values));
+    }
+
+    public void Dispose()
+    {
+        Json.Dispose();
+        _bytes.Dispose();
+    }
+}

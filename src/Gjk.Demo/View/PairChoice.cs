@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+
+namespace Gjk.Demo.View;
+
+/// <summary>
+/// Which pairs a page shows: all of them, or, where those would be more than a browser can sort and draw at ease, every pair that intersects in some frame and
+/// each object's nearest partners in every frame.
+/// </summary>
+internal sealed class PairChoice
+{
+    /// <summary>Answers (pairs times frames) up to which all pairs are shown; a page has 43 bytes for each, so about 10 MB.</summary>
+    public const long MostOfAll = 250_000;
+
+    /// <summary>Nearest partners kept for each object in each frame.</summary>
+    public const int Partners = 6;
+
+    /// <summary>How many pairs are answered between two looks at Ctrl-C.</summary>
+    private const int PairsPerLook = 256;
+
+    private readonly Scene _scene;
+    private readonly SortedSet<(int A, int B)> _kept = [];
+    private readonly (float Distance, int Partner, bool IsFirst)[] _nearest;
+
+    private PairChoice(Scene scene)
+    {
+        _scene = scene;
+        _nearest = new (float, int, bool)[scene.Objects.Length * Partners];
+    }
+
+    /// <exception cref="RefusedException">Even these are too many for a page.</exception>
+    public static ScenePairs Of(Scene scene, SceneMotion motion, string name, Action<double> progress, CancellationToken cancel)
+    {
+        if (scene.Pairs.Count * (double)scene.Frames <= MostOfAll) return scene.Pairs;
+        var choice = new PairChoice(scene);
+        var poses = new RigidPose[scene.Objects.Length];
+        for (int frame = 0; frame < scene.Frames; frame++)
+        {
+            motion.Poses(frame, poses);
+            choice.AddFrame(poses, share => progress((frame + share) / scene.Frames), cancel);
+            if (choice._kept.Count * (long)scene.Frames <= SceneResults.MostAnswers) continue;
+            throw new RefusedException(
+                $"{name}: {scene.Pairs.Count} pairs in {scene.Frames} frames are more than a page can hold, even the intersecting and nearest ones; list fewer in $.pairs");
+        }
+
+        return choice.Listed();
+    }
+
+    private void AddFrame(RigidPose[] poses, Action<double> progress, CancellationToken cancel)
+    {
+        Array.Fill(_nearest, (float.PositiveInfinity, -1, true));
+        long done = 0;
+        foreach ((int a, int b) in _scene.Pairs)
+        {
+            if (done++ % PairsPerLook == 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                progress((double)done / _scene.Pairs.Count);
+            }
+
+            float reach = Math.Max(_nearest[a * Partners + Partners - 1].Distance, _nearest[b * Partners + Partners - 1].Distance);
+            DistanceResult answer = ConvexQuery.Distance(_scene.Objects[a].Shape, poses[a], _scene.Objects[b].Shape, poses[b], reach);
+            if (answer.Status is GjkStatus.Overlapping or GjkStatus.IterationLimit or GjkStatus.InvalidShape) _kept.Add((a, b));
+            if (answer.Status != GjkStatus.Separated) continue;
+            Rank(a, b, answer.Distance, isFirst: true);
+            Rank(b, a, answer.Distance, isFirst: false);
+        }
+
+        for (int i = 0; i < _nearest.Length; i++)
+        {
+            (_, int partner, bool isFirst) = _nearest[i];
+            if (partner >= 0) _kept.Add(isFirst ? (i / Partners, partner) : (partner, i / Partners));
+        }
+    }
+
+    /// <summary>Puts a partner in its place among an object's nearest.</summary>
+    private void Rank(int of, int partner, float distance, bool isFirst)
+    {
+        int first = of * Partners, at = first + Partners - 1;
+        if (!(distance < _nearest[at].Distance)) return;
+        for (; at > first && distance < _nearest[at - 1].Distance; at--) _nearest[at] = _nearest[at - 1];
+        _nearest[at] = (distance, partner, isFirst);
+    }
+
+    private ScenePairs Listed()
+    {
+        var indices = new int[2 * _kept.Count];
+        int i = 0;
+        foreach ((int a, int b) in _kept)
+        {
+            indices[i++] = a;
+            indices[i++] = b;
+        }
+
+        return ScenePairs.Listed(indices);
+    }
+}

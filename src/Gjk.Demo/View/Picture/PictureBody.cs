@@ -1,0 +1,107 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.View;
+
+/// <summary>One object as the eye sees it: the triangles towards it, the lines to be drawn, and what it hides.</summary>
+internal sealed class PictureBody
+{
+    /// <summary>A mesh with more corners than this stands for something round: its edges would be a net over it, so only its outline is drawn.</summary>
+    private const int MostEdges = 200;
+
+    private readonly ShapeMesh _mesh;
+    private readonly int[] _across;
+    private readonly bool[] _faces;
+
+    /// <param name="mesh">Its surface.</param>
+    /// <param name="position">Its vertex in the units of the picture, given the rotated one in world units.</param>
+    /// <param name="rotation">Its rotation in the world.</param>
+    /// <param name="eye">In the units of the picture.</param>
+    public PictureBody(ShapeMesh mesh, Func<Vector3D, Vector3D> position, Quaternion rotation, in Vector3D eye)
+    {
+        _mesh = mesh;
+        Vertices = new Vector3D[mesh.Vertices.Length];
+        for (int i = 0; i < Vertices.Length; i++) Vertices[i] = position(Rotated(mesh.Vertices[i], rotation));
+        Center = default;
+        foreach (Vector3D v in Vertices) Center += v * (1.0 / Vertices.Length);
+        foreach (Vector3D v in Vertices) Radius = Math.Max(Radius, (v - Center).Length);
+        EyeDistance = (Center - eye).Length;
+        _across = mesh.Dimension > 1 ? mesh.Neighbours() : [];
+        _faces = new bool[mesh.Triangles.Length / 3];
+        for (int i = 0; i < _faces.Length; i++) _faces[i] = Vector3D.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
+        Shadow = new Shadow(Planes(eye));
+    }
+
+    public Vector3D[] Vertices { get; }
+
+    public Vector3D Center { get; }
+
+    /// <summary>About the centre.</summary>
+    public double Radius { get; }
+
+    /// <summary>From the eye to the centre.</summary>
+    public double EyeDistance { get; }
+
+    public Shadow Shadow { get; }
+
+    public int Dimension => _mesh.Dimension;
+
+    public int TriangleCount => _faces.Length;
+
+    public bool FacesEye(int triangle) => _faces[triangle];
+
+    public int Corner(int triangle, int corner) => _mesh.Triangles[3 * triangle + corner];
+
+    /// <summary>Of any length.</summary>
+    public Vector3D Normal(int triangle)
+    {
+        Vector3D a = Vertices[Corner(triangle, 0)];
+        return Vector3D.Cross(Vertices[Corner(triangle, 1)] - a, Vertices[Corner(triangle, 2)] - a);
+    }
+
+    /// <summary>The lines to draw, as two vertices: the outline, and the corners of what is not round.</summary>
+    public IEnumerable<(int From, int To)> Lines()
+    {
+        if (_mesh.Dimension == 1) yield return (0, 1);
+        var corners = new HashSet<(int, int)>();
+        for (int i = 0; i < _mesh.Edges.Length && _mesh.Edges.Length <= 2 * MostEdges; i += 2) corners.Add((_mesh.Edges[i], _mesh.Edges[i + 1]));
+        for (int i = 0; i < _across.Length; i++)
+        {
+            if (!_faces[i / 3]) continue;
+            int from = _mesh.Triangles[i], to = _mesh.Triangles[ShapeMesh.Next(i)];
+            bool isOutline = !_faces[_across[i]];
+            if (isOutline || (from < to && corners.Contains((from, to)))) yield return (from, to);
+        }
+    }
+
+    private IEnumerable<(Vector3D Normal, double Value)> Planes(Vector3D eye)
+    {
+        for (int i = 0; i < _across.Length; i++)
+        {
+            if (!_faces[i / 3] || _faces[_across[i]]) continue;
+            Vector3D from = Vertices[_mesh.Triangles[i]], to = Vertices[_mesh.Triangles[ShapeMesh.Next(i)]];
+            yield return Plane(Vector3D.Cross(to - from, eye - from), eye);
+        }
+
+        for (int i = 0; i < _faces.Length; i++)
+        {
+            if (_faces[i]) yield return Plane(Normal(i), Vertices[Corner(i, 0)]);
+        }
+    }
+
+    private static (Vector3D Normal, double Value) Plane(in Vector3D normal, in Vector3D through)
+    {
+        Vector3D unit = normal * (1 / normal.Length);
+        return (unit, Vector3D.Dot(unit, through));
+    }
+
+    /// <summary>v + 2 u × (u × v + w v), the quaternion's rotation, in double.</summary>
+    private static Vector3D Rotated(Vector3D v, Quaternion q)
+    {
+        var u = new Vector3D(q.X, q.Y, q.Z);
+        double norm = u.LengthSquared + (double)q.W * q.W;
+        return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * (double)q.W) * (2 / norm);
+    }
+}

@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using Gjk.Core;
+
+namespace Gjk.Demo.View;
+
+/// <summary>The camera of a still picture: where the page first looks from, as near as all balls allow, and the picture just as tall as they need.</summary>
+internal sealed class PictureCamera
+{
+    /// <summary>Half the angle that the longer side of the picture spans, as its tangent: 19 degrees.</summary>
+    private const double HalfWidth = 0.344;
+
+    /// <summary>Width over height of the widest and the narrowest picture.</summary>
+    private const double Widest = 2.2, Narrowest = 1.2;
+
+    /// <summary>Room around the scene, as a share of the picture.</summary>
+    private const double Border = 0.05;
+
+    /// <summary>A scene of one point is shown from this near: the width of the picture as a tangent.</summary>
+    private const double Smallest = 1e-3;
+
+    private readonly Vector3D _right, _up, _back;
+    private double _scale, _left, _top;
+
+    /// <param name="balls">What must be in sight.</param>
+    public PictureCamera(IReadOnlyList<(Vector3D Center, double Radius)> balls)
+    {
+        _back = Unit(new Vector3D(0.34, 0.42, 1));
+        _right = Unit(Vector3D.Cross(new Vector3D(0, 1, 0), _back));
+        _up = Vector3D.Cross(_back, _right);
+        double away = 1;
+        foreach ((Vector3D center, double radius) in balls)
+        {
+            double depth = Vector3D.Dot(center, _back) + radius;
+            double aside = Math.Max(Math.Abs(Vector3D.Dot(center, _right)), Math.Abs(Vector3D.Dot(center, _up)) * Narrowest);
+            away = Math.Max(away, depth + (aside + radius) / HalfWidth);
+        }
+
+        Eye = _back * away;
+    }
+
+    public Vector3D Eye { get; }
+
+    public double Width { get; private set; }
+
+    public double Height { get; private set; }
+
+    /// <summary>Makes the picture as wide as asked, and just as tall as all points need.</summary>
+    public void Frame(IEnumerable<Vector3D> points, double width)
+    {
+        double left = double.PositiveInfinity, right = -left, bottom = left, top = -left;
+        foreach (Vector3D point in points)
+        {
+            (double x, double y) = OnWindow(point);
+            left = Math.Min(left, x);
+            right = Math.Max(right, x);
+            bottom = Math.Min(bottom, y);
+            top = Math.Max(top, y);
+        }
+
+        if (left > right) (left, right, bottom, top) = (0, 0, 0, 0);
+        double border = Border * Math.Max(right - left, top - bottom);
+        double wide = right - left + 2 * border, high = Math.Max(top - bottom + 2 * border, wide / Widest);
+        wide = Math.Max(Math.Max(wide, high * Narrowest), Smallest);
+        high = Math.Max(high, wide / Widest);
+        Width = width;
+        Height = Math.Round(width * high / wide);
+        _scale = width / wide;
+        _left = (left + right - wide) / 2;
+        _top = (top + bottom + high) / 2;
+    }
+
+    /// <summary>Where a point is in the picture: x to the right, y down.</summary>
+    public (double X, double Y) Project(in Vector3D point)
+    {
+        (double x, double y) = OnWindow(point);
+        return ((x - _left) * _scale, (_top - y) * _scale);
+    }
+
+    /// <summary>A direction given by how far it goes right, up and towards the viewer.</summary>
+    public Vector3D Direction(double right, double up, double back) => Unit(_right * right + _up * up + _back * back);
+
+    private static Vector3D Unit(in Vector3D v) => v * (1 / v.Length);
+
+    private (double X, double Y) OnWindow(in Vector3D point)
+    {
+        Vector3D from = point - Eye;
+        double depth = Depth(point);
+        return (Vector3D.Dot(from, _right) / depth, Vector3D.Dot(from, _up) / depth);
+    }
+
+    private double Depth(in Vector3D point) => Vector3D.Dot(Eye - point, _back);
+}

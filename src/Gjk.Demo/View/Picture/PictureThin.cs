@@ -1,0 +1,55 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using Gjk.Core;
+
+namespace Gjk.Demo.View;
+
+/// <summary>Points and segments, which have no surface: drawn as dots and strokes of one thickness.</summary>
+internal sealed class PictureThin
+{
+    /// <summary>In the units of the picture.</summary>
+    private const double StrokeWidth = 3.5, DotRadius = 4;
+
+    private readonly PictureCamera _camera;
+    private readonly List<string> _elements = [];
+
+    public PictureThin(PictureCamera camera) => _camera = camera;
+
+    public void Add(PictureBody body, bool isHit, List<PictureBody> before)
+    {
+        string color = PictureColors.Of(isHit, 1);
+        Vector3D from = body.Vertices[0], to = body.Vertices[^1];
+        if (body.Vertices.Length == 1)
+        {
+            (double x, double y) = _camera.Project(from);
+            _elements.Add(string.Create(CultureInfo.InvariantCulture, $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"/>"));
+            return;
+        }
+
+        var path = new SvgPath();
+        foreach ((double start, double end) in Visible(from, to, before))
+            path.Line([_camera.Project(from + (to - from) * start), _camera.Project(from + (to - from) * end)]);
+        if (path.IsEmpty) return;
+        _elements.Add(string.Create(CultureInfo.InvariantCulture, $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\" d=\"{path}\"/>"));
+    }
+
+    public void Write(TextWriter writer)
+    {
+        foreach (string element in _elements) writer.WriteLine(element);
+    }
+
+    /// <summary>The parts of a segment that no body hides, as shares of its length.</summary>
+    public static List<(double From, double To)> Visible(in Vector3D from, in Vector3D to, List<PictureBody> before)
+    {
+        List<(double From, double To)> parts = [(0, 1)], next = [];
+        foreach (PictureBody body in before)
+        {
+            next.Clear();
+            foreach ((double From, double To) part in parts) body.Shadow.Cut(from, to, part, next);
+            (parts, next) = (next, parts);
+        }
+
+        return parts;
+    }
+}

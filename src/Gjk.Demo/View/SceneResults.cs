@@ -1,0 +1,101 @@
+using System;
+using System.Numerics;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+
+namespace Gjk.Demo.View;
+
+/// <summary>The poses and all answers of a scene, frame by frame, each column an array, as the page wants them.</summary>
+internal sealed class SceneResults
+{
+    /// <summary>Numbers in a pose: the quaternion x, y, z, w, then the position.</summary>
+    public const int PoseSize = 7;
+
+    /// <summary>Answers a page may hold: 32 bytes each, so about 100 MB of text, which a browser still opens.</summary>
+    public const long MostAnswers = 2_500_000;
+
+    /// <summary>Poses a page may hold, for the same reason.</summary>
+    public const long MostPoses = 2_500_000;
+
+    /// <summary>How many pairs are answered between two looks at Ctrl-C.</summary>
+    private const int PairsPerLook = 256;
+
+    private SceneResults(int objects, ScenePairs chosen, int frames)
+    {
+        Pairs = chosen;
+        int pairs = (int)chosen.Count;
+        Poses = new float[frames * objects * PoseSize];
+        Status = new byte[frames * pairs];
+        Iterations = new ushort[frames * pairs];
+        Distance = new float[frames * pairs];
+        PointA = new float[frames * pairs * 3];
+        Normal = new float[frames * pairs * 3];
+        Overlapping = new int[frames];
+    }
+
+    /// <summary>Those that were asked about; see <see cref="PairChoice"/>.</summary>
+    public ScenePairs Pairs { get; }
+
+    public float[] Poses { get; }
+
+    public byte[] Status { get; }
+
+    public ushort[] Iterations { get; }
+
+    public float[] Distance { get; }
+
+    /// <summary>Three numbers a pair; B's point is this and the distance times the normal.</summary>
+    public float[] PointA { get; }
+
+    public float[] Normal { get; }
+
+    /// <summary>How many pairs overlap in each frame.</summary>
+    public int[] Overlapping { get; }
+
+    /// <exception cref="RefusedException">It is more than a page can hold, or the motion leaves the range of float.</exception>
+    public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
+    {
+        if ((long)scene.Objects.Length * scene.Frames > MostPoses)
+            throw new RefusedException($"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses that a page can hold");
+        var motion = new SceneMotion(scene, name);
+        ScenePairs chosen = PairChoice.Of(scene, motion, name, progress, cancel);
+        int pairs = (int)chosen.Count;
+        var results = new SceneResults(scene.Objects.Length, chosen, scene.Frames);
+        var poses = new RigidPose[scene.Objects.Length];
+        for (int frame = 0; frame < scene.Frames; frame++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            progress((double)frame / scene.Frames);
+            motion.Poses(frame, poses);
+            for (int i = 0; i < poses.Length; i++) results.Store(frame * poses.Length + i, poses[i]);
+            int pair = 0;
+            foreach ((int a, int b) in chosen)
+            {
+                if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
+                DistanceResult answer = ConvexQuery.Distance(scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
+                if (answer.Overlaps) results.Overlapping[frame]++;
+                results.Store(frame * pairs + pair++, answer);
+            }
+        }
+
+        progress(1);
+        return results;
+    }
+
+    private void Store(int index, in RigidPose pose)
+    {
+        Span<float> to = Poses.AsSpan(index * PoseSize, PoseSize);
+        new Vector4(pose.Rotation.X, pose.Rotation.Y, pose.Rotation.Z, pose.Rotation.W).CopyTo(to);
+        pose.Position.CopyTo(to[4..]);
+    }
+
+    private void Store(int index, in DistanceResult answer)
+    {
+        Status[index] = (byte)answer.Status;
+        Iterations[index] = (ushort)Math.Min(answer.Iterations, ushort.MaxValue);
+        Distance[index] = answer.Distance;
+        answer.PointA.CopyTo(PointA.AsSpan(3 * index));
+        answer.Normal.CopyTo(Normal.AsSpan(3 * index));
+    }
+}

@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.View;
+
+/// <summary>
+/// A shape's surface to be drawn, in its own frame with its scale: a mesh's hull as it is, a curved shape as the hull of some of its support points.
+/// </summary>
+internal sealed class ShapeMesh
+{
+    /// <summary>The cosine between two triangles' normals above which they are one flat facet: within 0.5 degrees.</summary>
+    private const double FlatCosine = 0.99996;
+
+    /// <summary>The same for a curved shape's facets, which are steps of 7.5 degrees: an edge, such as a cylinder's rim, is 30 degrees or more.</summary>
+    private const double SmoothCosine = 0.866;
+
+    private ShapeMesh(ConvexHull hull, Vector3 scale, bool isSmooth)
+    {
+        IsSmooth = isSmooth;
+        Dimension = hull.Dimension;
+        Vertices = new Vector3[hull.VertexCount];
+        for (int i = 0; i < Vertices.Length; i++) Vertices[i] = hull.GetVertex(i) * scale;
+        bool mirrored = scale.X * scale.Y * scale.Z < 0;
+        Triangles = new int[3 * hull.TriangleCount];
+        for (int i = 0; i < hull.TriangleCount; i++)
+        {
+            hull.GetTriangle(i, out int a, out int b, out int c);
+            (Triangles[3 * i], Triangles[3 * i + 1], Triangles[3 * i + 2]) = mirrored ? (a, c, b) : (a, b, c);
+        }
+
+        Edges = hull.Dimension == 1 ? [0, 1] : FindEdges(isSmooth ? SmoothCosine : FlatCosine);
+        Radius = 0;
+        foreach (Vector3 v in Vertices) Radius = Math.Max(Radius, ((Vector3D)v).Length);
+    }
+
+    public Vector3[] Vertices { get; }
+
+    /// <summary>Three vertices a triangle, counter-clockwise seen from outside; a flat shape has both sides.</summary>
+    public int[] Triangles { get; }
+
+    /// <summary>Two vertices an edge: where the surface has a corner, not where a flat facet is cut into triangles.</summary>
+    public int[] Edges { get; }
+
+    /// <summary>0 a point, 1 a segment, 2 flat, 3 solid.</summary>
+    public int Dimension { get; }
+
+    /// <summary>Whether the triangles stand for a curved surface.</summary>
+    public bool IsSmooth { get; }
+
+    /// <summary>About the local origin.</summary>
+    public double Radius { get; }
+
+    public static ShapeMesh Of(in ConvexShape shape)
+    {
+        if (shape.Kind == ShapeKind.Mesh) return new ShapeMesh(shape.Hull!, shape.Scale, isSmooth: false);
+        List<Vector3> points = SupportSamples.Of(shape);
+        return new ShapeMesh(new ConvexHull(points), Vector3.One, SupportSamples.IsCurved(shape));
+    }
+
+    /// <summary>A hull as it is.</summary>
+    public static ShapeMesh Of(ConvexHull hull, bool isSmooth) => new(hull, Vector3.One, isSmooth);
+
+    /// <summary>A triangle's normal of any length; its corners' differences are taken in double.</summary>
+    public Vector3D Normal(int triangle)
+    {
+        Vector3D a = Vertices[Triangles[3 * triangle]];
+        return Vector3D.Cross(Vertices[Triangles[3 * triangle + 1]] - a, Vertices[Triangles[3 * triangle + 2]] - a);
+    }
+
+    /// <summary>The triangle on the other side of each side: of corners 0 and 1, 1 and 2, 2 and 0.</summary>
+    public int[] Neighbours()
+    {
+        // Both faces of a flat shape have the same sides inside; there the neighbour is the one on the same face.
+        var sides = new Dictionary<(int From, int To, bool IsBack), int>(Triangles.Length);
+        for (int i = 0; i < Triangles.Length; i++) sides[(Triangles[i], Triangles[Next(i)], IsBack(i / 3))] = i / 3;
+        var across = new int[Triangles.Length];
+        for (int i = 0; i < across.Length; i++)
+        {
+            (int from, int to, bool isBack) = (Triangles[Next(i)], Triangles[i], IsBack(i / 3));
+            across[i] = sides.TryGetValue((from, to, isBack), out int same) ? same : sides[(from, to, !isBack)];
+        }
+
+        return across;
+    }
+
+    /// <summary>Whether a flat shape's triangle is on the other side than its first one.</summary>
+    private bool IsBack(int triangle) => Dimension == 2 && Vector3D.Dot(Normal(triangle), Normal(0)) < 0;
+
+    /// <summary>The corner that follows in the same triangle.</summary>
+    public static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
+
+    private int[] FindEdges(double cosine)
+    {
+        int[] across = Neighbours();
+        var edges = new List<int>();
+        for (int i = 0; i < across.Length; i++)
+        {
+            if (Triangles[i] > Triangles[Next(i)]) continue;
+            Vector3D n = Normal(i / 3), m = Normal(across[i]);
+            if (Vector3D.Dot(n, m) >= cosine * n.Length * m.Length) continue;
+            edges.Add(Triangles[i]);
+            edges.Add(Triangles[Next(i)]);
+        }
+
+        return edges.ToArray();
+    }
+}

@@ -1,0 +1,40 @@
+using System;
+using System.Collections.Generic;
+using Gjk.Core;
+using Gjk.Demo.Scenes;
+
+namespace Gjk.Demo.View;
+
+/// <summary>The different shapes of a scene, each triangulated once.</summary>
+internal sealed class ShapeTable
+{
+    private readonly List<ShapeMesh> _meshes = [];
+
+    public ShapeTable(Scene scene)
+    {
+        var known = new Dictionary<ConvexShape, int>(new SameShape());
+        OfObject = new int[scene.Objects.Length];
+        for (int i = 0; i < OfObject.Length; i++)
+        {
+            ref readonly ConvexShape shape = ref scene.Objects[i].Shape;
+            if (!known.TryGetValue(shape, out OfObject[i]))
+            {
+                known.Add(shape, OfObject[i] = _meshes.Count);
+                _meshes.Add(ShapeMesh.Of(shape));
+            }
+        }
+    }
+
+    public IReadOnlyList<ShapeMesh> Meshes => _meshes;
+
+    /// <summary>The mesh of each object.</summary>
+    public int[] OfObject { get; }
+
+    /// <summary>Field by field; meshes are the same when they share a hull.</summary>
+    private sealed class SameShape : IEqualityComparer<ConvexShape>
+    {
+        public bool Equals(ConvexShape x, ConvexShape y) => x.Equals((object)y);
+
+        public int GetHashCode(ConvexShape shape) => HashCode.Combine(shape.Kind, shape.Hull, shape.Margin, shape.BoundingRadius, shape.Scale, shape.Center);
+    }
+}

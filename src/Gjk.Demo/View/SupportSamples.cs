@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Demo.View;
+
+/// <summary>Support points of a shape, spread so that their hull looks like it.</summary>
+internal static class SupportSamples
+{
+    /// <summary>Directions about the axis, and from pole to pole: steps of 7.5 degrees.</summary>
+    private const int Meridians = 48, Parallels = 24;
+
+    /// <summary>How far beside the equator, in radians, the two directions lie that find both ends of a capsule's or cylinder's side.</summary>
+    private const double BesideEquator = 1e-3;
+
+    /// <summary>Whether the surface is rounded anywhere.</summary>
+    public static bool IsCurved(in ConvexShape shape) =>
+        shape.Margin > 0 || shape.Kind is ShapeKind.Cylinder or ShapeKind.Cone or ShapeKind.Ellipsoid || !shape.TryGetVertex(0, out _);
+
+    /// <summary>All corners of a shape that has only those, else a grid of support points.</summary>
+    public static List<Vector3> Of(in ConvexShape shape)
+    {
+        var points = new List<Vector3>();
+        if (!IsCurved(shape))
+        {
+            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) points.Add((Vector3)corner);
+            return points;
+        }
+
+        Vector3D stretch = Stretch(shape);
+        points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, 1, 0))));
+        points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, -1, 0))));
+        foreach (double latitude in Latitudes(shape.Kind)) AddRow(shape, stretch, latitude, points);
+        return points;
+    }
+
+    /// <summary>The furthest point of the whole shape, margin included.</summary>
+    public static Vector3D Support(in ConvexShape shape, in Vector3D direction)
+    {
+        shape.Support(direction, -1, out Vector3D point);
+        return shape.Margin > 0 ? point + direction * (shape.Margin / direction.Length) : point;
+    }
+
+    /// <summary>The rows of a grid from pole to pole; only the rims of what has straight sides.</summary>
+    private static IEnumerable<double> Latitudes(ShapeKind kind)
+    {
+        bool isBall = kind is ShapeKind.Point or ShapeKind.Ellipsoid, isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
+        for (int row = 1; row < Parallels && !isDisc; row++)
+        {
+            if (row != Parallels / 2 || isBall) yield return Math.PI * row / Parallels - Math.PI / 2;
+        }
+
+        if (isBall) yield break;
+        yield return -BesideEquator;
+        if (kind != ShapeKind.Cone) yield return BesideEquator;
+    }
+
+    private static void AddRow(in ConvexShape shape, in Vector3D stretch, double latitude, List<Vector3> points)
+    {
+        (double up, double outward) = Math.SinCos(latitude);
+        for (int i = 0; i < Meridians; i++)
+        {
+            (double z, double x) = Math.SinCos(2 * Math.PI * i / Meridians);
+            var onBall = new Vector3D(outward * x, up, outward * z);
+            Vector3D point = Support(shape, Vector3D.Multiply(stretch, onBall));
+            points.Add((Vector3)point);
+        }
+    }
+
+    /// <summary>What turns normals that are even on a ball into normals whose support points are even on the stretched shape.</summary>
+    private static Vector3D Stretch(in ConvexShape shape)
+    {
+        if (shape.Kind != ShapeKind.Ellipsoid) return new Vector3D(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
+        double x = Extent(shape, new Vector3D(1, 0, 0)), y = Extent(shape, new Vector3D(0, 1, 0)), z = Extent(shape, new Vector3D(0, 0, 1));
+        double largest = Math.Max(x, Math.Max(y, z));
+        return new Vector3D(Inverse(x, largest), Inverse(y, largest), Inverse(z, largest));
+    }
+
+    private static double Extent(in ConvexShape shape, in Vector3D axis) => Vector3D.Dot(Support(shape, axis), axis);
+
+    /// <summary>A radius of 0 has no even spread along it; any direction will do.</summary>
+    private static double Inverse(double radius, double largest) => radius > 0 ? largest / radius : 1;
+}

@@ -1,0 +1,28 @@
+// The page's data: JSON whose long columns are base64 of little-endian numbers.
+
+function bytes(text) {
+  const raw = atob(text);
+  const result = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; i++) result[i] = raw.charCodeAt(i);
+  return result;
+}
+
+export const floats = (text) => new Float32Array(bytes(text).buffer);
+export const ints = (text) => new Int32Array(bytes(text).buffer);
+export const shorts = (text) => new Uint16Array(bytes(text).buffer);
+export { bytes };
+
+export function shape(json) {
+  return { ...json, vertices: floats(json.vertices), triangles: ints(json.triangles), edges: ints(json.edges) };
+}
+
+/** A number as a reader wants it: six digits, and an exponent only where it must be. */
+export function number(x) {
+  if (!Number.isFinite(x)) return Number.isNaN(x) ? 'none' : x > 0 ? '∞' : '−∞';
+  if (x === 0) return '0';
+  const size = Math.abs(x);
+  const text = size >= 1e6 || size < 1e-4 ? x.toExponential(4) : x.toPrecision(6).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+  return text.replace('-', '−').replace('e−', 'e-').replace('e+', 'e');
+}
+
+export const vector = (v) => `(${v.map((x) => (Math.abs(x) < 5e-5 ? 0 : x).toFixed(4).replace('-', '−')).join(', ')})`;

@@ -1,0 +1,104 @@
+import { number } from './data.js';
+import { element } from './dom.js';
+
+const ROW = 27;
+
+/** A browser's tallest element holds about a million rows. */
+const MOST_ROWS = 1_000_000;
+
+const COLUMNS = [['a', 'A'], ['b', 'B'], ['distance', 'distance'], ['iterations', 'iter.']];
+
+/** The table of pairs: sorted by a column, of any length, because only the rows in sight exist. */
+export class PairList {
+  constructor(model, select) {
+    this.model = model;
+    this.select = select;
+    this.column = 'distance';
+    this.rising = true;
+    this.object = -1;
+    this.selected = -1;
+    this.order = new Int32Array(0);
+    this.buttons = COLUMNS.map(([key, text]) => element('button', {
+      type: 'button', textContent: text, className: key === 'distance' || key === 'iterations' ? 'number' : '', onclick: () => this.sortBy(key),
+    }));
+    this.head = element('div', { className: 'row head' }, ...this.buttons);
+    this.filler = element('div');
+    this.rows = element('div', { className: 'rows', tabIndex: 0, role: 'listbox', 'aria-label': 'pairs' }, this.filler);
+    this.rows.onscroll = () => this.fill();
+    this.rows.onkeydown = (event) => this.key(event);
+    new ResizeObserver(() => this.fill()).observe(this.rows);
+  }
+
+  sortBy(column) {
+    this.rising = this.column === column ? !this.rising : true;
+    this.column = column;
+    this.update();
+  }
+
+  /** Sorts again, for a new frame, column or filter. */
+  update() {
+    const { model } = this;
+    const keep = [];
+    for (let pair = 0; pair < model.pairs; pair++) {
+      if (this.object < 0 || model.a[pair] === this.object || model.b[pair] === this.object) keep.push(pair);
+    }
+    const key = {
+      a: (pair) => model.a[pair], b: (pair) => model.b[pair],
+      iterations: (pair) => model.iterations[model.index(pair)],
+      distance: (pair) => { const d = model.distance(pair); return Number.isNaN(d) ? Infinity : d; },
+    }[this.column];
+    const keys = new Float64Array(model.pairs);
+    for (const pair of keep) keys[pair] = key(pair);
+    const sign = this.rising ? 1 : -1;
+    this.order = Int32Array.from(keep).sort((p, q) => (keys[p] < keys[q] ? -sign : keys[p] > keys[q] ? sign : p - q));
+    this.buttons.forEach((button, i) => {
+      const isKey = COLUMNS[i][0] === this.column;
+      button.textContent = COLUMNS[i][1] + (isKey ? (this.rising ? ' ↑' : ' ↓') : '');
+      if (isKey) button.setAttribute('aria-sort', this.rising ? 'ascending' : 'descending');
+      else button.removeAttribute('aria-sort');
+    });
+    this.filler.style.height = `${Math.min(this.order.length, MOST_ROWS) * ROW}px`;
+    this.fill();
+  }
+
+  show(pair) {
+    this.selected = pair;
+    const at = this.order.indexOf(pair);
+    if (at >= 0) {
+      const top = at * ROW, view = this.rows;
+      if (top < view.scrollTop) view.scrollTop = top;
+      else if (top + ROW > view.scrollTop + view.clientHeight) view.scrollTop = top + ROW - view.clientHeight;
+    }
+    this.fill();
+  }
+
+  fill() {
+    const first = Math.floor(this.rows.scrollTop / ROW);
+    const last = Math.min(this.order.length, MOST_ROWS, first + Math.ceil(this.rows.clientHeight / ROW) + 1);
+    const made = [];
+    for (let at = first; at < last; at++) made.push(this.row(this.order[at], at));
+    this.rows.replaceChildren(this.filler, ...made);
+  }
+
+  row(pair, at) {
+    const { model } = this;
+    const hit = model.overlaps(pair);
+    const isSelected = pair === this.selected;
+    const text = hit ? 'intersect' : Number.isNaN(model.distance(pair)) ? model.statusName(pair) : number(model.distance(pair));
+    const row = element(
+      'div', { className: `row${hit ? ' hit' : ''}${isSelected ? ' selected' : ''}`, role: 'option', 'aria-selected': isSelected, 'data-pair': pair, onclick: () => this.select(isSelected ? -1 : pair) },
+      element('span', { textContent: model.names[model.a[pair]] }), element('span', { textContent: model.names[model.b[pair]] }),
+      element('span', { className: 'number', textContent: text }), element('span', { className: 'number', textContent: model.iterations[model.index(pair)] }));
+    row.style.top = `${at * ROW}px`;
+    return row;
+  }
+
+  key(event) {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (event.key === 'Escape') this.select(-1);
+    if (!step || !this.order.length) return;
+    event.preventDefault();
+    const at = this.order.indexOf(this.selected);
+    this.select(this.order[Math.max(0, Math.min(this.order.length - 1, at + step))]);
+  }
+}

@@ -1,0 +1,127 @@
+import { Quaternion, Vector3 } from 'three';
+import { bytes, floats, ints, shape, shorts } from './data.js';
+
+/** The statuses in the order of the library's GjkStatus. */
+const STATUS = ['Separated', 'Overlapping', 'BeyondMaxDistance', 'IterationLimit', 'InvalidInput', 'InvalidShape'];
+
+const POSE = 7;
+
+/** The scale in which a scene is drawn: this many units from its middle to its end. */
+const DRAWN_RADIUS = 10;
+
+/** What the demo found, by frame. World coordinates are doubles; drawn ones are centred and scaled, so that any scene fits into a float. */
+export class SceneModel {
+  constructor(json) {
+    this.name = json.name;
+    this.frames = json.frames;
+    this.objects = json.objects;
+    this.pairs = json.pairs;
+    this.allPairs = json.allPairs;
+    this.names = json.names.map((name, i) => name ?? `#${i}`);
+    this.shapes = json.shapes.map(shape);
+    this.shapeOf = ints(json.shapeOf);
+    this.a = ints(json.a);
+    this.b = ints(json.b);
+    this.poses = floats(json.poses);
+    this.status = bytes(json.status);
+    this.iterations = shorts(json.iterations);
+    this.distances = floats(json.distance);
+    this.pointsA = floats(json.pointA);
+    this.normals = floats(json.normal);
+    this.overlapping = ints(json.overlapping);
+    this.frame = 0;
+    this.measure();
+  }
+
+  /** The middle and the unit of the first frame. */
+  measure() {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    this.radii = this.shapes.map((s) => {
+      let most = 0;
+      for (let i = 0; i < s.vertices.length; i += 3) most = Math.max(most, Math.hypot(s.vertices[i], s.vertices[i + 1], s.vertices[i + 2]));
+      return most;
+    });
+    for (let i = 0; i < this.objects; i++) {
+      const r = this.radii[this.shapeOf[i]];
+      for (let axis = 0; axis < 3; axis++) {
+        const x = this.poses[POSE * i + 4 + axis];
+        low[axis] = Math.min(low[axis], x - r);
+        high[axis] = Math.max(high[axis], x + r);
+      }
+    }
+    this.center = this.objects ? low.map((x, axis) => (x + high[axis]) / 2) : [0, 0, 0];
+    const size = this.objects ? Math.hypot(...low.map((x, axis) => (high[axis] - x) / 2)) : 0;
+    this.unit = size > 0 ? DRAWN_RADIUS / size : 1;
+  }
+
+  drawn(x, y, z) {
+    return new Vector3((x - this.center[0]) * this.unit, (y - this.center[1]) * this.unit, (z - this.center[2]) * this.unit);
+  }
+
+  position(object) {
+    const at = POSE * (this.frame * this.objects + object) + 4;
+    return this.drawn(this.poses[at], this.poses[at + 1], this.poses[at + 2]);
+  }
+
+  rotation(object) {
+    const at = POSE * (this.frame * this.objects + object);
+    return new Quaternion(this.poses[at], this.poses[at + 1], this.poses[at + 2], this.poses[at + 3]).normalize();
+  }
+
+  index(pair) {
+    return this.frame * this.pairs + pair;
+  }
+
+  distance(pair) {
+    return this.distances[this.index(pair)];
+  }
+
+  overlaps(pair) {
+    return this.status[this.index(pair)] === 1;
+  }
+
+  statusName(pair) {
+    return STATUS[this.status[this.index(pair)]];
+  }
+
+  normal(pair) {
+    const at = 3 * this.index(pair);
+    return Array.from(this.normals.subarray(at, at + 3));
+  }
+
+  /** The closest points as they are drawn, or null where there are none. */
+  line(pair) {
+    const at = 3 * this.index(pair);
+    const d = this.distance(pair);
+    if (!(d > 0) || !Number.isFinite(d)) return null;
+    const [x, y, z] = this.pointsA.subarray(at, at + 3), [nx, ny, nz] = this.normals.subarray(at, at + 3);
+    return [this.drawn(x, y, z), this.drawn(x + nx * d, y + ny * d, z + nz * d)];
+  }
+
+  /** Goes to a frame: which objects overlap another, and the pair with each one's nearest partner. */
+  show(frame) {
+    this.frame = frame;
+    this.hit = new Uint8Array(this.objects);
+    this.nearest = new Int32Array(this.objects).fill(-1);
+    for (let pair = 0; pair < this.pairs; pair++) {
+      const a = this.a[pair], b = this.b[pair];
+      if (this.overlaps(pair)) {
+        this.hit[a] = this.hit[b] = 1;
+        continue;
+      }
+      const d = this.distance(pair);
+      if (!Number.isFinite(d)) continue;
+      for (const object of [a, b]) {
+        if (this.nearest[object] < 0 || d < this.distance(this.nearest[object])) this.nearest[object] = pair;
+      }
+    }
+  }
+
+  partners(object) {
+    const result = [];
+    for (let pair = 0; pair < this.pairs; pair++) {
+      if (this.overlaps(pair) && (this.a[pair] === object || this.b[pair] === object)) result.push(this.a[pair] === object ? this.b[pair] : this.a[pair]);
+    }
+    return result;
+  }
+}

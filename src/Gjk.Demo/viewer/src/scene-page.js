@@ -1,0 +1,135 @@
+import { Vector3 } from 'three';
+import { number, vector } from './data.js';
+import { definitions, element, player, segmented, swatch } from './dom.js';
+import { PairList } from './pair-list.js';
+import { SceneModel } from './scene-model.js';
+import { SceneView } from './scene-view.js';
+import { Stage } from './stage.js';
+
+/** With more pairs than this, only the lines to nearest partners are drawn at first. */
+const MANY_PAIRS = 400;
+
+const FRAME_MS = 60;
+
+export function scenePage(json) {
+  const model = new SceneModel(json);
+  const stage = new Stage();
+  const view = new SceneView(stage, model);
+  if (model.pairs > MANY_PAIRS) view.lineMode = 'nearest';
+
+  const summary = element('div', { className: 'summary' });
+  const detail = element('section', { className: 'detail', hidden: true });
+  const chipName = element('strong');
+  const chip = element('div', { className: 'chip', hidden: true }, 'pairs of', chipName,
+    element('button', { type: 'button', className: 'plain', textContent: 'show all', onclick: () => filter(-1) }));
+  const list = new PairList(model, select);
+  const lines = segmented('lines', [['all', 'all'], ['nearest', 'nearest'], ['none', 'none']], view.lineMode, (mode) => {
+    view.lineMode = mode;
+    view.paint();
+  });
+  const frames = player('frame', model.frames, showFrame, FRAME_MS);
+  const tip = element('div', { className: 'tip', hidden: true });
+  const legend = element('div', { className: 'legend' }, swatch('#e5484d', 'intersecting'), swatch('#38a873', 'free'), swatch('#fff', 'closest points'),
+    element('span', { textContent: 'drag to turn, scroll to zoom, click to pick' }));
+  stage.root.append(legend, tip);
+  document.body.append(
+    element('main', { className: 'stage' }, stage.root, frames.root),
+    element('aside', { className: 'side' },
+      element('header', {}, element('h1', { textContent: model.name }), summary, element('div', { className: 'controls' }, 'lines', lines.root,
+        element('button', { type: 'button', className: 'plain', textContent: 'reset view', onclick: () => { stage.look = null; stage.fit(view.balls()); } }))),
+      chip, list.head, list.rows, detail));
+
+  function showFrame(frame) {
+    model.show(frame);
+    view.update();
+    list.update();
+    frames.show(frame);
+    const hits = model.overlapping[frame];
+    document.body.dataset.overlapping = hits;
+    summary.replaceChildren(
+      `${model.objects} objects, ${model.allPairs} pairs, `, element('span', { className: 'hit', textContent: `${hits} intersecting` }),
+      model.pairs < model.allPairs ? `; listed: those that intersect, and each object’s nearest (${model.pairs})` : '');
+    showDetail();
+  }
+
+  function select(pair) {
+    view.selected = pair;
+    view.paint();
+    list.show(pair);
+    showDetail();
+  }
+
+  function filter(object) {
+    list.object = object;
+    chip.hidden = object < 0;
+    chipName.textContent = object < 0 ? '' : model.names[object];
+    list.rows.scrollTop = 0;
+    list.update();
+  }
+
+  function showDetail() {
+    detail.hidden = view.selected < 0;
+    if (view.selected >= 0) detail.replaceChildren(element('h2', { textContent: title(view.selected) }), facts(view.selected));
+  }
+
+  const title = (pair) => `${model.names[model.a[pair]]} – ${model.names[model.b[pair]]}`;
+
+  function facts(pair) {
+    const entries = model.overlaps(pair) ? [['distance', '0 (intersecting)']] : [['distance', number(model.distance(pair))], ['normal', vector(model.normal(pair))]];
+    const status = model.statusName(pair);
+    if (status !== 'Separated' && status !== 'Overlapping') entries.push(['status', status]);
+    return definitions([...entries, ['iterations', String(model.iterations[model.index(pair)])]]);
+  }
+
+  function describe(hit) {
+    if (hit.pair !== undefined) return [element('b', { textContent: title(hit.pair) }), facts(hit.pair)];
+    const name = element('b', { textContent: model.names[hit.object] });
+    if (model.hit[hit.object]) return [name, `intersects ${model.partners(hit.object).map((o) => model.names[o]).join(', ')}`];
+    const nearest = model.nearest[hit.object];
+    if (nearest < 0) return [name];
+    const partner = model.a[nearest] === hit.object ? model.b[nearest] : model.a[nearest];
+    return [name, `nearest: ${model.names[partner]}`, facts(nearest)];
+  }
+
+  watchPointer(stage, view, {
+    hover(hit, x, y) {
+      tip.hidden = hit.pair === undefined && hit.object === undefined;
+      if (tip.hidden) return;
+      tip.replaceChildren(...describe(hit));
+      const box = stage.root.getBoundingClientRect();
+      tip.style.left = `${Math.max(0, Math.min(x - box.left + 16, box.width - tip.offsetWidth - 8))}px`;
+      tip.style.top = `${Math.max(0, Math.min(y - box.top + 16, box.height - tip.offsetHeight - 8))}px`;
+    },
+    click(hit) {
+      if (hit.pair !== undefined) return select(hit.pair);
+      filter(hit.object ?? -1);
+      select(hit.object === undefined ? -1 : list.order[0] ?? -1);
+    },
+  });
+  showFrame(0);
+  stage.fit(view.balls());
+
+  return {
+    kind: 'scene', model, view, stage, select, showFrame,
+    counts: () => ({ objects: model.objects, pairs: model.pairs, frames: model.frames, frame: model.frame, overlapping: model.overlapping[model.frame], lines: view.lines.pairs.length }),
+    colorOf: (object) => view.colorOf(object),
+    positionOf: (object) => stage.project(model.position(object)),
+    lineAt: (pair, share) => { const [a, b] = model.line(pair); return stage.project(new Vector3().lerpVectors(a, b, share)); },
+    selected: () => view.selected,
+    drawNow: () => stage.drawNow(),
+  };
+}
+
+/** Hovering, and clicks that are not the end of a drag. */
+function watchPointer(stage, view, { hover, click }) {
+  if (!stage.renderer) return;
+  const canvas = stage.renderer.domElement;
+  let down = null;
+  canvas.addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; hover({}); });
+  canvas.addEventListener('pointermove', (event) => { if (!event.buttons) hover(view.pick(event.clientX, event.clientY), event.clientX, event.clientY); });
+  canvas.addEventListener('pointerleave', () => hover({}));
+  canvas.addEventListener('pointerup', (event) => {
+    if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) click(view.pick(event.clientX, event.clientY));
+    down = null;
+  });
+}

@@ -1,0 +1,161 @@
+import {
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial,
+  MeshLambertMaterial, SphereGeometry, Vector3,
+} from 'three';
+import { edges, rod, surface } from './geometry.js';
+
+export const RED = 0xe5484d, GREEN = 0x38a873;
+const ACCENT = 0xffd166;
+
+/** Bodies that are not asked about while a pair is selected keep this share of their colour. */
+const DIMMED = 0.28;
+
+/** Edges are drawn body by body, which more bodies, or more edges in all, would make slow. */
+const MOST_EDGED = 2000, MOST_EDGES = 300_000;
+
+/** How thick a point or segment is drawn, in units (a scene is 20 across). */
+const THIN = 0.035;
+
+/** The bodies and lines of a scene in three.js. */
+export class SceneView {
+  constructor(stage, model) {
+    this.stage = stage;
+    this.model = model;
+    this.lineMode = 'all';
+    this.selected = -1;
+    this.surfaces = model.shapes.map((s) => surface(s, model.unit, THIN));
+    this.makeBodies();
+    this.makeLines();
+    this.marks = new Group();
+    stage.scene.add(this.marks);
+  }
+
+  makeBodies() {
+    const { model, stage } = this;
+    const counts = new Int32Array(model.shapes.length);
+    this.place = Array.from(model.shapeOf, (s) => counts[s]++);
+    this.bodies = model.shapes.map((s, i) => {
+      const material = new MeshLambertMaterial({ side: s.dimension === 2 ? DoubleSide : 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+      const mesh = new InstancedMesh(this.surfaces[i], material, counts[i]);
+      mesh.objects = [];
+      stage.scene.add(mesh);
+      return mesh;
+    });
+    model.shapeOf.forEach((s, i) => { this.bodies[s].objects[this.place[i]] = i; });
+    this.outlines = [];
+    const lineCount = model.shapeOf.reduce((sum, s) => sum + model.shapes[s].edges.length / 2, 0);
+    if (model.objects > MOST_EDGED || lineCount > MOST_EDGES) return;
+    const shared = model.shapes.map((s) => (s.dimension > 1 ? edges(s, model.unit) : null));
+    const faint = model.shapes.map((s) => new LineBasicMaterial({ color: 0x0a0d12, transparent: true, opacity: s.edges.length > 200 ? 0.22 : 0.6 }));
+    this.outlines = Array.from(model.shapeOf, (s) => {
+      if (!shared[s]) return null;
+      const lines = new LineSegments(shared[s], faint[s]);
+      lines.matrixAutoUpdate = false;
+      stage.scene.add(lines);
+      return lines;
+    });
+  }
+
+  makeLines() {
+    const most = this.model.pairs;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(most * 6), 3));
+    geometry.setAttribute('color', new BufferAttribute(new Float32Array(most * 8), 4));
+    this.lines = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+    this.lines.frustumCulled = false;
+    this.lines.pairs = [];
+    this.stage.scene.add(this.lines);
+  }
+
+  /** Draws the model's frame. */
+  update() {
+    const { model } = this;
+    const matrix = new Matrix4(), one = new Vector3(1, 1, 1);
+    for (let i = 0; i < model.objects; i++) {
+      matrix.compose(model.position(i), model.rotation(i), one);
+      this.bodies[model.shapeOf[i]].setMatrixAt(this.place[i], matrix);
+      if (this.outlines[i]) this.outlines[i].matrix.copy(matrix);
+    }
+    for (const body of this.bodies) {
+      body.instanceMatrix.needsUpdate = true;
+      body.computeBoundingSphere();
+    }
+    this.paint();
+  }
+
+  /** Colours and lines, which also change with the selection. */
+  paint() {
+    const { model } = this;
+    const color = new Color();
+    for (let i = 0; i < model.objects; i++) {
+      color.set(model.hit[i] ? RED : GREEN);
+      if (this.selected >= 0 && !this.isSelected(i)) color.multiplyScalar(DIMMED);
+      this.bodies[model.shapeOf[i]].setColorAt(this.place[i], color);
+    }
+    for (const body of this.bodies) if (body.instanceColor) body.instanceColor.needsUpdate = true;
+    this.fillLines();
+    this.markSelected();
+    this.stage.draw();
+  }
+
+  isSelected(object) {
+    return this.selected >= 0 && (this.model.a[this.selected] === object || this.model.b[this.selected] === object);
+  }
+
+  fillLines() {
+    const { model, lines } = this;
+    const position = lines.geometry.attributes.position, color = lines.geometry.attributes.color;
+    const faint = Math.min(0.5, Math.max(0.05, 60 / Math.max(model.pairs, 1)));
+    lines.pairs = [];
+    for (let pair = 0; pair < model.pairs && this.lineMode !== 'none'; pair++) {
+      const isNearest = model.nearest[model.a[pair]] === pair || model.nearest[model.b[pair]] === pair;
+      if (!isNearest && this.lineMode === 'nearest') continue;
+      const ends = model.line(pair);
+      if (!ends) continue;
+      const opacity = (isNearest ? 1 : faint) * (this.selected >= 0 ? 0.25 : 1);
+      ends.forEach((end, k) => {
+        position.setXYZ(2 * lines.pairs.length + k, end.x, end.y, end.z);
+        color.setXYZW(2 * lines.pairs.length + k, 1, 1, 1, opacity);
+      });
+      lines.pairs.push(pair);
+    }
+    lines.geometry.setDrawRange(0, 2 * lines.pairs.length);
+    position.needsUpdate = color.needsUpdate = true;
+    lines.geometry.computeBoundingSphere();
+  }
+
+  /** The selected pair's line as a rod with balls at its ends, seen through everything. */
+  markSelected() {
+    this.marks.clear();
+    const ends = this.selected < 0 ? null : this.model.line(this.selected);
+    if (!ends) return;
+    const material = new MeshBasicMaterial({ color: ACCENT, depthTest: false, transparent: true });
+    const size = this.stage.pixelAt(ends[0]);
+    this.marks.add(new Mesh(rod(ends[0], ends[1], size * 1.3), material));
+    for (const end of ends) this.marks.add(new Mesh(new SphereGeometry(size * 4, 16, 12).translate(end.x, end.y, end.z), material));
+    for (const mark of this.marks.children) mark.renderOrder = 2;
+  }
+
+  /** What is under a point of the window: {object} or {pair} or nothing. */
+  pick(clientX, clientY) {
+    const ray = this.stage.ray(clientX, clientY);
+    const body = ray.intersectObjects(this.bodies)[0];
+    ray.params.Line.threshold = 5 * this.stage.pixelAt(this.stage.controls.target);
+    const line = this.lines.pairs.length ? ray.intersectObject(this.lines)
+      .filter((hit) => !body || hit.distance <= body.distance)
+      .sort((x, y) => x.distanceToRay - y.distanceToRay)[0] : null;
+    if (line) return { pair: this.lines.pairs[line.index / 2] };
+    return body ? { object: body.object.objects[body.instanceId] } : {};
+  }
+
+  colorOf(object) {
+    const color = new Color();
+    this.bodies[this.model.shapeOf[object]].getColorAt(this.place[object], color);
+    return `#${color.getHexString()}`;
+  }
+
+  balls() {
+    const { model } = this;
+    return Array.from(model.shapeOf, (s, i) => ({ center: model.position(i), radius: model.radii[s] * model.unit }));
+  }
+}

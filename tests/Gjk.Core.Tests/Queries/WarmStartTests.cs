@@ -1,0 +1,87 @@
+using System;
+using System.Numerics;
+using System.Runtime.InteropServices;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Queries;
+
+/// <summary>What a warm start holds only suggests where to begin: whatever it is, the answer is the cold one within the accuracy.</summary>
+public class WarmStartTests
+{
+    [Fact]
+    public void AMovingPairIsAnsweredAsIfAskedForTheFirstTime() => Each(92_000, (pair, rng) =>
+    {
+        var warm = default(WarmStart);
+        Vector3 velocity = rng.Direction() * (float)(0.05 * pair.Scale);
+        var turn = Quaternion.CreateFromAxisAngle(rng.Direction(), rng.Float(0, 0.2));
+        RigidPose poseA = pair.PoseA;
+        for (int frame = 0; frame < 12; frame++)
+        {
+            poseA = new RigidPose(Quaternion.Normalize(turn * poseA.Rotation), poseA.Position + velocity);
+            TestPair moved = pair with { PoseA = poseA };
+            string? problem = Compare(moved, ref warm);
+            if (problem is not null) return $"frame {frame}: {problem} of {moved}";
+        }
+
+        return null;
+    });
+
+    [Fact]
+    public void AnyBytesAreOnlyAWrongGuess() => Each(93_000, (pair, rng) =>
+    {
+        for (int k = 0; k < 20; k++)
+        {
+            WarmStart warm = Garbage(rng);
+            string? problem = Compare(pair, ref warm);
+            if (problem is not null) return $"guess {k}: {problem}";
+        }
+
+        return null;
+    });
+
+    /// <summary>A plane beyond the asked distance can end the query before it has one vertex to remember.</summary>
+    [Fact]
+    public void AQueryThatEndedAtItsFirstPlaneLeavesAGoodWarmStart() => Each(94_000, (pair, rng) =>
+    {
+        var warm = default(WarmStart);
+        for (int k = 0; k < 4; k++)
+        {
+            var far = (float)Math.Max(pair.Scale, 1e-3);
+            TestPair apart = pair with { PoseB = new RigidPose(pair.PoseB.Rotation, pair.PoseB.Position + rng.Direction() * 50 * far) };
+            DistanceResult r = ConvexQuery.Distance(apart.A.Shape, apart.PoseA, apart.B.Shape, apart.PoseB, ref warm, far);
+            if (r.Status != GjkStatus.BeyondMaxDistance) return $"status {r.Status}, lower bound {r.LowerBound}";
+            string? problem = Compare(pair, ref warm);
+            if (problem is not null) return $"after query {k}: {problem}";
+            if (rng.Below(2) == 0) warm.Clear();
+        }
+
+        return null;
+    });
+
+    private static string? Compare(TestPair pair, ref WarmStart warm)
+    {
+        DistanceResult cold = pair.Distance(), r = ConvexQuery.Distance(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, ref warm);
+        if (r.Status == cold.Status && Math.Abs((double)r.Distance - cold.Distance) <= 2 * Tolerance.Band(pair, cold.Distance)) return null;
+        return Math.Max(r.Distance, cold.Distance) <= Tolerance.Flag * pair.Scale ? null : $"{r.Status} {r.Distance:R}, cold {cold.Status} {cold.Distance:R}";
+    }
+
+    /// <summary>Half of them plausible: small numbers, which are vertices of most shapes.</summary>
+    private static WarmStart Garbage(Rng rng)
+    {
+        Span<int> words = stackalloc int[12];
+        bool plausible = rng.Below(2) == 0;
+        for (int i = 0; i < words.Length; i++) words[i] = plausible ? rng.Below(5) : (int)rng.Next();
+        if (rng.Below(2) == 0) words[0] = 1 + rng.Below(4);
+        return MemoryMarshal.Cast<int, WarmStart>(words)[0];
+    }
+
+    private static void Each(ulong seed, Func<TestPair, Rng, string?> examine)
+    {
+        for (ulong i = 0; i < (ulong)Budget.Count(300); i++)
+        {
+            TestPair pair = i % 3 == 0 ? Generators.NearPair(seed + i, Generators.AllKinds, 1e-3) : Generators.Pair(seed + i, Generators.AllKinds);
+            string? problem = examine(pair, new Rng(seed ^ i));
+            Assert.True(problem is null, $"{problem}\n{pair}");
+        }
+    }
+}

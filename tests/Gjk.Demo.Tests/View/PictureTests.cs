@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.View;
+
+/// <summary>The still picture: sound SVG, in which what is hidden is not there.</summary>
+public sealed class PictureTests
+{
+    private const string Front = """{"shape":{"type":"box","halfExtents":[2,2,2]},"position":[3.4,4.2,10]}""";
+
+    private const string Behind = """{"shape":{"type":"box","halfExtents":[0.5,0.5,0.5]}}""";
+
+    private const string Ground = "#12161d", Outline = "#0a0d12", White = "#fff";
+
+    [Theory]
+    [InlineData("cubes")]
+    [InlineData("spheres")]
+    public void ThePicturesInTheReadmeAreWhatTheDemoDraws(string scene)
+    {
+        using var directory = new TempDirectory();
+        DemoProcess.Run("view", "--builtin", scene, "--svg", directory.File("a.svg")).AssertDone();
+        string drawn = File.ReadAllText(directory.File("a.svg"));
+        AssertSound(drawn);
+        Assert.InRange(drawn.Length, 5_000, 300_000);
+        Assert.Contains($"<title>{scene}: 20 objects, 190 pairs, 5 intersecting</title>", drawn);
+        Assert.Equal(File.ReadAllText(Path.Combine(Root(), "docs", scene + ".svg")), drawn);
+    }
+
+    [Fact]
+    public void IntersectingIsRedAndTheRestGreen()
+    {
+        string hit = Draw("""{"shape":{"type":"sphere","radius":1}},{"shape":{"type":"sphere","radius":1},"position":[1,0,0]}""");
+        Assert.All(FaceColors(hit), c => Assert.True(IsRed(c), c));
+        Assert.DoesNotContain($"stroke=\"{White}\"", hit);
+
+        string free = Draw("""{"shape":{"type":"sphere","radius":1}},{"shape":{"type":"sphere","radius":1},"position":[3,0,0]}""");
+        Assert.All(FaceColors(free), c => Assert.False(IsRed(c), c));
+        Assert.Contains($"stroke=\"{White}\"", free);
+    }
+
+    [Fact]
+    public void WhatIsHiddenIsNotDrawn()
+    {
+        string alone = Draw(Front), pair = Draw($"{Front},{Behind}"), beside = Draw($"{Front},{Behind.Replace("}}", "},\"position\":[12,0,0]}")}");
+        Assert.Equal(3, Polygons(alone).Count);
+        Assert.Equal(3, Polygons(pair).Count);
+        Assert.Equal(6, Polygons(beside).Count);
+        Assert.DoesNotContain($"stroke=\"{White}\"", pair);
+        Assert.Contains($"stroke=\"{White}\"", beside);
+    }
+
+    [Fact]
+    public void OverlappingFacesDoNotOverlapInThePicture()
+    {
+        // Three boxes through each other: the visible parts tile the union's outline, so their areas add up to that of the silhouettes' union.
+        const string Cross = """
+            {"shape":{"type":"box","halfExtents":[3,0.6,0.6]}},{"shape":{"type":"box","halfExtents":[0.6,3,0.6]}},{"shape":{"type":"box","halfExtents":[0.6,0.6,3]}}
+            """;
+        List<List<(double X, double Y)>> polygons = Polygons(Draw(Cross));
+        var random = new Random(3);
+        int covered = 0, twice = 0;
+        for (int i = 0; i < 20_000; i++)
+        {
+            (double x, double y) = (random.NextDouble() * 960, random.NextDouble() * 700);
+            int count = polygons.Count(p => Contains(p, x, y));
+            if (count > 0) covered++;
+            if (count > 1) twice++;
+        }
+
+        Assert.InRange(covered, 2_000, 15_000);
+        Assert.True(twice <= covered / 500, $"{twice} of {covered} points are covered twice");
+    }
+
+    /// <summary>Well-formed, every number finite, every path drawn inside the picture, on a ground of its own.</summary>
+    internal static void AssertSound(string svg)
+    {
+        XElement root = XDocument.Parse(svg).Root!;
+        XNamespace ns = "http://www.w3.org/2000/svg";
+        Assert.Equal(ns + "svg", root.Name);
+        double[] box = [.. root.Attribute("viewBox")!.Value.Split(' ').Select(n => double.Parse(n, CultureInfo.InvariantCulture))];
+        Assert.Equal([0, 0, 960], box[..3]);
+        Assert.InRange(box[3], 400, 801);
+        Assert.Equal(Ground, root.Element(ns + "rect")!.Attribute("fill")!.Value);
+        Assert.DoesNotContain("NaN", svg);
+        Assert.DoesNotContain("∞", svg);
+        foreach ((double x, double y) in Polygons(svg).SelectMany(p => p))
+        {
+            Assert.InRange(x, -0.5, 960.5);
+            Assert.InRange(y, -0.5, box[3] + 0.5);
+        }
+    }
+
+    private static string Draw(string objects)
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{objects}]}}");
+        DemoProcess.Run("view", scene, "--svg", directory.File("a.svg")).AssertDone();
+        string svg = File.ReadAllText(directory.File("a.svg"));
+        AssertSound(svg);
+        return svg;
+    }
+
+    private static IEnumerable<string> FaceColors(string svg)
+    {
+        string[] colors = [.. Regex.Matches(svg, "fill=\"(#[0-9a-f]{6})\"").Select(m => m.Groups[1].Value).Where(c => c is not (Ground or Outline))];
+        Assert.NotEmpty(colors);
+        return colors;
+    }
+
+    private static bool IsRed(string color) => Convert.ToInt32(color[1..3], 16) > Convert.ToInt32(color[3..5], 16);
+
+    private static bool Contains(List<(double X, double Y)> p, double x, double y)
+    {
+        bool inside = false;
+        for (int i = 0, j = p.Count - 1; i < p.Count; j = i++)
+        {
+            if (p[i].Y > y != p[j].Y > y && x < (p[j].X - p[i].X) * (y - p[i].Y) / (p[j].Y - p[i].Y) + p[i].X) inside = !inside;
+        }
+
+        return inside;
+    }
+
+    /// <summary>The filled outlines, read as any SVG reader does.</summary>
+    private static List<List<(double X, double Y)>> Polygons(string svg)
+    {
+        var result = new List<List<(double X, double Y)>>();
+        foreach (Match path in Regex.Matches(svg, "<path fill=\"#[^>]* d=\"([^\"]*)\""))
+        {
+            double x = 0, y = 0;
+            foreach (string subpath in path.Groups[1].Value.Split('z', StringSplitOptions.RemoveEmptyEntries))
+            {
+                double[] steps = [.. Regex.Matches(subpath, "-?(\\d+(\\.\\d+)?|\\.\\d+)").Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
+                var polygon = new List<(double X, double Y)>();
+                for (int i = 0; i < steps.Length; i += 2)
+                {
+                    x += steps[i];
+                    y += steps[i + 1];
+                    polygon.Add((x, y));
+                }
+
+                (x, y) = polygon[0];
+                result.Add(polygon);
+            }
+        }
+
+        return result;
+    }
+
+    private static string Root()
+    {
+        string? at = AppContext.BaseDirectory;
+        while (at is not null && !File.Exists(Path.Combine(at, "Gjk.sln"))) at = Path.GetDirectoryName(at);
+        return at ?? throw new DirectoryNotFoundException("The tests do not run inside the repository.");
+    }
+}

@@ -1,0 +1,18 @@
+// The smallest test runner: named checks that run in order, and the line that counts them.
+let passed = 0, failed = 0;
+
+export async function check(name, body) {
+  try {
+    await body();
+    passed++;
+    console.log(`ok ${name}`);
+  } catch (error) {
+    failed++;
+    console.log(`FAILED ${name}: ${error.message}`);
+  }
+}
+
+export function finish() {
+  console.log(`${passed} passed, ${failed} failed`);
+  process.exitCode = failed || !passed ? 1 : 0;
+}

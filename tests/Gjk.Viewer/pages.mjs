@@ -1,0 +1,153 @@
+// What a user does with the pages, done by a script: read the counts, look at colours, hover, click, sort, drag, zoom, and play the frames.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { colorsAt, isGreen, isRed, openPage, startBrowser } from './browser.mjs';
+import { check, finish } from './check.mjs';
+import { readCsv } from './csv.mjs';
+
+const folder = process.argv[2];
+const { browser, context } = await startBrowser();
+const open = (name) => openPage(context, join(folder, `${name}.html`));
+const keep = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
+const counts = (page) => page.evaluate(() => window.__gjk.counts());
+const text = (page, selector) => page.locator(selector).innerText();
+const rows = (page) => page.locator('.rows .row').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+
+async function builtIn(name, intersecting, free) {
+  const page = await open(name);
+  await check(`${name}: the counts are the report's`, async () => {
+    assert.deepEqual(await counts(page), { objects: 20, pairs: 190, frames: 1, frame: 0, overlapping: 5, lines: 185 });
+    assert.match(await text(page, '.summary'), /^20 objects, 190 pairs, 5 intersecting$/);
+    const { objects, pairs, overlapping } = await page.evaluate(() => ({ ...document.body.dataset }));
+    assert.deepEqual([objects, pairs, overlapping], ['20', '190', '5']);
+  });
+  await check(`${name}: what intersects is red on the screen, and the rest green`, async () => {
+    await page.locator('button', { hasText: 'none' }).click();
+    const places = await page.evaluate((objects) => objects.map((o) => window.__gjk.positionOf(o)), [...intersecting, ...free]);
+    const colors = await colorsAt(context, page, places);
+    intersecting.forEach((object, i) => assert.ok(isRed(colors[i]), `object ${object} is ${colors[i]}`));
+    free.forEach((object, i) => assert.ok(isGreen(colors[intersecting.length + i]), `object ${object} is ${colors[intersecting.length + i]}`));
+    assert.equal((await counts(page)).lines, 0);
+    await page.locator('button', { hasText: 'all' }).first().click();
+  });
+  await keep(page, name);
+  await check(`${name}: no error, nothing fetched`, async () => assert.deepEqual(page.complaints, []));
+  return page;
+}
+
+const cubes = await builtIn('cubes', [11, 19], [1, 9]);
+await (await builtIn('spheres', [11, 19], [1, 9])).close();
+
+await check('the list is sorted by distance, and turns round', async () => {
+  const distances = async () => (await rows(cubes)).map((cells) => (cells[2] === 'intersect' ? 0 : Number(cells[2])));
+  const rising = await distances();
+  assert.ok(rising.length > 10);
+  assert.deepEqual(rising, [...rising].sort((x, y) => x - y));
+  assert.equal(rising.filter((d) => d === 0).length, 5);
+  await cubes.locator('.head button', { hasText: 'distance' }).click();
+  const falling = await distances();
+  assert.deepEqual(falling, [...falling].sort((x, y) => y - x));
+  assert.ok(falling[0] > rising.at(-1));
+  await cubes.locator('.head button', { hasText: 'distance' }).click();
+});
+
+await check('a row selects its pair in the view', async () => {
+  const row = cubes.locator('.rows .row').nth(6);
+  const pair = Number(await row.getAttribute('data-pair'));
+  await row.click();
+  assert.equal(await cubes.evaluate(() => window.__gjk.selected()), pair);
+  assert.match(await text(cubes, '.detail'), /distance\s+0\.\d+\s+normal\s+\(.*\)\s+iterations\s+\d+/);
+  await keep(cubes, 'cubes-selected');
+  await cubes.locator('.rows').press('Escape');
+  assert.equal(await cubes.evaluate(() => window.__gjk.selected()), -1);
+});
+
+await check('a click on a body lists its pairs', async () => {
+  const at = await cubes.evaluate(() => window.__gjk.positionOf(9));
+  await cubes.locator('button', { hasText: 'none' }).click();
+  await cubes.mouse.click(at.x, at.y);
+  const names = await rows(cubes);
+  const name = await text(cubes, '.chip strong');
+  assert.equal(names.length, 19);
+  assert.ok(names.every(([a, b]) => a === name || b === name), name);
+  await cubes.locator('button', { hasText: 'show all' }).click();
+});
+
+await check('dragging turns the view, the wheel zooms, reset brings it back', async () => {
+  const where = () => cubes.evaluate(() => { window.__gjk.drawNow(); return [0, 19].map((o) => window.__gjk.positionOf(o)); });
+  const span = ([a, b]) => Math.hypot(a.x - b.x, a.y - b.y);
+  const first = await where();
+  await cubes.mouse.move(450, 60);
+  await cubes.mouse.down();
+  await cubes.mouse.move(610, 110, { steps: 6 });
+  await cubes.mouse.up();
+  const turned = await where();
+  assert.ok(Math.hypot(turned[0].x - first[0].x, turned[0].y - first[0].y) > 30);
+  await cubes.mouse.wheel(0, -600);
+  await cubes.waitForTimeout(300);
+  assert.ok(span(await where()) > 1.1 * span(turned));
+  await cubes.locator('button', { hasText: 'reset view' }).click();
+  const last = await where();
+  assert.ok(Math.hypot(last[0].x - first[0].x, last[0].y - first[0].y) < 2, JSON.stringify([first[0], last[0]]));
+});
+await cubes.close();
+
+const moving = await open('moving');
+const answers = readCsv(join(folder, 'moving.csv'));
+await check('moving: hovering over a line shows distance, normal and iterations as query has them', async () => {
+  const pair = answers.findIndex((row) => row.a === 3 && row.b === 4);
+  const { distance, nx, ny, nz, iterations } = answers[pair];
+  const at = await moving.evaluate((p) => { window.__gjk.drawNow(); return window.__gjk.lineAt(p, 0.5); }, pair);
+  await moving.mouse.move(at.x, at.y);
+  const tip = await text(moving, '.tip');
+  const shown = Object.fromEntries([...tip.matchAll(/(distance|normal|iterations)\s+(.*)/g)].map((m) => [m[1], m[2].replaceAll('−', '-')]));
+  assert.match(tip, /^cylinder – cone/);
+  assert.ok(Math.abs(Number(shown.distance) - distance) <= 1e-5 * distance, `${shown.distance} for ${distance}`);
+  assert.deepEqual(shown.normal.match(/-?[\d.]+/g).map(Number), [nx, ny, nz].map((n) => Number((Math.abs(n) < 5e-5 ? 0 : n).toFixed(4))));
+  assert.equal(Number(shown.iterations), iterations);
+  await keep(moving, 'moving-hover');
+});
+
+await check('moving: the slider replays the frames, and what meets turns red', async () => {
+  const show = async (frame) => {
+    await moving.locator('input[type=range]').fill(String(frame));
+    return { ...(await counts(moving)), colors: await moving.evaluate(() => [0, 1].map((o) => window.__gjk.colorOf(o))), at: await moving.evaluate(() => window.__gjk.positionOf(1)) };
+  };
+  const first = await show(0), before = await show(7), met = await show(8);
+  assert.deepEqual([first.frame, before.frame, met.frame], [0, 7, 8]);
+  assert.deepEqual([first.overlapping, before.overlapping, met.overlapping], [0, 0, 1]);
+  assert.ok(met.at.x < first.at.x - 50);
+  assert.deepEqual(first.colors, ['#38a873', '#38a873']);
+  assert.deepEqual(met.colors, ['#e5484d', '#e5484d']);
+  assert.match(await text(moving, '.summary'), /1 intersecting/);
+  assert.ok((await rows(moving))[0].includes('intersect'));
+  await keep(moving, 'moving-met');
+  await moving.locator('button[aria-label=play]').click();
+  await moving.waitForFunction(() => window.__gjk.counts().frame !== 8);
+  await moving.locator('button[aria-label=pause]').click();
+});
+await check('moving: no error, nothing fetched', async () => assert.deepEqual(moving.complaints, []));
+await moving.close();
+
+await check('many: two thousand objects open, select and sort in seconds', async () => {
+  const start = Date.now();
+  const many = await open('many');
+  const expected = readCsv(join(folder, 'many.csv')).filter((row) => row.overlap === 'true').length;
+  const { objects, overlapping } = await counts(many);
+  assert.deepEqual([objects, overlapping], [2000, expected]);
+  assert.match(await text(many, '.summary'), /^2000 objects, 1999000 pairs/);
+  const row = many.locator('.rows .row').nth(3);
+  const pair = Number(await row.getAttribute('data-pair'));
+  await row.click();
+  assert.equal(await many.evaluate(() => window.__gjk.selected()), pair);
+  await many.locator('.head button', { hasText: 'iter.' }).click();
+  await keep(many, 'many');
+  assert.deepEqual(many.complaints, []);
+  const seconds = (Date.now() - start) / 1000;
+  console.log(`many: ${seconds.toFixed(1)} s`);
+  assert.ok(seconds < 150, `${seconds} s`);
+  await many.close();
+});
+
+await browser.close();
+finish();

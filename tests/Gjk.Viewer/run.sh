@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Opens the pages that the demo writes in headless Chromium and uses them. Installs what that needs where it can, else says so and ends well.
+# Screenshots are kept in TestResults/ beside this script.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+skip() {
+  echo "skipped: $1"
+  exit 0
+}
+
+install_packages() {
+  command -v apt-get > /dev/null || return 1
+  apt-get install -y --no-install-recommends "$@" > /dev/null 2>&1 && return 0
+  apt-get update > /dev/null 2>&1 && apt-get install -y --no-install-recommends "$@" > /dev/null 2>&1
+}
+
+find_browser() {
+  CHROMIUM=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
+  [ -n "$CHROMIUM" ]
+}
+
+command -v node > /dev/null && command -v npm > /dev/null || install_packages nodejs npm || skip "Node.js is not installed and cannot be installed here"
+[ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ] || skip "Node.js here is older than playwright-core needs (20)"
+find_browser || { install_packages chromium && find_browser; } || skip "no Chromium is installed and none can be installed here"
+[ -d node_modules/playwright-core ] || npm ci --silent > /dev/null 2>&1 || skip "playwright-core cannot be installed from npm here"
+export CHROMIUM
+
+dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj
+demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
+
+rm -rf TestResults
+mkdir TestResults
+node scenes.mjs TestResults
+demo view --builtin cubes --out TestResults/cubes.html
+demo view --builtin spheres --out TestResults/spheres.html
+for scene in moving many; do
+  demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
+  demo query "TestResults/$scene.json" --out "TestResults/$scene.csv"
+done
+exec node pages.mjs TestResults
