@@ -12,6 +12,8 @@ public sealed class UsageTests
     [InlineData("replay --help", "--seconds", "--frames", "--json")]
     [InlineData("query --help", "SCENE.json", "--out", "--max-distance")]
     [InlineData("time --help", "SCENE.json", "--seconds", "")]
+    [InlineData("view --help", "SCENE.json", "--out", "--svg")]
+    [InlineData("trace --help", "SCENE.json", "--pair", "--out")]
     public void HelpSaysWhatThereIs(string args, string one, string two, string three)
     {
         DemoRun run = DemoProcess.Run(args.Split(' '));

@@ -1,11 +1,17 @@
 // What a user does with the pages, done by a script: read the counts, look at colours, hover, click, sort, drag, zoom, and play the frames.
 import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { colorsAt, isGreen, isRed, openPage, startBrowser } from './browser.mjs';
 import { check, finish } from './check.mjs';
 import { readCsv } from './csv.mjs';
 
 const folder = process.argv[2];
+const bundle = join(folder, 'viewer.js');
+if (existsSync(bundle)) {
+  await check('the bundle is what its sources make', async () => assert.ok(readFileSync(bundle).equals(readFileSync('../../src/Gjk.Demo/viewer/dist/viewer.js'))));
+}
+
 const { browser, context } = await startBrowser();
 const open = (name) => openPage(context, join(folder, `${name}.html`));
 const keep = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
@@ -148,6 +154,47 @@ await check('many: two thousand objects open, select and sort in seconds', async
   assert.ok(seconds < 150, `${seconds} s`);
   await many.close();
 });
+
+async function traced(name, status) {
+  const page = await open(name);
+  await check(`${name}: every step is told and drawn`, async () => {
+    const { steps, iterations, status: found } = await counts(page);
+    assert.equal(found, status);
+    assert.equal(steps, iterations);
+    assert.equal(await page.locator('tbody tr').count(), steps);
+    for (let step = 0; step < steps; step++) {
+      await page.locator('input[type=range]').fill(String(step));
+      assert.equal((await counts(page)).step, step);
+      const story = await text(page, '.story');
+      assert.match(story, /^Search: [\s\S]*Bound: [\s\S]*Region: /);
+      assert.doesNotMatch(story, /NaN|undefined|null/);
+      assert.equal(story.includes('Answer:'), step === steps - 1);
+      assert.ok((await page.locator('.label').allInnerTexts()).includes(`w${step + 1}`));
+      assert.equal(await page.locator('tr.current td').first().innerText(), String(step + 1));
+    }
+    assert.deepEqual(page.complaints, []);
+  });
+  await keep(page, name);
+  return page;
+}
+
+const apart = await traced('trace-apart', 'Separated');
+await check('trace: the bounds close in from both sides, and meet at the distance', async () => {
+  const table = await apart.locator('tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => Number(cell.textContent))));
+  for (let i = 1; i < table.length; i++) assert.ok(table[i][1] >= table[i - 1][1] && table[i][2] <= table[i - 1][2], JSON.stringify(table));
+  assert.equal(table.at(-1)[1], table.at(-1)[2]);
+  assert.ok((await text(apart, '.story')).includes(`distance ${table.at(-1)[1]}`));
+});
+await check('trace: the origin is a white ball on the screen', async () => {
+  await apart.locator('tbody tr').first().click();
+  const [color] = await colorsAt(context, apart, [await apart.evaluate(() => window.__gjk.originAt())]);
+  assert.ok(color.every((channel) => channel > 230), String(color));
+});
+await apart.close();
+const hit = await traced('trace-hit', 'Overlapping');
+await check('trace: the last simplex holds the origin', async () => assert.match(await text(hit, '.story'), /the origin is inside the tetrahedron/));
+await hit.close();
+await (await traced('trace-round', 'Separated')).close();
 
 await browser.close();
 finish();

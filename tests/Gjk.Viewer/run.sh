@@ -31,6 +31,15 @@ demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 
 rm -rf TestResults
 mkdir TestResults
+
+# The bundle that the demo embeds is checked in; it must be what its sources make.
+viewer=../../src/Gjk.Demo/viewer
+if [ -d $viewer/node_modules/esbuild ] || (cd $viewer && npm ci --silent > /dev/null 2>&1); then
+  (cd $viewer && node build.mjs "$OLDPWD/TestResults/viewer.js") > /dev/null
+else
+  echo "skipped: esbuild cannot be installed from npm here, so the bundle is not compared with its sources"
+fi
+
 node scenes.mjs TestResults
 demo view --builtin cubes --out TestResults/cubes.html
 demo view --builtin spheres --out TestResults/spheres.html
@@ -38,4 +47,7 @@ for scene in moving many; do
   demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
   demo query "TestResults/$scene.json" --out "TestResults/$scene.csv"
 done
+demo trace --builtin cubes --pair 0,5 --out TestResults/trace-apart.html
+demo trace --builtin cubes --pair 10,11 --out TestResults/trace-hit.html
+demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html
 exec node pages.mjs TestResults

@@ -13,7 +13,7 @@ internal sealed class ShapeMesh
     /// <summary>The cosine between two triangles' normals above which they are one flat facet: within 0.5 degrees.</summary>
     private const double FlatCosine = 0.99996;
 
-    /// <summary>The same for a curved shape's facets, which are steps of 7.5 degrees: an edge, such as a cylinder's rim, is 30 degrees or more.</summary>
+    /// <summary>The same for a curved shape's facets, which are steps of 7.5 or 15 degrees: an edge, such as a cylinder's rim, is 30 degrees or more.</summary>
     private const double SmoothCosine = 0.866;
 
     private ShapeMesh(ConvexHull hull, Vector3 scale, bool isSmooth)
@@ -52,10 +52,10 @@ internal sealed class ShapeMesh
     /// <summary>About the local origin.</summary>
     public double Radius { get; }
 
-    public static ShapeMesh Of(in ConvexShape shape)
+    public static ShapeMesh Of(in ConvexShape shape, bool isCoarse = false)
     {
         if (shape.Kind == ShapeKind.Mesh) return new ShapeMesh(shape.Hull!, shape.Scale, isSmooth: false);
-        List<Vector3> points = SupportSamples.Of(shape);
+        List<Vector3> points = SupportSamples.Of(shape, isCoarse);
         return new ShapeMesh(new ConvexHull(points), Vector3.One, SupportSamples.IsCurved(shape));
     }
 

@@ -8,6 +8,9 @@ namespace Gjk.Demo.View;
 /// <summary>The different shapes of a scene, each triangulated once.</summary>
 internal sealed class ShapeTable
 {
+    /// <summary>Scenes of more objects have curved shapes of fewer triangles, which a browser can still turn at ease.</summary>
+    private const int FineObjects = 500;
+
     private readonly List<ShapeMesh> _meshes = [];
 
     public ShapeTable(Scene scene)
@@ -20,7 +23,7 @@ internal sealed class ShapeTable
             if (!known.TryGetValue(shape, out OfObject[i]))
             {
                 known.Add(shape, OfObject[i] = _meshes.Count);
-                _meshes.Add(ShapeMesh.Of(shape));
+                _meshes.Add(ShapeMesh.Of(shape, isCoarse: OfObject.Length > FineObjects));
             }
         }
     }

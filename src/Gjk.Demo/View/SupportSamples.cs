@@ -8,8 +8,11 @@ namespace Gjk.Demo.View;
 /// <summary>Support points of a shape, spread so that their hull looks like it.</summary>
 internal static class SupportSamples
 {
-    /// <summary>Directions about the axis, and from pole to pole: steps of 7.5 degrees.</summary>
-    private const int Meridians = 48, Parallels = 24;
+    /// <summary>Directions about the axis, and half as many from pole to pole: steps of 7.5 degrees.</summary>
+    private const int Meridians = 48;
+
+    /// <summary>The same in a scene of many, where each is small: steps of 15 degrees, a quarter of the triangles.</summary>
+    private const int CoarseMeridians = 24;
 
     /// <summary>How far beside the equator, in radians, the two directions lie that find both ends of a capsule's or cylinder's side.</summary>
     private const double BesideEquator = 1e-3;
@@ -19,7 +22,7 @@ internal static class SupportSamples
         shape.Margin > 0 || shape.Kind is ShapeKind.Cylinder or ShapeKind.Cone or ShapeKind.Ellipsoid || !shape.TryGetVertex(0, out _);
 
     /// <summary>All corners of a shape that has only those, else a grid of support points.</summary>
-    public static List<Vector3> Of(in ConvexShape shape)
+    public static List<Vector3> Of(in ConvexShape shape, bool isCoarse)
     {
         var points = new List<Vector3>();
         if (!IsCurved(shape))
@@ -28,10 +31,11 @@ internal static class SupportSamples
             return points;
         }
 
+        int meridians = isCoarse ? CoarseMeridians : Meridians;
         Vector3D stretch = Stretch(shape);
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, 1, 0))));
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, -1, 0))));
-        foreach (double latitude in Latitudes(shape.Kind)) AddRow(shape, stretch, latitude, points);
+        foreach (double latitude in Latitudes(shape.Kind, meridians / 2)) AddRow(shape, stretch, latitude, meridians, points);
         return points;
     }
 
@@ -43,12 +47,12 @@ internal static class SupportSamples
     }
 
     /// <summary>The rows of a grid from pole to pole; only the rims of what has straight sides.</summary>
-    private static IEnumerable<double> Latitudes(ShapeKind kind)
+    private static IEnumerable<double> Latitudes(ShapeKind kind, int parallels)
     {
         bool isBall = kind is ShapeKind.Point or ShapeKind.Ellipsoid, isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
-        for (int row = 1; row < Parallels && !isDisc; row++)
+        for (int row = 1; row < parallels && !isDisc; row++)
         {
-            if (row != Parallels / 2 || isBall) yield return Math.PI * row / Parallels - Math.PI / 2;
+            if (row != parallels / 2 || isBall) yield return Math.PI * row / parallels - Math.PI / 2;
         }
 
         if (isBall) yield break;
@@ -56,12 +60,12 @@ internal static class SupportSamples
         if (kind != ShapeKind.Cone) yield return BesideEquator;
     }
 
-    private static void AddRow(in ConvexShape shape, in Vector3D stretch, double latitude, List<Vector3> points)
+    private static void AddRow(in ConvexShape shape, in Vector3D stretch, double latitude, int meridians, List<Vector3> points)
     {
         (double up, double outward) = Math.SinCos(latitude);
-        for (int i = 0; i < Meridians; i++)
+        for (int i = 0; i < meridians; i++)
         {
-            (double z, double x) = Math.SinCos(2 * Math.PI * i / Meridians);
+            (double z, double x) = Math.SinCos(2 * Math.PI * i / meridians);
             var onBall = new Vector3D(outward * x, up, outward * z);
             Vector3D point = Support(shape, Vector3D.Multiply(stretch, onBall));
             points.Add((Vector3)point);

@@ -1,4 +1,5 @@
-// Bundles src/main.js and three.js into dist/viewer.js, one script without imports; the licence of what is in it goes beside it.
+// Bundles src/main.js and three.js into dist/viewer.js, one script without imports; the licence of what is in it goes beside it. Given a file, it writes only
+// the script, and there.
 import { build } from 'esbuild';
 import { copyFileSync } from 'node:fs';
 
@@ -10,6 +11,6 @@ await build({
   target: 'es2020',
   charset: 'utf8',
   legalComments: 'inline',
-  outfile: 'dist/viewer.js',
+  outfile: process.argv[2] ?? 'dist/viewer.js',
 });
-copyFileSync('node_modules/three/LICENSE', 'dist/three.LICENSE.txt');
+if (!process.argv[2]) copyFileSync('node_modules/three/LICENSE', 'dist/three.LICENSE.txt');

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests;
 
@@ -62,4 +63,44 @@ public class ClosestPointWeightsTests
         Assert.True(w.IsInside);
         Assert.Equal(0, (w.PointOf(a, b, c, d) - new Vector3D(0.5, 1, -0.5)).Length, 1e-14);
     }
+
+    /// <summary>Four points nearly on a line through the origin, which they enclose: the weighted point must be the origin however thin they are.</summary>
+    [Fact]
+    public void NeedleTetrahedra()
+    {
+        for (ulong seed = 0; seed < 4000; seed++)
+        {
+            var rng = new Rng(seed);
+            double width = System.Math.Pow(10, -rng.Range(2, 14));
+            Vector3D along = Vector(rng, 1);
+            Vector3D a = along * rng.Range(0.5, 1) + Vector(rng, width), b = along * -rng.Range(0.5, 1) + Vector(rng, width);
+            Vector3D c = along * rng.Range(-1, 1) + Vector(rng, width), weights = new(rng.Range(0.1, 1), rng.Range(0.1, 1), rng.Range(0.1, 1));
+            Vector3D d = a * -weights.X + b * -weights.Y + c * -weights.Z;
+            Weights w = ClosestPointWeights.Tetrahedron(a, b, c, d);
+            Assert.True(w.IsInside, $"seed {seed}");
+            double error = w.PointOf(a, b, c, d).Length;
+            Assert.True(error <= 1e-8, $"seed {seed}, width {width:R}: the weighted point is {error:R} from the origin");
+        }
+    }
+
+    /// <summary>Three points nearly on a line that passes the origin at a distance below or above their width: no point of an edge may be nearer than the answer.</summary>
+    [Fact]
+    public void NeedleTriangles()
+    {
+        for (ulong seed = 0; seed < 4000; seed++)
+        {
+            var rng = new Rng(seed);
+            double width = System.Math.Pow(10, -rng.Range(2, 16));
+            Vector3D along = Vector(rng, 1), start = Vector(rng, System.Math.Pow(10, -rng.Range(0, 16)));
+            Vector3D a = start + along + Vector(rng, width), b = start - along + Vector(rng, width), c = start + along * rng.Range(-1, 1) + Vector(rng, width);
+            double nearest = ClosestPointWeights.Triangle(a, b, c).PointOf(a, b, c, default).Length;
+            foreach ((Vector3D p, Vector3D q) in new[] { (a, b), (b, c), (c, a) })
+            {
+                double edge = ClosestPointWeights.Segment(p, q).PointOf(p, q, default, default).Length;
+                Assert.True(nearest <= edge + 1e-9, $"seed {seed}, width {width:R}: {nearest:R}, an edge {edge:R}");
+            }
+        }
+    }
+
+    private static Vector3D Vector(Rng rng, double size) => new(rng.Range(-size, size), rng.Range(-size, size), rng.Range(-size, size));
 }
