@@ -19,12 +19,6 @@ internal static class Prefetch
     private const int CacheLine = 64;
 #endif
 
-    /// <summary>Count: fewer objects are in the cache anyway. A matter of speed only.</summary>
-    private const int LeastObjects = 512;
-
-    /// <summary>Before which pair of a part there is something to fetch ahead.</summary>
-    public static int End(int objects, int endOfPart) => objects < LeastObjects ? 0 : endOfPart - PairsAhead;
-
     /// <summary>The shape and the pose of the pair's second object; the first is near that of the pair before.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Objects(ConvexShape[] shapes, RigidPose[] poses, ObjectPair pair)

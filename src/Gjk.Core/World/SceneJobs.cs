@@ -9,11 +9,10 @@ internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> 
     {
         ConvexShape[] shapes = objects.Shapes;
         RigidPose[] poses = objects.Poses;
-        int prefetchEnd = Prefetch.End(objects.End, end);
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            if (i < prefetchEnd) Prefetch.Objects(shapes, poses, pairs[i + Prefetch.PairsAhead]);
+            if (i + Prefetch.PairsAhead < end) Prefetch.Objects(shapes, poses, pairs[i + Prefetch.PairsAhead]);
             overlaps[i] = ConvexQuery.Overlaps(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]);
         }
     }
@@ -28,11 +27,9 @@ internal readonly struct SceneDistanceJob(
         ConvexShape[] shapes = objects.Shapes;
         RigidPose[] poses = objects.Poses;
         int last = warmStarts.Seek(begin);
-        int prefetchEnd = Prefetch.End(objects.End, end);
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            if (i < prefetchEnd) Prefetch.Objects(shapes, poses, pairs[i + Prefetch.PairsAhead]);
             results[i] = ConvexQuery.Distance(
                 shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref warmStarts.Resume(i, ref last), maxDistance);
         }
