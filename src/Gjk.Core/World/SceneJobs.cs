@@ -30,7 +30,6 @@ internal readonly struct SceneDistanceJob(
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            if (i + Prefetch.PairsAhead < end) Prefetch.Objects(shapes, poses, pairs[i + Prefetch.PairsAhead]);
             results[i] = ConvexQuery.Distance(
                 shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref warmStarts.Resume(i, ref last), maxDistance);
         }
