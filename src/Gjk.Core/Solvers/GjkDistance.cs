@@ -79,11 +79,12 @@ internal static class GjkDistance
         }
     }
 
-    /// <summary>Two cores that are points, as those of spheres are (their margins are all of their radii): what the loop would find, without a support call.</summary>
+    /// <summary>Two cores that are points, as those of spheres are (their margins are all of their radii): what the loop would find in its one round, in closed form.</summary>
     public static void SolvePoints(in RelativePose bInA, ref GjkOutcome outcome)
     {
         Vector3D w = -bInA.Translation;
         outcome.Simplex.Push(w, default, 0, 0);
+        outcome.Iterations = 1;
         outcome.Feature.Reduce(ref outcome.Simplex);
         outcome.Status = outcome.Feature.Height > 0 ? GjkStatus.Separated : GjkStatus.Overlapping;
         SetPlane(ref outcome, outcome.Feature, outcome.Feature.Height);

@@ -13,7 +13,7 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class GjkOverlap
 {
-    /// <summary>Count: more than hulls of thousands of vertices need; reached by cycles only. Pinned by OverlapTests.</summary>
+    /// <summary>Count: more than hulls of thousands of vertices need; reached by cycles only. Pinned by CostGuardTests.</summary>
     private const int MaxRounds = 40;
 
     public enum Answer

@@ -11,22 +11,22 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Ratio: the gap between the feature and the newest support plane is closed when it is this fraction of the distance. Far below float's 6e-8,
-    /// a few dozen units in the last place above what a double sum of three products loses. Pinned by AccuracyTests on the case families.
+    /// a few dozen units in the last place above what a double sum of three products loses. Pinned by HardCaseTests.EveryDistanceIsExactToFloatRounding.
     /// </summary>
     public const double RelativeGap = 256 * UnitRoundoff;
 
     /// <summary>
     /// Ratio, for cores without vertices: a curved support never repeats, so the gap shrinks for ever. The error that it leaves is a sixtieth of float's rounding.
-    /// Pinned by CurvedShapeTests.
+    /// Pinned by ClosedFormTests.
     /// </summary>
     public const double RelativeGapCurved = 1e-9;
 
     /// <summary>
-    /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's radius. A gap below it cannot be told from 0. Pinned by TouchTests.
+    /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's radius. A gap below it cannot be told from 0. Pinned by HardCaseTests.NoFlagIsWrong.
     /// </summary>
     public const double Noise = 4 * UnitRoundoff;
 
-    /// <summary>Length, for cores without vertices; the promise for these is 1e-6. Pinned by CurvedShapeTests.</summary>
+    /// <summary>Length, for cores without vertices; the promise for these is 1e-6. Pinned by ClosedFormTests.</summary>
     public const double NoiseCurved = 1e-10;
 
     /// <summary>
@@ -37,21 +37,20 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: shapes nearer than this touch. Four times the noise, so that a distance that the gap test ended cannot fall on the other side than an enclosed
-    /// origin does; below the promised 1e-14 of the scale. Pinned by ConsistencyTests.
+    /// origin does; below the promised 1e-14 of the scale. Pinned by OverlapsSaysWhatDistanceSays in HardCaseTests and CertifiedPairTests.
     /// </summary>
     public const double Touch = 4 * Noise;
 
     /// <summary>
     /// Length: the boolean solver calls shapes apart only when a plane proves a gap of this much, so that the distance solver must agree; below, it asks it.
-    /// Pinned by ConsistencyTests.
+    /// Pinned by OverlapsSaysWhatDistanceSays in HardCaseTests and CertifiedPairTests.
     /// </summary>
     public const double SeparatedBand = 16 * Touch;
 
     /// <summary>
-    /// Length: what rounding can do to a lower bound: to the relative pose and to both support values, 16 roundings of (radius + distance of the centres). Pinned by
-    /// LowerBoundTests.
+    /// Length: what rounding can do to a lower bound: to the relative pose and to both support values, 10 roundings of (radius + distance of the centres). Not more: twice this and the noise must fit into the promised 1e-14 of the scale where a float's last place is as small. Pinned by LowerBoundTests and fuzz.
     /// </summary>
-    public const double LowerBoundError = 16 * UnitRoundoff;
+    public const double LowerBoundError = 10 * UnitRoundoff;
 
     /// <summary>
     /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3 by 3 determinant of rounded differences asks.
@@ -61,7 +60,7 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: how far two answers of one support function may disagree before the shape counts as contradicting itself: room for a support that computes in
-    /// float (6e-8 a rounding) on vertices a hundred radii off. Pinned by InvalidShapeTests.
+    /// float (6e-8 a rounding) on vertices a hundred radii off. Pinned by UserShapeTests.
     /// </summary>
     public const double Contradiction = 1e-5;
 
