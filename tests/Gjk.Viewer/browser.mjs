@@ -22,8 +22,17 @@ export async function openPage(context, file) {
   page.on('pageerror', (error) => page.complaints.push(String(error)));
   page.on('request', (request) => { if (request.url() !== url && !request.url().startsWith('data:')) page.complaints.push(`fetched ${request.url()}`); });
   await page.goto(url);
-  await page.waitForFunction(() => window.__gjk);
+  await until(page, () => Boolean(window.__gjk));
   return page;
+}
+
+/** Asks the page until it says yes: waitForFunction would evaluate a string, which the page's own policy forbids. */
+export async function until(page, predicate, milliseconds = 30000) {
+  const end = Date.now() + milliseconds;
+  while (!(await page.evaluate(predicate))) {
+    if (Date.now() > end) throw new Error(`never came true: ${predicate}`);
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
 }
 
 /** The colour that a screenshot shows at points, each the mean of 3 by 3 pixels. */

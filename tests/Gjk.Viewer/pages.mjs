@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { colorsAt, isGreen, isRed, openPage, startBrowser } from './browser.mjs';
+import { colorsAt, isGreen, isRed, openPage, startBrowser, until } from './browser.mjs';
 import { check, finish } from './check.mjs';
 import { readCsv } from './csv.mjs';
 
@@ -129,7 +129,7 @@ await check('moving: the slider replays the frames, and what meets turns red', a
   assert.ok((await rows(moving))[0].includes('intersect'));
   await keep(moving, 'moving-met');
   await moving.locator('button[aria-label=play]').click();
-  await moving.waitForFunction(() => window.__gjk.counts().frame !== 8);
+  await until(moving, () => window.__gjk.counts().frame !== 8);
   await moving.locator('button[aria-label=pause]').click();
 });
 await check('moving: no error, nothing fetched', async () => assert.deepEqual(moving.complaints, []));

@@ -21,7 +21,7 @@ find_browser() {
 }
 
 command -v node > /dev/null && command -v npm > /dev/null || install_packages nodejs npm || skip "Node.js is not installed and cannot be installed here"
-[ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ] || skip "Node.js here is older than playwright-core needs (20)"
+[ "$(node -p 'process.versions.node.split(".")[0]')" -ge 18 ] || skip "Node.js here is older than playwright-core needs (18)"
 find_browser || { install_packages chromium && find_browser; } || skip "no Chromium is installed and none can be installed here"
 [ -d node_modules/playwright-core ] || npm ci --silent > /dev/null 2>&1 || skip "playwright-core cannot be installed from npm here"
 export CHROMIUM
