@@ -95,7 +95,7 @@ internal readonly struct RecordedStep
         {
             _a = new ConvexMesh(scene.Shapes[pair.A].Hull!);
             _b = new ConvexMesh(scene.Shapes[pair.B].Hull!);
-            _bInA = new RelativePose(scene.Poses[pair.A], scene.Poses[pair.B], _a.Center, _b.Center, _a.BoundingRadius + _b.BoundingRadius);
+            RelativePose.Compose(scene.Poses[pair.A], scene.Poses[pair.B], _a.Center, _b.Center, _a.BoundingRadius + _b.BoundingRadius, out _bInA);
             Feature.Normal = -_bInA.Translation;
         }
 

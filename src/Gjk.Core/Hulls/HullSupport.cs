@@ -35,7 +35,7 @@ internal static class HullSupport
         double x = direction.X, y = direction.Y, z = direction.Z;
         int slot = x == 0 || y == 0 || z == 0
             ? ScanBox(cells, x, y, z)
-            : cells.BoxSlots[(x < 0 ? 1 : 0) | (y < 0 ? 2 : 0) | (z < 0 ? 4 : 0)];
+            : cells.BoxSlots[BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2)];
         return Corner(cells, slot, out point);
     }
 

@@ -9,7 +9,7 @@ namespace Gjk.Core;
 /// the differences: positions far from the world's origin cancel before anything is rounded, and shapes far from their own local origin
 /// are measured from their centres.
 /// </summary>
-internal readonly struct RelativePose
+internal struct RelativePose
 {
     /// <summary>
     /// When the centres lie further from the local origins than this many bounding radii, rotating them in double would cost more than the
@@ -18,54 +18,57 @@ internal readonly struct RelativePose
     private const double FarCenter = 4;
 
     /// <summary>B's axes in A's frame.</summary>
-    public readonly RotationD Rotation;
+    public RotationD Rotation;
 
     /// <summary>A's axes in the world.</summary>
-    public readonly RotationD RotationA;
+    public RotationD RotationA;
 
     /// <summary>From A's centre to B's, in A's frame.</summary>
-    public readonly Vector3D Translation;
+    public Vector3D Translation;
 
     /// <summary>The shapes' centres in their own frames.</summary>
-    public readonly Vector3D CenterA, CenterB;
+    public Vector3D CenterA, CenterB;
 
     /// <summary>The two bounding radii added: the size that rounding errors are measured by.</summary>
-    public readonly double Radius;
+    public double Radius;
 
     /// <summary>Whether both poses are rotations and every number is finite.</summary>
-    public readonly bool IsValid;
+    public bool IsValid;
 
-    public RelativePose(in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB, double radius)
+    /// <summary>Composed where it is to be: a copy of its two hundred bytes would cost as much as the composition.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Compose(
+        in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB, double radius, out RelativePose pose)
     {
         Quaternion a = poseA.Rotation, b = poseB.Rotation;
         double ax = a.X, ay = a.Y, az = a.Z, aw = a.W, bx = b.X, by = b.Y, bz = b.Z, bw = b.W;
         double normA = ax * ax + ay * ay + az * az + aw * aw, normB = bx * bx + by * by + bz * bz + bw * bw;
         double inverse = 1 / (normA * normB);
-        RotationD.Set(out RotationA, ax, ay, az, aw, 2 * normB * inverse);
+        RotationD.Set(out pose.RotationA, ax, ay, az, aw, 2 * normB * inverse);
         RotationD.Set(
-            out Rotation,
+            out pose.Rotation,
             aw * bx - ax * bw - ay * bz + az * by,
             aw * by - ay * bw - az * bx + ax * bz,
             aw * bz - az * bw - ax * by + ay * bx,
             aw * bw + ax * bx + ay * by + az * bz,
             2 * inverse);
 
-        CenterA = new Vector3D(centerA.X, centerA.Y, centerA.Z);
-        CenterB = new Vector3D(centerB.X, centerB.Y, centerB.Z);
-        Radius = radius;
+        pose.CenterA = new Vector3D(centerA.X, centerA.Y, centerA.Z);
+        pose.CenterB = new Vector3D(centerB.X, centerB.Y, centerB.Z);
+        pose.Radius = radius;
         Vector3D between = (Vector3D)poseB.Position - poseA.Position;
         double offset = Math.Abs(centerA.X) + Math.Abs(centerA.Y) + Math.Abs(centerA.Z) + Math.Abs(centerB.X) + Math.Abs(centerB.Y) + Math.Abs(centerB.Z);
         if (!(offset > FarCenter * radius))
         {
-            Translation = RotationA.InverseRotate(between);
-            if (offset > 0) Translation += Rotation.Rotate(centerB) - centerA;
+            pose.Translation = pose.RotationA.InverseRotate(between);
+            if (offset > 0) pose.Translation += pose.Rotation.Rotate(centerB) - centerA;
         }
         else
         {
-            Translation = RotationA.InverseRotate(BetweenFarCenters(poseA, poseB, centerA, centerB));
+            pose.Translation = pose.RotationA.InverseRotate(BetweenFarCenters(poseA, poseB, centerA, centerB));
         }
 
-        IsValid = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB) && radius + (Translation.X + Translation.Y + Translation.Z) is var sum && sum - sum == 0;
+        pose.IsValid = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB) && radius + (pose.Translation.X + pose.Translation.Y + pose.Translation.Z) is var sum && sum - sum == 0;
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -59,7 +59,7 @@ public static partial class ConvexQuery
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
         simplex = default;
-        var bInA = new RelativePose(poseA, poseB, shapeA.Center, shapeB.Center, shapeA.BoundingRadius + shapeB.BoundingRadius);
+        RelativePose.Compose(poseA, poseB, shapeA.Center, shapeB.Center, shapeA.BoundingRadius + shapeB.BoundingRadius, out RelativePose bInA);
         if (!bInA.IsValid || !AreMargins(shapeA.Margin, shapeB.Margin)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         GjkOutcome.Start(out GjkOutcome outcome);
@@ -101,8 +101,10 @@ public static partial class ConvexQuery
     {
         if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
             return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance, ref trace);
+        if (AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
+            return DistanceOf(ref boxA, poseA, ref boxB, poseB, maxDistance, ref trace);
 
-        var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
+        RelativePose.Compose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius, out RelativePose bInA);
         double marginA = a.Margin, marginB = b.Margin;
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
@@ -128,8 +130,10 @@ public static partial class ConvexQuery
     {
         if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
             return DistanceOf(ref meshA, poseA, ref meshB, poseB, maxDistance, ref warmStart);
+        if (AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
+            return DistanceOf(ref boxA, poseA, ref boxB, poseB, maxDistance, ref warmStart);
 
-        var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
+        RelativePose.Compose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius, out RelativePose bInA);
         double marginA = a.Margin, marginB = b.Margin;
         if (!bInA.IsValid || !AreMargins(marginA, marginB) || float.IsNaN(maxDistance)) return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 

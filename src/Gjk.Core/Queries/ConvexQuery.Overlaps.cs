@@ -39,8 +39,10 @@ public static partial class ConvexQuery
     {
         if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
             return OverlapsOf(ref meshA, poseA, ref meshB, poseB, out status);
+        if (AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
+            return OverlapsOf(ref boxA, poseA, ref boxB, poseB, out status);
 
-        var bInA = new RelativePose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius);
+        RelativePose.Compose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius, out RelativePose bInA);
         if (!bInA.IsValid || !AreMargins(a.Margin, b.Margin))
         {
             status = GjkStatus.InvalidInput;

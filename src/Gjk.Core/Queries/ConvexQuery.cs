@@ -36,6 +36,21 @@ public static partial class ConvexQuery
         return false;
     }
 
+    /// <summary>The same for two boxes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreBoxes<TA, TB>(ref TA a, ref TB b, out BoxCore boxA, out BoxCore boxB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        boxA = default;
+        boxB = default;
+#if NET
+        if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
+            return Unsafe.As<TA, ConvexShape>(ref a).TryGetBox(out boxA) && Unsafe.As<TB, ConvexShape>(ref b).TryGetBox(out boxB);
+#endif
+        return false;
+    }
+
     /// <summary>Neither is negative, NaN or infinite.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool AreMargins(double a, double b) => a >= 0 && b >= 0 && a + b <= double.MaxValue;

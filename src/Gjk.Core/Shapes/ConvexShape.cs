@@ -177,6 +177,14 @@ public readonly struct ConvexShape : ISupportMap
         return isMesh;
     }
 
+    /// <summary>The box that this is, when it is one.</summary>
+    internal bool TryGetBox(out BoxCore box)
+    {
+        bool isBox = _kind == ShapeKind.Box && _plain;
+        box = isBox ? new BoxCore(_a, _boundingRadius) : default;
+        return isBox;
+    }
+
     private static Vector3D RadiusAndHeight(float radius, float halfHeight) =>
         new(Guard.NonNegative(radius, nameof(radius)), Guard.NonNegative(halfHeight, nameof(halfHeight)), 0);
 

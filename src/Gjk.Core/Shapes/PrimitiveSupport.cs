@@ -29,9 +29,9 @@ internal static class PrimitiveSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Box(in Vector3D half, in Vector3D direction, out Vector3D point)
     {
-        bool x = direction.X < 0, y = direction.Y < 0, z = direction.Z < 0;
-        point = new Vector3D(x ? -half.X : half.X, y ? -half.Y : half.Y, z ? -half.Z : half.Z);
-        return (x ? 1 : 0) | (y ? 2 : 0) | (z ? 4 : 0);
+        double x = direction.X, y = direction.Y, z = direction.Z;
+        point = new Vector3D(BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z));
+        return BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
     }
 
     public static bool TryBoxVertex(in Vector3D half, int id, out Vector3D point)

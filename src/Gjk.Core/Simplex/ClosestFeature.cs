@@ -55,7 +55,7 @@ internal struct ClosestFeature
     public bool ReduceAny(ref Simplex simplex)
     {
         // A pair that has not moved much: the remembered feature still is the nearest.
-        if (simplex.Count < 4 && IsFeatureOfItself(simplex)) return Reduce(ref simplex);
+        if (simplex.Count < 4 && TryKeepAll(ref simplex)) return true;
 
         Weights w = ClosestPointWeights.Of(simplex);
         int kept = 0;
@@ -77,17 +77,31 @@ internal struct ClosestFeature
         return true;
     }
 
-    /// <summary>The origin is beside the whole vertex, edge or triangle, not beside a part of it.</summary>
-    private static bool IsFeatureOfItself(in Simplex simplex)
+    /// <summary>Keeps the whole vertex, edge or triangle when the origin is beside that, not beside a part of it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool TryKeepAll(ref Simplex simplex)
     {
-        if (simplex.Count == 1) return true;
+        if (simplex.Count == 1)
+        {
+            Vertex(ref simplex);
+            return true;
+        }
+
         Vector3D a = simplex.WA, b = simplex.WB, ab = b - a;
-        if (simplex.Count == 2) return Vector3D.Dot(ab, a) < 0 && Vector3D.Dot(ab, b) > 0;
+        if (simplex.Count == 2)
+        {
+            if (!(Vector3D.Dot(ab, a) < 0 & Vector3D.Dot(ab, b) > 0)) return false;
+            Edge(ref simplex, a, ab);
+            return true;
+        }
 
         Vector3D ac = simplex.WC - a, normal = Vector3D.Cross(ab, ac);
-        return Vector3D.Dot(Vector3D.Cross(ab, normal), a) > 0
-            && Vector3D.Dot(Vector3D.Cross(normal, ac), a) > 0
-            && Vector3D.Dot(Vector3D.Cross(ac - ab, normal), b) > 0;
+        bool inside = Vector3D.Dot(Vector3D.Cross(ab, normal), a) > 0
+            & Vector3D.Dot(Vector3D.Cross(normal, ac), a) > 0
+            & Vector3D.Dot(Vector3D.Cross(ac - ab, normal), b) > 0;
+        if (!inside) return false;
+        Inside(ref simplex, a, normal);
+        return true;
     }
 
     /// <summary>The newest vertex alone.</summary>
@@ -145,6 +159,13 @@ internal struct ClosestFeature
             return;
         }
 
+        Inside(ref simplex, a, normal);
+    }
+
+    /// <summary>The inside of the triangle ABC with the given normal, wound away from the origin.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Inside(ref Simplex simplex, in Vector3D a, in Vector3D normal)
+    {
         simplex.Count = 3;
         double height = Vector3D.Dot(normal, a), sign = height < 0 ? -1 : 1;
         int b = simplex.B, c = simplex.C;
