@@ -68,6 +68,15 @@ public sealed class FuzzSearchTests
         foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
+    /// <summary>Two points in one place, one of them a corner far from its own origin, the other an ellipsoid of no size: there is no scale, but corners are still turned with rounding.</summary>
+    [Fact]
+    public void WhatHasNoExtentIsHeldToWhatArithmeticCanDo()
+    {
+        var pair = new FuzzPair(QueryRecord.Parse(
+            "gjk1 mesh 1 0.215349019 -0.353724241 -0.519843936 @ 0 0.707106769 0 0.707106769 0 0 0 ellipsoid 0 0 0 @ 0 0 0 1 -0.519843936 -0.353724241 -0.215349019"));
+        foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+    }
+
     [Fact]
     public void APairIsShrunkToWhatThePromiseIsAbout()
     {

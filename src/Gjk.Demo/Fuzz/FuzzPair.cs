@@ -54,8 +54,11 @@ internal sealed class FuzzPair
 
     /// <summary>How much a distance may be off.</summary>
     public double Band(double distance) => IsCurved
-        ? Accuracy.CurvedRatio * Math.Max(Scale, distance)
-        : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale + Accuracy.Offset * (BodyA.Reach + BodyB.Reach) + Accuracy.LeastFloat;
+        ? Accuracy.CurvedRatio * Math.Max(Scale, distance) + Unavoidable
+        : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale + Unavoidable;
+
+    /// <summary>What even shapes without extent cannot be held to: corners far from their local origin are turned in 106 bits, and floats end.</summary>
+    private double Unavoidable => Accuracy.Offset * (BodyA.Reach + BodyB.Reach) + Accuracy.LeastFloat;
 
     /// <summary>How far a point of the answer may be off its shape, before it is rounded to float.</summary>
     public double WitnessSlack => (IsCurved ? Accuracy.CurvedRatio : Accuracy.WitnessScale) * Math.Max(Scale, IsCurved ? FiniteDistance : 0);
