@@ -48,7 +48,8 @@ internal static class GjkTolerances
     public const double SeparatedBand = 16 * Touch;
 
     /// <summary>
-    /// Length: what rounding can do to a lower bound: to the relative pose and to both support values, 10 roundings of (radius + distance of the centres). Not more: twice this and the noise must fit into the promised 1e-14 of the scale where a float's last place is as small. Pinned by LowerBoundTests and fuzz.
+    /// Length: what rounding can do to a lower bound: to the relative pose and to both support values, 10 roundings of (radius + distance of the centres). Not more:
+    /// twice this and the noise must fit into the promised 1e-14 of the scale where a float's last place is as small. Pinned by LowerBoundTests and fuzz.
     /// </summary>
     public const double LowerBoundError = 10 * UnitRoundoff;
 
