@@ -71,7 +71,7 @@ internal static class GjkDistance
             distanceSquared = feature.DistanceSquared;
             if (!(distanceSquared > touchSquared))
             {
-                outcome.Status = Touching(feature, distanceSquared);
+                outcome.Status = Touching(simplex, feature, distanceSquared, touchSquared);
                 return;
             }
 
@@ -103,13 +103,19 @@ internal static class GjkDistance
 
         distanceSquared = outcome.Feature.DistanceSquared;
         if (distanceSquared > touchSquared) return true;
-        outcome.Status = Touching(outcome.Feature, distanceSquared);
+        outcome.Status = Touching(outcome.Simplex, outcome.Feature, distanceSquared, touchSquared);
         return false;
     }
 
-    /// <summary>The feature is no further than rounding can tell from contact, unless its distance is NaN for another reason than a height of 0 over 0.</summary>
-    private static GjkStatus Touching(in ClosestFeature feature, double distanceSquared) =>
-        feature.Height == 0 || distanceSquared >= 0 ? GjkStatus.Overlapping : GjkStatus.InvalidShape;
+    /// <summary>
+    /// The feature seems no further than rounding can tell from contact. The normal of a needle of a triangle may be rounding itself, and then its height says nothing, so a point of
+    /// the feature must prove it. A distance that is NaN for another reason than a height of 0 over 0 comes from a shape.
+    /// </summary>
+    private static GjkStatus Touching(in Simplex simplex, in ClosestFeature feature, double distanceSquared, double touchSquared)
+    {
+        if (!(feature.Height == 0 || distanceSquared >= 0)) return GjkStatus.InvalidShape;
+        return HoldsPointNear(simplex, touchSquared) ? GjkStatus.Overlapping : GjkStatus.IterationLimit;
+    }
 
     /// <summary>The bounds have met, or the newest plane lies behind the feature, which no convex shape's can.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -160,7 +166,7 @@ internal static class GjkDistance
     }
 
     /// <summary>
-    /// A point of the tetrahedron, worked out from its weights, is as near the origin as touching asks: what a sign leaves open where the origin lies on a
+    /// A point of the simplex, worked out from its weights, is as near the origin as touching asks: what a sign leaves open where the origin lies on a
     /// face or an edge, as it does for flush boxes, the weights can still prove.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
