@@ -59,8 +59,8 @@ internal static class GjkExtendedPrecision
 
             if (before.Count > 0 && !((nextSquared - distanceSquared).Sign < 0))
             {
-                double lost = feature.Height - Vector3D.Dot(feature.Normal, w);
-                GjkDistance.SettleStall(ref outcome, feature, feature.Height - lost, lost, bInA.Radius);
+                double plane = Vector3D.Dot(feature.Normal, w);
+                GjkDistance.SettleStall(ref outcome, feature, plane, feature.Height - plane, bInA.Radius);
                 outcome.Simplex = before;
                 outcome.Feature = feature;
                 return;
@@ -142,6 +142,7 @@ internal static class GjkExtendedPrecision
     private static bool TryFeature(in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height, out bool flipped)
     {
         int i = NextIn(subset, 0), j = NextIn(subset, i + 1), k = NextIn(subset, j + 1);
+        NearestFirst(simplex, ref i, ref j, ref k);
         VectorDD a = simplex.W(simplex[i]);
         normal = a;
         height = VectorDD.Dot(a, a);
@@ -158,7 +159,7 @@ internal static class GjkExtendedPrecision
             return along.Sign < 0 && (along + VectorDD.Dot(ab, ab)).Sign > 0;
         }
 
-        if (NextIn(subset, k + 1) <= 3) return false;
+        if (subset == 15) return false;
         VectorDD b = simplex.W(simplex[j]), ac = (VectorDD)simplex.W(simplex[k]) - a;
         normal = VectorDD.Cross(ab, ac);
         height = VectorDD.Dot(normal, a);
@@ -170,6 +171,20 @@ internal static class GjkExtendedPrecision
         normal = default(VectorDD) - normal;
         height = -height;
         return inside;
+    }
+
+    /// <summary>
+    /// Goes round an edge or a triangle until the vertex nearest the origin comes first. Measured from a far one, a small height would be the difference of large products, and lose the
+    /// digits that tell one feature from the next.
+    /// </summary>
+    private static void NearestFirst(in Simplex simplex, ref int i, ref int j, ref int k)
+    {
+        if (j > 3) return;
+        double a = simplex.W(simplex[i]).LengthSquared, b = simplex.W(simplex[j]).LengthSquared, c = k > 3 ? double.PositiveInfinity : simplex.W(simplex[k]).LengthSquared;
+        if (a <= b && a <= c) return;
+        if (k > 3) (i, j) = (j, i);
+        else if (b <= c) (i, j, k) = (j, k, i);
+        else (i, j, k) = (k, i, j);
     }
 
     /// <summary>The four volumes that the origin spans with the faces all have the sign of the whole.</summary>
