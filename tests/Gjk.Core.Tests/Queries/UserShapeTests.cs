@@ -64,6 +64,29 @@ public class UserShapeTests
         }
     }
 
+    /// <summary>
+    /// Rounded to float, the points of a curved shape disagree with one another by more than double could, above all far from the shape's own origin. That is no fault: the answer is as good
+    /// as the points are, and says Separated.
+    /// </summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(100)]
+    public void ASupportThatComputesInFloatIsAnswered(float offset)
+    {
+        var center = new Vector3(offset, -0.5f * offset, 0.25f * offset);
+        double noise = 1e-6 + 4 * offset / (1 << 24);
+        for (ulong seed = 0; seed < (ulong)Budget.Count(300); seed++)
+        {
+            var rng = new Rng(seed);
+            var ball = new Broken(d => center + (Vector3)(d * (1 / d.Length)), 0, 1.0001, center);
+            Vector3 away = rng.Direction() * rng.Float(2.01, 6);
+            DistanceResult r = ConvexQuery.Distance(ball, RigidPose.Identity, ball, new RigidPose(away));
+            double truth = ((Vector3D)away).Length - 2;
+            Assert.True(r.Status == GjkStatus.Separated && Math.Abs(r.Distance - truth) <= noise, $"seed {seed}: {r.Status} {r.Distance:R}, truly {truth:R}");
+            Assert.True(r.LowerBound <= truth + noise, $"seed {seed}: bound {r.LowerBound:R}, truly {truth:R}");
+        }
+    }
+
     public static TheoryData<string> Faults => ["nan", "infinite", "huge", "opposite", "wandering", "nanMargin", "negativeMargin", "nanRadius", "infiniteRadius", "nanCenter", "farCenter"];
 
     [Theory]
