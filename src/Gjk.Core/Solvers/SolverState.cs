@@ -39,6 +39,13 @@ internal struct SolverState
         }
     }
 
+    /// <summary>What rounding, or the end of a walk along a curved core, leaves open: a gap between two bounds below it counts as closed.</summary>
+    public readonly double Noise
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => (IsCurved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise) * Size.Value;
+    }
+
     /// <summary>Makes a state without vertices and planes; the contents of empty slots are not cleared.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin<TA, TB>(in PairFrame frame, out SolverState state)
@@ -58,14 +65,18 @@ internal struct SolverState
         PairSize.Begin<TA, TB>(frame, out state.Size);
     }
 
-    /// <summary>Takes note of what the newest support says about the shapes.</summary>
+    /// <summary>Counts a support, and takes note of what it says about the shapes.</summary>
+    /// <returns>Whether the tolerances have changed.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void See<TA, TB>(in PairFrame frame, in Vector3D onA, in Vector3D onB, int idA, int idB)
+    public bool See<TA, TB>(in PairFrame frame, in Vector3D onA, in Vector3D onB, int ids)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         Iterations++;
-        IsCurved |= (idA | idB) < 0;
-        if (!(TightBounds<TA>.Are && TightBounds<TB>.Are)) Size.See(frame, onA, onB);
+        bool changed = (ids < 0) & !IsCurved;
+        if (changed) IsCurved = true;
+        if (TightBounds<TA>.Are && TightBounds<TB>.Are) return changed;
+        Size.See(frame, onA, onB);
+        return true;
     }
 }
