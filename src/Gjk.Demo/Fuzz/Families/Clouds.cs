@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Families;
 
@@ -78,4 +79,12 @@ internal static class Clouds
 
     /// <summary>Moved and resized, as far as floats allow.</summary>
     public static Vector3[] Placed(Vector3[] cloud, float size, Vector3 offset) => Array.ConvertAll(cloud, p => p * size + offset);
+
+    /// <summary>Resized so that the largest coordinate has a given magnitude.</summary>
+    public static Vector3[] Fitted(Vector3[] cloud, double size)
+    {
+        float largest = 0;
+        foreach (Vector3 p in cloud) largest = Math.Max(largest, Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
+        return Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p * (size / largest)));
+    }
 }

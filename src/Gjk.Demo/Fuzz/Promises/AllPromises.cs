@@ -8,6 +8,7 @@ internal static class AllPromises
     public static IReadOnlyList<IPromise> Make() =>
     [
         new QueriesEndWithAnAnswer(),
+        new SupportsReachTheCloud(),
         new TheExactAnswer(),
         new LowerBoundHolds(),
         new NormalSeparates(),
@@ -22,5 +23,6 @@ internal static class AllPromises
         new SizeChangesNothing(),
         new MotionChangesNothing(),
         new TheSameBitsAgain(),
+        new UsersShapesAreShapes(),
     ];
 }
