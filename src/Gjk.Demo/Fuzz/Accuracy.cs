@@ -12,6 +12,11 @@ internal static class Accuracy
     /// <summary>Length, as a fraction of the scale: shapes that overlap or are apart by more than this must get the right flag.</summary>
     public const double FlagScale = 1e-9;
 
+    /// <summary>
+    /// Length, as a fraction of how far a shape is from its own origin: what turning it there costs in double-double, 2^-100. It is seen only where both shapes are points.
+    /// </summary>
+    public const double Offset = 7.9e-31;
+
     /// <summary>Length, as a fraction of max(scale, distance), for shapes with a curved core.</summary>
     public const double CurvedRatio = 1e-6;
 

@@ -62,13 +62,16 @@ internal sealed class FuzzPair
     public string Text => FuzzText.Of(_a, PoseA, _b, PoseB);
 
     /// <summary>How much a distance may be off.</summary>
-    public double Band(double distance) => Accuracy.LeastFloat + (IsCurved
+    public double Band(double distance) => Unavoidable + (IsCurved
         ? Accuracy.CurvedRatio * Math.Max(Scale, distance)
         : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale);
 
+    /// <summary>What even shapes without extent cannot be held to: corners far from their local origin are turned in 106 bits, and floats end.</summary>
+    private double Unavoidable => Accuracy.LeastFloat + Accuracy.Offset * (BodyA.Center.Length + BodyB.Center.Length);
+
     /// <summary>How far a point of the answer may be off its own shape, before it is rounded to float.</summary>
     /// <param name="body">The shape that it belongs to.</param>
-    public double WitnessSlack(PosedShape body) => IsCurved ? CurvedSlack : Accuracy.WitnessScale * body.LongestSide;
+    public double WitnessSlack(PosedShape body) => IsCurved ? CurvedSlack : Accuracy.WitnessScale * body.LongestSide + Accuracy.DistanceScale * Scale;
 
     /// <summary>How far the difference of the points may be off normal times distance, before they are rounded to float.</summary>
     public double DifferenceSlack => IsCurved ? CurvedSlack : Accuracy.WitnessScale * Scale;

@@ -43,6 +43,9 @@ internal sealed class PosedShape
     /// <summary>The sides of the local bounding box, margin included.</summary>
     public Vector3D Sides { get; }
 
+    /// <summary>The largest magnitude of each local coordinate.</summary>
+    public Vector3D Extents => new(Math.Abs(Center.X) + 0.5 * Sides.X, Math.Abs(Center.Y) + 0.5 * Sides.Y, Math.Abs(Center.Z) + 0.5 * Sides.Z);
+
     public double LongestSide => Math.Max(Sides.X, Math.Max(Sides.Y, Sides.Z));
 
     /// <summary>Half the diagonal of the local bounding box: a ball about the centre that holds the shape.</summary>

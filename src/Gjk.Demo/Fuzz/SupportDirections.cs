@@ -4,7 +4,7 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>Directions in which a look-up of a shape's furthest point might go wrong, in the shape's frame and of any length.</summary>
+/// <summary>Directions in which a look-up of a shape's furthest point might go wrong, in the shape's frame and of about unit length.</summary>
 internal static class SupportDirections
 {
     private const int MostFaces = 12, Edges = 12, Scattered = 12;
@@ -12,20 +12,12 @@ internal static class SupportDirections
     /// <summary>What a component may be beside one of about 1: nothing, far below the rounding of a dot product, or the least number there is.</summary>
     private static readonly double[] Tiny = [0, 1e-17, -1e-17, 1e-12, -1e-9, 1e-300, -double.Epsilon];
 
-    /// <summary>How long they may be; the third leaves few digits of a component in the range of doubles, and is taken as it is.</summary>
-    private static readonly double[] Lengths = [1, 1e-170, 1e-307, 1e200, 1e-20, 1e20, 1e300];
-
     /// <param name="body">The shape.</param>
     /// <param name="seed">Of those that are drawn at random.</param>
     public static IEnumerable<Vector3D> Of(PosedShape body, ulong seed)
     {
         var random = new FuzzRandom(seed);
-        foreach (Vector3D d in Unit(body, random)) yield return random.OneIn(4) ? d * random.Of<double>(Lengths) : d;
-    }
-
-    private static IEnumerable<Vector3D> Unit(PosedShape body, FuzzRandom random)
-    {
-        foreach (Vector3D d in Gjk.Demo.Fuzz.Directions.Few) yield return d;
+        foreach (Vector3D d in Directions.Few) yield return d;
         for (int i = 0; i < Scattered; i++)
         {
             yield return random.Direction();
@@ -54,7 +46,7 @@ internal static class SupportDirections
     {
         int spared = random.Below(3), other = random.Below(3);
         double x = Component(0, d.X), y = Component(1, d.Y), z = Component(2, d.Z);
-        return x != 0 || y != 0 || z != 0 ? new Vector3D(x, y, z) : d;
+        return Math.Max(Math.Abs(x), Math.Max(Math.Abs(y), Math.Abs(z))) >= 0.1 ? new Vector3D(x, y, z) : d;
 
         double Component(int axis, double value) => axis == spared || axis == other ? value : random.Of<double>(Tiny);
     }

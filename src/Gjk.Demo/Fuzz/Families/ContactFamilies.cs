@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Demo.Fuzz.Families;
 
@@ -12,8 +13,8 @@ internal static class ContactFamilies
     {
         FuzzShape a = OnLattice(random), b = OnLattice(random);
         Quaternion q = random.OneIn(2) ? Quaternion.Identity : Rotations.Any(random);
-        Vector3 position = random.OneIn(2) ? Vector3.Zero : Shapes.LatticePoint(random, 8);
-        return new FuzzPair(a, new RigidPose(q, position), b, new RigidPose(q, position + Shapes.LatticePoint(random, 8)));
+        Vector3 position = random.OneIn(2) ? Vector3.Zero : Clouds.LatticePoint(random, 8);
+        return new FuzzPair(a, new RigidPose(q, position), b, new RigidPose(q, position + Clouds.LatticePoint(random, 8)));
     }
 
     /// <summary>Boxes and prisms, face against face, whole or in part, a gap apart.</summary>

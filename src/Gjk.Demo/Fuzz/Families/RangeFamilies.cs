@@ -61,7 +61,7 @@ internal static class RangeFamilies
             case 2: return ConvexShape.Capsule(random.Float(0.1, 0.5) * factor, random.Float(0.1, 0.5) * factor);
             case 3: return Curved(random, factor);
             case 4: return FuzzShape.Mesh(Clouds.InBox(random, 4 + random.Below(9), new Vector3(0.5f))).Scaled(new Vector3(factor));
-            case 5: return FuzzShape.Mesh(Clouds.Fitted(MadeMeshes.AnyCloud(random), 0.5 * size));
+            case 5: return FuzzShape.Mesh(Clouds.Fitted(MadeMeshes.Any(random), 0.5 * size));
             default: return FuzzShape.Mesh(Clouds.Placed(Clouds.InBox(random, 4 + random.Below(9), Vector3.One), factor, Vector3.Zero));
         }
     }

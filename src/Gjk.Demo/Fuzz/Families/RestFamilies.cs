@@ -73,7 +73,7 @@ internal static class RestFamilies
             case 4: return ConvexShape.Sphere(half);
             default:
                 height = 0;
-                return FuzzShape.Mesh(OnGround(MadeMeshes.AnyCloud(random), side));
+                return FuzzShape.Mesh(OnGround(MadeMeshes.Any(random), side));
         }
     }
 

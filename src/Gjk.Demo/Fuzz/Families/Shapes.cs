@@ -1,13 +1,12 @@
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Demo.Fuzz.Families;
 
 /// <summary>Random shapes of about unit size.</summary>
 internal static class Shapes
 {
-    private const float LatticeStep = 0.25f;
-
     public static FuzzShape Any(FuzzRandom random) => random.Below(4) switch
     {
         0 => Curved(random),
@@ -16,7 +15,10 @@ internal static class Shapes
         _ => Scaled(random),
     };
 
-    /// <summary>What the exact solver can judge, if it has few corners.</summary>
+    /// <summary>A mesh as people and programs make it.</summary>
+    public static FuzzShape Made(FuzzRandom random) => FuzzShape.Mesh(MadeMeshes.Any(random));
+
+    /// <summary>What the exact solver can judge.</summary>
     public static FuzzShape Polytope(FuzzRandom random) => random.Below(12) switch
     {
         0 => Primitive(random),
@@ -98,11 +100,7 @@ internal static class Shapes
 
     public static FuzzShape LatticeCube(FuzzRandom random)
     {
-        float half = LatticeStep * (1 + random.Below(6));
+        float half = Clouds.LatticeStep * (1 + random.Below(6));
         return random.OneIn(2) ? ConvexShape.Box(new Vector3(half)) : FuzzShape.Mesh(Clouds.Box(new Vector3(half)));
     }
-
-    /// <summary>A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes meet.</summary>
-    public static Vector3 LatticePoint(FuzzRandom random, int reach) =>
-        new Vector3(random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach) * LatticeStep;
 }

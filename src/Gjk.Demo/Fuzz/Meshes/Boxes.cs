@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Numerics;
-using Gjk.Demo.Fuzz.Families;
 
 namespace Gjk.Demo.Fuzz.Meshes;
 

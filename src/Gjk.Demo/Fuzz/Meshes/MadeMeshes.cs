@@ -1,15 +1,12 @@
 using System;
 using System.Numerics;
-using Gjk.Demo.Fuzz.Families;
 
 namespace Gjk.Demo.Fuzz.Meshes;
 
 /// <summary>Meshes of about unit size as people and programs make them.</summary>
 internal static class MadeMeshes
 {
-    public static FuzzShape Any(FuzzRandom random) => FuzzShape.Mesh(AnyCloud(random));
-
-    public static Vector3[] AnyCloud(FuzzRandom random) => random.Below(8) switch
+    public static Vector3[] Any(FuzzRandom random) => random.Below(8) switch
     {
         0 => Copies.OneFloatApart(random, Small(random), 1 + random.Below(3)),
         1 => Copies.Unwelded(random, Small(random)),
@@ -18,10 +15,10 @@ internal static class MadeMeshes
         _ => Regular(random),
     };
 
-    /// <summary>One part of a factor may be 0 or a last place off: sizes, moves and turns as they are baked into vertices.</summary>
+    /// <summary>Resized and turned in float, as an exporter bakes a transform into the vertices.</summary>
     public static Vector3[] Baked(FuzzRandom random)
     {
-        Vector3[] cloud = AnyCloud(random);
+        Vector3[] cloud = Any(random);
         Quaternion turn = Rotations.Any(random);
         Vector3 size = random.OneIn(2) ? Vector3.One : new Vector3(random.Float(0.2, 3), random.Float(0.2, 3), random.Float(0.2, 3));
         return Array.ConvertAll(cloud, p => Vector3.Transform(p * size, turn));

@@ -9,6 +9,7 @@ internal static class AllPromises
     [
         new QueriesEndWithAnAnswer(),
         new SupportsReachTheCloud(),
+        new DirectionsHaveAnyLength(),
         new TheExactAnswer(),
         new LowerBoundHolds(),
         new NormalSeparates(),

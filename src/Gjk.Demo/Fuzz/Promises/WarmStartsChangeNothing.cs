@@ -72,9 +72,9 @@ internal sealed class WarmStartsChangeNothing : IPromise
     /// <summary>Words of one value each, small whole numbers, least floats, infinities and NaN among them, and words at random.</summary>
     private static WarmStart[] MakeBytePatterns()
     {
-        int[] words = [-1, 1, 3, 4, int.MaxValue, int.MinValue, 0x00000007, 0x7F800000, 0x7FC00000, 0x7F7FFFFF, 0x3F800000];
+        int[] words = [-1, 1, 4, 0x00000007, 0x7F800000, 0x7FC00000, 0x7F7FFFFF];
         var random = new FuzzRandom(3);
-        var patterns = new WarmStart[2 * words.Length];
+        var patterns = new WarmStart[words.Length + 3];
         for (int i = 0; i < patterns.Length; i++)
         {
             Span<int> bytes = MemoryMarshal.Cast<WarmStart, int>(patterns.AsSpan(i, 1));

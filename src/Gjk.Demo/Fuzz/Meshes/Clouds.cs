@@ -2,11 +2,14 @@ using System;
 using System.Numerics;
 using Gjk.Core;
 
-namespace Gjk.Demo.Fuzz.Families;
+namespace Gjk.Demo.Fuzz.Meshes;
 
 /// <summary>Random clouds of points of about unit size, for meshes.</summary>
 internal static class Clouds
 {
+    /// <summary>Length: a power of two, so that lattice points and their sums are floats.</summary>
+    public const float LatticeStep = 0.25f;
+
     public static Vector3[] InBox(FuzzRandom random, int count, Vector3 size)
     {
         var cloud = new Vector3[count];
@@ -28,11 +31,15 @@ internal static class Clouds
         return cloud;
     }
 
+    /// <summary>A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes meet.</summary>
+    public static Vector3 LatticePoint(FuzzRandom random, int reach) =>
+        new Vector3(random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach) * LatticeStep;
+
     /// <summary>Corners on a coarse grid: many parallel edges and coplanar faces.</summary>
     public static Vector3[] Lattice(FuzzRandom random)
     {
         var cloud = new Vector3[4 + random.Below(12)];
-        for (int i = 0; i < cloud.Length; i++) cloud[i] = Shapes.LatticePoint(random, 4);
+        for (int i = 0; i < cloud.Length; i++) cloud[i] = LatticePoint(random, 4);
         return cloud;
     }
 
