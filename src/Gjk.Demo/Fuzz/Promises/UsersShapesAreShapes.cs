@@ -4,7 +4,7 @@ using Gjk.Core;
 namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
-/// A user's own shape with the same supports gets the same bits, and however generous its bounding radius is, an answer that is as exact: flag, distance and bound.
+/// A user's own shape with the same supports gets an answer that is as exact, however generous its bounding radius is: flag, distance and bound.
 /// </summary>
 internal sealed class UsersShapesAreShapes : IPromise
 {
@@ -12,14 +12,11 @@ internal sealed class UsersShapesAreShapes : IPromise
 
     public string? Broken(FuzzPair pair)
     {
-        DistanceResult same = Ask(pair, 1);
-        string? problem = Same.BitProblem(pair.Answer, same, "as a user's shape");
-        if (problem is not null) return problem;
-        foreach (double factor in (ReadOnlySpan<double>)[2, 1e4, 1e12])
+        foreach (double factor in (ReadOnlySpan<double>)[1, 2, 1e4, 1e12])
         {
             DistanceResult r = Ask(pair, factor);
             string name = Say.Line($"with a radius {factor} times as large");
-            problem = Same.Problem(pair, r, name);
+            string? problem = Same.Problem(pair, r, name);
             if (problem is not null) return problem;
             if (pair.Truth.IsKnown && !(r.LowerBound <= pair.Truth.Answer.Distance)) return Say.Line($"{name}: the bound {r.LowerBound:R} is above the true distance {pair.Truth.Answer.Distance:R}");
             if (!(r.LowerBound >= r.Distance - pair.Band(r.Distance))) return Say.Line($"{name}: the bound is {r.LowerBound:R}, the distance {r.Distance:R}");
