@@ -32,8 +32,9 @@ internal readonly struct AxisScale
     {
         if (innerMargin > 0 && !KeepsBalls)
         {
-            double length = inward.Length;
-            if (length > 0) point += inward * (innerMargin / length);
+            Vector3D unit = DirectionRange.ToUnit(inward);
+            double length = unit.Length;
+            if (length > 0) point += unit * (innerMargin / length);
             id = -1;
         }
 

@@ -56,7 +56,7 @@ internal static class Generators
     {
         var rng = new Rng(seed);
         TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
-        double distance = rng.Range(0, spread) * (a.Shape.BoundingRadius + b.Shape.BoundingRadius);
+        double distance = rng.Range(0, spread) * (a.Reach + b.Reach);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), poseB = Pose(rng, poseA.Position + rng.Direction() * (float)distance);
         return new TestPair($"seed {seed}", a, poseA, b, poseB);
     }

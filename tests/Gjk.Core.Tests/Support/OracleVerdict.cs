@@ -3,7 +3,7 @@ using System;
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Holds a pair to the exact oracle.</summary>
-internal static class Verdict
+internal static class OracleVerdict
 {
     /// <summary>What is wrong with the library's answer for a pair of polytopes, or null.</summary>
     public static string? Problem(TestPair pair, out ExactAnswer exact) => Problem(pair, pair.Distance(), out exact);

@@ -1,0 +1,71 @@
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// What a solver starts from and what it found, in A's frame from A's centre, before margins and rounding to float: the common currency of the fast and the
+/// extended-precision solver.
+/// </summary>
+internal struct SolverState
+{
+    public Verdict Verdict;
+
+    /// <summary>Whether a support point had no id: a curved core, whose supports never repeat.</summary>
+    public bool IsCurved;
+
+    /// <summary>The nearest feature of the cores' Minkowski difference, or the tetrahedron that holds the origin.</summary>
+    public Simplex Simplex;
+
+    /// <summary>The feature's normal: from the origin to the feature, so from B to A, of any length; zero height when overlapping.</summary>
+    public ClosestFeature Feature;
+
+    /// <summary>The best separating plane.</summary>
+    public SupportPlane Plane;
+
+    /// <summary>What the tolerances are fractions of.</summary>
+    public PairSize Size;
+
+    /// <summary>Support calls made on each shape.</summary>
+    public int Iterations;
+
+    /// <summary>How near the origin counts as touching it, squared.</summary>
+    public readonly double TouchSquared
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            double touch = GjkTolerances.TouchOf(IsCurved) * Size.Value;
+            return touch * touch;
+        }
+    }
+
+    /// <summary>Makes a state without vertices and planes; the contents of empty slots are not cleared.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Begin<TA, TB>(in PairFrame frame, out SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+#if NET
+        Unsafe.SkipInit(out state);
+        state.Simplex.Clear();
+        state.Iterations = 0;
+        state.Plane.NormalSquared = 0;
+        state.Verdict = Verdict.Undecided;
+        state.IsCurved = false;
+#else
+        state = default;
+#endif
+        PairSize.Begin<TA, TB>(frame, out state.Size);
+    }
+
+    /// <summary>Takes note of what the newest support says about the shapes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void See<TA, TB>(in PairFrame frame, in Vector3D onA, in Vector3D onB, int idA, int idB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Iterations++;
+        IsCurved |= (idA | idB) < 0;
+        if (!(TightBounds<TA>.Are && TightBounds<TB>.Are)) Size.See(frame, onA, onB);
+    }
+}
