@@ -50,7 +50,7 @@ public class OracleAgreementTests
         for (ulong i = 0; i < (ulong)count; i++)
         {
             TestPair pair = Generators.MadePair(seed + i, i % 3 == 0 ? new Rng(i).LogFloat(1e-9, 10) : null);
-            string? problem = Verdict.Problem(pair, out ExactAnswer exact);
+            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
             if (exact.Overlap) hits++;
         }

@@ -9,31 +9,51 @@ namespace Gjk.Core.Tests.Support;
 /// </summary>
 internal static class ExactGuess
 {
-    private const int MostSteps = 64;
+    /// <summary>More than hulls need; curved shapes have crept to the rounding of a double by then, or nearly.</summary>
+    private const int MostSteps = 128;
 
     /// <summary>Ratio to |v|²: what is left between the planes is rounding.</summary>
     private const double Closed = 1e-15;
 
-    private readonly record struct Corner(int I, int J, Vector3D W);
+    /// <summary>A point of the difference, and what made it: two indices, or nothing of interest.</summary>
+    internal readonly record struct Corner(int I, int J, Vector3D W);
 
     /// <summary>The Minkowski vertices of the feature, at least one and at most four.</summary>
     public static Int3[] Feature(ExactProblem problem)
     {
-        Vector3D first = problem.FirstVertex(), v = first;
-        List<Corner> feature = [new Corner(0, 0, first)];
+        Vector3D first = problem.FirstVertex();
+        List<Corner> feature = Walk(
+            new Corner(0, 0, first),
+            direction =>
+            {
+                (int i, int j, Vector3D fromFirst) = problem.RoughSupport(direction);
+                return new Corner(i, j, first + fromFirst);
+            },
+            out _);
+        return [.. feature.ConvertAll(c => problem.Vertex(c.I, c.J))];
+    }
+
+    /// <summary>Walks towards the origin until rounding ends it.</summary>
+    /// <param name="first">Any corner of a convex set.</param>
+    /// <param name="support">The set's corner that is furthest in a unit direction.</param>
+    /// <param name="nearest">The nearest point found; it is in the set, so the set is no further than that.</param>
+    /// <returns>The corners around it.</returns>
+    public static List<Corner> Walk(Corner first, Func<Vector3D, Corner> support, out Vector3D nearest)
+    {
+        List<Corner> feature = [first];
+        nearest = first.W;
         for (int step = 0; step < MostSteps; step++)
         {
-            double squared = v.LengthSquared;
+            double squared = nearest.LengthSquared;
             if (!(squared > 0) || double.IsInfinity(squared)) break;
-            (int i, int j, Vector3D fromFirst) = problem.RoughSupport(v * (-1 / Math.Sqrt(squared)));
-            Vector3D w = first + fromFirst;
-            if (squared - Vector3D.Dot(v, w) <= Closed * squared || feature.Exists(c => c.I == i && c.J == j)) break;
-            List<Corner> next = Nearest([.. feature, new Corner(i, j, w)], out Vector3D nearest);
-            if (!(nearest.LengthSquared < squared)) break;
-            (feature, v) = (next, nearest);
+            Corner corner = support(nearest * (-1 / Math.Sqrt(squared)));
+            if (squared - Vector3D.Dot(nearest, corner.W) <= Closed * squared || feature.Contains(corner)) break;
+            List<Corner> next = Nearest([.. feature, corner], out Vector3D nearer);
+            if (!(nearer.LengthSquared < squared)) break;
+            (feature, nearest) = (next, nearer);
         }
 
-        return [.. feature.ConvertAll(c => problem.Vertex(c.I, c.J))];
+        return feature;
     }
 
     /// <summary>The nearest of all faces that hold the projection of the origin.</summary>
