@@ -40,6 +40,24 @@ public class OracleAgreementTests
         }
     }
 
+    /// <summary>Each against its like and against random hulls: overlapping, apart, and a gap of any size.</summary>
+    [Theory]
+    [InlineData(21_000)]
+    [InlineData(22_000)]
+    public void MeshesAsPeopleMakeThem(ulong seed)
+    {
+        int count = Budget.Count(200), hits = 0;
+        for (ulong i = 0; i < (ulong)count; i++)
+        {
+            TestPair pair = Generators.MadePair(seed + i, i % 3 == 0 ? new Rng(i).LogFloat(1e-9, 10) : null);
+            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
+            Assert.True(problem is null, $"{problem}\n{pair}");
+            if (exact.Overlap) hits++;
+        }
+
+        Assert.InRange(hits, 0.2 * count, 0.6 * count);
+    }
+
     [Theory]
     [InlineData(1e-15)]
     [InlineData(1e-6)]
