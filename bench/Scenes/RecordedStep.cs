@@ -87,7 +87,7 @@ internal readonly struct RecordedStep
     {
         public Simplex Simplex;
         public ClosestFeature Feature;
-        private readonly RelativePose _bInA;
+        private readonly PairFrame _frame;
         private ConvexMesh _a, _b;
         private int _idA = -1, _idB = -1;
 
@@ -95,16 +95,17 @@ internal readonly struct RecordedStep
         {
             _a = new ConvexMesh(scene.Shapes[pair.A].Hull!);
             _b = new ConvexMesh(scene.Shapes[pair.B].Hull!);
-            RelativePose.Compose(scene.Poses[pair.A], scene.Poses[pair.B], _a.Center, _b.Center, _a.BoundingRadius + _b.BoundingRadius, out _bInA);
-            Feature.Normal = -_bInA.Translation;
+            PairFrame.Compose(ref _a, scene.Poses[pair.A], ref _b, scene.Poses[pair.B], out _frame);
+            Feature.Normal = -_frame.Translation;
         }
 
         /// <summary>Adds the vertex that lies furthest against the normal.</summary>
         /// <returns>The value of the plane through it.</returns>
         public double Push()
         {
-            MinkowskiDifference.Support(ref _a, ref _b, _bInA, Feature.Normal, ref _idA, ref _idB, out Vector3D onA, out Vector3D w);
-            Simplex.Push(w, onA, _idA, _idB);
+            MinkowskiDifference.Support(
+                ref _a, ref _b, _frame, Feature.Normal, ref _idA, ref _idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+            Simplex.Push(w, onA, onB, _idA, _idB);
             return Vector3D.Dot(Feature.Normal, w);
         }
     }

@@ -44,13 +44,20 @@ internal sealed class PosedMesh
 
     public PosedMesh(in ConvexShape shape, in RigidPose pose) => (Shape, Pose) = (shape, pose);
 
-    public double LongestSide => Shape.Hull!.Bounds.LongestSide;
+    public double LongestSide
+    {
+        get
+        {
+            Vector3D size = (Vector3D)Shape.Hull!.Bounds.Max - Shape.Hull.Bounds.Min, scale = Shape.Scale;
+            return Math.Max(Math.Abs(size.X * scale.X), Math.Max(Math.Abs(size.Y * scale.Y), Math.Abs(size.Z * scale.Z)));
+        }
+    }
 }
 
 /// <summary>One family of tests/Cases with its answers.</summary>
 internal static class CaseFile
 {
-    public static readonly string[] Families = ["parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense"];
+    public static readonly string[] Families = ["parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense", "everyday", "offset", "uneven"];
 
     public static List<HardCase> Read(string directory, string family)
     {
@@ -64,7 +71,8 @@ internal static class CaseFile
     {
         var mesh = (string)((Dictionary<string, object>)o["shape"])["mesh"];
         var q = (List<object>)o["rotation"];
-        return new PosedMesh(meshes[mesh], new RigidPose(new Quaternion(Json.Float(q[0]), Json.Float(q[1]), Json.Float(q[2]), Json.Float(q[3])), Vector(o["position"])));
+        ConvexShape shape = o.TryGetValue("scale", out object scale) ? meshes[mesh].Scaled(Vector(scale)) : meshes[mesh];
+        return new PosedMesh(shape, new RigidPose(new Quaternion(Json.Float(q[0]), Json.Float(q[1]), Json.Float(q[2]), Json.Float(q[3])), Vector(o["position"])));
     }
 
     private static Vector3 Vector(object list)

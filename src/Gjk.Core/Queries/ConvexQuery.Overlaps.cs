@@ -1,3 +1,5 @@
+using System;
+
 namespace Gjk.Core;
 
 public static partial class ConvexQuery
@@ -37,50 +39,58 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
+        if (PairDispatch.AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
             return OverlapsOf(ref meshA, poseA, ref meshB, poseB, out status);
-        if (AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
+        if (PairDispatch.AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
             return OverlapsOf(ref boxA, poseA, ref boxB, poseB, out status);
 
-        RelativePose.Compose(poseA, poseB, a.Center, b.Center, a.BoundingRadius + b.BoundingRadius, out RelativePose bInA);
-        if (!bInA.IsValid || !AreMargins(a.Margin, b.Margin))
+        PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+        if (!frame.IsValid)
         {
             status = GjkStatus.InvalidInput;
             return false;
         }
 
-        // The balls around the shapes are apart by more than rounding could close, and so are the shapes.
-        if (bInA.Translation.LengthSquared > Square(bInA.Radius * (1 + GjkTolerances.SeparatedBand)))
-        {
-            status = GjkStatus.Separated;
-            return false;
-        }
-
-        double margins = a.Margin + b.Margin;
-        if (margins == 0)
-        {
-            GjkOverlap.Answer answer = GjkOverlap.Solve(ref a, ref b, bInA, FirstNormal(bInA));
-            if (answer != GjkOverlap.Answer.Unknown)
-            {
-                status = answer == GjkOverlap.Answer.Overlapping ? GjkStatus.Overlapping : GjkStatus.Separated;
-                return answer == GjkOverlap.Answer.Overlapping;
-            }
-        }
-
-        GjkOutcome.Start(out GjkOutcome outcome);
-        NoTrace trace = default;
-        SolveCores(ref a, ref b, bInA, margins + GjkTolerances.SeparatedBand * bInA.Radius, ref outcome, ref trace);
-        status = OverlapStatus(outcome, margins + GjkTolerances.Touch * bInA.Radius);
+        Verdict verdict = frame.IsOrdinary ? QuickVerdict(ref a, ref b, frame) : Verdict.Undecided;
+        status = verdict == Verdict.Undecided
+            ? StatusByDistance(ref a, ref b, ref frame)
+            : verdict == Verdict.Enclosed ? GjkStatus.Overlapping : GjkStatus.Separated;
         return status == GjkStatus.Overlapping;
     }
 
-    private static double Square(double x) => x * x;
-
-    /// <summary>The distance solver's outcome, reduced to the boolean question.</summary>
-    private static GjkStatus OverlapStatus(in GjkOutcome outcome, double reach)
+    /// <summary>Apart or Enclosed where rounding cannot change the answer.</summary>
+    private static Verdict QuickVerdict<TA, TB>(ref TA a, ref TB b, in PairFrame frame)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
     {
-        if (outcome.Status == GjkStatus.BeyondMaxDistance) return GjkStatus.Separated;
-        if (outcome.Status != GjkStatus.Separated) return outcome.Status;
-        return outcome.Feature.Height <= reach * System.Math.Sqrt(outcome.Feature.NormalSquared) ? GjkStatus.Overlapping : GjkStatus.Separated;
+        // The balls around the shapes are apart by more than rounding could close, and so are the shapes.
+        double reach = frame.Radius * (1 + GjkTolerances.SeparatedBandCurved);
+        if (frame.Translation.LengthSquared > reach * reach) return Verdict.Apart;
+        return frame.Margins == 0 ? GjkOverlap.Solve(ref a, ref b, frame) : Verdict.Undecided;
+    }
+
+    /// <summary>What the distance query says, which need not go further than to see the shapes apart.</summary>
+    private static GjkStatus StatusByDistance<TA, TB>(ref TA a, ref TB b, ref PairFrame frame)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        NoTrace trace = default;
+        WarmStart unused = default;
+        SolverState.Begin<TA, TB>(frame, out SolverState state);
+        SolveFrame(ref a, ref b, ref frame, 0, ref unused, false, ref state, ref trace);
+        switch (state.Verdict)
+        {
+            case Verdict.Apart:
+                double distance = DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
+                return IsTouching(state, distance) ? GjkStatus.Overlapping : GjkStatus.Separated;
+            case Verdict.Enclosed:
+                return GjkStatus.Overlapping;
+            case Verdict.Beyond:
+                return GjkStatus.Separated;
+            case Verdict.Contradiction:
+                return GjkStatus.InvalidShape;
+            default:
+                return GjkStatus.IterationLimit;
+        }
     }
 }

@@ -19,14 +19,10 @@ public static partial class ConvexQuery
     {
         TA copyA = default;
         TB copyB = default;
-        return DistanceOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, float.PositiveInfinity, ref trace);
-    }
-
-    /// <summary>The closed form of two points, told as the loop's only round.</summary>
-    private static void TellPoints<TTrace>(in RelativePose bInA, in GjkOutcome outcome, ref TTrace trace)
-        where TTrace : struct, IGjkTrace
-    {
-        trace.OnSupport(new TracedSupport(bInA, FirstNormal(bInA), default, -bInA.Translation, 0, 0, isExtended: false));
-        trace.OnReduced(new TracedSimplex(outcome.Simplex, isExtended: false));
+        WarmStart unused = default;
+        Solve(
+            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, float.PositiveInfinity, ref unused, false, ref trace,
+            out PairFrame frame, out SolverState state);
+        return Finish(state, frame, poseA, poseB, float.PositiveInfinity);
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -5,6 +6,7 @@ namespace Gjk.Core;
 /// <summary>The verbs: do two convex shapes overlap, how far apart are they, where are the closest points.</summary>
 /// <remarks>
 /// Every method is thread-safe, allocates nothing, never throws (exceptions of a shape of your own pass through) and ends on any input.
+/// One pipeline serves all of them: compose the frame, refuse invalid input, solve the cores, finish with the margins.
 /// </remarks>
 public static partial class ConvexQuery
 {
@@ -21,88 +23,118 @@ public static partial class ConvexQuery
 #endif
     }
 
-    /// <summary>Whether both are unscaled meshes held in a <see cref="ConvexShape"/>; known when the code is compiled to be false for all other types.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreMeshes<TA, TB>(ref TA a, ref TB b, out ConvexMesh meshA, out ConvexMesh meshB)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        meshA = default;
-        meshB = default;
-#if NET
-        if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
-            return Unsafe.As<TA, ConvexShape>(ref a).TryGetMesh(out meshA) && Unsafe.As<TB, ConvexShape>(ref b).TryGetMesh(out meshB);
-#endif
-        return false;
-    }
-
-    /// <summary>The same for two boxes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreBoxes<TA, TB>(ref TA a, ref TB b, out BoxCore boxA, out BoxCore boxB)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        boxA = default;
-        boxB = default;
-#if NET
-        if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
-            return Unsafe.As<TA, ConvexShape>(ref a).TryGetBox(out boxA) && Unsafe.As<TB, ConvexShape>(ref b).TryGetBox(out boxB);
-#endif
-        return false;
-    }
-
-    /// <summary>Neither is negative, NaN or infinite.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreMargins(double a, double b) => a >= 0 && b >= 0 && a + b <= double.MaxValue;
-
-    /// <summary>The first normal: from B's centre to A's, or any where they coincide.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3D FirstNormal(in RelativePose bInA)
-    {
-        Vector3D normal = -bInA.Translation;
-        return normal.LengthSquared > 0 ? normal : new Vector3D(1, 0, 0);
-    }
-
-    /// <summary>Cold solve of the cores; what double cannot prove goes to extended precision.</summary>
-    private static void SolveCores<TA, TB, TTrace>(
-        ref TA a, ref TB b, in RelativePose bInA, double maxCoreDistance, ref GjkOutcome outcome, ref TTrace trace)
+    /// <summary>The pipeline up to the margins. A verdict of Contradiction without iterations stands for invalid input.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="maxDistance">Ends early beyond it; NaN is invalid input.</param>
+    /// <param name="warmStart">Where a warm query begins, and what it stores; neither read nor written by a cold one.</param>
+    /// <param name="isWarm">Whether this is a warm query.</param>
+    /// <param name="trace">Told what the solvers do.</param>
+    /// <param name="frame">The pair's frame.</param>
+    /// <param name="state">What the solvers found.</param>
+    private static void Solve<TA, TB, TTrace>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart, bool isWarm, ref TTrace trace,
+        out PairFrame frame, out SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        outcome.Feature.Normal = FirstNormal(bInA);
-        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome, ref trace);
-        if (outcome.Status == GjkStatus.IterationLimit)
-            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome, ref trace);
+        if (PairDispatch.AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
+        {
+            Solve(ref meshA, poseA, ref meshB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame, out state);
+            return;
+        }
+
+        if (PairDispatch.AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
+        {
+            Solve(ref boxA, poseA, ref boxB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame, out state);
+            return;
+        }
+
+        PairFrame.Compose(ref a, poseA, ref b, poseB, out frame);
+        SolverState.Begin<TA, TB>(frame, out state);
+        if (!frame.IsValid || float.IsNaN(maxDistance)) state.Verdict = Verdict.Contradiction;
+        else SolveFrame(ref a, ref b, ref frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
     }
 
-    /// <summary>The same from a warm start's simplex or, for shapes without vertices, its normal.</summary>
-    private static void SolveCoresWarm<TA, TB>(
-        ref TA a, ref TB b, in RelativePose bInA, double maxCoreDistance, ref WarmStart warmStart, ref GjkOutcome outcome)
+    /// <summary>The pipeline from a valid frame on.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void SolveFrame<TA, TB, TTrace>(
+        ref TA a, ref TB b, ref PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
     {
-        warmStart.Restore(ref a, ref b, bInA, ref outcome.Simplex);
-        Vector3D normal = warmStart.Normal;
-        NoTrace trace = default;
-        outcome.Feature.Normal = normal.LengthSquared > 0 ? normal : FirstNormal(bInA);
-        GjkDistance.Solve(ref a, ref b, bInA, maxCoreDistance, ref outcome, ref trace);
-        if (outcome.Status == GjkStatus.IterationLimit)
-            GjkExtendedPrecision.Solve(ref a, ref b, bInA, FirstNormal(bInA), maxCoreDistance, ref outcome, ref trace);
-        if (outcome.Status < GjkStatus.InvalidInput) warmStart.Store(outcome.Simplex, outcome.Feature.Normal);
+        if (frame.ArePoints)
+        {
+            GjkDistance.SolvePoints(frame, ref state);
+            if (trace.IsOn) TellPoints(frame, state, ref trace);
+        }
+        else if (frame.IsOrdinary)
+        {
+            SolveCores(ref a, ref b, frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
+        }
+        else
+        {
+            SolveInUnitSize(ref a, ref b, ref frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
+        }
     }
 
-    /// <summary>The largest float that is not above x: a bound may be rounded in one direction only.</summary>
-    internal static float RoundDown(double x)
+    /// <summary>Solves the cores in double; what double cannot prove goes to extended precision.</summary>
+    private static void SolveCores<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm, ref SolverState state, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
     {
-        float f = (float)x;
-        if (f <= x) return f;
-        if (float.IsInfinity(f)) return float.MaxValue;
-        int bits = FloatBits(f);
-        return BitsFloat(f > 0 ? bits - 1 : f < 0 ? bits + 1 : unchecked((int)0x80000001));
+        double reach = CoreReach(maxDistance, frame);
+        state.Feature.Normal = frame.FirstNormal;
+        if (isWarm)
+        {
+            warmStart.Restore(ref a, ref b, frame, ref state.Simplex);
+            state.Feature.Normal = warmStart.FirstNormal(frame);
+        }
+
+        GjkDistance.Solve(ref a, ref b, frame, reach, ref state, ref trace);
+        if (state.Verdict == Verdict.Undecided || (isWarm && state.Verdict == Verdict.Contradiction))
+            GjkExtendedPrecision.Solve(ref a, ref b, frame, reach, ref state, ref trace);
+        if (!isWarm) return;
+        if (state.Verdict == Verdict.Contradiction) warmStart.Clear();
+        else warmStart.Store(state.Simplex, state.Feature.Normal);
     }
 
-    private static unsafe int FloatBits(float f) => *(int*)&f;
+    /// <summary>The same for pairs whose lengths would leave the range of double when they are multiplied.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void SolveInUnitSize<TA, TB, TTrace>(
+        ref TA a, ref TB b, ref PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm, ref SolverState state, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        frame.TightenRadii(ref a, ref b);
+        double factor = frame.UnitFactor;
+        frame.ToUnitSize(factor);
+        var unitA = new UnitSized<TA>(a, factor);
+        var unitB = new UnitSized<TB>(b, factor);
+        PairSize.Begin<TA, TB>(frame, out state.Size);
+        SolveCores(ref unitA, ref unitB, frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
+    }
 
-    private static unsafe float BitsFloat(int bits) => *(float*)&bits;
+    /// <summary>How far apart the cores may be before the query may end early; the bands keep its answer that of the full query.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double CoreReach(float maxDistance, in PairFrame frame)
+    {
+        double reach = Math.Max(maxDistance, 0.0) * (1 + GjkTolerances.FloatBand) + float.Epsilon;
+        return reach / frame.Unit + frame.Margins + GjkTolerances.SeparatedBandCurved * frame.Radius;
+    }
+
+    /// <summary>The closed form of two points, told as the loop's only round.</summary>
+    private static void TellPoints<TTrace>(in PairFrame frame, in SolverState state, ref TTrace trace)
+        where TTrace : struct, IGjkTrace
+    {
+        trace.OnSupport(new TracedSupport(frame, frame.FirstNormal, default, -frame.Translation, 0, 0, isExtended: false));
+        trace.OnReduced(new TracedSimplex(state.Simplex, frame.Unit, isExtended: false));
+    }
 }

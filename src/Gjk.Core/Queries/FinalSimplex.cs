@@ -10,13 +10,16 @@ public readonly struct FinalSimplex
 {
     private readonly Simplex _simplex;
     private readonly Weights _weights;
-    private readonly RelativePose _bInA;
+    private readonly Vector3D _centerA, _centerB;
+    private readonly double _unit;
 
-    internal FinalSimplex(in Simplex simplex, in RelativePose bInA)
+    internal FinalSimplex(in Simplex simplex, in PairFrame frame)
     {
         _simplex = simplex;
         _weights = ClosestPointWeights.Of(simplex);
-        _bInA = bInA;
+        _centerA = frame.CenterA;
+        _centerB = frame.CenterB;
+        _unit = frame.Unit;
     }
 
     /// <summary>How many pairs of support points there are, 1 to 4; 0 when the query had no answer.</summary>
@@ -28,15 +31,11 @@ public readonly struct FinalSimplex
 
     /// <summary>The support point of A, in A's own frame.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Vector3D PointOnA(int index) => _simplex.OnA(_simplex[Checked(index)]) + _bInA.CenterA;
+    public Vector3D PointOnA(int index) => (_simplex.OnA(_simplex[Checked(index)]) + _centerA) * _unit;
 
     /// <summary>The support point of B, in B's own frame.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Vector3D PointOnB(int index)
-    {
-        int slot = _simplex[Checked(index)];
-        return _bInA.Rotation.InverseRotate(_simplex.OnA(slot) - _simplex.W(slot) - _bInA.Translation) + _bInA.CenterB;
-    }
+    public Vector3D PointOnB(int index) => (_simplex.OnB(_simplex[Checked(index)]) + _centerB) * _unit;
 
     /// <summary>The id of A's support point, or -1 where A has no vertices.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>

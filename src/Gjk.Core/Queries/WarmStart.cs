@@ -18,11 +18,19 @@ public struct WarmStart
     /// <summary>Back to a cold start.</summary>
     public void Clear() => this = default;
 
-    /// <summary>The last normal in A's frame, or zero.</summary>
-    internal readonly Vector3D Normal => new(_x, _y, _z);
+    /// <summary>Squared length: what is stored is a unit vector rounded to float; anything that is longer than this, or NaN, was not stored by a query.</summary>
+    private const double LongestNormal = 2;
+
+    /// <summary>The first search direction: the last normal in A's frame, or the cold query's where there is none.</summary>
+    internal readonly Vector3D FirstNormal(in PairFrame frame)
+    {
+        var normal = new Vector3D(_x, _y, _z);
+        double squared = normal.LengthSquared;
+        return squared > 0 && squared <= LongestNormal ? normal : frame.FirstNormal;
+    }
 
     /// <summary>Puts the remembered vertices, as they are now, into the empty simplex; leaves it empty when the shapes no longer have them.</summary>
-    internal readonly void Restore<TA, TB>(ref TA a, ref TB b, in RelativePose bInA, ref Simplex simplex)
+    internal readonly void Restore<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref Simplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -38,8 +46,8 @@ public struct WarmStart
                 return;
             }
 
-            MinkowskiDifference.Place(bInA, onA, onB, out Vector3D fromCenter, out Vector3D w);
-            simplex.Push(w, fromCenter, idA, idB);
+            MinkowskiDifference.Place(frame, onA, onB, out Vector3D fromA, out Vector3D fromB, out Vector3D w);
+            simplex.Push(w, fromA, fromB, idA, idB);
         }
     }
 

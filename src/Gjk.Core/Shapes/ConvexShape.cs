@@ -38,6 +38,7 @@ public readonly struct ConvexShape : ISupportMap
         Vector3D center = CoreCenter(kind, a, b, c, hull);
         _center = Vector3D.Multiply(scale.Factors, center);
         _boundingRadius = (CoreRadius(kind, a, b, c, center, hull) + innerMargin) * scale.Largest;
+        if (!scale.KeepsBalls) _boundingRadius = Math.Min(_boundingRadius, CoreExtent.RadiusAbout(_center, ref this));
     }
 
     internal ConvexShape(in ShapeParts parts)

@@ -1,14 +1,17 @@
+using System;
 using System.Numerics;
 
 namespace Gjk.Core;
 
 /// <summary>Any shape scaled along its local axes; negative factors mirror it. The products are taken in double, where they are exact for float vertices.</summary>
+/// <remarks>Uneven factors, and a shape of your own, are measured once, by six supports in the constructor.</remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
 public readonly struct Scaled<T> : ISupportMap
     where T : struct, ISupportMap
 {
     private readonly T _inner;
     private readonly AxisScale _scale;
+    private readonly double _boundingRadius;
 
     /// <summary>Scales a shape by one factor along every axis.</summary>
     /// <exception cref="System.ArgumentOutOfRangeException">The factor is 0, NaN or infinite.</exception>
@@ -23,6 +26,9 @@ public readonly struct Scaled<T> : ISupportMap
     {
         _inner = inner;
         _scale = new AxisScale(Guard.Scale(scale, nameof(scale)));
+        _boundingRadius = inner.BoundingRadius * _scale.Largest;
+        if (!(_boundingRadius >= 0) || (_scale.KeepsBalls && TightBounds<T>.Are)) return;
+        _boundingRadius = Math.Min(_boundingRadius, CoreExtent.RadiusAbout(Center, ref this) + Margin);
     }
 
     /// <summary>The shape inside.</summary>
@@ -37,8 +43,10 @@ public readonly struct Scaled<T> : ISupportMap
     /// <inheritdoc/>
     public double Margin => _scale.Margin(_inner.Margin);
 
-    /// <summary>The inner radius times the largest factor; NaN in a <c>default</c> struct, which no query accepts.</summary>
-    public double BoundingRadius => _scale.Largest > 0 ? _inner.BoundingRadius * _scale.Largest : double.NaN;
+    /// <summary>
+    /// The inner radius times the largest factor, or what the scaled core's supports along its axes show where that is less; NaN in a <c>default</c> struct, which no query accepts.
+    /// </summary>
+    public double BoundingRadius => _scale.Largest > 0 ? _boundingRadius : double.NaN;
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, int hint, out Vector3D point)

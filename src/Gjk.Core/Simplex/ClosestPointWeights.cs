@@ -33,7 +33,10 @@ internal static class ClosestPointWeights
         _ => Tetrahedron(s.WA, s.WB, s.WC, s.WD),
     };
 
-    /// <summary>The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to rounding the same as <see cref="Of"/>.</summary>
+    /// <summary>
+    /// The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to rounding the same as <see cref="Of"/>. Where the feature is
+    /// far away or a needle, rounding may put the point beside the feature; then the nearest weights that are not negative are given.
+    /// </summary>
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
         if (s.Count == 1) return new Weights(1, 0, 0, 0);
@@ -41,13 +44,15 @@ internal static class ClosestPointWeights
         if (s.Count == 2)
         {
             double t = -Vector3D.Dot(ab, a) / ab.LengthSquared;
-            return new Weights(1 - t, t, 0, 0);
+            return t >= 0 & t <= 1 ? new Weights(1 - t, t, 0, 0) : t > 1 ? new Weights(0, 1, 0, 0) : new Weights(1, 0, 0, 0);
         }
 
         Vector3D ac = s.WC - a, inPlane = Vector3D.Cross(feature.Normal, a);
+        if (!(feature.NormalSquared > Needle * (ab.LengthSquared * ac.LengthSquared))) return FaceWeightsExtended(a, s.WB, s.WC).Clamped;
         double scale = 1 / feature.NormalSquared;
         double b = -Vector3D.Dot(ac, inPlane) * scale, c = Vector3D.Dot(ab, inPlane) * scale;
-        return new Weights(1 - b - c, b, c, 0);
+        var weights = new Weights(1 - b - c, b, c, 0);
+        return weights.IsInside ? weights : weights.Clamped;
     }
 
     /// <summary>The nearest point of the segment AB.</summary>
@@ -66,6 +71,7 @@ internal static class ClosestPointWeights
     {
         Weights face = FaceWeights(a, b, c, out bool isNeedle);
         if (face.IsInside && !isNeedle) return face;
+        if (isNeedle) face = FaceWeightsExtended(a, b, c);
         Weights ab = Segment(a, b), bc = Segment(b, c), ca = Segment(c, a);
         Weights best = ab;
         double distance = ab.PointOf(a, b, c, default).LengthSquared;
@@ -100,6 +106,17 @@ internal static class ClosestPointWeights
         double wb = -Vector3D.Dot(Vector3D.Cross(ac, normal), a) / area;
         double wc = -Vector3D.Dot(Vector3D.Cross(normal, ab), a) / area;
         return new Weights(1 - wb - wc, wb, wc, 0);
+    }
+
+    /// <summary>The same in 106 bits: a needle's normal is what is left when products many times its size cancel.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static Weights FaceWeightsExtended(VectorDD a, VectorDD b, VectorDD c)
+    {
+        VectorDD ab = b - a, ac = c - a, normal = VectorDD.Cross(ab, ac);
+        DoubleDouble area = VectorDD.Dot(normal, normal);
+        DoubleDouble wb = -VectorDD.Dot(VectorDD.Cross(ac, normal), a) / area;
+        DoubleDouble wc = -VectorDD.Dot(VectorDD.Cross(normal, ab), a) / area;
+        return new Weights((double)(1.0 - wb - wc), (double)wb, (double)wc, 0);
     }
 
     /// <summary>The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum.</summary>
@@ -156,6 +173,16 @@ internal readonly struct Weights
 
     /// <summary>No weight is negative or NaN.</summary>
     public bool IsInside => A >= 0 && B >= 0 && C >= 0 && D >= 0;
+
+    /// <summary>Without negative weights, and with sum 1 again. NaN weights, which a triangle without any area has, become those of the first vertex.</summary>
+    public Weights Clamped
+    {
+        get
+        {
+            double a = A > 0 ? A : 0, b = B > 0 ? B : 0, c = C > 0 ? C : 0, d = D > 0 ? D : 0, sum = a + b + c + d;
+            return sum > 0 && sum <= double.MaxValue ? new Weights(a / sum, b / sum, c / sum, d / sum) : new Weights(1, 0, 0, 0);
+        }
+    }
 
     public Vector3D PointOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) => a * A + b * B + c * C + d * D;
 }

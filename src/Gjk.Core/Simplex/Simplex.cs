@@ -21,6 +21,7 @@ internal unsafe struct Simplex
     private fixed int _ids[8];
     private fixed double _w[12];
     private fixed double _onA[12];
+    private fixed double _onB[12];
 
     public readonly Vector3D WA => W(A);
 
@@ -41,9 +42,25 @@ internal unsafe struct Simplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3D OnA(int slot) => new(_onA[3 * slot], _onA[3 * slot + 1], _onA[3 * slot + 2]);
 
+    /// <summary>The support point of B that it was made from, from B's centre in B's own axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3D OnB(int slot) => new(_onB[3 * slot], _onB[3 * slot + 1], _onB[3 * slot + 2]);
+
     public readonly int IdA(int slot) => _ids[2 * slot];
 
     public readonly int IdB(int slot) => _ids[2 * slot + 1];
+
+    /// <summary>An empty simplex; the contents of the slots are not cleared where the runtime lets them be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Begin(out Simplex simplex)
+    {
+#if NET
+        Unsafe.SkipInit(out simplex);
+        simplex.Clear();
+#else
+        simplex = default;
+#endif
+    }
 
     /// <summary>No vertices, and slot numbers that are some, so that nothing can be read out of bounds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -51,7 +68,7 @@ internal unsafe struct Simplex
 
     /// <summary>Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be room.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Push(in Vector3D w, in Vector3D onA, int idA, int idB)
+    public void Push(in Vector3D w, in Vector3D onA, in Vector3D onB, int idA, int idB)
     {
         int slot = FreeSlot();
         D = C;
@@ -65,6 +82,9 @@ internal unsafe struct Simplex
         _onA[3 * slot] = onA.X;
         _onA[3 * slot + 1] = onA.Y;
         _onA[3 * slot + 2] = onA.Z;
+        _onB[3 * slot] = onB.X;
+        _onB[3 * slot + 1] = onB.Y;
+        _onB[3 * slot + 2] = onB.Z;
         _ids[2 * slot] = idA;
         _ids[2 * slot + 1] = idB;
     }
@@ -77,6 +97,17 @@ internal unsafe struct Simplex
         if (Count > 1) point += OnA(B) * w.B;
         if (Count > 2) point += OnA(C) * w.C;
         if (Count > 3) point += OnA(D) * w.D;
+        return point;
+    }
+
+    /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3D PointOnB(in Weights w)
+    {
+        Vector3D point = OnB(A) * w.A;
+        if (Count > 1) point += OnB(B) * w.B;
+        if (Count > 2) point += OnB(C) * w.C;
+        if (Count > 3) point += OnB(D) * w.D;
         return point;
     }
 

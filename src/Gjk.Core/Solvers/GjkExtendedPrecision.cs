@@ -15,7 +15,7 @@ namespace Gjk.Core;
 /// does.
 /// Termination: the distance, compared in double-double, falls strictly, or the walk ends. When it ends with the bounds apart, the support function contradicts
 /// itself. It is reached from the fast solver only, for about one pair in a thousand of the hard families and none of the ordinary ones, and costs some microseconds.
-/// Statuses: as GjkDistance; IterationLimit here is final.
+/// Verdicts: as GjkDistance; Undecided here is final.
 /// </remarks>
 internal static class GjkExtendedPrecision
 {
@@ -24,91 +24,85 @@ internal static class GjkExtendedPrecision
     /// </summary>
     private const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
 
-    /// <summary>Solves from the beginning, in the first direction given.</summary>
+    /// <summary>Solves from the beginning, in the first direction.</summary>
     [MethodImpl(OptimizeAtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB, TTrace>(
-        ref TA a, ref TB b, in RelativePose bInA, in Vector3D firstNormal, double maxDistance, ref GjkOutcome outcome, ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, double maxDistance, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        double touchSquared = GjkDistance.Square(GjkTolerances.Touch * bInA.Radius);
-        int limit = outcome.Iterations + GjkTolerances.MaxIterations;
+        int limit = state.Iterations + GjkTolerances.MaxIterations;
         int idA = -1, idB = -1;
+        Vector3D normal = frame.FirstNormal;
         ClosestFeature feature = default;
         Simplex simplex = default;
         DoubleDouble distanceSquared = default;
-        MinkowskiDifference.Support(ref a, ref b, bInA, firstNormal, ref idA, ref idB, out Vector3D onA, out Vector3D w);
-        outcome.Iterations++;
-        if (trace.IsOn) trace.OnSupport(new TracedSupport(bInA, firstNormal, onA, w, idA, idB, isExtended: true));
-        outcome.PlaneNormalSquared = 0;
+        state.Plane.NormalSquared = 0;
         while (true)
         {
+            MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+            state.See<TA, TB>(frame, onA, onB, idA | idB);
+            if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: true));
+            double plane = Vector3D.Dot(normal, w);
+            if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, limit)) return;
+
             Simplex before = simplex;
-            simplex.Push(w, onA, idA, idB);
+            simplex.Push(w, onA, onB, idA, idB);
             bool outside = TryReduce(ref simplex, out ClosestFeature next, out DoubleDouble nextSquared);
-            if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, isExtended: true));
-            if (!outside || !((double)nextSquared > touchSquared))
+            if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, frame.Unit, isExtended: true));
+            if (!outside || !((double)nextSquared > state.TouchSquared))
             {
                 bool isNumber = !outside || (double)nextSquared >= 0;
-                outcome.Status = isNumber ? GjkStatus.Overlapping : GjkStatus.InvalidShape;
-                outcome.Simplex = simplex;
-                outcome.Feature = next;
+                state.Verdict = isNumber ? Verdict.Enclosed : Verdict.Contradiction;
+                state.Simplex = simplex;
+                state.Feature = next;
                 return;
             }
 
             if (before.Count > 0 && !((nextSquared - distanceSquared).Sign < 0))
             {
-                double plane = Vector3D.Dot(feature.Normal, w);
-                GjkDistance.SettleStall(ref outcome, feature, plane, feature.Height - plane, bInA.Radius);
-                outcome.Simplex = before;
-                outcome.Feature = feature;
+                state.Simplex = before;
+                state.Feature = feature;
+                Proofs.SettleStall(ref state, plane, feature.Height - plane);
                 return;
             }
 
             distanceSquared = nextSquared;
             feature = next;
-            MinkowskiDifference.Support(ref a, ref b, bInA, feature.Normal, ref idA, ref idB, out onA, out w);
-            outcome.Iterations++;
-            if (trace.IsOn) trace.OnSupport(new TracedSupport(bInA, feature.Normal, onA, w, idA, idB, isExtended: true));
-            if (Ends(ref outcome, bInA, simplex, feature, Vector3D.Dot(feature.Normal, w), (idA | idB) < 0, maxDistance, limit)) return;
+            normal = feature.Normal;
         }
     }
 
     /// <summary>Records the newest plane and says whether it settles the query.</summary>
     private static bool Ends(
-        ref GjkOutcome outcome, in RelativePose bInA, in Simplex simplex, in ClosestFeature feature, double plane, bool curved, double maxDistance, int limit)
+        ref SolverState state, in Simplex simplex, in ClosestFeature feature, double plane, double maxDistance, int limit)
     {
         double gap = feature.Height - plane;
-        double noise = (curved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise) * bInA.Radius;
-        outcome.Simplex = simplex;
-        outcome.Feature = feature;
-        if (outcome.PlaneNormalSquared == 0 ||
-            plane / Math.Sqrt(feature.NormalSquared) > outcome.PlaneValue / Math.Sqrt(outcome.PlaneNormalSquared))
-        {
-            GjkDistance.SetPlane(ref outcome, feature, plane);
-        }
+        state.Simplex = simplex;
+        state.Feature = feature;
+        if (state.Plane.NormalSquared == 0 || plane / Math.Sqrt(feature.NormalSquared) > state.Plane.Distance) state.Plane.Set(feature, plane);
 
         if (plane > 0 && plane * plane > maxDistance * maxDistance * feature.NormalSquared)
         {
-            outcome.Status = GjkStatus.BeyondMaxDistance;
+            state.Verdict = Verdict.Beyond;
             return true;
         }
 
-        if (GjkDistance.IsClosed(gap, feature, curved, noise))
+        if (Proofs.IsClosed(gap, feature, state.IsCurved, state.Noise))
         {
-            outcome.Status = GjkStatus.Separated;
+            state.Verdict = Verdict.Apart;
             return true;
         }
 
         if (!(gap > 0))
         {
-            GjkDistance.SettleStall(ref outcome, feature, plane, -gap, bInA.Radius);
+            Proofs.SettleStall(ref state, plane, -gap);
             return true;
         }
 
-        outcome.Status = GjkStatus.IterationLimit;
-        return outcome.Iterations >= limit;
+        state.Verdict = Verdict.Undecided;
+        return state.Iterations >= limit;
     }
 
     /// <summary>Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.</summary>
@@ -124,7 +118,7 @@ internal static class GjkExtendedPrecision
         {
             if (!TryFeature(simplex, subset, out VectorDD normal, out DoubleDouble height, out bool flipped)) continue;
             DoubleDouble normalSquared = VectorDD.Dot(normal, normal);
-            DoubleDouble squared = normalSquared.Sign == 0 ? 0.0 : height * height / normalSquared;
+            DoubleDouble squared = (double)normalSquared == 0 ? 0.0 : height * height / normalSquared;
             if (best != 0 && (squared - distanceSquared).Sign >= 0) continue;
             best = flipped ? -subset : subset;
             distanceSquared = squared;

@@ -1,8 +1,8 @@
 namespace Gjk.Core;
 
 /// <summary>
-/// The solvers' tolerances. Lengths are fractions of the pair's radius (the two bounding radii added, RelativePose.Radius), ratios are fractions of
-/// the distance. Each is a small multiple of what rounding in double does to the quantity that it guards.
+/// The solvers' tolerances. Lengths are fractions of the pair's size (<see cref="PairSize"/>, at most 1.74 times the scale that the promises are
+/// measured by), ratios are fractions of the distance. Each is a small multiple of what rounding in double does to the quantity that it guards.
 /// </summary>
 internal static class GjkTolerances
 {
@@ -22,7 +22,7 @@ internal static class GjkTolerances
     public const double RelativeGapCurved = 1e-9;
 
     /// <summary>
-    /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's radius. A gap below it cannot be told from 0. Pinned by HardCaseTests.NoFlagIsWrong.
+    /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's size. A gap below it cannot be told from 0. Pinned by HardCaseTests.NoFlagIsWrong.
     /// </summary>
     public const double Noise = 4 * UnitRoundoff;
 
@@ -42,16 +42,25 @@ internal static class GjkTolerances
     public const double Touch = 4 * Noise;
 
     /// <summary>
+    /// Length, for cores without vertices: four times the noise, as above. Cold, warm and boolean queries end at different points within the noise, and a resting pair in exact
+    /// contact must touch in all of them. Pinned by RestingContactTests.
+    /// </summary>
+    public const double TouchCurved = 4 * NoiseCurved;
+
+    /// <summary>
     /// Length: the boolean solver calls shapes apart only when a plane proves a gap of this much, so that the distance solver must agree; below, it asks it.
     /// Pinned by OverlapsSaysWhatDistanceSays in HardCaseTests and CertifiedPairTests.
     /// </summary>
     public const double SeparatedBand = 16 * Touch;
 
+    /// <summary>Length: the same where a core has no vertices, and in the limit at which a query with a largest distance may end early. Pinned by RestingContactTests.</summary>
+    public const double SeparatedBandCurved = 4 * TouchCurved;
+
     /// <summary>
-    /// Length: what rounding can do to a lower bound: to the relative pose and to both support values, 10 roundings of (radius + distance of the centres). Not more:
-    /// twice this and the noise must fit into the promised 1e-14 of the scale where a float's last place is as small. Pinned by LowerBoundTests and fuzz.
+    /// Length: what rounding can do to a lower bound: to the relative pose, to the choice of the supports and to their values: 16 roundings of (size + distance of
+    /// the centres). Not more: this must fit into the promised 1e-14 of the scale. Pinned by LowerBoundTests and fuzz.
     /// </summary>
-    public const double LowerBoundError = 10 * UnitRoundoff;
+    public const double LowerBoundError = 16 * UnitRoundoff;
 
     /// <summary>
     /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3 by 3 determinant of rounded differences asks.
@@ -65,6 +74,12 @@ internal static class GjkTolerances
     /// </summary>
     public const double Contradiction = 1e-5;
 
+    /// <summary>Ratio: more than a rounding to float can take away (2^-24), so that a distance beyond it rounds to a larger float. Pinned by MaxDistanceTests.</summary>
+    public const double FloatBand = 4.0 / (1 << 24);
+
     /// <summary>A backstop that no valid shape reaches: hulls of 4096 vertices need about 30, curved shapes about 60. Pinned by TerminationTests.</summary>
     public const int MaxIterations = 256;
+
+    /// <summary>The touch tolerance of a pair.</summary>
+    public static double TouchOf(bool curved) => curved ? TouchCurved : Touch;
 }

@@ -7,10 +7,12 @@ public readonly struct TracedSimplex
 {
     private readonly Simplex _simplex;
     private readonly Weights _weights;
+    private readonly double _unit;
 
-    internal TracedSimplex(in Simplex simplex, bool isExtended)
+    internal TracedSimplex(in Simplex simplex, double unit, bool isExtended)
     {
         _simplex = simplex;
+        _unit = unit;
         _weights = ClosestPointWeights.Of(simplex);
         IsExtended = isExtended;
     }
@@ -37,5 +39,5 @@ public readonly struct TracedSimplex
     public double Weight(int index) =>
         index >= 0 && index < Count ? _weights[index] : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
 
-    private Vector3D Vector(int index) => index < Count ? _simplex.W(_simplex[index]) : default;
+    private Vector3D Vector(int index) => index < Count ? _simplex.W(_simplex[index]) * _unit : default;
 }

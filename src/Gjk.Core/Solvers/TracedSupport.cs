@@ -3,11 +3,11 @@ namespace Gjk.Core;
 /// <summary>One support call on each of the two shapes, in A's own frame. Immutable.</summary>
 public readonly struct TracedSupport
 {
-    internal TracedSupport(in RelativePose bInA, in Vector3D normal, in Vector3D onA, in Vector3D w, int idA, int idB, bool isExtended)
+    internal TracedSupport(in PairFrame frame, in Vector3D normal, in Vector3D onA, in Vector3D w, int idA, int idB, bool isExtended)
     {
         Normal = normal;
-        PointOnA = onA + bInA.CenterA;
-        Vertex = w;
+        PointOnA = (onA + frame.CenterA) * frame.Unit;
+        Vertex = w * frame.Unit;
         IdA = idA;
         IdB = idB;
         IsExtended = isExtended;

@@ -9,6 +9,9 @@ internal static class Accuracy
     /// <summary>Length, as a fraction of the scale: below it a distance is noise of double arithmetic.</summary>
     public const double DistanceScale = 1e-14;
 
+    /// <summary>Length, as a fraction of the scale: shapes that overlap or are apart by more than this must get the right flag.</summary>
+    public const double FlagScale = 1e-9;
+
     /// <summary>
     /// Length, as a fraction of how far a shape is from its own origin: what turning it there costs in double-double, 2^-100. It is seen only where both shapes are points.
     /// </summary>
@@ -17,7 +20,7 @@ internal static class Accuracy
     /// <summary>Length, as a fraction of max(scale, distance), for shapes with a curved core.</summary>
     public const double CurvedRatio = 1e-6;
 
-    /// <summary>Length, as a fraction of the scale: how far a closest point may be off its shape.</summary>
+    /// <summary>Length, as a fraction of the longest side of its shape: how far a closest point may be off it.</summary>
     public const double WitnessScale = 1.2e-7;
 
     /// <summary>A pure number: how far the normal's length may be from 1.</summary>

@@ -1,36 +1,41 @@
 using System;
+using System.Diagnostics.CodeAnalysis;
 using Gjk.Core;
+using Gjk.Core.Tests.Support;
 
 namespace Gjk.Demo.Fuzz;
 
 /// <summary>Two posed shapes and the library's cold answer for them: what a promise is held to.</summary>
 internal sealed class FuzzPair
 {
-    public readonly ConvexShape A, B;
-    public readonly RigidPose PoseA, PoseB;
+    private readonly FuzzShape _a, _b;
+    private FuzzTruth? _truth;
 
-    public FuzzPair(in QueryRecord query)
-        : this(query.A, query.PoseA, query.B, query.PoseB)
-    {
-    }
-
-    public FuzzPair(in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB)
-        : this(a, poseA, b, poseB, ConvexQuery.Distance(a, poseA, b, poseB))
+    public FuzzPair(in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB)
+        : this(a, poseA, b, poseB, ConvexQuery.Distance(a.Shape, poseA, b.Shape, poseB))
     {
     }
 
     /// <summary>With an answer from elsewhere, which may be wrong.</summary>
-    public FuzzPair(in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, in DistanceResult answer)
+    public FuzzPair(in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB, in DistanceResult answer)
     {
-        (A, PoseA, B, PoseB) = (a, poseA, b, poseB);
+        (_a, PoseA, _b, PoseB) = (a, poseA, b, poseB);
         Answer = answer;
         BodyA = new PosedShape(a, poseA);
         BodyB = new PosedShape(b, poseB);
         double side = Math.Max(BodyA.LongestSide, BodyB.LongestSide);
         Scale = side > 0 ? side : float.IsFinite(Answer.Distance) ? Answer.Distance : 0;
-        Centers = BodyB.Position - BodyA.Position + (BodyB.Rotate(BodyB.Center) - BodyA.Rotate(BodyA.Center));
-        Noise = Accuracy.Rounding * (BodyA.Reach + BodyB.Reach + Centers.Length);
+        Centers = Between(BodyA.Center, BodyB.Center);
+        Noise = Accuracy.Rounding * (BodyA.LongestSide + BodyB.LongestSide + Centers.Length);
     }
+
+    public ConvexShape A => _a.Shape;
+
+    public ConvexShape B => _b.Shape;
+
+    public RigidPose PoseA { get; }
+
+    public RigidPose PoseB { get; }
 
     /// <summary>What the cold query says.</summary>
     public DistanceResult Answer { get; }
@@ -39,35 +44,48 @@ internal sealed class FuzzPair
 
     public PosedShape BodyB { get; }
 
+    /// <summary>The true distance, solved when it is first asked for.</summary>
+    public FuzzTruth Truth => _truth ??= new FuzzTruth(this);
+
     /// <summary>The longest side of the local bounding boxes, the larger of the two; of two points, their distance.</summary>
     public double Scale { get; }
 
     public bool IsCurved => BodyA.IsCurved || BodyB.IsCurved;
 
-    /// <summary>From A's centre to B's, in the world's axes.</summary>
+    /// <summary>From A's centre to B's, in the world's axes, to the last place of a double.</summary>
     public Vector3D Centers { get; }
 
-    /// <summary>What rounding may do to a length computed here from the pair's own numbers.</summary>
+    /// <summary>What rounding may do to a length computed here from the shapes' sizes and the distance of their centres.</summary>
     public double Noise { get; }
 
-    public QueryRecord Record => new(A, PoseA, B, PoseB);
+    /// <summary>The pair as a line that <c>query --record</c> reads; its meshes are all the points that they were made of.</summary>
+    public string Text => FuzzText.Of(_a, PoseA, _b, PoseB);
 
     /// <summary>How much a distance may be off.</summary>
-    public double Band(double distance) => IsCurved
-        ? Accuracy.CurvedRatio * Math.Max(Scale, distance) + Unavoidable
-        : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale + Unavoidable;
+    public double Band(double distance) => Unavoidable + (IsCurved
+        ? Accuracy.CurvedRatio * Math.Max(Scale, distance)
+        : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale);
 
     /// <summary>What even shapes without extent cannot be held to: corners far from their local origin are turned in 106 bits, and floats end.</summary>
-    private double Unavoidable => Accuracy.Offset * (BodyA.Reach + BodyB.Reach) + Accuracy.LeastFloat;
+    private double Unavoidable => Accuracy.LeastFloat + Accuracy.Offset * (BodyA.Center.Length + BodyB.Center.Length);
 
-    /// <summary>How far a point of the answer may be off its shape, before it is rounded to float.</summary>
-    public double WitnessSlack => (IsCurved ? Accuracy.CurvedRatio : Accuracy.WitnessScale) * Math.Max(Scale, IsCurved ? FiniteDistance : 0);
+    /// <summary>How far a point of the answer may be off its own shape, before it is rounded to float.</summary>
+    /// <param name="body">The shape that it belongs to.</param>
+    public double WitnessSlack(PosedShape body) => IsCurved ? CurvedSlack : Accuracy.WitnessScale * body.LongestSide + Accuracy.DistanceScale * Scale;
+
+    /// <summary>How far the difference of the points may be off normal times distance, before they are rounded to float.</summary>
+    public double DifferenceSlack => IsCurved ? CurvedSlack : Accuracy.WitnessScale * Scale;
+
+    private double CurvedSlack => Accuracy.CurvedRatio * Math.Max(Scale, float.IsFinite(Answer.Distance) ? Answer.Distance : 0);
+
+    public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair) => FuzzText.TryParse(text, out pair);
 
     /// <summary>How far apart the planes across a unit direction of the world stand that touch A and B; negative where the shapes reach past each other.</summary>
     public double Gap(in Vector3D n) => Vector3D.Dot(n, Centers) - BodyA.Height(n) - BodyB.Height(-n);
 
-    /// <summary>The same shapes in other places.</summary>
-    public FuzzPair At(in RigidPose poseA, in RigidPose poseB) => new(A, poseA, B, poseB);
+    /// <summary>From a point in A's frame to one in B's, in the world's axes, to the last place of a double.</summary>
+    public Vector3D Between(in Vector3D localA, in Vector3D localB) => new ExactProblem([localB], 0, PoseB, [localA], 0, PoseA).FirstVertex();
 
-    private double FiniteDistance => float.IsFinite(Answer.Distance) ? Answer.Distance : 0;
+    /// <summary>The same shapes in other places.</summary>
+    public FuzzPair At(in RigidPose poseA, in RigidPose poseB) => new(_a, poseA, _b, poseB);
 }

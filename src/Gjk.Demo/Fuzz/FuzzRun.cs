@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
-using Gjk.Core;
 using Gjk.Demo.Fuzz.Families;
 using Gjk.Demo.Fuzz.Promises;
 using Gjk.Demo.Fuzz.Shrinking;
@@ -14,8 +13,8 @@ namespace Gjk.Demo.Fuzz;
 /// <param name="Family">Its family.</param>
 /// <param name="Promise">What it breaks.</param>
 /// <param name="How">In what way, after shrinking.</param>
-/// <param name="Record">The shrunk pair.</param>
-internal sealed record BrokenPromise(long Index, string Family, string Promise, string How, QueryRecord Record);
+/// <param name="Record">The shrunk pair as a line.</param>
+internal sealed record BrokenPromise(long Index, string Family, string Promise, string How, string Record);
 
 /// <summary>Draws pairs and holds each to all promises until one breaks, or time, count or patience ends.</summary>
 internal sealed class FuzzRun
@@ -61,7 +60,7 @@ internal sealed class FuzzRun
 
     private BrokenPromise Smallest(FuzzPair pair, string family, IPromise promise, string how, CancellationToken cancel)
     {
-        QueryRecord record = Shrinker.Shrink(pair.Record, promise, cancel);
-        return new BrokenPromise(Tried, family, promise.Name, promise.Broken(new FuzzPair(record)) ?? how, record);
+        FuzzPair shrunk = Shrinker.Shrink(pair, promise, cancel);
+        return new BrokenPromise(Tried, family, promise.Name, promise.Broken(shrunk) ?? how, shrunk.Text);
     }
 }

@@ -1,63 +1,78 @@
 using System;
 using System.Collections.Generic;
 using Gjk.Core;
+using Gjk.Core.Tests.Support;
 
 namespace Gjk.Demo.Fuzz;
 
 /// <summary>
-/// A shape where it is, seen without the library's solvers: a rotation matrix of its own, the vertices listed, and heights found by looking at all of them.
+/// A shape where it is, seen without the library's hulls, supports and solvers: a rotation matrix of its own, the points that the shape was made of, and heights
+/// found by looking at all of them. Nothing here depends on the shape's bounding radius, which may be generous.
 /// </summary>
 internal sealed class PosedShape
 {
     private readonly ConvexShape _shape;
     private readonly Vector3D[] _fromCenter;
-    private readonly Vector3D _row0, _row1, _row2;
+    private readonly CurvedHeights? _curved;
+    private readonly ApproximateRotation _rotation;
 
-    public PosedShape(in ConvexShape shape, in RigidPose pose)
+    public PosedShape(in FuzzShape shape, in RigidPose pose)
     {
-        _shape = shape;
+        _shape = shape.Shape;
+        _rotation = new ApproximateRotation(pose.Rotation);
         Position = pose.Position;
-        double x = pose.Rotation.X, y = pose.Rotation.Y, z = pose.Rotation.Z, w = pose.Rotation.W;
-        double s = 1 / (x * x + y * y + z * z + w * w);
-        _row0 = new Vector3D(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)) * s;
-        _row1 = new Vector3D(2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)) * s;
-        _row2 = new Vector3D(2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z) * s;
         Vertices = ListVertices(shape);
+        if (Vertices.Length == 0) _curved = new CurvedHeights(_shape);
+        else Center = Middle(Vertices);
         _fromCenter = Array.ConvertAll(Vertices, v => v - Center);
-        LongestSide = Math.Max(Side(new Vector3D(1, 0, 0)), Math.Max(Side(new Vector3D(0, 1, 0)), Side(new Vector3D(0, 0, 1))));
-        Reach = Center.Length + shape.BoundingRadius;
+        Sides = new Vector3D(Side(new Vector3D(1, 0, 0)), Side(new Vector3D(0, 1, 0)), Side(new Vector3D(0, 0, 1)));
     }
 
     public Vector3D Position { get; }
 
-    public Vector3D Center => _shape.Center;
+    /// <summary>The middle of the local bounding box; the local origin of a curved shape.</summary>
+    public Vector3D Center { get; }
 
     public double Margin => _shape.Margin;
 
-    /// <summary>In the local frame, scale applied; empty where the core is curved.</summary>
+    /// <summary>In the local frame, scale applied, as the shape was given; empty where the core is curved.</summary>
     public Vector3D[] Vertices { get; }
 
-    public bool IsCurved => Vertices.Length == 0;
+    public bool IsCurved => _curved is not null;
 
-    /// <summary>The longest side of the local bounding box, margin included.</summary>
-    public double LongestSide { get; }
+    /// <summary>The sides of the local bounding box, margin included.</summary>
+    public Vector3D Sides { get; }
 
-    /// <summary>How far from its position the shape's numbers reach: what their rounding is measured by.</summary>
-    public double Reach { get; }
+    /// <summary>The largest magnitude of each local coordinate.</summary>
+    public Vector3D Extents => new(Math.Abs(Center.X) + 0.5 * Sides.X, Math.Abs(Center.Y) + 0.5 * Sides.Y, Math.Abs(Center.Z) + 0.5 * Sides.Z);
 
-    public Vector3D Rotate(in Vector3D v) => new(Vector3D.Dot(_row0, v), Vector3D.Dot(_row1, v), Vector3D.Dot(_row2, v));
+    public double LongestSide => Math.Max(Sides.X, Math.Max(Sides.Y, Sides.Z));
 
-    public Vector3D InverseRotate(in Vector3D v) => _row0 * v.X + _row1 * v.Y + _row2 * v.Z;
+    /// <summary>Half the diagonal of the local bounding box: a ball about the centre that holds the shape.</summary>
+    public double Radius => 0.5 * Sides.Length;
+
+    public Vector3D Rotate(in Vector3D v) => _rotation.Rotate(v);
+
+    public Vector3D InverseRotate(in Vector3D v) => _rotation.InverseRotate(v);
 
     /// <summary>How far the shape reaches beyond its centre along a unit direction of the world.</summary>
-    public double Height(in Vector3D direction) => LocalHeight(InverseRotate(direction));
+    public double Height(in Vector3D direction) => CoreHeight(InverseRotate(direction)) + Margin;
+
+    /// <summary>The same for the core, without the margin, along a direction of the local frame.</summary>
+    public double CoreHeight(in Vector3D direction)
+    {
+        if (_curved is not null) return _curved.Of(direction);
+        double most = double.NegativeInfinity;
+        foreach (Vector3D v in _fromCenter) most = Math.Max(most, Vector3D.Dot(direction, v));
+        return most;
+    }
 
     /// <summary>The most that a local point exceeds the shape by along any of the directions, or along that from the centre; all of them in the local frame.</summary>
     public double Outside(in Vector3D local, ReadOnlySpan<Vector3D> directions)
     {
         Vector3D outward = local - Center;
-        double length = outward.Length, most = length > 0 ? length - LocalHeight(outward * (1 / length)) : 0;
-        foreach (Vector3D u in directions) most = Math.Max(most, Vector3D.Dot(u, outward) - LocalHeight(u));
+        double length = outward.Length, most = length > 0 ? length - CoreHeight(outward * (1 / length)) - Margin : 0;
+        foreach (Vector3D u in directions) most = Math.Max(most, Vector3D.Dot(u, outward) - CoreHeight(u) - Margin);
         return outward.IsFinite ? most : double.PositiveInfinity;
     }
 
@@ -66,34 +81,44 @@ internal sealed class PosedShape
     {
         if (_shape.Hull is not { } hull) yield break;
         int step = Math.Max(1, hull.TriangleCount / most);
+        Vector3D factors = _shape.Scale;
         for (int i = 0; i < hull.TriangleCount; i += step)
         {
             hull.GetTriangle(i, out int a, out int b, out int c);
-            Vector3D n = Vector3D.Cross(_fromCenter[b] - _fromCenter[a], _fromCenter[c] - _fromCenter[a]);
+            Vector3D corner = hull.GetVertex(a), ab = hull.GetVertex(b) - corner, ac = hull.GetVertex(c) - corner;
+            Vector3D n = Vector3D.Cross(Vector3D.Multiply(factors, ab), Vector3D.Multiply(factors, ac));
             double length = n.Length;
             if (length > 0) yield return n * (1 / length);
         }
     }
 
-    private double LocalHeight(in Vector3D direction)
+    private double Side(in Vector3D axis) => CoreHeight(axis) + CoreHeight(-axis) + 2 * Margin;
+
+    private static Vector3D Middle(Vector3D[] vertices)
     {
-        if (IsCurved)
+        Vector3D low = vertices[0], high = low;
+        foreach (Vector3D v in vertices)
         {
-            _shape.Support(direction, -1, out Vector3D point);
-            return Vector3D.Dot(direction, point - Center) + Margin;
+            low = new Vector3D(Math.Min(low.X, v.X), Math.Min(low.Y, v.Y), Math.Min(low.Z, v.Z));
+            high = new Vector3D(Math.Max(high.X, v.X), Math.Max(high.Y, v.Y), Math.Max(high.Z, v.Z));
         }
 
-        double most = double.NegativeInfinity;
-        foreach (Vector3D v in _fromCenter) most = Math.Max(most, Vector3D.Dot(direction, v));
-        return most + Margin;
+        return (low + high) * 0.5;
     }
 
-    private double Side(in Vector3D axis) => LocalHeight(axis) + LocalHeight(-axis);
-
-    private static Vector3D[] ListVertices(in ConvexShape shape)
+    private static Vector3D[] ListVertices(in FuzzShape shape)
     {
+        if (shape.Cloud is { } cloud)
+        {
+            var scaled = new Vector3D[cloud.Count];
+            Vector3D factors = shape.Scale;
+            for (int i = 0; i < scaled.Length; i++) scaled[i] = Vector3D.Multiply(factors, cloud[i]);
+            return scaled;
+        }
+
+        // Segments, boxes and the like: the library multiplies the scale in without rounding, and has at most eight of them.
         var vertices = new List<Vector3D>();
-        for (int id = 0; shape.TryGetVertex(id, out Vector3D vertex); id++) vertices.Add(vertex);
+        for (int id = 0; shape.Shape.TryGetVertex(id, out Vector3D vertex); id++) vertices.Add(vertex);
         return [.. vertices];
     }
 }

@@ -6,7 +6,7 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Cases;
 
-/// <summary>The eight families of hard pairs with proved answers: no wrong flag, every distance exact to float rounding, every result certified.</summary>
+/// <summary>The families of hard pairs with proved answers: no wrong flag, every distance exact to float rounding, every result certified.</summary>
 public class HardCaseTests
 {
     private const int FailuresShown = 5;
@@ -22,6 +22,9 @@ public class HardCaseTests
     [InlineData("large", 460)]
     [InlineData("degenerate", 744)]
     [InlineData("dense", 390)]
+    [InlineData("everyday", 300)]
+    [InlineData("offset", 150)]
+    [InlineData("uneven", 200)]
     public void EveryPairIsThere(string family, int pairs)
     {
         IReadOnlyList<HardCase> cases = CaseFamily.Load(family).Cases;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core.Tests.Support;
@@ -8,7 +9,7 @@ namespace Gjk.Core.Tests.Cases;
 /// <summary>The oracle is held to the case files, whose answers were computed by other means, before anything is held to the oracle.</summary>
 public class OracleTests
 {
-    /// <summary>The hulls of the dense family take the oracle a second each.</summary>
+    /// <summary>Keeps the thousands of vertices of the dense family out of the slow comparison of supports.</summary>
     private const int MostVertices = 200;
 
     public static TheoryData<string> Families => [.. CaseFamily.Names];
@@ -17,16 +18,50 @@ public class OracleTests
     [MemberData(nameof(Families))]
     public void TheOracleAgreesWithTheCaseFiles(string family)
     {
-        HardCase[] small = [.. CaseFamily.Load(family).Cases.Where(c => c.Pair.A.Vertices!.Length + c.Pair.B.Vertices!.Length <= MostVertices)];
-        int stride = Math.Max(1, small.Length / Budget.Count(60));
-        for (int i = 0; i < small.Length; i += stride)
+        foreach (HardCase c in CaseFamily.Load(family).Cases)
         {
-            ExactAnswer answer = small[i].Pair.Exact();
-            Assert.True(answer.Overlap == small[i].Overlap, $"{small[i].Pair.Name}: oracle {answer}, file {small[i].Overlap}");
+            ExactAnswer answer = c.Pair.Exact();
+            Assert.True(answer.Overlap == c.Overlap, $"{c.Pair.Name}: oracle {answer}, file {c.Overlap}");
 
             // 2^-52: both were rounded to double once.
-            Assert.True(Math.Abs(answer.Distance - small[i].Distance) <= 2.3e-16 * answer.Distance, $"{small[i].Pair.Name}: oracle {answer.Distance:R}, file {small[i].Distance:R}");
+            Assert.True(Math.Abs(answer.Distance - c.Distance) <= 2.3e-16 * answer.Distance, $"{c.Pair.Name}: oracle {answer.Distance:R}, file {c.Distance:R}");
         }
+    }
+
+    /// <summary>Doubles rule out points that cannot be furthest: the support is that of a look at every point in integers, towards faces and edges, too.</summary>
+    [Theory]
+    [MemberData(nameof(Families))]
+    public void TheFilterChangesNothing(string family)
+    {
+        HardCase[] small = [.. CaseFamily.Load(family).Cases.Where(c => c.Pair.A.Vertices!.Length + c.Pair.B.Vertices!.Length <= MostVertices)];
+        int stride = Math.Max(1, small.Length / Budget.Count(20));
+        var rng = new Rng(17);
+        for (int i = 0; i < small.Length; i += stride)
+        {
+            TestPair pair = small[i].Pair;
+            var problem = new ExactProblem(pair.A.Vertices!, 0, pair.PoseA, pair.B.Vertices!, 0, pair.PoseB);
+            foreach (Int3 direction in DirectionsFor(rng, problem, pair))
+            {
+                Int3 fast = problem.Support(direction), slow = problem.SlowSupport(direction);
+                Assert.True(Int3.Dot(direction, fast) == Int3.Dot(direction, slow), $"{pair.Name}: {direction} gives {fast}, not {slow}");
+            }
+        }
+    }
+
+    /// <summary>Across triangles of the difference, across those but for the last bit, and at random.</summary>
+    private static IEnumerable<Int3> DirectionsFor(Rng rng, ExactProblem problem, TestPair pair)
+    {
+        for (int i = 0; i < 12; i++)
+        {
+            Int3 a = Any(), b = Any(), c = Any(), normal = Int3.Cross(b - a, c - a);
+            Int3[] candidates = [normal, normal + new Int3(1, -1, 0), a - b, a, new Int3(rng.Below(3) - 1, rng.Below(3) - 1, 1)];
+            foreach (Int3 direction in candidates)
+            {
+                if (!direction.IsZero) yield return direction;
+            }
+        }
+
+        Int3 Any() => problem.Vertex(rng.Below(pair.A.Vertices!.Length), rng.Below(pair.B.Vertices!.Length));
     }
 
     [Fact]

@@ -83,7 +83,7 @@ public class AlgebraicLawTests
         new TestPair("law", x.s, new RigidPose(x.q, x.p), x.s, new RigidPose(x.q, x.p)).Distance().Overlaps);
 
     [Fact]
-    public void TheOracleAgrees() => Check(Pairs, pair => Verdict.Problem(pair, out _) is null, 100);
+    public void TheOracleAgrees() => Check(Pairs, pair => OracleVerdict.Problem(pair, out _) is null, 100);
 
     private static TestPair Moved(TestPair pair, Vector3 a, Vector3 b) => pair with
     {

@@ -14,7 +14,7 @@ public class OracleAgreementTests
         for (ulong i = 0; i < (ulong)count; i++)
         {
             TestPair pair = Generators.Pair(seed + i, [.. Generators.PolytopeKinds, "bigHull", "hull", "hull"], 0.8);
-            string? problem = Verdict.Problem(pair, out ExactAnswer exact);
+            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
             if (exact.Overlap) hits++;
         }
@@ -35,9 +35,27 @@ public class OracleAgreementTests
         for (ulong i = 0; i < (ulong)Budget.Count(60); i++)
         {
             TestPair pair = Generators.NearPair(5000 + i, [.. Generators.PolytopeKinds, "bigHull"], gap);
-            string? problem = Verdict.Problem(pair, out _);
+            string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
         }
+    }
+
+    /// <summary>Each against its like and against random hulls: overlapping, apart, and a gap of any size.</summary>
+    [Theory]
+    [InlineData(21_000)]
+    [InlineData(22_000)]
+    public void MeshesAsPeopleMakeThem(ulong seed)
+    {
+        int count = Budget.Count(200), hits = 0;
+        for (ulong i = 0; i < (ulong)count; i++)
+        {
+            TestPair pair = Generators.MadePair(seed + i, i % 3 == 0 ? new Rng(i).LogFloat(1e-9, 10) : null);
+            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
+            Assert.True(problem is null, $"{problem}\n{pair}");
+            if (exact.Overlap) hits++;
+        }
+
+        Assert.InRange(hits, 0.2 * count, 0.6 * count);
     }
 
     [Theory]
@@ -50,7 +68,7 @@ public class OracleAgreementTests
         for (ulong i = 0; i < (ulong)Budget.Count(40); i++)
         {
             TestPair pair = Generators.Pair(7000 + i, ["hull", "flat", "needle", "segment", "box"], 1.5).Resized((float)size);
-            string? problem = Verdict.Problem(pair, out _);
+            string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
         }
     }
@@ -68,7 +86,7 @@ public class OracleAgreementTests
             Vector3D n = rng.Direction();
             double reach = new Body<ConvexShape>(large.Shape, poseA).Height(n) + rng.Range(-1, 1);
             var pair = new TestPair($"seed {8000 + i}", large, poseA, small, new RigidPose(turned.Rotation, (System.Numerics.Vector3)(n * reach)));
-            string? problem = Verdict.Problem(pair, out _);
+            string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
         }
     }

@@ -112,7 +112,7 @@ public class UserShapeTests
     [InlineData("negativeMargin", GjkStatus.InvalidInput)]
     [InlineData("nanRadius", GjkStatus.InvalidInput)]
     [InlineData("infiniteRadius", GjkStatus.InvalidInput)]
-    [InlineData("nanCenter", GjkStatus.InvalidShape)]
+    [InlineData("nanCenter", GjkStatus.InvalidInput)]
     public void TheStatusNamesTheFault(string fault, GjkStatus expected)
     {
         GjkStatus status = ConvexQuery.Distance(Make(fault), RigidPose.Identity, new BoxShape(Vector3.One), Apart).Status;

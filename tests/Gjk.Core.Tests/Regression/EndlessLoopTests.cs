@@ -57,7 +57,7 @@ public class EndlessLoopTests
     {
         bool flag = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
         DistanceResult r = pair.Distance();
-        string? problem = Verdict.Problem(pair, r, out ExactAnswer exact);
+        string? problem = OracleVerdict.Problem(pair, r, out ExactAnswer exact);
         Assert.True(problem is null && flag == r.Overlaps && status == r.Status, $"{problem}; Overlaps {flag} ({status}), Distance {r.Status}, truly {exact}\n{pair}");
         Assert.InRange(r.Iterations, 1, 40);
     }

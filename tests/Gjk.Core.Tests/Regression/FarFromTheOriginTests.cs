@@ -36,7 +36,7 @@ public class FarFromTheOriginTests
             TestPair near = Generators.Pair(210_000 + seed, ["hull", "box", "capsule", "needle"]);
             Vector3 away = new Rng(seed).Direction() * 1e5f;
             TestPair far = near with { PoseA = new RigidPose(near.PoseA.Rotation, near.PoseA.Position + away), PoseB = new RigidPose(near.PoseB.Rotation, near.PoseB.Position + away) };
-            string? problem = Verdict.Problem(far, out _);
+            string? problem = OracleVerdict.Problem(far, out _);
             Assert.True(problem is null, $"{problem}\n{far}");
         }
     }

@@ -67,7 +67,7 @@ public class FlatShapeTests
             if (seed % 2 == 0) pair = pair with { PoseA = RigidPose.Identity, PoseB = new RigidPose(pair.PoseB.Position * new Vector3(1, 0, 1)) };
             DistanceResult r = pair.Distance();
             Assert.True(new[] { r.Distance, r.PointA.X, r.PointB.Y, r.Normal.Z }.All(float.IsFinite), pair.ToString());
-            string? problem = Verdict.Problem(pair, out _);
+            string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
         }
     }

@@ -48,7 +48,7 @@ public class IterationCapTests
             TestShape needle = TestShape.Mesh(Generators.Cloud(rng, 4 + rng.Below(9), new Vector3(1, thin, thin)));
             TestShape other = seed % 2 == 0 ? needle : TestShape.Mesh(Generators.Cloud(rng, 12, Vector3.One));
             var pair = new TestPair($"seed {seed}", needle, Generators.Pose(rng, default), other, Generators.Pose(rng, rng.Vector(-0.5, 0.5)));
-            string? problem = Verdict.Problem(pair, out _);
+            string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
             Assert.InRange(pair.Distance().Iterations, 1, 64);
         }

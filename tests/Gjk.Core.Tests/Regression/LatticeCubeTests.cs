@@ -51,7 +51,7 @@ public class LatticeCubeTests
             Quaternion q = rng.Rotation();
             Vector3 at = Vector3.Transform(new Vector3(rng.Below(9) - 4, rng.Below(9) - 4, rng.Below(9) - 4) * Step, q);
             var pair = new TestPair($"seed {seed}", cube, new RigidPose(q, default), cube, new RigidPose(q, at));
-            string? problem = Verdict.Problem(pair, out _);
+            string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
         }
     }

@@ -16,7 +16,7 @@ public class NearVertexTests
         {
             TestPair pair = Pair(seed, 5.7e-8f);
             DistanceResult r = pair.Distance();
-            string? problem = Verdict.Problem(pair, out ExactAnswer exact);
+            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
             Assert.False(exact.Overlap);
             Assert.True(r.Status == GjkStatus.Separated && r.Distance > 0, $"{r.Status} {r.Distance:R}, truly {exact.Distance:R}\n{pair}");
@@ -31,7 +31,7 @@ public class NearVertexTests
             for (ulong seed = 0; seed < (ulong)Budget.Count(200); seed++)
             {
                 TestPair pair = Pair(seed, gap);
-                string? problem = Verdict.Problem(pair, out _);
+                string? problem = OracleVerdict.Problem(pair, out _);
                 Assert.True(problem is null, $"{problem}\n{pair}");
                 Assert.False(pair.Distance().Overlaps, $"Distance\n{pair}");
                 Assert.False(pair.Overlaps(), $"Overlaps\n{pair}");

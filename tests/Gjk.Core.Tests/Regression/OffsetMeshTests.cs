@@ -23,7 +23,7 @@ public class OffsetMeshTests
             RigidPose poseA = Generators.Pose(rng, rng.Vector(-1, 1)), turned = Generators.Pose(rng, default);
             Vector3D centers = new RotationD(poseA.Rotation).Rotate(a.Shape.Center) - new RotationD(turned.Rotation).Rotate(b.Shape.Center);
             var pair = new TestPair($"seed {seed}", a, poseA, b, new RigidPose(turned.Rotation, (Vector3)(centers + poseA.Position + (Vector3D)rng.Vector(-0.7, 0.7))));
-            string? problem = Verdict.Problem(pair, out ExactAnswer exact);
+            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
             hits += exact.Overlap ? 1 : 0;
         }

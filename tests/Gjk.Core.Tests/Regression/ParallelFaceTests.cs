@@ -45,7 +45,7 @@ public class ParallelFaceTests
             foreach (float gap in new[] { 1e-9f, -1e-9f, 1e-6f, -1e-6f, 1e-3f })
             {
                 var pair = new TestPair($"seed {seed}, gap {gap}", a, new RigidPose(q, default), b, new RigidPose(q, up * gap));
-                string? problem = Verdict.Problem(pair, out _);
+                string? problem = OracleVerdict.Problem(pair, out _);
                 Assert.True(problem is null, $"{problem}\n{pair}");
             }
         }

@@ -18,7 +18,7 @@ public class SizeRatioTests
         {
             TestPair pair = Generators.Pair(220_000 + seed, ["hull", "box", "triangle", "sphere", "needle", "mirroredCapsule"]);
             if (pair.A.Text.Contains("Scaled") || pair.B.Text.Contains("Scaled")) continue;
-            string? problem = Verdict.Problem(pair.Resized(size), out _);
+            string? problem = OracleVerdict.Problem(pair.Resized(size), out _);
             Assert.True(problem is null, $"{problem}\n{pair.Resized(size)}");
         }
     }
@@ -36,7 +36,7 @@ public class SizeRatioTests
             {
                 var rng = new Rng(seed);
                 var pair = new TestPair($"seed {seed}, gap {gap}", large, RigidPose.Identity, small, new RigidPose(new Vector3(rng.Float(-0.9, 0.9), grain * (0.5f + gap), rng.Float(-0.9, 0.9))));
-                string? problem = Verdict.Problem(pair, out ExactAnswer exact);
+                string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
                 Assert.True(problem is null, $"{problem}\n{pair}");
                 Assert.Equal(gap < 0, exact.Overlap);
                 Assert.Equal(gap < 0, pair.Distance().Overlaps);

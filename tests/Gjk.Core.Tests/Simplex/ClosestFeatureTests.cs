@@ -64,7 +64,7 @@ public class ClosestFeatureTests
     private static Simplex Filled(Vector3D[] vertices)
     {
         Simplex simplex = default;
-        foreach (Vector3D w in vertices.Reverse()) simplex.Push(w, w, -1, -1);
+        foreach (Vector3D w in vertices.Reverse()) simplex.Push(w, w, w, -1, -1);
         return simplex;
     }
 

@@ -20,7 +20,7 @@ public class NextSimplexTests
         if (n == 4 && Vector3D.Dot(Vector3D.Cross(v[2] - v[1], v[3] - v[1]), v[0] - v[1]) >= 0) return;
 
         Simplex simplex = default;
-        foreach (Vector3D w in v.Reverse()) simplex.Push(w, w, -1, -1);
+        foreach (Vector3D w in v.Reverse()) simplex.Push(w, w, w, -1, -1);
         Vector3D normal = default;
         bool inside = NextSimplex.Advance(ref simplex, ref normal);
         Assert.Equal(subset == 15, inside);

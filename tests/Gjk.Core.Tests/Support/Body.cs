@@ -34,46 +34,54 @@ internal sealed class Body<T>
     where T : struct, ISupportMap
 {
     private readonly T _shape;
-    private readonly Vector3D _row0, _row1, _row2;
+    private readonly ApproximateRotation _rotation;
 
     public Body(in T shape, in RigidPose pose)
     {
         _shape = shape;
-        Position = pose.Position;
-        double x = pose.Rotation.X, y = pose.Rotation.Y, z = pose.Rotation.Z, w = pose.Rotation.W;
-        double s = 1 / (x * x + y * y + z * z + w * w);
-        _row0 = new Vector3D(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)) * s;
-        _row1 = new Vector3D(2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)) * s;
-        _row2 = new Vector3D(2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z) * s;
+        Pose = pose;
+        Center = shape.Center;
+        _rotation = new ApproximateRotation(pose.Rotation);
+        Radius = 0.5 * new Vector3D(Side(new Vector3D(1, 0, 0)), Side(new Vector3D(0, 1, 0)), Side(new Vector3D(0, 0, 1))).Length;
     }
 
-    public Vector3D Position { get; }
+    public RigidPose Pose { get; }
 
-    public double Radius => _shape.BoundingRadius + _shape.Center.Length;
+    public Vector3D Position => Pose.Position;
 
-    public Vector3D Rotate(in Vector3D v) => new(Vector3D.Dot(_row0, v), Vector3D.Dot(_row1, v), Vector3D.Dot(_row2, v));
+    public Vector3D Center { get; }
 
-    public Vector3D InverseRotate(in Vector3D v) => _row0 * v.X + _row1 * v.Y + _row2 * v.Z;
+    /// <summary>Half the diagonal of the local bounding box, by the shape's own supports: the bounding radius may be generous.</summary>
+    public double Radius { get; }
+
+    public Vector3D Rotate(in Vector3D v) => _rotation.Rotate(v);
+
+    public Vector3D InverseRotate(in Vector3D v) => _rotation.InverseRotate(v);
 
     public Vector3D ToWorld(in Vector3D local) => Rotate(local) + Position;
 
     /// <summary>How far the shape reaches from its position along a unit direction of the world.</summary>
-    public double Height(in Vector3D direction) => LocalHeight(InverseRotate(direction));
+    public double Height(in Vector3D direction) => Vector3D.Dot(direction, Rotate(Center)) + HeightOverCenter(direction);
+
+    /// <summary>The same from its centre, which loses nothing where the shape is far from its own origin.</summary>
+    public double HeightOverCenter(in Vector3D direction) => LocalHeight(InverseRotate(direction));
 
     /// <summary>How far a local point is outside: the most that it exceeds the support by in any of the fixed directions, or in that from the centre.</summary>
     public double Outside(in Vector3D local)
     {
         double most = double.NegativeInfinity;
-        foreach (Vector3D u in Body.Directions) most = Math.Max(most, Vector3D.Dot(u, local) - LocalHeight(u));
-        Vector3D out1 = local - _shape.Center;
-        double length = out1.Length;
-        if (length > 0) most = Math.Max(most, Vector3D.Dot(out1, local) / length - LocalHeight(out1 * (1 / length)));
+        Vector3D outward = local - Center;
+        foreach (Vector3D u in Body.Directions) most = Math.Max(most, Vector3D.Dot(u, outward) - LocalHeight(u));
+        double length = outward.Length;
+        if (length > 0) most = Math.Max(most, length - LocalHeight(outward * (1 / length)));
         return double.IsFinite(local.X + local.Y + local.Z) ? most : double.PositiveInfinity;
     }
+
+    private double Side(in Vector3D axis) => LocalHeight(axis) + LocalHeight(-axis);
 
     private double LocalHeight(in Vector3D direction)
     {
         _shape.Support(direction, -1, out Vector3D point);
-        return Vector3D.Dot(direction, point) + _shape.Margin;
+        return Vector3D.Dot(direction, point - Center) + _shape.Margin;
     }
 }

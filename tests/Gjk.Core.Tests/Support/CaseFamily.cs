@@ -29,7 +29,7 @@ internal sealed class CaseFamily
         Cases = [.. rows.Skip(1).Select(row => Case(row.Trim().Split(','), objects))];
     }
 
-    public static IEnumerable<string> Names => ["parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense"];
+    public static IEnumerable<string> Names => ["parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense", "everyday", "offset", "uneven"];
 
     public string Name { get; }
 
@@ -56,7 +56,8 @@ internal sealed class CaseFamily
         string mesh = o.GetProperty("shape").GetProperty("mesh").GetString()!;
         JsonElement q = o.GetProperty("rotation");
         var rotation = new Quaternion(q[0].GetSingle(), q[1].GetSingle(), q[2].GetSingle(), q[3].GetSingle());
-        return (meshes[mesh], new RigidPose(rotation, Vector(o.GetProperty("position"))));
+        TestShape shape = o.TryGetProperty("scale", out JsonElement scale) ? meshes[mesh].Scaled(Vector(scale)) : meshes[mesh];
+        return (shape, new RigidPose(rotation, Vector(o.GetProperty("position"))));
     }
 
     private static Vector3 Vector(JsonElement e) => new(e[0].GetSingle(), e[1].GetSingle(), e[2].GetSingle());

@@ -65,7 +65,8 @@ internal static class Certificate
         if (r.PointA != r.PointB) return "overlapping with two different points";
         if (r.Normal != Vector3.Zero) return "overlapping with a normal";
         double widest = 0;
-        foreach (Vector3D u in Body.Directions) widest = Math.Max(widest, Gap(a, b, u));
+        Vector3D centers = Between(a, a.Center, b, b.Center);
+        foreach (Vector3D u in Body.Directions) widest = Math.Max(widest, Gap(a, b, centers, u));
         return widest <= Tolerance.Flag * scale ? null : $"overlapping, yet a plane separates by {widest:R}";
     }
 
@@ -89,9 +90,8 @@ internal static class Certificate
         double world = ((Vector3D)r.PointB - r.PointA - n * d).Length;
         if (!(world <= slack + Rounding(r.PointA) + Rounding(r.PointB) + 4 * HalfUlp * d))
             return $"PointB - PointA is {world:R} off Normal * Distance";
-        Vector3D ab = b.ToWorld(r.LocalPointB) - b.Position + (b.Position - a.Position) - (a.ToWorld(r.LocalPointA) - a.Position);
-        double local = (ab - n * d).Length;
-        if (!(local <= slack + Rounding(r.LocalPointA) + Rounding(r.LocalPointB) + 4 * HalfUlp * d + 1e-15 * (a.Position.Length + b.Position.Length)))
+        double local = (Between(a, r.LocalPointA, b, r.LocalPointB) - n * d).Length;
+        if (!(local <= slack + Rounding(r.LocalPointA) + Rounding(r.LocalPointB) + 4 * HalfUlp * d))
             return $"the local points' difference is {local:R} off Normal * Distance";
         return null;
     }
@@ -100,7 +100,18 @@ internal static class Certificate
     public static double Gap<TA, TB>(Body<TA> a, Body<TB> b, in Vector3D n)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
-        Vector3D.Dot(n, b.Position - a.Position) - a.Height(n) - b.Height(-n);
+        Gap(a, b, Between(a, a.Center, b, b.Center), n);
+
+    private static double Gap<TA, TB>(Body<TA> a, Body<TB> b, in Vector3D centers, in Vector3D n)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        Vector3D.Dot(n, centers) - a.HeightOverCenter(n) - b.HeightOverCenter(-n);
+
+    /// <summary>From a local point of A to one of B, in the world's axes, to the last place of a double.</summary>
+    private static Vector3D Between<TA, TB>(Body<TA> a, in Vector3D localA, Body<TB> b, in Vector3D localB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        new ExactProblem([localB], 0, b.Pose, [localA], 0, a.Pose).FirstVertex();
 
     private static double Rounding(Vector3 p) => 2 * HalfUlp * ((Vector3D)p).Length + Denormal;
 }

@@ -19,6 +19,13 @@ internal readonly record struct Int3(BigInteger X, BigInteger Y, BigInteger Z)
     public static Int3 operator -(in Int3 a) => new(-a.X, -a.Y, -a.Z);
 
     public static Int3 operator *(in Int3 a, BigInteger s) => new(a.X * s, a.Y * s, a.Z * s);
+
+    /// <summary>The direction to double rounding, its largest component between 1 and 2; zero for zero.</summary>
+    public Vector3D ToDirection()
+    {
+        int bits = (int)Math.Max(BigInteger.Abs(X).GetBitLength(), Math.Max(BigInteger.Abs(Y).GetBitLength(), BigInteger.Abs(Z).GetBitLength()));
+        return new Vector3D(Exact.ToDouble(X, 1 - bits), Exact.ToDouble(Y, 1 - bits), Exact.ToDouble(Z, 1 - bits));
+    }
 }
 
 /// <summary>Between doubles and integers times powers of two.</summary>
@@ -32,17 +39,17 @@ internal static class Exact
     /// <summary>x = mantissa · 2^exponent with an odd mantissa, or zero.</summary>
     public static int Exponent(double x)
     {
-        Split(x, out BigInteger mantissa, out int exponent);
-        return mantissa.IsZero ? NoExponent : exponent;
+        Split(x, out long mantissa, out int exponent);
+        return mantissa == 0 ? NoExponent : exponent;
     }
 
     /// <summary>x / 2^exponent, which must be an integer.</summary>
     public static BigInteger ToInteger(double x, int exponent)
     {
-        Split(x, out BigInteger mantissa, out int own);
-        if (mantissa.IsZero) return mantissa;
+        Split(x, out long mantissa, out int own);
+        if (mantissa == 0) return BigInteger.Zero;
         if (own < exponent) throw new ArgumentException($"{x:R} is not a multiple of 2^{exponent}.");
-        return mantissa << (own - exponent);
+        return (BigInteger)mantissa << (own - exponent);
     }
 
     /// <summary>m · 2^exponent, rounded to the nearest double.</summary>
@@ -55,7 +62,7 @@ internal static class Exact
         return Math.ScaleB((long)top * m.Sign, exponent + excess);
     }
 
-    private static void Split(double x, out BigInteger mantissa, out int exponent)
+    private static void Split(double x, out long mantissa, out int exponent)
     {
         long bits = BitConverter.DoubleToInt64Bits(x);
         int biased = (int)(bits >> MantissaBits) & 0x7FF;

@@ -8,16 +8,23 @@ internal readonly record struct ExactAnswer(bool Overlap, double Distance);
 /// <summary>
 /// The true answer for two posed point clouds with margins, in integers: slow, and independent of the library. A float is an integer times a power of two, and
 /// a rotation by an unnormalised quaternion is a matrix of integers over |q|², so every Minkowski vertex is an integer vector over one common denominator.
-/// GJK on those, with exact signs, ends after finitely many steps, because the distance falls strictly.
+/// GJK on those, with exact signs, ends after finitely many steps, because the distance falls strictly. Doubles only propose: where to start, and which points cannot be furthest.
 /// </summary>
 internal static class ExactOracle
 {
     /// <summary>Fraction bits kept of a square root: far more than a double can show.</summary>
     private const int RootBits = 256;
 
-    public static ExactAnswer Solve(Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB)
+    /// <param name="a">The first cloud, in its own frame.</param>
+    /// <param name="marginA">How far its shape reaches beyond the cloud's hull.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second cloud.</param>
+    /// <param name="marginB">How far its shape reaches beyond the cloud's hull.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="shiftB">Moves B further, in the world.</param>
+    public static ExactAnswer Solve(Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB, in Vector3D shiftB = default)
     {
-        var problem = new ExactProblem(a, marginA, poseA, b, marginB, poseB);
+        var problem = new ExactProblem(a, marginA, poseA, b, marginB, poseB, shiftB);
         ExactFeature feature = Nearest(problem);
         if (feature.Direction.IsZero) return new ExactAnswer(true, 0);
 
@@ -32,7 +39,7 @@ internal static class ExactOracle
 
     private static ExactFeature Nearest(ExactProblem problem)
     {
-        Int3[] simplex = [problem.Support(new Int3(1, 0, 0))];
+        Int3[] simplex = ExactGuess.Feature(problem);
         while (true)
         {
             ExactFeature feature = ExactFeature.Nearest(simplex);

@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using System.Numerics;
 
 namespace Gjk.Core.Tests.Support;
@@ -7,18 +6,29 @@ namespace Gjk.Core.Tests.Support;
 /// <summary>Two posed clouds as integer vectors: the Minkowski vertex of i and j is (A[i] - B[j]) · 2^Exponent / Denominator.</summary>
 internal sealed class ExactProblem
 {
-    private readonly Int3[] _a, _b;
+    private readonly ExactCloud _a, _b;
+    private readonly Int3 _shiftB;
 
-    public ExactProblem(Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB)
+    /// <param name="a">The first cloud, in its own frame.</param>
+    /// <param name="marginA">How far its shape reaches beyond the cloud's hull.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second cloud.</param>
+    /// <param name="marginB">How far its shape reaches beyond the cloud's hull.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="shiftB">Moves B further, in the world.</param>
+    public ExactProblem(Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB, in Vector3D shiftB = default)
     {
         int exponent = Math.Min(Math.Min(Exact.Exponent(marginA), Exact.Exponent(marginB)), Math.Min(ExponentOf(poseA.Position), ExponentOf(poseB.Position)));
-        exponent = Math.Min(exponent, a.Concat(b).Min(v => ExponentOf(v)));
+        exponent = Math.Min(exponent, ExponentOf(shiftB));
+        foreach (Vector3D v in a) exponent = Math.Min(exponent, ExponentOf(v));
+        foreach (Vector3D v in b) exponent = Math.Min(exponent, ExponentOf(v));
         Exponent = exponent == Exact.NoExponent ? 0 : exponent;
         var rotationA = new ExactRotation(poseA.Rotation);
         var rotationB = new ExactRotation(poseB.Rotation);
         Denominator = rotationA.Denominator * rotationB.Denominator;
-        _a = Place(a, rotationA, poseA.Position, rotationB.Denominator);
-        _b = Place(b, rotationB, poseB.Position, rotationA.Denominator);
+        _a = new ExactCloud(a, rotationA, poseA.Position, rotationB.Denominator, Exponent);
+        _b = new ExactCloud(b, rotationB, poseB.Position, rotationA.Denominator, Exponent);
+        _shiftB = new Int3(Exact.ToInteger(shiftB.X, Exponent), Exact.ToInteger(shiftB.Y, Exponent), Exact.ToInteger(shiftB.Z, Exponent)) * Denominator;
         Margins = Exact.ToInteger(marginA, Exponent) + Exact.ToInteger(marginB, Exponent);
     }
 
@@ -29,53 +39,50 @@ internal sealed class ExactProblem
     /// <summary>Both margins, in units of 2^Exponent.</summary>
     public BigInteger Margins { get; }
 
-    public Int3 Support(in Int3 direction) => Furthest(_a, direction) - Furthest(_b, -direction);
+    /// <summary>The Minkowski vertex of two points.</summary>
+    public Int3 Vertex(int i, int j) => _a[i] - _b[j] - _shiftB;
 
-    private static Int3 Furthest(Int3[] points, in Int3 direction)
+    /// <summary>The Minkowski vertex that is furthest in a direction, without rounding.</summary>
+    public Int3 Support(in Int3 direction)
     {
-        Int3 best = points[0];
-        BigInteger bestDot = Int3.Dot(best, direction);
-        for (int i = 1; i < points.Length; i++)
+        Vector3D approximate = direction.ToDirection();
+        return Vertex(_a.Furthest(direction, approximate), _b.Furthest(-direction, -approximate));
+    }
+
+    /// <summary>The same by looking at every point in integers.</summary>
+    public Int3 SlowSupport(in Int3 direction) => SlowFurthest(_a, direction) - SlowFurthest(_b, -direction) - _shiftB;
+
+    /// <summary>The Minkowski vertex of the first points, in the unit of the coordinates, to double rounding.</summary>
+    public Vector3D FirstVertex()
+    {
+        Int3 w = Vertex(0, 0);
+        return new Vector3D(ToDouble(w.X), ToDouble(w.Y), ToDouble(w.Z));
+    }
+
+    /// <summary>The indices of the points that are furthest in a direction, as far as doubles can tell, and their vertex seen from the first points' one.</summary>
+    public (int I, int J, Vector3D FromFirst) RoughSupport(in Vector3D direction)
+    {
+        int i = _a.Furthest(direction), j = _b.Furthest(-direction);
+        return (i, j, _a.FromFirst(i) - _b.FromFirst(j));
+    }
+
+    private static Int3 SlowFurthest(ExactCloud cloud, in Int3 direction)
+    {
+        Int3 best = cloud[0];
+        for (int i = 1; i < cloud.Count; i++)
         {
-            BigInteger dot = Int3.Dot(points[i], direction);
-            if (dot <= bestDot) continue;
-            bestDot = dot;
-            best = points[i];
+            if (Int3.Dot(cloud[i], direction) > Int3.Dot(best, direction)) best = cloud[i];
         }
 
         return best;
     }
 
-    private Int3[] Place(Vector3D[] points, ExactRotation rotation, Vector3D position, BigInteger otherDenominator)
+    private double ToDouble(BigInteger numerator)
     {
-        Int3 origin = Integer(position) * rotation.Denominator;
-        return [.. points.Distinct().Select(p => (rotation.Rotate(Integer(p)) + origin) * otherDenominator)];
+        // The quotient keeps 64 bits or more.
+        int shift = Math.Max(0, 64 + (int)Denominator.GetBitLength() - (int)BigInteger.Abs(numerator).GetBitLength());
+        return Exact.ToDouble((numerator << shift) / Denominator, Exponent - shift);
     }
-
-    private Int3 Integer(in Vector3D v) =>
-        new(Exact.ToInteger(v.X, Exponent), Exact.ToInteger(v.Y, Exponent), Exact.ToInteger(v.Z, Exponent));
 
     private static int ExponentOf(in Vector3D v) => Math.Min(Math.Min(Exact.Exponent(v.X), Exact.Exponent(v.Y)), Exact.Exponent(v.Z));
-}
-
-/// <summary>The rotation of a quaternion that need not be of unit length: an integer matrix over an integer denominator, |q|².</summary>
-internal sealed class ExactRotation
-{
-    private readonly Int3 _row0, _row1, _row2;
-
-    public ExactRotation(Quaternion q)
-    {
-        int exponent = Math.Min(Math.Min(Exact.Exponent(q.X), Exact.Exponent(q.Y)), Math.Min(Exact.Exponent(q.Z), Exact.Exponent(q.W)));
-        BigInteger x = Exact.ToInteger(q.X, exponent), y = Exact.ToInteger(q.Y, exponent);
-        BigInteger z = Exact.ToInteger(q.Z, exponent), w = Exact.ToInteger(q.W, exponent);
-        BigInteger xx = x * x, yy = y * y, zz = z * z, ww = w * w;
-        Denominator = xx + yy + zz + ww;
-        _row0 = new Int3(ww + xx - yy - zz, 2 * (x * y - w * z), 2 * (x * z + w * y));
-        _row1 = new Int3(2 * (x * y + w * z), ww - xx + yy - zz, 2 * (y * z - w * x));
-        _row2 = new Int3(2 * (x * z - w * y), 2 * (y * z + w * x), ww - xx - yy + zz);
-    }
-
-    public BigInteger Denominator { get; }
-
-    public Int3 Rotate(in Int3 v) => new(Int3.Dot(_row0, v), Int3.Dot(_row1, v), Int3.Dot(_row2, v));
 }

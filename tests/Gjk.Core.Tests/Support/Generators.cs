@@ -1,6 +1,8 @@
 using System;
 using System.Linq;
 using System.Numerics;
+using Gjk.Demo.Fuzz;
+using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Core.Tests.Support;
 
@@ -12,6 +14,9 @@ internal static class Generators
         ["point", "segment", "triangle", "sphere", "capsule", "box", "hull", "flat", "needle", "plate", "scaledHull", "scaledBox", "mirroredCapsule"];
 
     public static readonly string[] CurvedKinds = ["cylinder", "cone", "ellipsoid", "scaledCylinder", "scaledCone", "scaledCapsule", "scaledSphere"];
+
+    /// <summary>Meshes as people and programs make them, plain, far from their own origin, and scaled back to the size that they were divided by.</summary>
+    public static readonly string[] MadeKinds = ["made", "made", "madeFarOff", "madeUneven"];
 
     public static readonly string[] AllKinds = [.. PolytopeKinds, .. CurvedKinds];
 
@@ -38,6 +43,9 @@ internal static class Generators
         "scaledCone" => Shape(rng, "cone").Scaled(Signs(rng, rng.Vector(0.3, 2))),
         "scaledCapsule" => Shape(rng, "capsule").Scaled(Signs(rng, rng.Vector(0.3, 2))),
         "scaledSphere" => Shape(rng, "sphere").Scaled(Signs(rng, rng.Vector(0.3, 2))),
+        "made" => TestShape.Mesh(Made(rng)),
+        "madeFarOff" => TestShape.Mesh(FarOff(rng, Made(rng))),
+        "madeUneven" => Uneven(rng, Made(rng)),
         _ => throw new ArgumentException("No such kind.", nameof(kind)),
     };
 
@@ -48,9 +56,24 @@ internal static class Generators
     {
         var rng = new Rng(seed);
         TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
-        double distance = rng.Range(0, spread) * (a.Shape.BoundingRadius + b.Shape.BoundingRadius);
+        double distance = rng.Range(0, spread) * (a.Reach + b.Reach);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), poseB = Pose(rng, poseA.Position + rng.Direction() * (float)distance);
         return new TestPair($"seed {seed}", a, poseA, b, poseB);
+    }
+
+    /// <summary>Made meshes whose centres, wherever they are in the local frames, are within reach of each other, or whose planes across one direction stand a gap apart.</summary>
+    public static TestPair MadePair(ulong seed, double? gap = null)
+    {
+        var rng = new Rng(seed);
+        TestShape a = Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]), b = rng.Below(4) == 0 ? Shape(rng, "hull") : Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]);
+        RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
+        Body<ConvexShape> bodyA = new(a.Shape, poseA), bodyB = new(b.Shape, turned);
+        Vector3D n = rng.Direction(), centerA = bodyA.Rotate(a.Shape.Center), centerB = bodyB.Rotate(b.Shape.Center);
+        n *= 1 / n.Length;
+        double apart = gap is { } g
+            ? bodyA.Height(n) - Vector3D.Dot(n, centerA) + bodyB.Height(-n) + Vector3D.Dot(n, centerB) + g
+            : rng.Range(0, 0.7) * (a.LongestSide + b.LongestSide);
+        return new TestPair($"seed {seed}", a, poseA, b, new RigidPose(turned.Rotation, (Vector3)(poseA.Position + centerA + n * apart - centerB)));
     }
 
     /// <summary>A pair whose planes across one direction stand a given gap apart (to the rounding of the position), negative for shallow overlaps.</summary>
@@ -67,6 +90,20 @@ internal static class Generators
 
     /// <summary>Points spread evenly in a box of the given half size.</summary>
     public static Vector3[] Cloud(Rng rng, int count, Vector3 size) => [.. Enumerable.Range(0, count).Select(_ => rng.Vector(-1, 1) * size)];
+
+    private static Vector3[] Made(Rng rng) => MadeMeshes.Any(new FuzzRandom(rng.Next()));
+
+    /// <summary>Ten to ten million sizes from its own origin.</summary>
+    private static Vector3[] FarOff(Rng rng, Vector3[] cloud) => Clouds.Placed(cloud, 1, rng.Direction() * rng.LogFloat(10, 1e7));
+
+    /// <summary>By powers of two from 2^-24 to 2^24, some of them negative.</summary>
+    private static TestShape Uneven(Rng rng, Vector3[] cloud)
+    {
+        Vector3 scale = Signs(rng, new Vector3(Power(), Power(), Power()));
+        return TestShape.Mesh([.. cloud.Select(p => p / scale)]).Scaled(scale);
+
+        float Power() => MathF.ScaleB(1, rng.Below(49) - 24);
+    }
 
     private static Vector3 Signs(Rng rng, Vector3 v) =>
         new(rng.Below(2) == 0 ? v.X : -v.X, rng.Below(2) == 0 ? v.Y : -v.Y, rng.Below(2) == 0 ? v.Z : -v.Z);

@@ -16,6 +16,7 @@ internal sealed class TestShape
         Vertices = vertices;
         Margin = margin;
         LongestSide = Math.Max(Math.Max(extent.X, extent.Y), extent.Z);
+        Reach = shape.BoundingRadius;
     }
 
     public string Text { get; }
@@ -29,6 +30,9 @@ internal sealed class TestShape
 
     /// <summary>The longest side of the local bounding box, scale applied, margin included.</summary>
     public double LongestSide { get; }
+
+    /// <summary>A generous bounding radius, by which the generators place pairs: scaled by the largest factor.</summary>
+    public double Reach { get; private init; }
 
     public static TestShape Point() => Polytope("ConvexShape.Point()", ConvexShape.Point(), [Vector3.Zero], 0);
 
@@ -63,9 +67,15 @@ internal sealed class TestShape
         bool even = factors.X == factors.Y && factors.Y == factors.Z;
         string text = $"{Text}.Scaled({T(s)})";
         bool polytope = Vertices is not null && (Margin == 0 || even);
-        if (!polytope)
-            return new(text, Shape.Scaled(s), null, Margin * (even ? factors.X : 0), new Vector3D(1, 1, 1) * (LongestSide * Math.Max(Math.Max(factors.X, factors.Y), factors.Z)));
-        return Polytope(text, Shape.Scaled(s), [.. Vertices!.Select(v => Vector3D.Multiply(v, s))], Margin * factors.X);
+        double largest = Math.Max(Math.Max(factors.X, factors.Y), factors.Z);
+        Vector3D[]? vertices = polytope ? [.. Vertices!.Select(v => Vector3D.Multiply(v, s))] : null;
+        Vector3D extent = polytope
+            ? Extent(vertices!, Margin * factors.X)
+            : new Vector3D(1, 1, 1) * (LongestSide * largest);
+        double margin = polytope ? Margin * factors.X : Margin * (even ? factors.X : 0);
+        bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone || (Shape.Kind == ShapeKind.Segment && Margin > 0 && !even);
+        ConvexShape scaled = Shape.Scaled(s);
+        return new(text, scaled, vertices, margin, extent) { Reach = keepsFactors ? Reach * largest : scaled.BoundingRadius };
     }
 
     public override string ToString() => Text;
@@ -77,8 +87,10 @@ internal sealed class TestShape
         Polytope(text, shape, [.. vertices.Select(v => (Vector3D)v)], margin);
 
     private static TestShape Polytope(string text, in ConvexShape shape, Vector3D[] vertices, double margin) =>
-        new(text, shape, vertices, margin, new Vector3D(
-            Side(vertices.Select(v => v.X)) + 2 * margin, Side(vertices.Select(v => v.Y)) + 2 * margin, Side(vertices.Select(v => v.Z)) + 2 * margin));
+        new(text, shape, vertices, margin, Extent(vertices, margin));
+
+    private static Vector3D Extent(Vector3D[] vertices, double margin) =>
+        new Vector3D(Side(vertices.Select(v => v.X)), Side(vertices.Select(v => v.Y)), Side(vertices.Select(v => v.Z))) + new Vector3D(2, 2, 2) * margin;
 
     private static double Side(IEnumerable<double> values) => values.Max() - values.Min();
 

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Demo.Fuzz.Families;
 
@@ -10,16 +11,16 @@ internal static class ContactFamilies
     /// <summary>Cubes and grid polytopes that meet in faces, edges and corners.</summary>
     public static FuzzPair Lattice(FuzzRandom random)
     {
-        ConvexShape a = OnLattice(random), b = OnLattice(random);
+        FuzzShape a = OnLattice(random), b = OnLattice(random);
         Quaternion q = random.OneIn(2) ? Quaternion.Identity : Rotations.Any(random);
-        Vector3 position = random.OneIn(2) ? Vector3.Zero : Shapes.LatticePoint(random, 8);
-        return new FuzzPair(a, new RigidPose(q, position), b, new RigidPose(q, position + Shapes.LatticePoint(random, 8)));
+        Vector3 position = random.OneIn(2) ? Vector3.Zero : Clouds.LatticePoint(random, 8);
+        return new FuzzPair(a, new RigidPose(q, position), b, new RigidPose(q, position + Clouds.LatticePoint(random, 8)));
     }
 
     /// <summary>Boxes and prisms, face against face, whole or in part, a gap apart.</summary>
     public static FuzzPair ParallelFaces(FuzzRandom random)
     {
-        ConvexShape a = WithFaces(random), b = WithFaces(random);
+        FuzzShape a = WithFaces(random), b = WithFaces(random);
         Quaternion q = Rotations.Any(random), turnB = q;
         if (random.OneIn(3)) turnB = Rotations.Times(q, new Quaternion(0, (float)Math.Sqrt(0.5), 0, (float)Math.Sqrt(0.5)));
         var poseA = new RigidPose(q, random.OneIn(2) ? Vector3.Zero : random.Vector(1));
@@ -33,7 +34,7 @@ internal static class ContactFamilies
     /// <summary>Any shapes, a gap apart along any direction, or along one across a face.</summary>
     public static FuzzPair Touching(FuzzRandom random)
     {
-        ConvexShape a = Shapes.Any(random), b = Shapes.Any(random);
+        FuzzShape a = Shapes.Any(random), b = Shapes.Any(random);
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
         Vector3D n = random.Direction();
         if (random.OneIn(2))
@@ -51,7 +52,7 @@ internal static class ContactFamilies
     /// </summary>
     public static FuzzPair AtTheOrigin(FuzzRandom random)
     {
-        ConvexShape a = Below(random, -1), b = Below(random, 1);
+        FuzzShape a = Below(random, -1), b = Below(random, 1);
         Quaternion q = random.OneIn(2) ? Quaternion.Identity : Rotations.Any(random);
         var body = new PosedShape(a, new RigidPose(q, Vector3.Zero));
         Vector3D direction = random.OneIn(2) ? new Vector3D(1, 0, 0) : random.Direction();
@@ -63,7 +64,7 @@ internal static class ContactFamilies
     /// <summary>A shape against itself, moved and turned by next to nothing.</summary>
     public static FuzzPair NearlyTheSame(FuzzRandom random)
     {
-        ConvexShape shape = Shapes.Any(random);
+        FuzzShape shape = Shapes.Any(random);
         Quaternion q = Rotations.Any(random), turned = random.OneIn(2) ? q : Rotations.Nudged(random, q);
         Vector3 position = random.OneIn(2) ? Vector3.Zero : random.Vector(1);
         Vector3 moved = position + (Vector3)(random.Direction() * (random.OneIn(3) ? 0 : random.Magnitude(1e-15, 2)));
@@ -77,19 +78,19 @@ internal static class ContactFamilies
         return Placement.Between(Shapes.Any(random), new RigidPose(Rotations.Any(random), Vector3.Zero), Shapes.Any(random), Rotations.Any(random), centers);
     }
 
-    private static ConvexShape OnLattice(FuzzRandom random) =>
-        random.OneIn(3) ? ConvexShape.Mesh(Clouds.Lattice(random)) : Shapes.LatticeCube(random);
+    private static FuzzShape OnLattice(FuzzRandom random) =>
+        random.OneIn(3) ? FuzzShape.Mesh(Clouds.Lattice(random)) : Shapes.LatticeCube(random);
 
-    private static ConvexShape WithFaces(FuzzRandom random) => random.Below(4) switch
+    private static FuzzShape WithFaces(FuzzRandom random) => random.Below(4) switch
     {
         0 => ConvexShape.Box(Vector3.Abs(random.Vector(1))),
         1 => Shapes.LatticeCube(random),
         2 => ConvexShape.Cylinder(random.Float(0.1, 1), random.Float(0.1, 1)),
-        _ => ConvexShape.Mesh(Clouds.Prism(random)),
+        _ => FuzzShape.Mesh(Clouds.Prism(random)),
     };
 
     /// <summary>A cloud on one side of x = 0 that reaches it with one to four of its points.</summary>
-    private static ConvexShape Below(FuzzRandom random, int side)
+    private static FuzzShape Below(FuzzRandom random, int side)
     {
         Vector3[] cloud = random.Below(3) switch { 0 => Clouds.Lattice(random), 1 => Clouds.Flat(random), _ => Clouds.InBox(random, 4 + random.Below(9), Vector3.One) };
         int contacts = 1 + random.Below(Math.Min(4, cloud.Length));
@@ -100,6 +101,6 @@ internal static class ContactFamilies
             if (i == 0 && atOrigin) cloud[i] = Vector3.Zero;
         }
 
-        return ConvexShape.Mesh(cloud);
+        return FuzzShape.Mesh(cloud);
     }
 }

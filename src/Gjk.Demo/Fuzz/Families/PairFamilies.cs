@@ -25,6 +25,16 @@ internal static class PairFamilies
         new("far away", 6, SizeFamilies.FarAway),
         new("offset meshes", 6, SizeFamilies.OffsetMeshes),
         new("large hulls", 1, SizeFamilies.LargeHulls),
+        new("made meshes", 8, MadeFamilies.Near),
+        new("made meshes, a gap apart", 8, MadeFamilies.Apart),
+        new("made meshes off their origin", 6, MadeFamilies.OffsetMeshes),
+        new("uneven scales", 8, MadeFamilies.Uneven),
+        new("resting", 8, RestFamilies.Resting),
+        new("curved on a lattice", 4, RestFamilies.CurvedLattice),
+        new("at the threshold", 8, RestFamilies.AtTheThreshold),
+        new("the whole range", 4, RangeFamilies.WholeRange),
+        new("ratios", 4, RangeFamilies.Ratios),
+        new("distances", 4, RangeFamilies.Distances),
     ];
 
     private static readonly int Weights = All.Sum(f => f.Weight);

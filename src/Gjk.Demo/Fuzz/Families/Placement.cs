@@ -7,17 +7,20 @@ namespace Gjk.Demo.Fuzz.Families;
 internal static class Placement
 {
     /// <summary>Centres within reach of each other, so that about half of the pairs overlap.</summary>
-    public static FuzzPair Near(FuzzRandom random, in ConvexShape a, in ConvexShape b)
+    public static FuzzPair Near(FuzzRandom random, in FuzzShape a, in FuzzShape b)
     {
-        double apart = random.Range(0, 1) * (a.BoundingRadius + b.BoundingRadius);
+        double apart = Apart(random, a, b);
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
         Quaternion turnB = Rotations.Any(random);
         Vector3D centers = random.Direction() * apart;
         return Between(a, poseA, b, turnB, centers);
     }
 
+    /// <summary>A distance of the centres at which about half of the pairs overlap.</summary>
+    public static double Apart(FuzzRandom random, in FuzzShape a, in FuzzShape b) => random.Unit() * (Radius(a) + Radius(b));
+
     /// <summary>Planes across a direction stand a gap apart, as nearly as the float position allows; negative gaps overlap.</summary>
-    public static FuzzPair Gap(in ConvexShape a, in RigidPose poseA, in ConvexShape b, Quaternion turnB, in Vector3D n, double gap)
+    public static FuzzPair Gap(in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
@@ -25,7 +28,7 @@ internal static class Placement
     }
 
     /// <summary>B with its centre a vector from A's, both in world axes.</summary>
-    public static FuzzPair Between(in ConvexShape a, in RigidPose poseA, in ConvexShape b, Quaternion turnB, in Vector3D centers)
+    public static FuzzPair Between(in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D centers)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
@@ -35,4 +38,6 @@ internal static class Placement
 
     /// <summary>From 1e-15 to 0.1, of either sign, or none at all.</summary>
     public static double AnyGap(FuzzRandom random) => random.OneIn(8) ? 0 : random.Sign() * random.Magnitude(1e-15, 0.1);
+
+    private static double Radius(in FuzzShape shape) => new PosedShape(shape, RigidPose.Identity).Radius;
 }

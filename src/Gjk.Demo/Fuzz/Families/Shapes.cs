@@ -1,14 +1,13 @@
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Demo.Fuzz.Families;
 
 /// <summary>Random shapes of about unit size.</summary>
 internal static class Shapes
 {
-    private const float LatticeStep = 0.25f;
-
-    public static ConvexShape Any(FuzzRandom random) => random.Below(4) switch
+    public static FuzzShape Any(FuzzRandom random) => random.Below(4) switch
     {
         0 => Curved(random),
         1 => Primitive(random),
@@ -16,23 +15,26 @@ internal static class Shapes
         _ => Scaled(random),
     };
 
-    /// <summary>What the exact solver can judge, if it has few corners.</summary>
-    public static ConvexShape Polytope(FuzzRandom random) => random.Below(12) switch
+    /// <summary>A mesh as people and programs make it.</summary>
+    public static FuzzShape Made(FuzzRandom random) => FuzzShape.Mesh(MadeMeshes.Any(random));
+
+    /// <summary>What the exact solver can judge.</summary>
+    public static FuzzShape Polytope(FuzzRandom random) => random.Below(12) switch
     {
         0 => Primitive(random),
-        1 => ConvexShape.Mesh(Clouds.Prism(random)),
-        2 => ConvexShape.Mesh(Clouds.Lattice(random)),
+        1 => FuzzShape.Mesh(Clouds.Prism(random)),
+        2 => FuzzShape.Mesh(Clouds.Lattice(random)),
         3 => Degenerate(random),
         4 => Needle(random),
-        5 => ConvexShape.Mesh(Clouds.Repeated(random, Clouds.InBox(random, 4 + random.Below(6), Vector3.One))),
-        6 => ConvexShape.Mesh(Clouds.OnSphere(random, 4 + random.Below(60))),
+        5 => FuzzShape.Mesh(Clouds.Repeated(random, Clouds.InBox(random, 4 + random.Below(6), Vector3.One))),
+        6 => FuzzShape.Mesh(Clouds.OnSphere(random, 4 + random.Below(60))),
         7 => ConvexShape.Box(Vector3.Abs(random.Vector(1))),
         8 => LatticeCube(random),
-        _ => ConvexShape.Mesh(Clouds.InBox(random, 4 + random.Below(13), Vector3.One)),
+        _ => FuzzShape.Mesh(Clouds.InBox(random, 4 + random.Below(13), Vector3.One)),
     };
 
     /// <summary>With vertices, and with or without a margin.</summary>
-    public static ConvexShape Primitive(FuzzRandom random) => random.Below(7) switch
+    public static FuzzShape Primitive(FuzzRandom random) => random.Below(7) switch
     {
         0 => ConvexShape.Point(),
         1 => ConvexShape.Segment(random.Vector(1), random.Vector(1)),
@@ -43,7 +45,14 @@ internal static class Shapes
         _ => ConvexShape.Box(Vector3.Abs(random.Vector(1))),
     };
 
-    public static ConvexShape Curved(FuzzRandom random) => random.Below(6) switch
+    /// <summary>With a margin that is a float, or a product of floats.</summary>
+    public static FuzzShape Round(FuzzRandom random)
+    {
+        ConvexShape round = random.OneIn(2) ? ConvexShape.Sphere(random.Float(0, 1)) : ConvexShape.Capsule(random.Float(0, 0.5), random.Float(0, 1));
+        return random.OneIn(2) ? round : round.Scaled(new Vector3(random.Sign() * random.Float(0.1, 3)));
+    }
+
+    public static FuzzShape Curved(FuzzRandom random) => random.Below(6) switch
     {
         0 => ConvexShape.Cylinder(random.Float(0, 1), random.Float(0, 1)),
         1 => ConvexShape.Cone(random.Float(0, 1), random.Float(0, 1)),
@@ -54,30 +63,30 @@ internal static class Shapes
     };
 
     /// <summary>Scaled unevenly or evenly, mirrored or not.</summary>
-    public static ConvexShape Scaled(FuzzRandom random)
+    public static FuzzShape Scaled(FuzzRandom random)
     {
         Vector3 factors = random.OneIn(2) ? random.Factors(0.1, 10) : new Vector3(random.Sign() * (float)random.Magnitude(0.1, 10));
         return random.Below(4) switch
         {
             0 => ConvexShape.Box(Vector3.Abs(random.Vector(1))).Scaled(factors),
             1 => Primitive(random).Scaled(factors),
-            2 => ConvexShape.Mesh(Clouds.Lattice(random)).Scaled(factors),
-            _ => ConvexShape.Mesh(Clouds.InBox(random, 4 + random.Below(13), Vector3.One)).Scaled(factors),
+            2 => FuzzShape.Mesh(Clouds.Lattice(random)).Scaled(factors),
+            _ => FuzzShape.Mesh(Clouds.InBox(random, 4 + random.Below(13), Vector3.One)).Scaled(factors),
         };
     }
 
     /// <summary>Flat, straight, or a single point.</summary>
-    public static ConvexShape Degenerate(FuzzRandom random) => random.Below(5) switch
+    public static FuzzShape Degenerate(FuzzRandom random) => random.Below(5) switch
     {
-        0 => ConvexShape.Mesh(Clouds.Flat(random)),
-        1 => ConvexShape.Mesh(Clouds.Straight(random)),
-        2 => ConvexShape.Mesh(Clouds.Repeated(random, [random.Vector(1)])),
+        0 => FuzzShape.Mesh(Clouds.Flat(random)),
+        1 => FuzzShape.Mesh(Clouds.Straight(random)),
+        2 => FuzzShape.Mesh(Clouds.Repeated(random, [random.Vector(1)])),
         3 => ConvexShape.Box(Vector3.Abs(random.Vector(1)) * new Vector3(random.Below(2), random.Below(2), 1)),
         _ => ConvexShape.Triangle(random.Vector(1), Vector3.Zero, random.Vector(1) * random.Below(2)),
     };
 
     /// <summary>Long and thin, or wide and thin, 1:1000 up to 1:1000000.</summary>
-    public static ConvexShape Needle(FuzzRandom random)
+    public static FuzzShape Needle(FuzzRandom random)
     {
         float thin = (float)random.Magnitude(1e-6, 1e-3);
         Vector3 size = random.OneIn(2) ? new Vector3(1, thin, thin) : new Vector3(1, thin, 1);
@@ -85,17 +94,13 @@ internal static class Shapes
         {
             0 => ConvexShape.Box(size),
             1 => ConvexShape.Capsule(thin, 1),
-            _ => ConvexShape.Mesh(Clouds.InBox(random, 4 + random.Below(9), size)),
+            _ => FuzzShape.Mesh(Clouds.InBox(random, 4 + random.Below(9), size)),
         };
     }
 
-    public static ConvexShape LatticeCube(FuzzRandom random)
+    public static FuzzShape LatticeCube(FuzzRandom random)
     {
-        float half = LatticeStep * (1 + random.Below(6));
-        return random.OneIn(2) ? ConvexShape.Box(new Vector3(half)) : ConvexShape.Mesh(Clouds.Box(new Vector3(half)));
+        float half = Clouds.LatticeStep * (1 + random.Below(6));
+        return random.OneIn(2) ? ConvexShape.Box(new Vector3(half)) : FuzzShape.Mesh(Clouds.Box(new Vector3(half)));
     }
-
-    /// <summary>A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes meet.</summary>
-    public static Vector3 LatticePoint(FuzzRandom random, int reach) =>
-        new Vector3(random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach) * LatticeStep;
 }

@@ -8,6 +8,8 @@ internal static class AllPromises
     public static IReadOnlyList<IPromise> Make() =>
     [
         new QueriesEndWithAnAnswer(),
+        new SupportsReachTheCloud(),
+        new DirectionsHaveAnyLength(),
         new TheExactAnswer(),
         new LowerBoundHolds(),
         new NormalSeparates(),
@@ -22,5 +24,6 @@ internal static class AllPromises
         new SizeChangesNothing(),
         new MotionChangesNothing(),
         new TheSameBitsAgain(),
+        new UsersShapesAreShapes(),
     ];
 }

@@ -33,7 +33,7 @@ internal sealed class MaxDistanceEndsEarly : IPromise
 
         if (full.Overlaps || full.Distance + band < reach) return Say.Line($"{r.Status}, but without it {full.Status}, {full.Distance:R}");
         if (!float.IsPositiveInfinity(r.Distance) || !float.IsNaN(r.PointA.X) || !float.IsNaN(r.PointB.X)) return Say.Line($"a distance or points: {r.Distance}, {r.PointA}");
-        if (!(r.LowerBound <= full.Distance + pair.Band(full.Distance))) return Say.Line($"the bound {r.LowerBound:R} exceeds the distance {full.Distance:R}");
+        if (!(r.LowerBound <= pair.Truth.AtMost)) return Say.Line($"the bound {r.LowerBound:R} exceeds the true distance {pair.Truth.AtMost:R}");
         if (!(r.LowerBound >= reach - band)) return Say.Line($"the bound {r.LowerBound:R} does not prove it");
         Vector3D n = r.Normal;
         double length = n.Length;

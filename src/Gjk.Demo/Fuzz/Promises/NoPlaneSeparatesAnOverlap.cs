@@ -8,6 +8,9 @@ internal sealed class NoPlaneSeparatesAnOverlap : IPromise
 {
     private const int MostFaces = 200;
 
+    /// <summary>Dot products to spend on the faces of each shape.</summary>
+    private const int MostWork = 20_000;
+
     public string Name => "no plane separates shapes that are said to overlap";
 
     public string? Broken(FuzzPair pair)
@@ -20,9 +23,10 @@ internal sealed class NoPlaneSeparatesAnOverlap : IPromise
     private static double Widest(FuzzPair pair)
     {
         double widest = double.NegativeInfinity;
-        foreach (Vector3D n in Directions.Many) widest = Math.Max(widest, pair.Gap(n));
-        foreach (Vector3D n in pair.BodyA.FaceNormals(MostFaces)) widest = Math.Max(widest, pair.Gap(pair.BodyA.Rotate(n)));
-        foreach (Vector3D n in pair.BodyB.FaceNormals(MostFaces)) widest = Math.Max(widest, pair.Gap(pair.BodyB.Rotate(-n)));
+        int faces = Math.Max(1, Math.Min(MostFaces, MostWork / Math.Max(1, pair.BodyA.Vertices.Length + pair.BodyB.Vertices.Length)));
+        foreach (Vector3D n in pair.Truth.IsKnown ? Directions.Few : Directions.Many) widest = Math.Max(widest, pair.Gap(n));
+        foreach (Vector3D n in pair.BodyA.FaceNormals(faces)) widest = Math.Max(widest, pair.Gap(pair.BodyA.Rotate(n)));
+        foreach (Vector3D n in pair.BodyB.FaceNormals(faces)) widest = Math.Max(widest, pair.Gap(pair.BodyB.Rotate(-n)));
         double length = pair.Centers.Length;
         return length > 0 ? Math.Max(widest, pair.Gap(pair.Centers * (1 / length))) : widest;
     }

@@ -17,13 +17,12 @@ internal sealed class PointsDifferByTheDistance : IPromise
         if (r.Overlaps && r.PointA != r.PointB) return Say.Line($"overlapping with the points {r.PointA} and {r.PointB}");
 
         Vector3D step = (Vector3D)r.Normal * r.Distance;
-        double slack = pair.WitnessSlack + Product * r.Distance + pair.Noise;
+        double slack = pair.DifferenceSlack + Product * r.Distance + pair.Noise;
         double world = ((Vector3D)r.PointB - r.PointA - step).Length;
         if (!(world <= slack + PointsLieOnTheShapes.Rounded(r.PointA) + PointsLieOnTheShapes.Rounded(r.PointB)))
             return Say.Line($"in the world they are {world} off that");
 
-        Vector3D between = pair.BodyB.Position - pair.BodyA.Position + (pair.BodyB.Rotate(r.LocalPointB) - pair.BodyA.Rotate(r.LocalPointA));
-        double local = (between - step).Length;
+        double local = (pair.Between(r.LocalPointA, r.LocalPointB) - step).Length;
         return local <= slack + PointsLieOnTheShapes.Rounded(r.LocalPointA) + PointsLieOnTheShapes.Rounded(r.LocalPointB)
             ? null
             : Say.Line($"the local ones are {local} off that");

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using Gjk.Core;
 
@@ -7,6 +8,9 @@ namespace Gjk.Demo.Fuzz.Promises;
 internal sealed class PointsLieOnTheShapes : IPromise
 {
     private const int MostFaces = 64;
+
+    /// <summary>Dot products to spend on one shape's faces.</summary>
+    private const int MostWork = 8000;
 
     public string Name => "the closest points lie on their shapes";
 
@@ -19,8 +23,8 @@ internal sealed class PointsLieOnTheShapes : IPromise
 
     private static string? Problem(FuzzPair pair, PosedShape body, Vector3 local, Vector3 world, string name)
     {
-        double slack = pair.WitnessSlack + pair.Noise, rounding = Rounded(local);
-        Vector3D[] directions = [.. Directions.Few, .. body.FaceNormals(MostFaces)];
+        double slack = pair.WitnessSlack(body) + Accuracy.Rounding * body.LongestSide, rounding = Rounded(local);
+        Vector3D[] directions = [.. Directions.Few, .. body.FaceNormals(Math.Max(1, Math.Min(MostFaces, MostWork / Math.Max(1, body.Vertices.Length))))];
         double outside = body.Outside(local, directions);
         if (!(outside <= slack + rounding)) return Say.Line($"the local point of {name} lies {outside} outside");
         double off = (body.Rotate(local) + body.Position - world).Length;

@@ -8,7 +8,7 @@ namespace Gjk.Demo.Fuzz.Promises;
 internal sealed class RepeatsChangeNothing : IPromise
 {
     /// <summary>Building hulls of more corners costs more than all the other promises.</summary>
-    private const int MostCorners = 64;
+    private const int MostCorners = 40;
 
     public string Name => "repeated vertices and their order change nothing";
 

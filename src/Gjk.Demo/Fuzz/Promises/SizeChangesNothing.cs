@@ -13,19 +13,27 @@ internal sealed class SizeChangesNothing : IPromise
 
     public string? Broken(FuzzPair pair)
     {
-        if (pair.A.Scale != Vector3.One || pair.B.Scale != Vector3.One) return null;
-        foreach (float factor in (ReadOnlySpan<float>)[1024, 1f / 1024])
+        foreach (float factor in (ReadOnlySpan<float>)[1024, 1f / 1024, 1L << 50, 1f / (1L << 50)])
         {
             Vector3 a = pair.PoseA.Position * factor, b = pair.PoseB.Position * factor;
-            if (!IsExact(a) || !IsExact(b)) continue;
-            var scale = new Vector3(factor);
-            DistanceResult r = ConvexQuery.Distance(
-                pair.A.Scaled(scale), new RigidPose(pair.PoseA.Rotation, a), pair.B.Scaled(scale), new RigidPose(pair.PoseB.Rotation, b));
+            if (!(factor * (pair.Scale + pair.Centers.Length) < Most)) continue;
+            if (!IsExact(a) || !IsExact(b) || !TryResize(pair.A, factor, out ConvexShape shapeA) || !TryResize(pair.B, factor, out ConvexShape shapeB)) continue;
+            DistanceResult r = ConvexQuery.Distance(shapeA, new RigidPose(pair.PoseA.Rotation, a), shapeB, new RigidPose(pair.PoseB.Rotation, b));
             string? problem = Same.Problem(pair, r, Say.Line($"times {factor}"), 1 / factor);
             if (problem is not null) return problem;
         }
 
         return null;
+    }
+
+    /// <summary>False for what keeps its factors and is no mesh: the shape inside cannot be had.</summary>
+    private static bool TryResize(in ConvexShape shape, float factor, out ConvexShape resized)
+    {
+        resized = default;
+        Vector3 factors = shape.Scale * factor;
+        if (!IsExact(factors) || (shape.Hull is null && shape.Scale != Vector3.One)) return false;
+        resized = (shape.Hull is { } hull ? ConvexShape.Mesh(hull) : shape).Scaled(factors);
+        return true;
     }
 
     /// <summary>Far from where floats lose digits or end.</summary>

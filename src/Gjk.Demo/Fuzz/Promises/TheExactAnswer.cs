@@ -4,22 +4,22 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>Small polytopes are solved again in integers of any size: flag, distance and bound are held to the true answer.</summary>
+/// <summary>
+/// Every pair without a curved core is solved again in integers of any size: flag and distance are held to the true answer within the accuracy.
+/// </summary>
 internal sealed class TheExactAnswer : IPromise
 {
-    /// <summary>The exact solver takes a millisecond for so many vertices, of both shapes together.</summary>
-    private const int MostVertices = 40;
-
     public string Name => "the answer is the exact one, rounded";
 
     public string? Broken(FuzzPair pair)
     {
-        Vector3D[] a = pair.BodyA.Vertices, b = pair.BodyB.Vertices;
         DistanceResult r = pair.Answer;
-        if (pair.IsCurved || a.Length + b.Length > MostVertices || r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
-
-        ExactAnswer exact = ExactOracle.Solve(a, pair.A.Margin, pair.PoseA, b, pair.B.Margin, pair.PoseB);
-        if (!(Math.Abs(r.Distance - exact.Distance) <= pair.Band(exact.Distance))) return Say.Line($"{r.Status}, distance {r.Distance}, truly {exact.Distance}");
-        return r.LowerBound <= exact.Distance + Accuracy.Offset * (pair.BodyA.Reach + pair.BodyB.Reach) ? null : Say.Line($"the lower bound {r.LowerBound} is above the true distance {exact.Distance}");
+        if (!pair.Truth.IsKnown || r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
+        ExactAnswer exact = pair.Truth.Answer;
+        if (!(Math.Abs(r.Distance - exact.Distance) <= pair.Band(exact.Distance))) return Say.Line($"{r.Status}, distance {r.Distance:R}, truly {exact.Distance:R}");
+        return r.Overlaps || !exact.Overlap || Parts(pair) ? null : Say.Line($"{r.Status}, distance {r.Distance:R}, but they overlap by more than {Accuracy.FlagScale} of the scale");
     }
+
+    /// <summary>Whether the shapes part when B moves along the normal by what a flag may be wrong by.</summary>
+    private static bool Parts(FuzzPair pair) => pair.Truth.PartsWith((Vector3D)pair.Answer.Normal * (Accuracy.FlagScale * pair.Scale));
 }

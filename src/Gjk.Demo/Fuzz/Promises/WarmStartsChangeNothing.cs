@@ -1,4 +1,6 @@
+using System;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
@@ -6,6 +8,8 @@ namespace Gjk.Demo.Fuzz.Promises;
 /// <summary>A warm start, whatever it remembers, changes the answer by no more than the accuracy: its own, that of a moved pair, and those of quite other shapes.</summary>
 internal sealed class WarmStartsChangeNothing : IPromise
 {
+    private static readonly WarmStart[] BytePatterns = MakeBytePatterns();
+
     private readonly WarmStart[] _foreign = RememberOthers();
 
     public string Name => "a warm start changes nothing";
@@ -17,14 +21,15 @@ internal sealed class WarmStartsChangeNothing : IPromise
             ?? Problem(pair, ref warm, "its own")
             ?? Problem(pair, ref warm, "its own again")
             ?? Stale(pair)
-            ?? Foreign(pair);
+            ?? Foreign(pair)
+            ?? AnyBytes(pair);
     }
 
     /// <summary>Remembered when B was elsewhere: nearby, turned, through A's centre, and on the other side.</summary>
     private static string? Stale(FuzzPair pair)
     {
         Vector3 between = pair.PoseB.Position - pair.PoseA.Position, step = new((float)(0.01 * pair.Scale));
-        foreach (Vector3 position in (System.ReadOnlySpan<Vector3>)[pair.PoseB.Position + step, pair.PoseA.Position, pair.PoseA.Position - between, pair.PoseB.Position + between])
+        foreach (Vector3 position in (ReadOnlySpan<Vector3>)[pair.PoseB.Position + step, pair.PoseA.Position, pair.PoseA.Position - between, pair.PoseB.Position + between])
         {
             if (!float.IsFinite(position.X + position.Y + position.Z)) continue;
             var warm = default(WarmStart);
@@ -48,8 +53,39 @@ internal sealed class WarmStartsChangeNothing : IPromise
         return null;
     }
 
+    /// <summary>Memory that no query wrote: a guess like any other. What the query leaves in it must be one, too.</summary>
+    private static string? AnyBytes(FuzzPair pair)
+    {
+        for (int i = 0; i < BytePatterns.Length; i++)
+        {
+            WarmStart warm = BytePatterns[i];
+            string? problem = Problem(pair, ref warm, Say.Line($"bytes {i}")) ?? Problem(pair, ref warm, Say.Line($"left by bytes {i}"));
+            if (problem is not null) return problem;
+        }
+
+        return null;
+    }
+
     private static string? Problem(FuzzPair pair, ref WarmStart warm, string name) =>
         Same.Problem(pair, ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, ref warm), name);
+
+    /// <summary>Words of one value each, small whole numbers, least floats, infinities and NaN among them, and words at random.</summary>
+    private static WarmStart[] MakeBytePatterns()
+    {
+        int[] words = [-1, 1, 4, 0x00000007, 0x7F800000, 0x7FC00000, 0x7F7FFFFF];
+        var random = new FuzzRandom(3);
+        var patterns = new WarmStart[words.Length + 3];
+        for (int i = 0; i < patterns.Length; i++)
+        {
+            Span<int> bytes = MemoryMarshal.Cast<WarmStart, int>(patterns.AsSpan(i, 1));
+            for (int k = 0; k < bytes.Length; k++) bytes[k] = i < words.Length || random.OneIn(3) ? words[i % words.Length] : random.Below(12);
+
+            // With a count that is taken, the ids after it are, too.
+            if (i >= words.Length) bytes[0] = random.Below(6);
+        }
+
+        return patterns;
+    }
 
     private static WarmStart[] RememberOthers()
     {

@@ -1,4 +1,6 @@
 using System.Collections.Generic;
+using System.Linq;
+using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Shrinking;
 
@@ -10,6 +12,13 @@ namespace Gjk.Demo.Fuzz.Shrinking;
 internal sealed record ShapeWords(string Kind, IReadOnlyList<string> Numbers, IReadOnlyList<string> Scale, IReadOnlyList<string> Pose)
 {
     public const string Mesh = "mesh";
+
+    /// <summary>Of a shape without a pose of interest.</summary>
+    public static ShapeWords Of(in ConvexShape shape)
+    {
+        string[] words = new QueryRecord(shape, RigidPose.Identity, ConvexShape.Point(), RigidPose.Identity).ToString().Split(' ');
+        return Read(new Queue<string>(words.Skip(1)));
+    }
 
     public static ShapeWords Read(Queue<string> words)
     {

@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using System.Linq;
 using System.Threading;
-using Gjk.Core;
 using Gjk.Demo.Fuzz.Promises;
 
 namespace Gjk.Demo.Fuzz.Shrinking;
@@ -11,17 +9,14 @@ namespace Gjk.Demo.Fuzz.Shrinking;
 /// <summary>Makes a pair that breaks a promise as small as it gets while it still breaks the same one.</summary>
 internal static class Shrinker
 {
-    private const string Tag = "gjk1";
-
     /// <summary>Large hulls have very many smaller ones; what is found by then is small enough to be looked at.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
 
-    public static QueryRecord Shrink(in QueryRecord record, IPromise promise, CancellationToken cancel)
+    public static FuzzPair Shrink(FuzzPair pair, IPromise promise, CancellationToken cancel)
     {
-        var words = new Queue<string>(record.ToString().Split(' ').Skip(1));
-        ShapeWords a = ShapeWords.Read(words), b = ShapeWords.Read(words);
+        (ShapeWords a, ShapeWords b) = FuzzText.Split(pair.Text);
         long start = Stopwatch.GetTimestamp();
-        bool Breaks(ShapeWords x, ShapeWords y) => IsBroken(Text(x, y), promise);
+        bool Breaks(ShapeWords x, ShapeWords y) => IsBroken(FuzzText.Of(x, y), promise);
         for (bool found = true; found && !cancel.IsCancellationRequested && Stopwatch.GetElapsedTime(start) < Patience;)
         {
             found = false;
@@ -29,7 +24,7 @@ internal static class Shrinker
             if (First(SimplerShapes.Of(b), x => Breaks(a, x), start) is { } simplerB) (b, found) = (simplerB, true);
         }
 
-        return QueryRecord.TryParse(Text(a, b), out QueryRecord shrunk, out _) ? shrunk : record;
+        return FuzzPair.TryParse(FuzzText.Of(a, b), out FuzzPair? shrunk) ? shrunk : pair;
     }
 
     private static ShapeWords? First(IEnumerable<ShapeWords> candidates, Func<ShapeWords, bool> breaks, long start)
@@ -43,8 +38,5 @@ internal static class Shrinker
         return null;
     }
 
-    private static string Text(ShapeWords a, ShapeWords b) => $"{Tag} {a} {b}";
-
-    private static bool IsBroken(string text, IPromise promise) =>
-        QueryRecord.TryParse(text, out QueryRecord record, out _) && promise.Broken(new FuzzPair(record)) is not null;
+    private static bool IsBroken(string text, IPromise promise) => FuzzPair.TryParse(text, out FuzzPair? pair) && promise.Broken(pair) is not null;
 }

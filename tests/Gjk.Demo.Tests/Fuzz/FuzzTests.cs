@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 using Gjk.Demo.Tests.Support;
 using Xunit;
 
-namespace Gjk.Demo.Tests;
+namespace Gjk.Demo.Tests.Fuzz;
 
 /// <summary><c>fuzz</c> as its user runs it. Length, seed, words and exit codes; the search itself is in FuzzSearchTests.</summary>
 public sealed class FuzzTests

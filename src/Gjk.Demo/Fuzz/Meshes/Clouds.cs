@@ -1,11 +1,15 @@
 using System;
 using System.Numerics;
+using Gjk.Core;
 
-namespace Gjk.Demo.Fuzz.Families;
+namespace Gjk.Demo.Fuzz.Meshes;
 
 /// <summary>Random clouds of points of about unit size, for meshes.</summary>
 internal static class Clouds
 {
+    /// <summary>Length: a power of two, so that lattice points and their sums are floats.</summary>
+    public const float LatticeStep = 0.25f;
+
     public static Vector3[] InBox(FuzzRandom random, int count, Vector3 size)
     {
         var cloud = new Vector3[count];
@@ -27,11 +31,15 @@ internal static class Clouds
         return cloud;
     }
 
+    /// <summary>A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes meet.</summary>
+    public static Vector3 LatticePoint(FuzzRandom random, int reach) =>
+        new Vector3(random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach) * LatticeStep;
+
     /// <summary>Corners on a coarse grid: many parallel edges and coplanar faces.</summary>
     public static Vector3[] Lattice(FuzzRandom random)
     {
         var cloud = new Vector3[4 + random.Below(12)];
-        for (int i = 0; i < cloud.Length; i++) cloud[i] = Shapes.LatticePoint(random, 4);
+        for (int i = 0; i < cloud.Length; i++) cloud[i] = LatticePoint(random, 4);
         return cloud;
     }
 
@@ -78,4 +86,12 @@ internal static class Clouds
 
     /// <summary>Moved and resized, as far as floats allow.</summary>
     public static Vector3[] Placed(Vector3[] cloud, float size, Vector3 offset) => Array.ConvertAll(cloud, p => p * size + offset);
+
+    /// <summary>Resized so that the largest coordinate has a given magnitude.</summary>
+    public static Vector3[] Fitted(Vector3[] cloud, double size)
+    {
+        float largest = 0;
+        foreach (Vector3 p in cloud) largest = Math.Max(largest, Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
+        return Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p * (size / largest)));
+    }
 }

@@ -1,0 +1,41 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Directions have any length. These bring one to unit size, by a power of two that rounds nothing, before it is squared.
+/// </summary>
+internal static class DirectionRange
+{
+    /// <summary>2^600 brings denormal numbers, which have no power of two of their own, into the normal range.</summary>
+    private const double Raise = 4.149515568880993e180;
+
+    /// <summary>Numbers below it are raised first.</summary>
+    private const double Small = 1e-150;
+
+    /// <summary>The same direction with its largest component between 1 and 2; unchanged when it is zero, infinite or NaN.</summary>
+    public static Vector3D ToUnit(in Vector3D direction)
+    {
+        Vector3D d = direction;
+        double largest = Largest(d.X, d.Y, d.Z);
+        if (!(largest > 0 && largest <= double.MaxValue)) return d;
+        if (largest < Small)
+        {
+            d *= Raise;
+            largest *= Raise;
+        }
+
+        double factor = 0.5 / PowerOfTwo.AtMost(largest);
+        return d * factor * 2;
+    }
+
+    /// <summary>The same in a plane.</summary>
+    public static void ToUnit(ref double x, ref double z)
+    {
+        Vector3D d = ToUnit(new Vector3D(x, 0, z));
+        x = d.X;
+        z = d.Z;
+    }
+
+    private static double Largest(double x, double y, double z) => Math.Max(Math.Max(Math.Abs(x), Math.Abs(y)), Math.Abs(z));
+}

@@ -1,0 +1,182 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// What a query knows about its pair before it solves: B's pose in A's frame, the margins, the sizes and whether all of it is valid. A's centre is the
+/// origin.
+/// </summary>
+/// <remarks>
+/// It is composed once per query, in double, from the differences of the positions and rotations. Positions far from the world's origin cancel before anything is
+/// rounded, and shapes far from their own local origin are measured from their centres.
+/// Lengths are in solver units. One unit is <see cref="Unit"/> world units, which is 1 for all pairs of ordinary size (<see cref="IsOrdinary"/>); the
+/// others are brought to unit size by a power of two, which rounds nothing (<see cref="UnitSized{T}"/>).
+/// </remarks>
+internal struct PairFrame
+{
+    /// <summary>
+    /// Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised 1e-14 of the scale, so it is done in
+    /// double-double. Pinned by OffsetMeshTests.
+    /// </summary>
+    private const double FarCenter = 4;
+
+    /// <summary>
+    /// Length: larger sizes and distances count as invalid input. It is far above every shape that is made of floats, and its square is a finite double. Pinned by
+    /// InvalidInputTests.
+    /// </summary>
+    private const double MaxMagnitude = 1e150;
+
+    /// <summary>
+    /// Lengths: 2^-60 and 2^60. In between, the eighth power of a length, the highest that a solver forms, neither overflows nor comes near the denormal numbers. Pinned
+    /// by UnitSizeTests.
+    /// </summary>
+    private const double LeastOrdinary = 1.0 / (1L << 60), MostOrdinary = 1L << 60;
+
+    /// <summary>B's axes in A's frame.</summary>
+    public RotationD Rotation;
+
+    /// <summary>A's axes in the world.</summary>
+    public RotationD RotationA;
+
+    /// <summary>From A's centre to B's, in A's frame.</summary>
+    public Vector3D Translation;
+
+    /// <summary>The shapes' centres in their own frames.</summary>
+    public Vector3D CenterA, CenterB;
+
+    /// <summary>The shapes' margins.</summary>
+    public double MarginA, MarginB;
+
+    /// <summary>The shapes' bounding radii, which may be generous: good for early rejections, not for tolerances.</summary>
+    public double RadiusA, RadiusB;
+
+    /// <summary>World units per solver unit: a power of two.</summary>
+    public double Unit;
+
+    /// <summary>An upper bound of every length in the frame, at most a few times the largest; NaN for invalid input.</summary>
+    public double Magnitude;
+
+    /// <summary>Whether both poses are rotations.</summary>
+    private bool _areRotations;
+
+    /// <summary>Whether both poses are rotations, and every length is finite, not negative and below the largest magnitude.</summary>
+    public readonly bool IsValid =>
+        _areRotations & Magnitude <= MaxMagnitude & MarginA >= 0 & MarginB >= 0 & RadiusA >= 0 & RadiusB >= 0;
+
+    /// <summary>Whether the pair can be solved in its own units.</summary>
+    public readonly bool IsOrdinary => Magnitude <= MostOrdinary & Magnitude >= LeastOrdinary;
+
+    /// <summary>Both bounding radii.</summary>
+    public readonly double Radius => RadiusA + RadiusB;
+
+    /// <summary>Both margins.</summary>
+    public readonly double Margins => MarginA + MarginB;
+
+    /// <summary>Nothing is left of either shape without its margin: points and spheres.</summary>
+    public readonly bool ArePoints => Radius == Margins;
+
+    /// <summary>The first search direction: from B's centre to A's, or any where they coincide.</summary>
+    public readonly Vector3D FirstNormal
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            Vector3D normal = -Translation;
+            return normal.LengthSquared > 0 ? normal : new Vector3D(1, 0, 0);
+        }
+    }
+
+    /// <summary>Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the composition.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Compose<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Quaternion qa = poseA.Rotation, qb = poseB.Rotation;
+        double ax = qa.X, ay = qa.Y, az = qa.Z, aw = qa.W, bx = qb.X, by = qb.Y, bz = qb.Z, bw = qb.W;
+        double normA = ax * ax + ay * ay + az * az + aw * aw, normB = bx * bx + by * by + bz * bz + bw * bw;
+        double inverse = 1 / (normA * normB);
+        RotationD.Set(out frame.RotationA, ax, ay, az, aw, 2 * normB * inverse);
+        RotationD.Set(
+            out frame.Rotation,
+            aw * bx - ax * bw - ay * bz + az * by,
+            aw * by - ay * bw - az * bx + ax * bz,
+            aw * bz - az * bw - ax * by + ay * bx,
+            aw * bw + ax * bx + ay * by + az * bz,
+            2 * inverse);
+
+        Vector3D centerA = a.Center, centerB = b.Center;
+        frame.CenterA = new Vector3D(centerA.X, centerA.Y, centerA.Z);
+        frame.CenterB = new Vector3D(centerB.X, centerB.Y, centerB.Z);
+        frame.RadiusA = a.BoundingRadius;
+        frame.RadiusB = b.BoundingRadius;
+        frame.MarginA = a.Margin;
+        frame.MarginB = b.Margin;
+        frame.Unit = 1;
+        double radius = frame.RadiusA + frame.RadiusB, offset = SumOfSizes(centerA) + SumOfSizes(centerB);
+        double tightRadius = (TightBounds<TA>.Are ? frame.RadiusA : 0) + (TightBounds<TB>.Are ? frame.RadiusB : 0);
+        Vector3D between = (Vector3D)poseB.Position - poseA.Position;
+        if (!(offset > FarCenter * tightRadius))
+        {
+            frame.Translation = frame.RotationA.InverseRotate(between);
+            if (offset != 0) frame.Translation += frame.Rotation.Rotate(centerB) - centerA;
+        }
+        else
+        {
+            frame.Translation = frame.RotationA.InverseRotate(BetweenFarCenters(poseA, poseB, centerA, centerB));
+        }
+
+        frame.Magnitude = radius + (frame.MarginA + frame.MarginB) + SumOfSizes(frame.Translation);
+        frame._areRotations = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB);
+    }
+
+    /// <summary>The power of two that brings the magnitude to between 1 and 2.</summary>
+    public readonly double UnitFactor => Magnitude > 0 ? 1 / PowerOfTwo.AtMost(Magnitude) : 1;
+
+    /// <summary>Measures the shapes whose bounding radii may be generous, by a support in each direction of each axis.</summary>
+    public void TightenRadii<TA, TB>(ref TA a, ref TB b)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (!TightBounds<TA>.Are) RadiusA = Math.Min(RadiusA, CoreExtent.RadiusAbout(CenterA, ref a) + MarginA);
+        if (!TightBounds<TB>.Are) RadiusB = Math.Min(RadiusB, CoreExtent.RadiusAbout(CenterB, ref b) + MarginB);
+        Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + SumOfSizes(Translation);
+    }
+
+    /// <summary>The frame in units in which its magnitude is between 1 and 2, for <see cref="UnitSized{T}"/> shapes.</summary>
+    public void ToUnitSize(double factor)
+    {
+        Translation *= factor;
+        CenterA *= factor;
+        CenterB *= factor;
+        MarginA *= factor;
+        MarginB *= factor;
+        RadiusA *= factor;
+        RadiusB *= factor;
+        Magnitude *= factor;
+        Unit = 1 / factor;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double SumOfSizes(in Vector3D v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static Vector3D BetweenFarCenters(in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB)
+    {
+        VectorDD a = Place(poseA, centerA), b = Place(poseB, centerB);
+        return (Vector3D)(b - a);
+    }
+
+    /// <summary>position + v + 2 u × (u × v + w v) / |q|², the quaternion's rotation without a matrix, in double-double.</summary>
+    private static VectorDD Place(in RigidPose pose, in Vector3D v)
+    {
+        Quaternion q = pose.Rotation;
+        VectorDD u = new Vector3D(q.X, q.Y, q.Z), vector = v;
+        DoubleDouble w = (double)q.W;
+        DoubleDouble norm = VectorDD.Dot(u, u) + w * w;
+        VectorDD turned = VectorDD.Cross(u, VectorDD.Cross(u, vector) + vector * w) * (2.0 / norm);
+        return (VectorDD)(Vector3D)pose.Position + vector + turned;
+    }
+}

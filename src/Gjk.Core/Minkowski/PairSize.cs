@@ -1,0 +1,53 @@
+using System;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The size that a pair's tolerances are fractions of: for each shape the distance of its furthest point from its centre, margin included, added.
+/// </summary>
+/// <remarks>
+/// The library's shapes know theirs. A shape of a user may report any bounding radius that is large enough, and a tolerance must not grow with it: such a
+/// shape is measured by the support points that it gives in the course of the query, which are what its rounding errors come from.
+/// </remarks>
+internal struct PairSize
+{
+    private double _a, _b;
+
+    /// <summary>In solver units.</summary>
+    public readonly double Value => _a + _b;
+
+    /// <summary>Begins with the bounding radii where they are tight, else with the margins.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Begin<TA, TB>(in PairFrame frame, out PairSize size)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        size._a = TightBounds<TA>.Are ? frame.RadiusA : frame.MarginA;
+        size._b = TightBounds<TB>.Are ? frame.RadiusB : frame.MarginB;
+    }
+
+    /// <summary>Takes note of a support point of each shape, measured from the centres.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void See(in PairFrame frame, in Vector3D onA, in Vector3D onB)
+    {
+        _a = Math.Max(_a, Math.Min(onA.Length + frame.MarginA, frame.RadiusA));
+        _b = Math.Max(_b, Math.Min(onB.Length + frame.MarginB, frame.RadiusB));
+    }
+}
+
+/// <summary>Whether a type's <see cref="ISupportMap.BoundingRadius"/> is the distance of a point of the shape, or nearly so.</summary>
+internal static class TightBounds<T>
+    where T : struct, ISupportMap
+{
+    /// <summary>True for the library's own shapes, and for a rounded or a rescaled one of these; false for a user's.</summary>
+    public static readonly bool Are = IsTight(typeof(T));
+
+    private static bool IsTight(Type type)
+    {
+        if (type.Assembly != typeof(ISupportMap).Assembly) return false;
+        if (!type.IsGenericType) return true;
+        Type decorator = type.GetGenericTypeDefinition();
+        return decorator == typeof(Scaled<>) || IsTight(type.GetGenericArguments()[0]);
+    }
+}

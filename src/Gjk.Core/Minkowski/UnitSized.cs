@@ -1,0 +1,39 @@
+namespace Gjk.Core;
+
+/// <summary>
+/// A shape multiplied by a power of two, for pairs so small or so large that the solvers' products would leave the range of double. Nothing is rounded
+/// by it, so the answer has the bits that it would have if double had no limits.
+/// </summary>
+/// <typeparam name="T">The shape inside.</typeparam>
+internal readonly struct UnitSized<T> : ISupportMap
+    where T : struct, ISupportMap
+{
+    private readonly T _inner;
+    private readonly double _factor;
+
+    public UnitSized(in T inner, double factor)
+    {
+        _inner = inner;
+        _factor = factor;
+    }
+
+    public Vector3D Center => _inner.Center * _factor;
+
+    public double Margin => _inner.Margin * _factor;
+
+    public double BoundingRadius => _inner.BoundingRadius * _factor;
+
+    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    {
+        int id = _inner.Support(direction, hint, out point);
+        point *= _factor;
+        return id;
+    }
+
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        bool found = _inner.TryGetVertex(id, out point);
+        point *= _factor;
+        return found;
+    }
+}

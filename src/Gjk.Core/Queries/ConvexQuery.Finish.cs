@@ -1,0 +1,115 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>
+    /// Ratio of the distance to the pair's size: further apart, a point of B that is reached from A over the distance would lie beside B by rounding alone, so it is placed from
+    /// B's own pose. Pinned by SizeRatioTests.
+    /// </summary>
+    private const double FarApart = 1 << 20;
+
+    /// <summary>Adds the margins, finds the points and rounds.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static DistanceResult Finish(
+        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance)
+    {
+        if (state.Verdict == Verdict.Contradiction) return Invalid(state);
+        if (state.Verdict == Verdict.Beyond) return Beyond(state, frame);
+        if (state.Verdict == Verdict.Enclosed)
+        {
+            Weights weights = ClosestPointWeights.Of(state.Simplex);
+            return Common(state, frame, poseA, poseB, state.Simplex.PointOnA(weights), state.Simplex.PointOnB(weights));
+        }
+
+        Weights w = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
+        Vector3D onA = state.Simplex.PointOnA(w), onB = state.Simplex.PointOnB(w);
+        double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
+        Vector3D toA = state.Feature.Normal * scale, toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;
+        if (IsTouching(state, distance))
+        {
+            double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
+            return Common(state, frame, poseA, poseB, onA - toA * (core * frame.MarginA), onB + toAInB * (core * frame.MarginB));
+        }
+
+        distance = Math.Max(distance, 0) * frame.Unit;
+        if ((float)distance > Math.Max(maxDistance, 0)) return Beyond(state, frame);
+
+        Vector3D localA = (onA - toA * frame.MarginA + frame.CenterA) * frame.Unit;
+        Vector3D localB = (onB + toAInB * frame.MarginB + frame.CenterB) * frame.Unit;
+        Vector3D normal = -frame.RotationA.Rotate(toA), worldA = frame.RotationA.Rotate(localA) + poseA.Position;
+        Vector3D worldB = distance > FarApart * frame.Unit * state.Size.Value ? ToWorld(poseB, localB) : worldA + normal * distance;
+
+        // The plane is the feature's but for a walk in extended precision that ended on an older, better one.
+        double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared ? scale : 1 / Math.Sqrt(state.Plane.NormalSquared);
+        double coreGap = Math.Min(state.Plane.Value * planeScale, state.Feature.Height * scale);
+        return new DistanceResult(
+            state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit,
+            (float)distance, LowerBound(coreGap, state, frame), (Vector3)worldA,
+            (Vector3)worldB, (Vector3)normal, (Vector3)localA, (Vector3)localB, state.Iterations);
+    }
+
+    /// <summary>The signed gap between the shapes: that of the cores less the margins, in solver units.</summary>
+    /// <param name="state">With its nearest feature.</param>
+    /// <param name="frame">With the margins.</param>
+    /// <param name="scale">One over the length of the feature's normal.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
+        state.Feature.Height * scale - frame.MarginA - frame.MarginB;
+
+    /// <summary>Whether shapes so far apart touch; asked by every query, so that all of them agree.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsTouching(in SolverState state, double distance) =>
+        state.Verdict == Verdict.Apart && distance <= GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
+
+    private static DistanceResult Invalid(in SolverState state) =>
+        DistanceResult.Invalid(state.Iterations == 0 ? GjkStatus.InvalidInput : GjkStatus.InvalidShape, state.Iterations);
+
+    /// <summary>A common point, given on both cores. Where the sizes differ greatly it is placed from the smaller shape, whose frame holds it better.</summary>
+    private static DistanceResult Common(
+        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, in Vector3D onA, in Vector3D onB)
+    {
+        Vector3D localA = (onA + frame.CenterA) * frame.Unit, localB = (onB + frame.CenterB) * frame.Unit;
+        var world = (Vector3)(frame.RadiusB * FarApart < frame.RadiusA
+            ? ToWorld(poseB, localB)
+            : frame.RotationA.Rotate(localA) + poseA.Position);
+        return new DistanceResult(
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)localA, (Vector3)localB, state.Iterations);
+    }
+
+    private static DistanceResult Beyond(in SolverState state, in PairFrame frame)
+    {
+        double scale = 1 / Math.Sqrt(state.Plane.NormalSquared);
+        Vector3D normal = state.Plane.Normal * -scale;
+        return DistanceResult.Beyond(
+            LowerBound(state.Plane.Value * scale, state, frame), (Vector3)frame.RotationA.Rotate(normal), state.Iterations);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static Vector3D ToWorld(in RigidPose pose, in Vector3D local) => new RotationD(pose.Rotation).Rotate(local) + pose.Position;
+
+    /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded down.</summary>
+    private static float LowerBound(double coreGap, in SolverState state, in PairFrame frame)
+    {
+        double reach = state.Size.Value + frame.Translation.Length;
+        double value = (coreGap - frame.Margins - GjkTolerances.LowerBoundError * reach) * frame.Unit;
+        return value > 0 ? RoundDown(value) : 0;
+    }
+
+    /// <summary>The largest float that is not above x: a bound may be rounded in one direction only.</summary>
+    internal static float RoundDown(double x)
+    {
+        float f = (float)x;
+        if (f <= x) return f;
+        if (float.IsInfinity(f)) return float.MaxValue;
+        int bits = FloatBits(f);
+        return BitsFloat(f > 0 ? bits - 1 : f < 0 ? bits + 1 : unchecked((int)0x80000001));
+    }
+
+    private static unsafe int FloatBits(float f) => *(int*)&f;
+
+    private static unsafe float BitsFloat(int bits) => *(float*)&bits;
+}

@@ -1,0 +1,82 @@
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// What a solver starts from and what it found, in A's frame from A's centre, before margins and rounding to float: the common currency of the fast and the
+/// extended-precision solver.
+/// </summary>
+internal struct SolverState
+{
+    public Verdict Verdict;
+
+    /// <summary>Whether a support point had no id: a curved core, whose supports never repeat.</summary>
+    public bool IsCurved;
+
+    /// <summary>The nearest feature of the cores' Minkowski difference, or the tetrahedron that holds the origin.</summary>
+    public Simplex Simplex;
+
+    /// <summary>The feature's normal: from the origin to the feature, so from B to A, of any length; zero height when overlapping.</summary>
+    public ClosestFeature Feature;
+
+    /// <summary>The best separating plane.</summary>
+    public SupportPlane Plane;
+
+    /// <summary>What the tolerances are fractions of.</summary>
+    public PairSize Size;
+
+    /// <summary>Support calls made on each shape.</summary>
+    public int Iterations;
+
+    /// <summary>How near the origin counts as touching it, squared.</summary>
+    public readonly double TouchSquared
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            double touch = GjkTolerances.TouchOf(IsCurved) * Size.Value;
+            return touch * touch;
+        }
+    }
+
+    /// <summary>What rounding, or the end of a walk along a curved core, leaves open: a gap between two bounds below it counts as closed.</summary>
+    public readonly double Noise
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => (IsCurved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise) * Size.Value;
+    }
+
+    /// <summary>Makes a state without vertices and planes; the contents of empty slots are not cleared.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Begin<TA, TB>(in PairFrame frame, out SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+#if NET
+        Unsafe.SkipInit(out state);
+        state.Simplex.Clear();
+        state.Iterations = 0;
+        state.Plane.NormalSquared = 0;
+        state.Verdict = Verdict.Undecided;
+        state.IsCurved = false;
+#else
+        state = default;
+#endif
+        PairSize.Begin<TA, TB>(frame, out state.Size);
+    }
+
+    /// <summary>Counts a support, and takes note of what it says about the shapes.</summary>
+    /// <returns>Whether the tolerances have changed.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool See<TA, TB>(in PairFrame frame, in Vector3D onA, in Vector3D onB, int ids)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Iterations++;
+        bool changed = (ids < 0) & !IsCurved;
+        if (changed) IsCurved = true;
+        if (TightBounds<TA>.Are && TightBounds<TB>.Are) return changed;
+        Size.See(frame, onA, onB);
+        return true;
+    }
+}

@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using System.Diagnostics.CodeAnalysis;
+using System.Globalization;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core;
+using Gjk.Demo.Fuzz.Shrinking;
+
+namespace Gjk.Demo.Fuzz;
+
+/// <summary>
+/// A pair as a record's line and back. The library writes a mesh as its hull's corners; this writes the points that it was made of, or a hull that lost one could
+/// not be shown.
+/// </summary>
+internal static class FuzzText
+{
+    private const string Tag = "gjk1";
+
+    public static string Of(in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB)
+    {
+        Queue<string> words = Words(new QueryRecord(a.Shape, poseA, b.Shape, poseB).ToString());
+        return Of(WithCloud(ShapeWords.Read(words), a.Cloud), WithCloud(ShapeWords.Read(words), b.Cloud));
+    }
+
+    public static string Of(ShapeWords a, ShapeWords b) => $"{Tag} {a} {b}";
+
+    public static (ShapeWords A, ShapeWords B) Split(string text)
+    {
+        Queue<string> words = Words(text);
+        ShapeWords a = ShapeWords.Read(words);
+        return (a, ShapeWords.Read(words));
+    }
+
+    public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
+    {
+        pair = null;
+        if (!QueryRecord.TryParse(text, out QueryRecord record, out _)) return false;
+        (ShapeWords a, ShapeWords b) = Split(text);
+        pair = new FuzzPair(Shape(record.A, a), record.PoseA, Shape(record.B, b), record.PoseB);
+        return true;
+    }
+
+    private static Queue<string> Words(string text) => new(text.Split(' ').Skip(1));
+
+    private static ShapeWords WithCloud(ShapeWords words, IReadOnlyList<Vector3>? cloud) =>
+        cloud is null ? words : words with { Numbers = [.. cloud.SelectMany(p => (string[])[Word(p.X), Word(p.Y), Word(p.Z)])] };
+
+    private static FuzzShape Shape(in ConvexShape shape, ShapeWords words)
+    {
+        if (shape.Kind != ShapeKind.Mesh) return shape;
+        var cloud = new Vector3[words.Numbers.Count / 3];
+        for (int i = 0; i < cloud.Length; i++) cloud[i] = new Vector3(Number(words.Numbers[3 * i]), Number(words.Numbers[3 * i + 1]), Number(words.Numbers[3 * i + 2]));
+        return FuzzShape.Of(shape, cloud);
+    }
+
+    private static float Number(string word) => float.Parse(word, CultureInfo.InvariantCulture);
+
+    private static string Word(float x) => x.ToString("G9", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,51 @@
+using System;
+using Gjk.Core;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Demo.Fuzz;
+
+/// <summary>
+/// What is certain about a pair's distance. Without a curved core it is known, margins included: solved in integers of any size from the points that the shapes were made of. With one, a
+/// point of each shape, found by a walk of its own, bounds it from above.
+/// </summary>
+internal sealed class FuzzTruth
+{
+    private readonly FuzzPair _pair;
+
+    public FuzzTruth(FuzzPair pair)
+    {
+        _pair = pair;
+        if (IsKnown) Answer = Solve(default);
+        AtMost = IsKnown ? Answer.Distance : BetweenPoints();
+    }
+
+    /// <summary>False where a core is curved.</summary>
+    public bool IsKnown => !_pair.IsCurved;
+
+    /// <summary>The exact flag and the distance rounded to the nearest double; only where it is known.</summary>
+    public ExactAnswer Answer { get; }
+
+    /// <summary>The true distance is no larger: the distance itself where it is known, else that of two points, with room for the roundings of a double.</summary>
+    public double AtMost { get; }
+
+    /// <summary>Whether moving B by so much parts the shapes: then they overlap by no more than that.</summary>
+    public bool PartsWith(in Vector3D moveB) => !Solve(moveB).Overlap;
+
+    private ExactAnswer Solve(in Vector3D moveB) =>
+        ExactOracle.Solve(_pair.BodyA.Vertices, _pair.A.Margin, _pair.PoseA, _pair.BodyB.Vertices, _pair.B.Margin, _pair.PoseB, moveB);
+
+    private double BetweenPoints()
+    {
+        ExactGuess.Walk(Difference(new Vector3D(1, 0, 0)), Difference, out Vector3D nearest);
+        return Math.Max(0, nearest.Length - _pair.A.Margin - _pair.B.Margin) + _pair.Noise;
+    }
+
+    /// <summary>The furthest point of A - B in a direction of the world, seen from B's centre.</summary>
+    private ExactGuess.Corner Difference(Vector3D direction)
+    {
+        PosedShape a = _pair.BodyA, b = _pair.BodyB;
+        _pair.A.Support(a.InverseRotate(direction), -1, out Vector3D onA);
+        _pair.B.Support(b.InverseRotate(-direction), -1, out Vector3D onB);
+        return new ExactGuess.Corner(-1, -1, a.Rotate(onA - a.Center) - b.Rotate(onB - b.Center) - _pair.Centers);
+    }
+}

@@ -1,0 +1,31 @@
+using System;
+using Gjk.Core;
+
+namespace Gjk.Demo.Fuzz.Promises;
+
+/// <summary>
+/// A user's own shape with the same supports gets an answer that is as exact, however generous its bounding radius is: flag, distance and bound.
+/// </summary>
+internal sealed class UsersShapesAreShapes : IPromise
+{
+    public string Name => "a user's shape is solved as well, however generous its radius";
+
+    public string? Broken(FuzzPair pair)
+    {
+        foreach (double factor in (ReadOnlySpan<double>)[1, 2, 1e4, 1e12])
+        {
+            DistanceResult r = Ask(pair, factor);
+            string name = Say.Line($"with a radius {factor} times as large");
+            string? problem = Same.Problem(pair, r, name);
+            if (problem is not null) return problem;
+            if (!(r.LowerBound <= pair.Truth.AtMost)) return Say.Line($"{name}: the bound {r.LowerBound:R} is above the true distance {pair.Truth.AtMost:R}");
+            if (!(r.LowerBound >= r.Distance - pair.Band(r.Distance))) return Say.Line($"{name}: the bound is {r.LowerBound:R}, the distance {r.Distance:R}");
+            if (ConvexQuery.Overlaps(new Generous(pair.A, factor), pair.PoseA, new Generous(pair.B, 1), pair.PoseB) != r.Overlaps) return Say.Line($"{name}: Overlaps says {!r.Overlaps}, Distance {r.Status}, {r.Distance}");
+        }
+
+        return null;
+    }
+
+    private static DistanceResult Ask(FuzzPair pair, double factor) =>
+        ConvexQuery.Distance(new Generous(pair.A, factor), pair.PoseA, new Generous(pair.B, 1), pair.PoseB);
+}
