@@ -27,9 +27,6 @@ internal readonly struct HullDirection
     /// </summary>
     private const double LeastSafe = 1.9010815379079637e-211, MostSafe = 6.6680144328798543e240;
 
-    /// <summary>Directions are rescaled until their largest component lies from 2^-500 to 2^500.</summary>
-    private const double Large = 3.2733906078961419e150, Small = 1 / Large;
-
     private readonly Vector3D _extents, _fold;
 
     public HullDirection(ConvexHull hull)
@@ -85,15 +82,7 @@ internal readonly struct HullDirection
         // A component along which the hull has no extent must not count, however large it is.
         double x = stretch.X > 0 ? direction.X : 0, y = stretch.Y > 0 ? direction.Y : 0, z = stretch.Z > 0 ? direction.Z : 0;
         double largest = Math.Max(Math.Max(Math.Abs(x), Math.Abs(y)), Math.Abs(z));
-        double scale = 1;
-        if (largest > 0 && largest <= double.MaxValue)
-        {
-            // At most three steps, each exact except for components too small to matter.
-            while (largest * scale > Large) scale *= Small;
-            while (largest * scale < Small) scale *= Large;
-        }
-
-        rescaled = new Vector3D(x * scale, y * scale, z * scale);
+        rescaled = DirectionRange.ToUnit(new Vector3D(x, y, z));
         return largest > 0 && largest <= double.MaxValue;
     }
 

@@ -33,7 +33,6 @@ internal sealed class HullTree
     /// <summary>Count: nodes that wait on the way to a leaf; 2^31 vertices have fewer.</summary>
     private const int MaxDepth = 40;
 
-    public static long Visits; // TEMP
     private readonly Vector3D _stretch;
     private readonly HullTreeNode[] _nodes;
 
@@ -43,10 +42,25 @@ internal sealed class HullTree
         _stretch = stretch;
     }
 
+    /// <summary>What a search tells while it runs.</summary>
+    public interface ITrace
+    {
+        /// <summary>Two children, or the vertices of a leaf, are looked at.</summary>
+        void Step();
+    }
+
     /// <summary>The slot of the furthest vertex.</summary>
     /// <param name="cells">Holds the leaves' blocks.</param>
     /// <param name="d">The direction, prepared.</param>
-    public unsafe int Find(HullCells cells, in Vector3D d)
+    public int Find(HullCells cells, in Vector3D d)
+    {
+        var trace = default(NoTrace);
+        return Find(cells, d, ref trace);
+    }
+
+    /// <summary>The same, observed.</summary>
+    public unsafe int Find<TTrace>(HullCells cells, in Vector3D d, ref TTrace trace)
+        where TTrace : struct, ITrace
     {
         Vector3D s = Vector3D.Multiply(d, _stretch);
         double rounding = (Math.Abs(s.X) + Math.Abs(s.Y) + Math.Abs(s.Z)) * Rounding, near = Near * rounding;
@@ -58,7 +72,7 @@ internal sealed class HullTree
         {
             while (next >= 0)
             {
-                Visits++; // TEMP
+                trace.Step();
                 ref HullTreeNode left = ref _nodes[next], right = ref _nodes[next + 1];
                 double leftBound = Bound(ref left, s) + rounding, rightBound = Bound(ref right, s) + rounding;
                 bool isLeft = leftBound > best + near || (leftBound >= best && CanHoldBetter(ref left, d, best, bestId));
@@ -77,6 +91,7 @@ internal sealed class HullTree
 
             if (next < 0)
             {
+                trace.Step();
                 int end = Math.Min(~next + LeafVertices / HullCells.Lanes, cells.Ids.Length / HullCells.Lanes);
                 int slot = HullBlocks.Best(cells.Coordinates, ~next, end, d), id = cells.Ids[slot];
                 double dot = HullBlocks.Dot(cells.Coordinates, slot, d);
@@ -114,5 +129,12 @@ internal sealed class HullTree
             + Math.Abs(node.SecondX * s.X + node.SecondY * s.Y + node.SecondZ * s.Z)
             + Math.Abs(node.ThirdX * s.X + node.ThirdY * s.Y + node.ThirdZ * s.Z));
 #endif
+    }
+
+    private struct NoTrace : ITrace
+    {
+        public void Step()
+        {
+        }
     }
 }
