@@ -1,4 +1,8 @@
 using System;
+#if NET
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Gjk.Core;
 
@@ -17,6 +21,9 @@ internal sealed class CellFilter
     /// </summary>
     private const double Slack = 1.0 / (1L << 40);
 
+    /// <summary>Count: the samples, filled up to whole registers.</summary>
+    private const int Padded = 12;
+
     /// <summary>The order in which champions are tried: the centre's beats most.</summary>
     private static readonly byte[] Order = [4, 1, 3, 5, 7, 0, 2, 6, 8];
 
@@ -24,6 +31,7 @@ internal sealed class CellFilter
     private readonly CellGrid _grid;
     private readonly CellClip _clip = new();
     private readonly int[] _champions = new int[Samples];
+    private readonly double[] _championU = new double[Padded], _championV = new double[Padded], _championHeight = new double[Padded];
     private int _championCount, _axisU, _axisV, _axisW;
     private double _u, _v, _w, _halfU, _halfV;
 
@@ -45,21 +53,33 @@ internal sealed class CellFilter
         _w = _grid.SignW(part.Face);
     }
 
-    /// <summary>Finds the champions of one of the nine points.</summary>
-    public int Champion(int sample, int[] list, int from, int count)
+    /// <summary>Finds the champions of three points in a row.</summary>
+    /// <param name="first">The first of the three.</param>
+    /// <param name="step">From one to the next.</param>
+    /// <param name="list">Holds the list of vertices.</param>
+    /// <param name="from">Where the list begins.</param>
+    /// <param name="count">How long it is.</param>
+    /// <param name="samples">Receives the champions.</param>
+    /// <param name="at">Where the part's samples begin.</param>
+    public void FindChampions(int first, int step, int[] list, int from, int count, int[] samples, int at)
     {
-        double u = _u + (sample % 3 - 1) * _halfU, v = _v + (sample / 3 - 1) * _halfV, most = double.NegativeInfinity;
-        int champion = list[from];
+        double u = _u + (first % 3 - 1) * _halfU, v = _v + (first / 3 - 1) * _halfV;
+        double stepU = step == 1 ? _halfU : 0, stepV = step == 3 ? _halfV : 0;
+        double most0 = double.NegativeInfinity, most1 = most0, most2 = most0;
+        int champion0 = list[from], champion1 = champion0, champion2 = champion0;
         for (int k = from; k < from + count; k++)
         {
-            int p = 3 * list[k];
-            double height = _points[p + _axisU] * u + _points[p + _axisV] * v + _points[p + _axisW] * _w;
-            if (!(height > most)) continue;
-            most = height;
-            champion = list[k];
+            int i = list[k], p = 3 * i;
+            double pu = _points[p + _axisU], pv = _points[p + _axisV], height = pu * u + pv * v + _points[p + _axisW] * _w;
+            double rise = pu * stepU + pv * stepV;
+            if (height > most0) (most0, champion0) = (height, i);
+            if (height + rise > most1) (most1, champion1) = (height + rise, i);
+            if (height + 2 * rise > most2) (most2, champion2) = (height + 2 * rise, i);
         }
 
-        return champion;
+        samples[at + first] = champion0;
+        samples[at + first + step] = champion1;
+        samples[at + first + 2 * step] = champion2;
     }
 
     /// <summary>Copies a list without the vertices that one of the champions beats everywhere; gives the number that is left.</summary>
@@ -95,22 +115,49 @@ internal sealed class CellFilter
         foreach (byte sample in Order)
         {
             int champion = samples[firstSample + sample];
-            if (Array.IndexOf(_champions, champion, 0, _championCount) < 0) _champions[_championCount++] = champion;
+            if (Array.IndexOf(_champions, champion, 0, _championCount) >= 0) continue;
+            double u = _points[3 * champion + _axisU], v = _points[3 * champion + _axisV];
+            _championU[_championCount] = u;
+            _championV[_championCount] = v;
+            _championHeight[_championCount] = u * _u + v * _v + _points[3 * champion + _axisW] * _w;
+            _champions[_championCount++] = champion;
+        }
+
+        for (int k = _championCount; k < Padded; k++)
+        {
+            _championU[k] = _championU[0];
+            _championV[k] = _championV[0];
+            _championHeight[k] = _championHeight[0];
         }
     }
 
     /// <summary>Some champion is higher by more than the slack at the part's corners, and so everywhere between them.</summary>
     private bool IsBeaten(int i)
     {
-        double u = _points[3 * i + _axisU], v = _points[3 * i + _axisV], w = _points[3 * i + _axisW];
+        double u = _points[3 * i + _axisU], v = _points[3 * i + _axisV];
+        double limit = u * _u + v * _v + _points[3 * i + _axisW] * _w + Slack;
+#if NET
+        ref double us = ref MemoryMarshal.GetArrayDataReference(_championU), vs = ref MemoryMarshal.GetArrayDataReference(_championV);
+        ref double heights = ref MemoryMarshal.GetArrayDataReference(_championHeight);
+        Vector256<double> highest = Vector256.Create(double.NegativeInfinity);
+        for (nuint k = 0; k < Padded; k += 4)
+        {
+            Vector256<double> least = Vector256.LoadUnsafe(ref heights, k)
+                - Vector256.Abs(Vector256.LoadUnsafe(ref us, k) - Vector256.Create(u)) * _halfU
+                - Vector256.Abs(Vector256.LoadUnsafe(ref vs, k) - Vector256.Create(v)) * _halfV;
+            highest = Vector256.ConditionalSelect(Vector256.GreaterThan(least, highest), least, highest);
+        }
+
+        return Vector256.GreaterThanAny(highest, Vector256.Create(limit));
+#else
         for (int k = 0; k < _championCount; k++)
         {
-            int q = 3 * _champions[k];
-            double du = _points[q + _axisU] - u, dv = _points[q + _axisV] - v, dw = _points[q + _axisW] - w;
-            if (dw * _w + du * _u + dv * _v - Math.Abs(du) * _halfU - Math.Abs(dv) * _halfV > Slack) return true;
+            double least = _championHeight[k] - Math.Abs(_championU[k] - u) * _halfU - Math.Abs(_championV[k] - v) * _halfV;
+            if (least > limit) return true;
         }
 
         return false;
+#endif
     }
 
     /// <summary>Clips by the champions and by the rest of the list: what was kept so far, and what comes after.</summary>

@@ -107,7 +107,7 @@ internal sealed class HullCellLists
         {
             var part = new CellPart(face, 0, _grid.Columns, 0, _grid.Rows);
             filter.Aim(part);
-            for (int k = 0; k < CellFilter.Samples; k++) _samples[face * CellFilter.Samples + k] = filter.Champion(k, all, 0, _count);
+            for (int row = 0; row < 3; row++) filter.FindChampions(3 * row, 1, all, 0, _count, _samples, face * CellFilter.Samples);
             int kept = filter.Copy(_samples, face * CellFilter.Samples, all, 0, _count, _lists, used);
             _parts.Add(part.WithList(used, kept));
             used += kept;
@@ -169,8 +169,9 @@ internal sealed class HullCellLists
         {
             samples[to + k * along] = _samples[at + k * along + half * across];
             samples[to + k * along + 2 * across] = _samples[at + k * along + (half + 1) * across];
-            samples[to + k * along + across] = filter.Champion(k * along + across, _lists, part.From, part.Count);
         }
+
+        filter.FindChampions(across, along, _lists, part.From, part.Count, samples, to);
     }
 
     /// <summary>The same list for all cells of a part, or none if it is long.</summary>
