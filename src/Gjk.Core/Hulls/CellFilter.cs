@@ -6,18 +6,22 @@ using System.Runtime.Intrinsics;
 
 namespace Gjk.Core;
 
-/// <summary>Finds out which vertices of a list cannot be furthest anywhere in a part of the direction cube. See <see cref="HullCellLists"/> for the proof.</summary>
+/// <summary>
+/// Finds out which vertices of a list cannot be furthest anywhere in a part of the direction cube. See <see
+/// cref="HullCellLists"/> for the proof.
+/// </summary>
 internal sealed class CellFilter
 {
     /// <summary>
-    /// Points of a part where the furthest vertex of the list, a champion, is known: three rows of three. Champions beat most others.
+    /// Points of a part where the furthest vertex of the list, a champion, is known: three rows of three. Champions
+    /// beat most others.
     /// </summary>
     public const int Samples = 9;
 
     /// <summary>
-    /// In stretched units. A computed dot product of the scan is off by at most 12 u, u = 2^-53 (three products and two sums, 4 in all); for two of
-    /// them, for stretching, and for the comparison here, 2^-46 is more than enough. The rest keeps clear
-    /// of the rounding when rectangles are clipped some hundred times. Pinned by HullLookupTests.
+    /// In stretched units. A computed dot product of the scan is off by at most 12 u, u = 2^-53 (three products and two
+    /// sums, 4 in all); for two of them, for stretching, and for the comparison here, 2^-46 is more than enough. The
+    /// rest keeps clear of the rounding when rectangles are clipped some hundred times. Pinned by HullLookupTests.
     /// </summary>
     private const double Slack = 1.0 / (1L << 40);
 
@@ -31,7 +35,8 @@ internal sealed class CellFilter
     private readonly CellGrid _grid;
     private readonly CellClip _clip = new();
     private readonly int[] _champions = new int[Samples];
-    private readonly double[] _championU = new double[Padded], _championV = new double[Padded], _championHeight = new double[Padded];
+    private readonly double[] _championU = new double[Padded], _championV = new double[Padded];
+    private readonly double[] _championHeight = new double[Padded];
     private int _championCount, _axisU, _axisV, _axisW;
     private double _u, _v, _w, _halfU, _halfV;
 
@@ -70,7 +75,8 @@ internal sealed class CellFilter
         for (int k = from; k < from + count; k++)
         {
             int i = list[k], p = 3 * i;
-            double pu = _points[p + _axisU], pv = _points[p + _axisV], height = pu * u + pv * v + _points[p + _axisW] * _w;
+            double pu = _points[p + _axisU], pv = _points[p + _axisV];
+            double height = pu * u + pv * v + _points[p + _axisW] * _w;
             double rise = pu * stepU + pv * stepV;
             if (height > most0) (most0, champion0) = (height, i);
             if (height + rise > most1) (most1, champion1) = (height + rise, i);
@@ -82,7 +88,9 @@ internal sealed class CellFilter
         samples[at + first + 2 * step] = champion2;
     }
 
-    /// <summary>Copies a list without the vertices that one of the champions beats everywhere; gives the number that is left.</summary>
+    /// <summary>
+    /// Copies a list without the vertices that one of the champions beats everywhere; gives the number that is left.
+    /// </summary>
     public int Copy(int[] samples, int firstSample, int[] list, int from, int count, int[] target, int to)
     {
         Distinct(samples, firstSample);
@@ -95,7 +103,10 @@ internal sealed class CellFilter
         return kept - to;
     }
 
-    /// <summary>Drops the vertices that lie below some other wherever in the part, one here and another there; gives the number that is left.</summary>
+    /// <summary>
+    /// Drops the vertices that lie below some other wherever in the part, one here and another there; gives the number
+    /// that is left.
+    /// </summary>
     public int Clip(int[] samples, int firstSample, int[] list, int from, int count)
     {
         Distinct(samples, firstSample);
@@ -103,7 +114,8 @@ internal sealed class CellFilter
         for (int k = from; k < from + count; k++)
         {
             int i = list[k];
-            if (Array.IndexOf(_champions, i, 0, _championCount) >= 0 || !IsClipped(i, list, from, kept, k, from + count)) list[kept++] = i;
+            bool isChampion = Array.IndexOf(_champions, i, 0, _championCount) >= 0;
+            if (isChampion || !IsClipped(i, list, from, kept, k, from + count)) list[kept++] = i;
         }
 
         return kept - from;
@@ -131,13 +143,16 @@ internal sealed class CellFilter
         }
     }
 
-    /// <summary>Some champion is higher by more than the slack at the part's corners, and so everywhere between them.</summary>
+    /// <summary>
+    /// Some champion is higher by more than the slack at the part's corners, and so everywhere between them.
+    /// </summary>
     private bool IsBeaten(int i)
     {
         double u = _points[3 * i + _axisU], v = _points[3 * i + _axisV];
         double limit = u * _u + v * _v + _points[3 * i + _axisW] * _w + Slack;
 #if NET
-        ref double us = ref MemoryMarshal.GetArrayDataReference(_championU), vs = ref MemoryMarshal.GetArrayDataReference(_championV);
+        ref double us = ref MemoryMarshal.GetArrayDataReference(_championU);
+        ref double vs = ref MemoryMarshal.GetArrayDataReference(_championV);
         ref double heights = ref MemoryMarshal.GetArrayDataReference(_championHeight);
         Vector256<double> highest = Vector256.Create(double.NegativeInfinity);
         for (nuint k = 0; k < Padded; k += 4)
@@ -152,7 +167,8 @@ internal sealed class CellFilter
 #else
         for (int k = 0; k < _championCount; k++)
         {
-            double least = _championHeight[k] - Math.Abs(_championU[k] - u) * _halfU - Math.Abs(_championV[k] - v) * _halfV;
+            double du = Math.Abs(_championU[k] - u), dv = Math.Abs(_championV[k] - v);
+            double least = _championHeight[k] - du * _halfU - dv * _halfV;
             if (least > limit) return true;
         }
 
@@ -160,7 +176,9 @@ internal sealed class CellFilter
 #endif
     }
 
-    /// <summary>Clips by the champions and by the rest of the list: what was kept so far, and what comes after.</summary>
+    /// <summary>
+    /// Clips by the champions and by the rest of the list: what was kept so far, and what comes after.
+    /// </summary>
     private bool IsClipped(int i, int[] list, int from, int kept, int next, int end)
     {
         _clip.Start(_u, _v, _halfU, _halfV);

@@ -1,6 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>A rectangle of cells on a face of the direction cube, with the vertices that can be furthest in its directions.</summary>
+/// <summary>
+/// A rectangle of cells on a face of the direction cube, with the vertices that can be furthest in its directions.
+/// </summary>
 internal readonly struct CellPart
 {
     /// <summary>Which face, and where on it: from a column and row up to, not including, others.</summary>

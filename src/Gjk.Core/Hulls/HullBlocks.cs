@@ -10,8 +10,9 @@ namespace Gjk.Core;
 
 /// <summary>The best of a run of blocks: the lowest slot among those whose dot product is largest.</summary>
 /// <remarks>
-/// The dot product is (x dx + y dy) + z dz, three products and two sums rounded one by one, in every path: a fused multiply-add in one of them
-/// would break ties differently. A block is x of four vertices, then y, then z (<see cref="HullCells"/>).
+/// The dot product is (x dx + y dy) + z dz, three products and two sums rounded one by one, in every path: a fused
+/// multiply-add in one of them would break ties differently. A block is x of four vertices, then y, then z (<see
+/// cref="HullCells"/>).
 /// </remarks>
 internal static class HullBlocks
 {
@@ -19,7 +20,8 @@ internal static class HullBlocks
     public static double Dot(float[] blocks, int slot, in Vector3D direction)
     {
         int x = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
-        return blocks[x] * direction.X + blocks[x + HullCells.Lanes] * direction.Y + blocks[x + 2 * HullCells.Lanes] * direction.Z;
+        double y = blocks[x + HullCells.Lanes], z = blocks[x + 2 * HullCells.Lanes];
+        return blocks[x] * direction.X + y * direction.Y + z * direction.Z;
     }
 
 #if NET
@@ -28,15 +30,16 @@ internal static class HullBlocks
     public static int Best(float[] blocks, int block, int end, in Vector3D direction)
     {
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(blocks);
-        Vector256<double> dx = Vector256.Create(direction.X), dy = Vector256.Create(direction.Y), dz = Vector256.Create(direction.Z);
+        Vector256<double> dx = Vector256.Create(direction.X);
+        Vector256<double> dy = Vector256.Create(direction.Y);
+        Vector256<double> dz = Vector256.Create(direction.Z);
         Vector256<double> first = Dots(ref coordinates, block, dx, dy, dz);
-        if (end - block == 1)
-            return block * HullCells.Lanes + FirstLane(Vector256.Equals(first, Highest(first)).ExtractMostSignificantBits());
+        if (end - block == 1) return block * HullCells.Lanes + FirstLane(LanesOf(first, Highest(first)));
         if (end - block > 2) return BestOfMany(ref coordinates, block, end, direction.X, direction.Y, direction.Z);
 
         Vector256<double> second = Dots(ref coordinates, block + 1, dx, dy, dz);
         Vector256<double> highest = Highest(Larger(first, second));
-        uint lanes = Vector256.Equals(first, highest).ExtractMostSignificantBits() | Vector256.Equals(second, highest).ExtractMostSignificantBits() << HullCells.Lanes;
+        uint lanes = LanesOf(first, highest) | LanesOf(second, highest) << HullCells.Lanes;
         return block * HullCells.Lanes + FirstLane(lanes);
     }
 
@@ -45,12 +48,15 @@ internal static class HullBlocks
     public static int Read(float[] blocks, int slot, out Vector3D point)
     {
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(blocks);
-        ref float x = ref Unsafe.Add(ref coordinates, (uint)slot / HullCells.Lanes * HullCells.BlockFloats + (uint)slot % HullCells.Lanes);
+        uint block = (uint)slot / HullCells.Lanes, lane = (uint)slot % HullCells.Lanes;
+        ref float x = ref Unsafe.Add(ref coordinates, block * HullCells.BlockFloats + lane);
         point = new Vector3D(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
         return slot;
     }
 
-    /// <summary>Each lane keeps its first highest; of the lanes that tie for the whole run's highest the lowest slot wins.</summary>
+    /// <summary>
+    /// Each lane keeps its first highest; of the lanes that tie for the whole run's highest the lowest slot wins.
+    /// </summary>
     private static int BestOfMany(ref float coordinates, int block, int end, double x, double y, double z)
     {
         Vector256<double> dx = Vector256.Create(x), dy = Vector256.Create(y), dz = Vector256.Create(z);
@@ -65,7 +71,7 @@ internal static class HullBlocks
             bestBlock = Vector256.ConditionalSelect(better.AsInt64(), now, bestBlock);
         }
 
-        uint lanes = Vector256.Equals(best, Highest(best)).ExtractMostSignificantBits();
+        uint lanes = LanesOf(best, Highest(best));
         int slot = int.MaxValue;
         for (; lanes != 0; lanes &= lanes - 1)
         {
@@ -84,7 +90,15 @@ internal static class HullBlocks
         return Larger(v, Vector256.Shuffle(v, Vector256.Create(1L, 0, 3, 2)));
     }
 
-    /// <summary>The larger of two lanes by one instruction; what it does with NaN and with the sign of 0 does not matter to the comparisons that follow.</summary>
+    /// <summary>One bit for each lane with a value.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static uint LanesOf(Vector256<double> v, Vector256<double> value) =>
+        Vector256.Equals(v, value).ExtractMostSignificantBits();
+
+    /// <summary>
+    /// The larger of two lanes by one instruction; what it does with NaN and with the sign of 0 does not matter to the
+    /// comparisons that follow.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
 #if NET9_0_OR_GREATER
@@ -98,14 +112,17 @@ internal static class HullBlocks
     private static int FirstLane(uint lanes) => BitOperations.TrailingZeroCount(lanes) & 7;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Dots(ref float coordinates, int block, Vector256<double> dx, Vector256<double> dy, Vector256<double> dz)
+    private static Vector256<double> Dots(
+        ref float coordinates, int block, Vector256<double> dx, Vector256<double> dy, Vector256<double> dz)
     {
         ref float x = ref Unsafe.Add(ref coordinates, block * HullCells.BlockFloats);
-        return Widen(ref x) * dx + Widen(ref Unsafe.Add(ref x, HullCells.Lanes)) * dy + Widen(ref Unsafe.Add(ref x, 2 * HullCells.Lanes)) * dz;
+        ref float y = ref Unsafe.Add(ref x, HullCells.Lanes), z = ref Unsafe.Add(ref x, 2 * HullCells.Lanes);
+        return Widen(ref x) * dx + Widen(ref y) * dy + Widen(ref z) * dz;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Widen(ref float four) => Vector256.WidenLower(Vector128.LoadUnsafe(ref four).ToVector256Unsafe());
+    private static Vector256<double> Widen(ref float four) =>
+        Vector256.WidenLower(Vector128.LoadUnsafe(ref four).ToVector256Unsafe());
 #else
     /// <summary>The best of a run of blocks, one vertex at a time.</summary>
     public static int Best(float[] blocks, int block, int end, in Vector3D direction)
@@ -117,7 +134,8 @@ internal static class HullBlocks
             int at = i * HullCells.BlockFloats;
             for (int lane = 0; lane < HullCells.Lanes; lane++, at++)
             {
-                double dot = blocks[at] * dx + blocks[at + HullCells.Lanes] * dy + blocks[at + 2 * HullCells.Lanes] * dz;
+                double y = blocks[at + HullCells.Lanes], z = blocks[at + 2 * HullCells.Lanes];
+                double dot = blocks[at] * dx + y * dy + z * dz;
                 if (!(dot > bestDot)) continue;
                 bestDot = dot;
                 best = i * HullCells.Lanes + lane;

@@ -3,24 +3,30 @@ using System.Collections.Generic;
 
 namespace Gjk.Core;
 
-/// <summary>Makes the lists of <see cref="HullCells"/>: for each cell of the direction cube the vertices that can be furthest in its directions.</summary>
+/// <summary>
+/// Makes the lists of <see cref="HullCells"/>: for each cell of the direction cube the vertices that can be furthest in
+/// its directions.
+/// </summary>
 /// <remarks>
-/// The lists are made from the top down. A face of the cube starts with all vertices. All parts are cut in two again and again until they
-/// are cells. A part's list is the list of the part that it was cut from, less the vertices that are beaten everywhere in the part.
-/// Why no list can lack the vertex that the scan finds: a vertex p is dropped only if in every direction of the part some other
-/// vertex q is higher than p by more than a slack, which exceeds the rounding of two dot products. So in
-/// every direction of the part the computed dot product of some q is larger than that of p, and p is not what the scan
-/// finds. This does not depend on which q are tried or on what else was dropped, and nothing is assumed about edges or neighbours.
-/// "Everywhere" is decided in two ways. The difference between q and p is a linear function of u and v. Its least value on a
-/// rectangle is that at the centre less what it changes along half of each side. If that exceeds the slack for one q, p goes. In
-/// the end, when lists are short, the rectangle is clipped by the half planes in which each q is not higher; if nothing is left, p goes.
-/// Directions and coordinates are in stretched units: the largest component of a direction is 1, and no coordinate exceeds 4.
-/// A vertex whose cone of directions is long and thin, as on the rim of a prism, is in many lists. When the lists
-/// of a cut would take too much memory, the parts stay as they are, and their cells share a list.
+/// The lists are made from the top down. A face of the cube starts with all vertices. All parts are cut in two again
+/// and again until they are cells. A part's list is the list of the part that it was cut from, less the vertices that
+/// are beaten everywhere in the part. Why no list can lack the vertex that the scan finds: a vertex p is dropped only
+/// if in every direction of the part some other vertex q is higher than p by more than a slack, which exceeds the
+/// rounding of two dot products. So in every direction of the part the computed dot product of some q is larger than
+/// that of p, and p is not what the scan finds. This does not depend on which q are tried or on what else was dropped,
+/// and nothing is assumed about edges or neighbours. "Everywhere" is decided in two ways. The difference between q and
+/// p is a linear function of u and v. Its least value on a rectangle is that at the centre less what it changes along
+/// half of each side. If that exceeds the slack for one q, p goes. In the end, when lists are short, the rectangle is
+/// clipped by the half planes in which each q is not higher; if nothing is left, p goes. Directions and coordinates are
+/// in stretched units: the largest component of a direction is 1, and no coordinate exceeds 4. A vertex whose cone of
+/// directions is long and thin, as on the rim of a prism, is in many lists. When the lists of a cut would take too much
+/// memory, the parts stay as they are, and their cells share a list.
 /// </remarks>
 internal sealed class HullCellLists
 {
-    /// <summary>Count: a longer list is not stored; searching the tree takes no longer. Measured by the SupportAlone benchmark.</summary>
+    /// <summary>
+    /// Count: a longer list is not stored; searching the tree takes no longer. Measured by the SupportAlone benchmark.
+    /// </summary>
     private const int LongestList = 512;
 
     /// <summary>Count: up to this many candidates are clipped by each other; the cost is quadratic.</summary>
@@ -32,12 +38,14 @@ internal sealed class HullCellLists
     /// <summary>Count: entries in all lists per vertex.</summary>
     private const int MaxEntriesPerVertex = 24;
 
+    private const int Samples = CellFilter.Samples;
+
     private readonly int _count;
     private readonly double[] _points;
     private readonly Vector3D _stretch;
     private CellGrid _grid;
     private List<CellPart> _parts = [];
-    private int[] _lists = [], _samples = [], _begin = [0], _length = [0];
+    private int[] _lists = [], _samples = [], _begin = [0], _length = [0], _champions = [0];
 
     /// <param name="hull">Its coordinates are read.</param>
     /// <param name="stretch">What directions are stretched by; along an axis where it is 0 nothing counts.</param>
@@ -63,6 +71,9 @@ internal sealed class HullCellLists
     public int this[int cell, int index] => _lists[_begin[cell] + index];
 
     public int Length(int cell) => _length[cell];
+
+    /// <summary>A vertex that is furthest in a direction of the cell or near it.</summary>
+    public int Champion(int cell) => _champions[cell];
 
     /// <summary>Where the list begins: cells with the same beginning share a list.</summary>
     public int Begin(int cell) => _begin[cell];
@@ -92,7 +103,8 @@ internal sealed class HullCellLists
 
         _begin = new int[grid.Cells];
         _length = new int[grid.Cells];
-        for (int i = 0; i < _parts.Count; i++) Store(filter, _parts[i], i * CellFilter.Samples);
+        _champions = new int[grid.Cells];
+        for (int i = 0; i < _parts.Count; i++) Store(filter, _parts[i], i * Samples);
     }
 
     /// <summary>Each face is a part.</summary>
@@ -101,20 +113,23 @@ internal sealed class HullCellLists
         int[] all = new int[_count];
         for (int i = 0; i < _count; i++) all[i] = i;
         _lists = new int[_grid.Faces * _count];
-        _samples = new int[_grid.Faces * CellFilter.Samples];
+        _samples = new int[_grid.Faces * Samples];
         int used = 0;
         for (int face = 0; face < _grid.Faces; face++)
         {
             var part = new CellPart(face, 0, _grid.Columns, 0, _grid.Rows);
             filter.Aim(part);
-            for (int row = 0; row < 3; row++) filter.FindChampions(3 * row, 1, all, 0, _count, _samples, face * CellFilter.Samples);
-            int kept = filter.Copy(_samples, face * CellFilter.Samples, all, 0, _count, _lists, used);
+            int at = face * Samples;
+            for (int row = 0; row < 3; row++) filter.FindChampions(3 * row, 1, all, 0, _count, _samples, at);
+            int kept = filter.Copy(_samples, at, all, 0, _count, _lists, used);
             _parts.Add(part.WithList(used, kept));
             used += kept;
         }
     }
 
-    /// <summary>Cuts all parts in two. False when none can be cut, or when the lists would take too much memory.</summary>
+    /// <summary>
+    /// Cuts all parts in two. False when none can be cut, or when the lists would take too much memory.
+    /// </summary>
     private bool TryCut(CellFilter filter)
     {
         int most = MaxEntriesPerVertex * _count, used = 0;
@@ -129,7 +144,7 @@ internal sealed class HullCellLists
             {
                 if (IsHopeless(part)) part = part.WithList(used, 0);
                 Array.Copy(_lists, part.From, lists, used, part.Count);
-                Array.Copy(_samples, i * CellFilter.Samples, samples, parts.Count * CellFilter.Samples, CellFilter.Samples);
+                Array.Copy(_samples, i * Samples, samples, parts.Count * Samples, Samples);
                 parts.Add(part.WithList(used, part.Count));
                 used += part.Count;
                 continue;
@@ -140,8 +155,8 @@ internal sealed class HullCellLists
             {
                 CellPart child = half == 0 ? part.LowerHalf() : part.UpperHalf();
                 filter.Aim(child);
-                InheritSamples(filter, part, i * CellFilter.Samples, half, samples, parts.Count * CellFilter.Samples);
-                int kept = filter.Copy(samples, parts.Count * CellFilter.Samples, _lists, part.From, part.Count, lists, used);
+                InheritSamples(filter, part, i * Samples, half, samples, parts.Count * Samples);
+                int kept = filter.Copy(samples, parts.Count * Samples, _lists, part.From, part.Count, lists, used);
                 parts.Add(child.WithList(used, kept));
                 used += kept;
             }
@@ -154,13 +169,16 @@ internal sealed class HullCellLists
     }
 
     /// <summary>
-    /// Whether the lists of a part's cells will be too long: if each vertex is in one cell only, and if each crosses the part in a line.
-    /// Cutting on would be in vain.
+    /// Whether the lists of a part's cells will be too long: if each vertex is in one cell only, and if each crosses
+    /// the part in a line. Cutting on would be in vain.
     /// </summary>
     private static bool IsHopeless(in CellPart part) =>
-        part.Count > LongestList / 2 * part.Cells && (double)part.Count * part.Count > 4.0 * LongestList * LongestList * part.Cells;
+        part.Count > LongestList / 2 * part.Cells
+        && (double)part.Count * part.Count > 4.0 * LongestList * LongestList * part.Cells;
 
-    /// <summary>Of a half's nine points the part knows six; the champions of the three in the middle are looked for.</summary>
+    /// <summary>
+    /// Of a half's nine points the part knows six; the champions of the three in the middle are looked for.
+    /// </summary>
     private void InheritSamples(CellFilter filter, in CellPart part, int at, int half, int[] samples, int to)
     {
         bool byColumns = part.Columns >= part.Rows;
@@ -194,6 +212,7 @@ internal sealed class HullCellLists
                 int cell = _grid.Cell(part.Face, row, column);
                 _begin[cell] = part.From;
                 _length[cell] = kept;
+                _champions[cell] = _samples[firstSample + Samples / 2];
             }
         }
     }

@@ -5,18 +5,19 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>
-/// Which vertices can be furthest in a direction: a map from directions to short lists of candidates, made once per hull.
+/// Which vertices can be furthest in a direction: a map from directions to short lists of candidates, made once per
+/// hull.
 /// </summary>
 /// <remarks>
-/// The sphere of directions is drawn on the faces of a cube. Each face is cut into Side × Side cells, and each cell has a
-/// list of the vertices that can be furthest in one of its directions (<see cref="HullCellLists"/> says how it is made and
-/// why nothing is missed). A support is one look-up and a few dot products, whatever the hull's size. A cube map of start
-/// vertices for hill climbing is known from PhysX; here nothing is left to climb.
-/// Directions are first stretched by the hull's extents, so that a needle is treated as a round hull.
-/// The lists are stored as blocks of four vertices with coordinates and ids. Ids ascend in a list, and the last block is
-/// filled up with copies of the list's first vertex. Where the list would be long, because a flat face has many corners
-/// there, the cell has none, and <see cref="Tree"/> is searched. The directions of a flat hull form a circle, which is drawn
-/// on the sides of a square. A hull that gains nothing by cells has a single list, of all vertices.
+/// The sphere of directions is drawn on the faces of a cube. Each face is cut into Side × Side cells, and each cell has
+/// a list of the vertices that can be furthest in one of its directions (<see cref="HullCellLists"/> says how it is
+/// made and why nothing is missed). A support is one look-up and a few dot products, whatever the hull's size. A cube
+/// map of start vertices for hill climbing is known from PhysX; here nothing is left to climb. Directions are first
+/// stretched by the hull's extents, so that a needle is treated as a round hull. The lists are stored as blocks of four
+/// vertices with coordinates and ids. Ids ascend in a list, and the last block is filled up with copies of the list's
+/// first vertex. Where the list would be long, because a flat face has many corners there, the cell has none, and <see
+/// cref="Tree"/> is searched. The directions of a flat hull form a circle, which is drawn on the sides of a square. A
+/// hull that gains nothing by cells has a single list, of all vertices.
 /// </remarks>
 internal sealed class HullCells
 {
@@ -26,27 +27,36 @@ internal sealed class HullCells
     /// <summary>Floats per block: x, y, z of four vertices.</summary>
     public const int BlockFloats = 3 * Lanes;
 
-    /// <summary>Count: up to this many vertices a scan of all of them is no slower than finding the cell. Measured by the SupportAlone benchmark.</summary>
+    /// <summary>
+    /// Count: up to this many vertices a scan of all of them is no slower than finding the cell. Measured by the
+    /// SupportAlone benchmark.
+    /// </summary>
 #if NET
     private const int ScanLimit = 24;
 #else
     private const int ScanLimit = 12;
 #endif
 
-    /// <summary>Count: cells along an edge of the cube; 6 · 64² cells hold the lists of 10^5 vertices with some ten candidates each.</summary>
+    /// <summary>
+    /// Count: cells along an edge of the cube; 6 · 64² cells hold the lists of 10^5 vertices with some ten candidates
+    /// each.
+    /// </summary>
     private const int MaxSide = 64;
 
     /// <summary>Count: vertices per cell of a flat hull.</summary>
     private const int FlatVerticesPerCell = 2;
 
     /// <summary>
-    /// Relative. The dot products of two corners that differ along an axis i differ by 2 |d_i| h_i or more. Each is rounded by less than
-    /// 12 u times the sum of all |d_j| h_j: three products of at most 4 |d_j| h_j and two sums, u = 2^-53. So a sign decides where
-    /// |d_i| h_i exceeds 12 u times that sum; this is 16 u. Pinned by BoxTieTests.
+    /// Relative. The dot products of two corners that differ along an axis i differ by 2 |d_i| h_i or more. Each is
+    /// rounded by less than 12 u times the sum of all |d_j| h_j: three products of at most 4 |d_j| h_j and two sums, u
+    /// = 2^-53. So a sign decides where |d_i| h_i exceeds 12 u times that sum; this is 16 u. Pinned by BoxTieTests.
     /// </summary>
     private const double Tie = 1.0 / (1L << 49);
 
-    /// <summary>How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are not touched in vain.</summary>
+    /// <summary>
+    /// How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are not
+    /// touched in vain.
+    /// </summary>
     public readonly SupportKind Kind;
 
     /// <summary>The blocks of a hull that is scanned as a whole.</summary>
@@ -68,26 +78,30 @@ internal sealed class HullCells
     public readonly HullDirection Direction;
 
     /// <summary>
-    /// For a hull whose vertices are the eight corners of its bounds, the slot of each by the signs of the direction (bit 0, 1, 2 set where x, y, z is negative);
-    /// empty for any other. Boxes are the commonest mesh, and their support needs no dot product.
+    /// For a hull whose vertices are the eight corners of its bounds, the slot of each by the signs of the direction
+    /// (bit 0, 1, 2 set where x, y, z is negative); empty for any other. Boxes are the commonest mesh, and their
+    /// support needs no dot product.
     /// </summary>
     public readonly byte[] BoxSlots;
 
     /// <summary>
-    /// The part of the direction's components, added up, that each of them must exceed, so that its sign decides between a box's corners.
+    /// The part of the direction's components, added up, that each of them must exceed, so that its sign decides
+    /// between a box's corners.
     /// </summary>
     public readonly double BoxTie;
 
     /// <summary>
-    /// The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Where there are none the tree is asked, whose blocks come
-    /// after all others. Cells can share blocks.
+    /// The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Where there are none the tree
+    /// is asked, whose blocks come after all others. Cells can share blocks.
     /// </summary>
     public readonly int[] Runs;
 
     /// <summary>Per block x of four vertices, then y, then z, counted from the hull's origin.</summary>
     public readonly float[] Coordinates;
 
-    /// <summary>The same in the hull's own frame: what a support gives out. The same array where the hull's origin is 0.</summary>
+    /// <summary>
+    /// The same in the hull's own frame: what a support gives out. The same array where the hull's origin is 0.
+    /// </summary>
     public readonly float[] Points;
 
     /// <summary>Per block the ids of its four vertices.</summary>
@@ -113,20 +127,20 @@ internal sealed class HullCells
         Runs = new int[2 * NoCell + 2];
         int blocks = SetRuns(lists);
         HullTreeBuilder? tree = lists.HasLongLists ? new HullTreeBuilder(hull, Stretch, blocks) : null;
-        Tree = tree is null ? null : new HullTree(tree.Nodes, Stretch);
         Ids = new int[(blocks + (tree is null ? 0 : (hull.VertexCount + Lanes - 1) / Lanes)) * Lanes];
         for (int cell = 0; cell < NoCell; cell++) Fill(lists, cell);
-        for (int slot = blocks * Lanes; slot < Ids.Length; slot++)
+        if (tree is not null)
         {
-            int place = slot - blocks * Lanes;
-            Ids[slot] = tree!.Order[place < hull.VertexCount ? place : place / Lanes * Lanes];
+            Tree = new HullTree(tree.Nodes, tree.Inverse, tree.Largest);
+            AppendTree(lists, tree, blocks * Lanes);
         }
 
         Coordinates = Gather(hull, default);
         Points = hull.Origin == default ? Coordinates : Gather(hull, hull.Origin);
         FirstSlot = Array.IndexOf(Ids, 0);
         BoxSlots = FindBoxSlots(hull);
-        BoxTie = Tie * Math.Max(Math.Max(Stretch.X, Stretch.Y), Stretch.Z) / Math.Min(Math.Min(Stretch.X, Stretch.Y), Stretch.Z);
+        double most = Math.Max(Math.Max(Stretch.X, Stretch.Y), Stretch.Z);
+        BoxTie = Tie * most / Math.Min(Math.Min(Stretch.X, Stretch.Y), Stretch.Z);
         BlockCount = Runs[1];
         Kind = BoxSlots.Length > 0 ? SupportKind.Box
             : !Direction.IsSpatial ? SupportKind.Flat
@@ -144,7 +158,9 @@ internal sealed class HullCells
         /// <summary>The vertices of the direction's cell are scanned.</summary>
         Cells,
 
-        /// <summary>As Scan or Cells, but for a hull without extent in some direction: the direction must be prepared first.</summary>
+        /// <summary>
+        /// As Scan or Cells, but for a hull without extent in some direction: the direction must be prepared first.
+        /// </summary>
         Flat,
     }
 
@@ -157,7 +173,9 @@ internal sealed class HullCells
         for (int id = 0; id < 8; id++)
         {
             Vector3 p = hull.GetVertex(id);
-            if ((p.X != min.X && p.X != max.X) || (p.Y != min.Y && p.Y != max.Y) || (p.Z != min.Z && p.Z != max.Z)) return [];
+            if (p.X != min.X && p.X != max.X) return [];
+            if (p.Y != min.Y && p.Y != max.Y) return [];
+            if (p.Z != min.Z && p.Z != max.Z) return [];
             int signs = (p.X == min.X ? 1 : 0) | (p.Y == min.Y ? 2 : 0) | (p.Z == min.Z ? 4 : 0);
             slots[signs] = (byte)id;
             found |= 1 << signs;
@@ -192,6 +210,27 @@ internal sealed class HullCells
     {
         int first = Runs[2 * cell] * Lanes, length = lists.Length(cell), padded = Runs[2 * cell + 1] * Lanes - first;
         for (int k = 0; k < padded; k++) Ids[first + k] = lists[cell, k < length ? k : 0];
+    }
+
+    /// <summary>
+    /// The vertices in the order of the tree's leaves; in the run of each cell without a list the slot where its
+    /// searches start.
+    /// </summary>
+    private void AppendTree(HullCellLists lists, HullTreeBuilder tree, int first)
+    {
+        int count = tree.Order.Length;
+        int[] slots = new int[count];
+        for (int slot = first; slot < Ids.Length; slot++)
+        {
+            int place = slot - first;
+            Ids[slot] = tree.Order[place < count ? place : place / Lanes * Lanes];
+            if (place < count) slots[Ids[slot]] = slot;
+        }
+
+        for (int cell = 0; cell < NoCell; cell++)
+        {
+            if (lists.Length(cell) == 0) Runs[2 * cell] = Runs[2 * cell + 1] = slots[lists.Champion(cell)];
+        }
     }
 
     private float[] Gather(ConvexHull hull, Vector3 origin)

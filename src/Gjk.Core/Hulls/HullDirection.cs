@@ -4,26 +4,28 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// Prepares the direction of a support. It folds the direction into the plane of a flat hull, and it rescales directions of
-/// extreme length, whose dot products would overflow or lose digits.
+/// Prepares the direction of a support. It folds the direction into the plane of a flat hull, and it rescales
+/// directions of extreme length, whose dot products would overflow or lose digits.
 /// </summary>
 /// <remarks>
-/// A flat hull's vertices satisfy n · p = c. Dropping the axis k of the normal's largest (stretched) component changes no
-/// comparison if the direction d is replaced by e with e_i = d_i - d_k n_i / n_k: p · d and p · e differ by a constant. A
-/// support towards the plane's normal then compares what the plane leaves, not the rounding of a large common term.
+/// A flat hull's vertices satisfy n · p = c. Dropping the axis k of the normal's largest (stretched) component changes
+/// no comparison if the direction d is replaced by e with e_i = d_i - d_k n_i / n_k: p · d and p · e differ by a
+/// constant. A support towards the plane's normal then compares what the plane leaves, not the rounding of a large
+/// common term.
 /// </remarks>
 internal readonly struct HullDirection
 {
     /// <summary>
-    /// What a prepared direction is multiplied by, along each axis: half the hull's extents; 0 for the axis that is folded
-    /// away. The products say how much each component can contribute to a dot product.
+    /// What a prepared direction is multiplied by, along each axis: half the hull's extents; 0 for the axis that is
+    /// folded away. The products say how much each component can contribute to a dot product.
     /// </summary>
     public readonly Vector3D Stretch;
 
     /// <summary>
-    /// The reach of a direction is the sum of the magnitudes of its components, without those along which the hull has no
-    /// extent. From 2^-700 to 2^800 it is safe: half extents are 2^-150 to 2^128 and coordinates four times that, so that nothing overflows,
-    /// and underflow costs at most 2^-1073, which is 2^-220 of the largest product. Pinned by DirectionLengthTests.
+    /// The reach of a direction is the sum of the magnitudes of its components, without those along which the hull has
+    /// no extent. From 2^-700 to 2^800 it is safe: half extents are 2^-150 to 2^128 and coordinates four times that, so
+    /// that nothing overflows, and underflow costs at most 2^-1073, which is 2^-220 of the largest product. Pinned by
+    /// DirectionLengthTests.
     /// </summary>
     private const double LeastSafe = 1.9010815379079637e-211, MostSafe = 6.6680144328798543e240;
 
@@ -58,33 +60,41 @@ internal readonly struct HullDirection
 
     private int Components => (Stretch.X > 0 ? 1 : 0) + (Stretch.Y > 0 ? 1 : 0) + (Stretch.Z > 0 ? 1 : 0);
 
-    /// <summary>Whether dot products with a direction of this reach are computed without overflow and loss of digits. False for 0 and NaN.</summary>
+    /// <summary>
+    /// Whether dot products with a direction of this reach are computed without overflow and loss of digits. False for
+    /// 0 and NaN.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsSafe(double reach) => reach >= LeastSafe && reach <= MostSafe;
 
     /// <summary>Folds and rescales where that is needed.</summary>
     /// <param name="direction">Any; prepared when the result is true.</param>
-    /// <returns>False when all vertices are level: the direction is 0, NaN or infinite, or orthogonal to the whole hull.</returns>
+    /// <returns>False when all vertices are level, or when the direction is none: 0, NaN or infinite.</returns>
     public bool TryPrepare(ref Vector3D direction)
     {
         Vector3D folded = Fold(direction);
         if (!IsSafe(Reach(folded)))
         {
-            if (!TryRescale(direction, _extents, out Vector3D rescaled) || !TryRescale(Fold(rescaled), Stretch, out folded)) return false;
+            if (!TryRescale(direction, _extents, out Vector3D rescaled)) return false;
+            if (!TryRescale(Fold(rescaled), Stretch, out folded)) return false;
         }
 
-        direction = folded;
+        direction = WithExtent(folded, Stretch);
         return true;
     }
 
     private static bool TryRescale(in Vector3D direction, in Vector3D stretch, out Vector3D rescaled)
     {
-        // A component along which the hull has no extent must not count, however large it is.
-        double x = stretch.X > 0 ? direction.X : 0, y = stretch.Y > 0 ? direction.Y : 0, z = stretch.Z > 0 ? direction.Z : 0;
-        double largest = Math.Max(Math.Max(Math.Abs(x), Math.Abs(y)), Math.Abs(z));
-        rescaled = DirectionRange.ToUnit(new Vector3D(x, y, z));
+        rescaled = DirectionRange.ToUnit(WithExtent(direction, stretch));
+        double largest = Math.Max(Math.Max(Math.Abs(rescaled.X), Math.Abs(rescaled.Y)), Math.Abs(rescaled.Z));
         return largest > 0 && largest <= double.MaxValue;
     }
+
+    /// <summary>A component along which the hull has no extent must not count, however large it is.</summary>
+    private static Vector3D WithExtent(in Vector3D direction, in Vector3D extents) => new(
+        extents.X > 0 ? direction.X : 0,
+        extents.Y > 0 ? direction.Y : 0,
+        extents.Z > 0 ? direction.Z : 0);
 
     private Vector3D Fold(in Vector3D direction)
     {

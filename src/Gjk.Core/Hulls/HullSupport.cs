@@ -3,11 +3,15 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <summary>The vertex of a hull that is furthest in a direction: the lowest id among those whose dot product, in double, is largest.</summary>
+/// <summary>
+/// The vertex of a hull that is furthest in a direction: the lowest id among those whose dot product, in double, is
+/// largest.
+/// </summary>
 /// <remarks>
-/// <see cref="Scan"/> is the definition. It counts coordinates from the hull's origin (<see cref="HullOrigin"/>) and prepares the direction
-/// first (<see cref="HullDirection"/>). <see cref="Find"/> gets the same vertex by the signs of the direction for a box, from the direction's
-/// cell for a large hull (<see cref="HullCells"/>), and by a scan for a small one.
+/// <see cref="Scan"/> is the definition. It counts coordinates from the hull's origin (<see cref="HullOrigin"/>) and
+/// prepares the direction first (<see cref="HullDirection"/>). <see cref="Find"/> gets the same vertex by the signs of
+/// the direction for a box, from the direction's cell for a large hull (<see cref="HullCells"/>), and by a scan for a
+/// small one.
 /// </remarks>
 internal static class HullSupport
 {
@@ -21,7 +25,7 @@ internal static class HullSupport
         {
             double x = Math.Abs(dx), y = Math.Abs(dy), z = Math.Abs(dz), tie = (x + y + z) * cells.BoxTie;
             int corner = x > tie && y > tie && z > tie
-                ? cells.BoxSlots[BranchFree.IsNegative(dx) | (BranchFree.IsNegative(dy) << 1) | (BranchFree.IsNegative(dz) << 2)]
+                ? cells.BoxSlots[Signs(dx, dy, dz)]
                 : FindRarely(cells, dx, dy, dz);
             return HullBlocks.Read(cells.Points, corner, out point);
         }
@@ -36,9 +40,15 @@ internal static class HullSupport
 
         int cell = cells.Kind == HullCells.SupportKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
         int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
-        int slot = end > start ? HullBlocks.Best(cells.Coordinates, start, end, direction) : FindRarely(cells, dx, dy, dz);
+        int slot = end > start
+            ? HullBlocks.Best(cells.Coordinates, start, end, direction)
+            : FindRarely(cells, dx, dy, dz);
         return cells.Ids[HullBlocks.Read(cells.Points, slot, out point)];
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Signs(double x, double y, double z) =>
+        BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
 
     /// <summary>The definition that every faster way must agree with.</summary>
     public static int Scan(ConvexHull hull, in Vector3D direction)
@@ -62,8 +72,8 @@ internal static class HullSupport
     }
 
     /// <summary>
-    /// The slot of the furthest vertex where <see cref="Find"/> has no short cut: flat hulls, cells without a list, ties of box corners, directions of
-    /// extreme length.
+    /// The slot of the furthest vertex where <see cref="Find"/> has no short cut: flat hulls, cells without a list,
+    /// ties of box corners, directions of extreme length.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static int FindRarely(HullCells cells, double dx, double dy, double dz)
@@ -73,12 +83,12 @@ internal static class HullSupport
         if (cells.Side == 0) return HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, d);
         int cell = cells.Direction.IsPlanar ? SquareCell(cells, d) : CubeCell(cells, d.X, d.Y, d.Z);
         int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
-        return end > start ? HullBlocks.Best(cells.Coordinates, start, end, d) : cells.Tree!.Find(cells, d);
+        return end > start ? HullBlocks.Best(cells.Coordinates, start, end, d) : cells.Tree!.Find(cells, d, start);
     }
 
     /// <summary>
-    /// The cube's face by the largest stretched component, then the cell by the other two over it. A direction of extreme
-    /// length has the cell after the last, which is empty.
+    /// The cube's face by the largest stretched component, then the cell by the other two over it. A direction of
+    /// extreme length has the cell after the last, which is empty.
     /// </summary>
     private static int CubeCell(HullCells cells, double dx, double dy, double dz)
     {

@@ -2,20 +2,28 @@ using System;
 
 namespace Gjk.Core;
 
-/// <summary>Fits the boxes of a <see cref="HullTree"/>: from the root down, each node's vertices are cut in two along its longest axis.</summary>
+/// <summary>
+/// Fits the boxes of a <see cref="HullTree"/>: from the root down, each node's vertices are cut in two along its
+/// longest axis.
+/// </summary>
 internal sealed class HullTreeBuilder
 {
     /// <summary>
-    /// Steps of a float at the hull's largest coordinate: a node that is thinner than this along its parent's normal keeps that normal. The vertices of
-    /// a tilted face are rounded to floats; normals fitted to that roughness would differ from node to node, and the bounds with them.
+    /// Steps of a float at the hull's largest coordinate: a node that is thinner than this along its parent's normal
+    /// keeps that normal. The vertices of a tilted face are rounded to floats; normals fitted to that roughness would
+    /// differ from node to node, and the bounds with them.
     /// </summary>
     private const double Roughness = 4;
 
-    /// <summary>Stretched units: the most that counts as roughness, for meshes so far from their local origin that floats are coarse.</summary>
+    /// <summary>
+    /// Stretched units: the most that counts as roughness, for meshes so far from their local origin that floats are
+    /// coarse.
+    /// </summary>
     private const double MostRoughness = 1.0 / 64;
 
     /// <summary>
-    /// Relative to the size of a node: what its box is enlarged by on each side. Fitting rounds by some forty units of 2^-53.
+    /// Relative to the size of a node: what its box is enlarged by on each side. Fitting rounds by some forty units of
+    /// 2^-53.
     /// </summary>
     private const double Enlargement = 1.0 / (1L << 46);
 
@@ -33,35 +41,56 @@ internal sealed class HullTreeBuilder
         int count = hull.VertexCount;
         _hull = hull;
         _firstBlock = firstBlock;
-        _x = Stretched(hull.X, stretch.X, count);
-        _y = Stretched(hull.Y, stretch.Y, count);
-        _z = Stretched(hull.Z, stretch.Z, count);
+        Inverse = new Vector3D(InversePower(stretch.X), InversePower(stretch.Y), InversePower(stretch.Z));
+        _x = Scaled(hull.X, Inverse.X, count, out double x);
+        _y = Scaled(hull.Y, Inverse.Y, count, out double y);
+        _z = Scaled(hull.Z, Inverse.Z, count, out double z);
+        Largest = new Vector3D(x, y, z);
         _keys = new double[count];
         Order = new int[count];
         for (int i = 0; i < count; i++) Order[i] = i;
-        double step = Math.Max(Step(hull.Bounds.Min.X, hull.Bounds.Max.X, stretch.X), Step(hull.Bounds.Min.Y, hull.Bounds.Max.Y, stretch.Y));
-        _roughness = Math.Min(Roughness * Math.Max(step, Step(hull.Bounds.Min.Z, hull.Bounds.Max.Z, stretch.Z)), MostRoughness);
+        Vector3D min = hull.Bounds.Min, max = hull.Bounds.Max;
+        double step = Math.Max(Step(min.X, max.X) * Inverse.X, Step(min.Y, max.Y) * Inverse.Y);
+        _roughness = Math.Min(Roughness * Math.Max(step, Step(min.Z, max.Z) * Inverse.Z), MostRoughness);
         int leaves = (count + HullTree.LeafVertices - 1) / HullTree.LeafVertices;
         Nodes = new HullTreeNode[2 * leaves - 1];
         Build(0, 0, leaves, new Vector3D(0, 0, 1));
     }
 
+    /// <summary>
+    /// What coordinates are multiplied by in the nodes: powers of two, which round nothing; 0 for an axis without
+    /// extent.
+    /// </summary>
+    public Vector3D Inverse { get; }
+
+    /// <summary>The largest magnitude of a coordinate on each axis, multiplied.</summary>
+    public Vector3D Largest { get; }
+
     /// <summary>The root first.</summary>
     public HullTreeNode[] Nodes { get; }
 
-    /// <summary>The ids of the vertices in the order of the leaves, the same number in each but the last; they ascend in a leaf.</summary>
+    /// <summary>
+    /// The ids of the vertices in the order of the leaves, the same number in each but the last; they ascend in a leaf.
+    /// </summary>
     public int[] Order { get; }
 
-    private static double[] Stretched(float[] coordinates, double stretch, int count)
+    private static double InversePower(double stretch) => stretch > 0 ? 1 / PowerOfTwo.AtMost(stretch) : 0;
+
+    private static double[] Scaled(float[] coordinates, double inverse, int count, out double largest)
     {
-        double[] stretched = new double[count];
-        for (int i = 0; i < count && stretch > 0; i++) stretched[i] = coordinates[i] / stretch;
-        return stretched;
+        double[] scaled = new double[count];
+        largest = 0;
+        for (int i = 0; i < count; i++)
+        {
+            scaled[i] = coordinates[i] * inverse;
+            largest = Math.Max(largest, Math.Abs(scaled[i]));
+        }
+
+        return scaled;
     }
 
     /// <summary>The relative step of a float is 2^-23.</summary>
-    private static double Step(float min, float max, double stretch) =>
-        stretch > 0 ? Math.Max(Math.Abs((double)min), Math.Abs((double)max)) / (1 << 23) / stretch : 0;
+    private static double Step(double min, double max) => Math.Max(Math.Abs(min), Math.Abs(max)) / (1 << 23);
 
     private void Build(int node, int leaf, int leaves, in Vector3D parentNormal)
     {
@@ -94,9 +123,11 @@ internal sealed class HullTreeBuilder
         Extent(normal, from, to, out double middle2, out double half2);
         Extent(across, from, to, out double middle3, out double half3);
         Vector3D longest = half1 >= half2 && half1 >= half3 ? chord : half2 >= half3 ? normal : across;
-        double more = (half1 + half2 + half3 + Math.Abs(middle1) + Math.Abs(middle2) + Math.Abs(middle3)) * Enlargement;
+        double more = half1 + half2 + half3 + Math.Abs(middle1) + Math.Abs(middle2) + Math.Abs(middle3);
+        more *= Enlargement;
         int origin = Order[from];
-        Vector3D center = new Vector3D(_x[origin], _y[origin], _z[origin]) + (chord * middle1 + normal * middle2 + across * middle3);
+        Vector3D middle = chord * middle1 + normal * middle2 + across * middle3;
+        Vector3D center = new Vector3D(_x[origin], _y[origin], _z[origin]) + middle;
         Vector3D first = chord * (half1 + more), second = normal * (half2 + more), third = across * (half3 + more);
         (node.CenterX, node.FirstX, node.SecondX, node.ThirdX) = (center.X, first.X, second.X, third.X);
         (node.CenterY, node.FirstY, node.SecondY, node.ThirdY) = (center.Y, first.Y, second.Y, third.Y);
@@ -104,7 +135,9 @@ internal sealed class HullTreeBuilder
         return longest;
     }
 
-    /// <summary>A unit vector along the longest chord found, and a unit normal of the plane that the vertices lie near.</summary>
+    /// <summary>
+    /// A unit vector along the longest chord found, and a unit normal of the plane that the vertices lie near.
+    /// </summary>
     private Vector3D FitNormal(int from, int to, in Vector3D parentNormal, out Vector3D chord)
     {
         Extreme(from, to, out int a, out int b);

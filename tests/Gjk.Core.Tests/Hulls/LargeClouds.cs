@@ -18,13 +18,15 @@ internal static class LargeClouds
         "turned disc" => Array.ConvertAll(Disc(10000), p => new Vector3(p.X, p.X, p.Y)),
         "dome" => Dome(60),
         "turned dome" => Turned(Dome(60)),
-        "cluster" => [.. Array.ConvertAll(HullClouds.Sphere(5, 1500, 1e-6f), p => p + Vector3.One), .. HullClouds.Box(6, 300)],
-        "rings" => [.. Disc(800), .. Array.ConvertAll(Disc(800), p => p with { Z = 1e-7f }), .. Array.ConvertAll(Disc(800), p => 0.999f * p with { Z = 0.01f })],
-        "far prism" => Array.ConvertAll(Prism(1500), p => p + new Vector3(200, -100, 300)),
+        "cluster" => [.. Moved(HullClouds.Sphere(5, 1500, 1e-6f), Vector3.One), .. HullClouds.Box(6, 300)],
+        "rings" => [.. Disc(800), .. Disc(800, 1e-7f), .. Array.ConvertAll(Disc(800, 0.01f), p => 0.999f * p)],
+        "far prism" => Moved(Prism(1500), new Vector3(200, -100, 300)),
         _ => throw new ArgumentException(kind),
     };
 
     public static Vector3[] Turned(Vector3[] cloud) => Array.ConvertAll(cloud, p => Vector3.Transform(p, Turn));
+
+    public static Vector3[] Moved(Vector3[] cloud, Vector3 by) => Array.ConvertAll(cloud, p => p + by);
 
     public static Vector3[] Disc(int sides, float height = 0)
     {

@@ -3,7 +3,10 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests;
 
-/// <summary>Directions in which a look-up can go wrong: normals of faces and edges, borders of cells, axes, tiny and missing components, and everything close to these.</summary>
+/// <summary>
+/// Directions in which a look-up can go wrong: normals of faces and edges, borders of cells, axes, tiny and missing
+/// components, and everything close to these.
+/// </summary>
 internal sealed class LookupDirections(ConvexHull hull, Rng rng)
 {
     private const int Kinds = 8;
@@ -23,14 +26,15 @@ internal sealed class LookupDirections(ConvexHull hull, Rng rng)
         2 => AcrossAnEdge(),
         3 => OnACellBorder(),
         4 => AlongAnEdge(),
-        5 => rng.Rotation() is var q ? new Vector3D(Math.Round(q.X * 4), Math.Round(q.Y * 4), Math.Round(q.Z * 4)) : default,
+        5 => new Vector3D(rng.Below(7) - 3, rng.Below(7) - 3, rng.Below(7) - 3),
         _ => (Vector3D)rng.Direction(),
     };
 
     private Vector3D Axis()
     {
         double s = rng.Below(2) == 0 ? 1 : -1;
-        return rng.Below(3) switch { 0 => new Vector3D(s, 0, 0), 1 => new Vector3D(0, s, 0), _ => new Vector3D(0, 0, s) };
+        int axis = rng.Below(3);
+        return new Vector3D(axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0);
     }
 
     private Vector3D FaceNormal()
@@ -43,29 +47,46 @@ internal sealed class LookupDirections(ConvexHull hull, Rng rng)
     private Vector3D AlongAnEdge()
     {
         int i = rng.Below(hull.VertexCount);
-        return hull.NeighborCount(i) == 0 ? Axis() : Unit(Edge(i, hull.GetNeighbor(i, rng.Below(hull.NeighborCount(i)))));
+        int neighbors = hull.NeighborCount(i);
+        return neighbors == 0 ? Axis() : Unit(Edge(i, hull.GetNeighbor(i, rng.Below(neighbors))));
     }
 
     /// <summary>A direction orthogonal to an edge: both ends are level.</summary>
     private Vector3D AcrossAnEdge() => Unit(Vector3D.Cross(AlongAnEdge(), (Vector3D)rng.Direction()));
 
-    /// <summary>A direction whose stretched components are exactly between two cells, or on the edge of the cube.</summary>
+    /// <summary>
+    /// A direction whose stretched components are exactly between two cells, or on the edge of the cube.
+    /// </summary>
     private Vector3D OnACellBorder()
     {
         int side = Math.Max(1, hull.Cells.Side);
-        double u = 2.0 * rng.Below(side + 1) / side - 1, v = rng.Below(2) == 0 ? rng.Range(-1, 1) : 2.0 * rng.Below(side + 1) / side - 1;
-        double w = rng.Below(2) == 0 ? 1 : -1;
-        Vector3D s = rng.Below(3) switch { 0 => new Vector3D(w, u, v), 1 => new Vector3D(u, w, v), _ => new Vector3D(u, v, w) };
+        double u = 2.0 * rng.Below(side + 1) / side - 1, w = rng.Below(2) == 0 ? 1 : -1;
+        double v = rng.Below(2) == 0 ? rng.Range(-1, 1) : 2.0 * rng.Below(side + 1) / side - 1;
+        Vector3D s = rng.Below(3) switch
+        {
+            0 => new Vector3D(w, u, v),
+            1 => new Vector3D(u, w, v),
+            _ => new Vector3D(u, v, w),
+        };
         Vector3D stretch = hull.Cells.Stretch;
-        return new Vector3D(stretch.X > 0 ? s.X / stretch.X : s.X, stretch.Y > 0 ? s.Y / stretch.Y : s.Y, stretch.Z > 0 ? s.Z / stretch.Z : s.Z);
+        return new Vector3D(Over(s.X, stretch.X), Over(s.Y, stretch.Y), Over(s.Z, stretch.Z));
     }
 
-    private Vector3D Near(in Vector3D d) => d + (Vector3D)rng.Direction() * (d.Length * Math.Pow(10, rng.Range(-18, -1)));
+    private Vector3D Near(in Vector3D d) =>
+        d + (Vector3D)rng.Direction() * (d.Length * Math.Pow(10, rng.Range(-18, -1)));
 
     /// <summary>Some components 0, 1e-20 of the length, or denormal.</summary>
     private Vector3D WithoutSome(in Vector3D d) => new(Less(d.X), Less(d.Y), Less(d.Z));
 
-    private double Less(double x) => rng.Below(6) switch { 0 => 0, 1 => x * 1e-20, 2 => Math.CopySign(5e-324 * (1 + rng.Below(9)), x), _ => x };
+    private double Less(double x) => rng.Below(6) switch
+    {
+        0 => 0,
+        1 => x * 1e-20,
+        2 => Math.CopySign(5e-324 * (1 + rng.Below(9)), x),
+        _ => x,
+    };
+
+    private static double Over(double x, double stretch) => stretch > 0 ? x / stretch : x;
 
     private Vector3D Edge(int a, int b)
     {

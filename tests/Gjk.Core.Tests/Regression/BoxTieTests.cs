@@ -5,7 +5,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// A box's corner was chosen by the signs of the direction even where a component was smaller than the rounding of the dot product, so that all other ways to find the vertex saw a tie.
+/// A box's corner was chosen by the signs of the direction even where a component was smaller than the rounding of the
+/// dot product, so that all other ways to find the vertex saw a tie.
 /// </summary>
 public class BoxTieTests
 {
@@ -49,7 +50,7 @@ public class BoxTieTests
 
     private static void AssertSame(ConvexHull hull, in Vector3D d)
     {
-        int id = HullSupport.Find(hull, d, out _);
-        Assert.True(id == HullSupport.Scan(hull, d), $"{hull.GetVertex(id)} towards {d}, the scan finds {hull.GetVertex(HullSupport.Scan(hull, d))}");
+        int id = HullSupport.Find(hull, d, out _), expected = HullSupport.Scan(hull, d);
+        Assert.True(id == expected, $"{hull.GetVertex(id)} towards {d}, the scan finds {hull.GetVertex(expected)}");
     }
 }

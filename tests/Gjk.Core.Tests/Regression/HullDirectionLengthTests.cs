@@ -7,7 +7,8 @@ using Gjk.Demo.Fuzz.Meshes;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// A large mesh gave wrong vertices towards directions shorter than 1e-307, and any mesh towards some longer than 1e270: dot products left the range of double.
+/// A large mesh gave wrong vertices towards directions shorter than 1e-307, and any mesh towards some longer than
+/// 1e270: dot products left the range of double.
 /// </summary>
 public class HullDirectionLengthTests
 {
@@ -28,8 +29,9 @@ public class HullDirectionLengthTests
             {
                 // Few bits, so that even denormal components hold them.
                 var d = new Vector3D(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
-                int id = HullSupport.Find(hull, d * factor, out _);
-                Assert.True(id == HullSupport.Find(hull, d, out _) && id == HullSupport.Scan(hull, d * factor), $"seed {seed}: vertex {id} towards {d} x 2^{exponent}");
+                int id = HullSupport.Find(hull, d * factor, out _), expected = HullSupport.Find(hull, d, out _);
+                Assert.True(id == expected, $"seed {seed}: vertex {id}, not {expected}, towards {d} x 2^{exponent}");
+                Assert.Equal(expected, HullSupport.Scan(hull, d * factor));
             }
         }
     }
@@ -37,12 +39,14 @@ public class HullDirectionLengthTests
     [Fact]
     public void AComponentAcrossAFlatHullDoesNotHideTheOthers()
     {
-        ConvexHull square = new([new(1, 0, 1), new(-1, 0, 1), new(1, 0, -1), new(-1, 0, -1)]), disc = new(LargeClouds.Disc(500));
+        ConvexHull square = new([new(1, 0, 1), new(-1, 0, 1), new(1, 0, -1), new(-1, 0, -1)]);
+        ConvexHull disc = new(LargeClouds.Disc(500));
         foreach (double big in new[] { 1e300, 1, 1e-10, 0 })
         {
-            Assert.Equal(new Vector3(1, 0, -1), square.GetVertex(HullSupport.Find(square, new Vector3D(1e-320, big, -1e-320), out _)));
-            HullSupport.Find(disc, new Vector3D(0, 5e-324, -big), out Vector3D point);
-            Assert.Equal(1, point.Y);
+            HullSupport.Find(square, new Vector3D(1e-320, big, -1e-320), out Vector3D corner);
+            Assert.Equal(new Vector3D(1, 0, -1), corner);
+            HullSupport.Find(disc, new Vector3D(0, 5e-324, -big), out Vector3D top);
+            Assert.Equal(1, top.Y);
         }
     }
 
@@ -59,7 +63,8 @@ public class HullDirectionLengthTests
             ConvexHull hull = Hull(seed);
             var d = new Vector3D(x, y, z);
             int id = HullSupport.Find(hull, d, out Vector3D point);
-            Assert.True(id == HullSupport.Scan(hull, d) && id < hull.VertexCount, $"seed {seed}: vertex {id} towards {d}");
+            Assert.InRange(id, 0, hull.VertexCount - 1);
+            Assert.Equal(HullSupport.Scan(hull, d), id);
             Assert.Equal((Vector3D)hull.GetVertex(id), point);
         }
 

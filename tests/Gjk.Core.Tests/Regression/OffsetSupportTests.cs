@@ -6,7 +6,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// The support of a mesh far from its local origin compared dot products of absolute coordinates: it was wrong by 1e-16 of the offset, not of the size.
+/// The support of a mesh far from its local origin compared dot products of absolute coordinates: it was wrong by 1e-16
+/// of the offset, not of the size.
 /// </summary>
 public class OffsetSupportTests
 {
@@ -20,7 +21,8 @@ public class OffsetSupportTests
         {
             var rng = new Rng(seed);
             Vector3 away = (float)offset * new Vector3(rng.Float(0.5, 1), -rng.Float(0.5, 1), rng.Float(0.5, 1));
-            Vector3[] cloud = Array.ConvertAll(Generators.Cloud(rng, rng.Below(2) == 0 ? 10 : 60, new Vector3(4)), p => p + away);
+            Vector3[] near = Generators.Cloud(rng, rng.Below(2) == 0 ? 10 : 60, new Vector3(4));
+            Vector3[] cloud = Array.ConvertAll(near, p => p + away);
             var hull = new ConvexHull(cloud);
             for (int i = 0; i < 100; i++)
             {
@@ -29,7 +31,8 @@ public class OffsetSupportTests
                 hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D q);
                 Vector3D d = Vector3D.Cross(p - q, (Vector3D)rng.Direction()) + (Vector3D)rng.Direction() * 1e-12;
                 HullSupport.Find(hull, d, out Vector3D point);
-                double behind = cloud.Max(c => Height((Vector3D)c - point, d)), reach = cloud.Max(c => ((Vector3D)c - point).Length) * d.Length;
+                double behind = cloud.Max(c => Height((Vector3D)c - point, d));
+                double reach = cloud.Max(c => ((Vector3D)c - point).Length) * d.Length;
                 Assert.True(behind <= 1e-15 * reach, $"seed {seed}: {point} towards {d} is {behind} behind, of {reach}");
             }
         }
@@ -47,15 +50,19 @@ public class OffsetSupportTests
     public void TheVerticesComeBackBitForBit(double offset, double size)
     {
         var rng = new Rng(5);
-        Vector3[] cloud = [.. Enumerable.Range(0, 40).Select(_ => new Vector3((float)(offset + rng.Range(-size, size)), (float)(-offset + rng.Range(-size, size)), rng.Float(-size, size)))];
+        var away = new Vector3D(offset, -offset, 0);
+        Vector3[] cloud = [.. Enumerable.Range(0, 40).Select(_ => (Vector3)(away + (Vector3D)rng.Vector(-1, 1) * size))];
         var hull = new ConvexHull(cloud);
         Vector3D half = ((Vector3D)hull.Bounds.Max - hull.Bounds.Min) * 0.5;
         for (int i = 0; i < hull.VertexCount; i++)
         {
             Vector3 vertex = hull.GetVertex(i);
             hull.GetVertex(i, out Vector3D wide);
-            Assert.True(vertex == cloud[hull.SourceIndex(i)] && wide == vertex, $"vertex {i}: {vertex} {wide}, given {cloud[hull.SourceIndex(i)]}");
-            Assert.True(Math.Abs(hull.X[i]) <= 4 * half.X && Math.Abs(hull.Y[i]) <= 4 * half.Y && Math.Abs(hull.Z[i]) <= 4 * half.Z, $"vertex {i} lies far from the origin {hull.Origin}");
+            Assert.Equal(cloud[hull.SourceIndex(i)], vertex);
+            Assert.Equal((Vector3D)vertex, wide);
+            Assert.InRange(Math.Abs(hull.X[i]), 0, 4 * half.X);
+            Assert.InRange(Math.Abs(hull.Y[i]), 0, 4 * half.Y);
+            Assert.InRange(Math.Abs(hull.Z[i]), 0, 4 * half.Z);
         }
     }
 
