@@ -94,7 +94,8 @@ public static partial class ConvexQuery
     /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded down.</summary>
     private static float LowerBound(double coreGap, in SolverState state, in PairFrame frame)
     {
-        double reach = state.Size.Value + frame.Translation.Length;
+        // The centres are no further apart than the gap and both sizes, so this is at least the size and the distance of the centres.
+        double reach = 2 * state.Size.Value + coreGap;
         double value = (coreGap - frame.Margins - GjkTolerances.LowerBoundError * reach) * frame.Unit;
         return value > 0 ? RoundDown(value) : 0;
     }
