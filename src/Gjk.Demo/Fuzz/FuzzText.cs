@@ -31,11 +31,13 @@ internal static class FuzzText
         return (a, ShapeWords.Read(words));
     }
 
+    /// <summary>False for what is no record, and for a scale that is not of floats.</summary>
     public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
     {
         pair = null;
         if (!QueryRecord.TryParse(text, out QueryRecord record, out _)) return false;
         (ShapeWords a, ShapeWords b) = Split(text);
+        if (!HasFloatScale(a) || !HasFloatScale(b)) return false;
         pair = new FuzzPair(Shape(record.A, a), record.PoseA, Shape(record.B, b), record.PoseB);
         return true;
     }
@@ -52,6 +54,9 @@ internal static class FuzzText
         for (int i = 0; i < cloud.Length; i++) cloud[i] = new Vector3(Number(words.Numbers[3 * i]), Number(words.Numbers[3 * i + 1]), Number(words.Numbers[3 * i + 2]));
         return FuzzShape.Of(shape, cloud);
     }
+
+    /// <summary>A record may hold other factors, but no user can give them to a shape.</summary>
+    private static bool HasFloatScale(ShapeWords words) => words.Scale.All(w => double.Parse(w, CultureInfo.InvariantCulture) == Number(w));
 
     private static float Number(string word) => float.Parse(word, CultureInfo.InvariantCulture);
 

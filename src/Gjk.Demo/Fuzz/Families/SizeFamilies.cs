@@ -7,8 +7,6 @@ namespace Gjk.Demo.Fuzz.Families;
 /// <summary>Pairs whose difficulty is in their numbers: sizes, distances from an origin, or how many corners there are.</summary>
 internal static class SizeFamilies
 {
-    private static readonly int[] HullSizes = [128, 512, 515, 1024, 2048, 4096];
-
     /// <summary>One shape up to a million times larger than the other, in contact or nearly.</summary>
     public static FuzzPair SizesApart(FuzzRandom random)
     {
@@ -49,7 +47,7 @@ internal static class SizeFamilies
         return Placement.Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
     }
 
-    /// <summary>Hulls of 128 to 4096 corners, deep, near tangent and apart, against each other and against small shapes.</summary>
+    /// <summary>Hulls of 100 to 4096 corners, deep, near tangent and apart, against each other and against small shapes.</summary>
     public static FuzzPair LargeHulls(FuzzRandom random)
     {
         FuzzShape a = Large(random), b = random.OneIn(2) ? Large(random) : Shapes.Any(random);
@@ -59,7 +57,8 @@ internal static class SizeFamilies
 
     private static FuzzShape Large(FuzzRandom random)
     {
-        Vector3[] cloud = Clouds.OnSphere(random, random.Of<int>(HullSizes));
+        int corners = random.OneIn(8) ? random.Of(2048, 4096) : random.Of(100, 128, 515, 1024);
+        Vector3[] cloud = Clouds.OnSphere(random, corners);
         FuzzShape sphere = FuzzShape.Mesh(cloud);
         return random.OneIn(2) ? sphere : sphere.Scaled(random.Factors(0.3, 2));
     }

@@ -31,7 +31,7 @@ internal sealed class SizeChangesNothing : IPromise
     {
         resized = default;
         Vector3 factors = shape.Scale * factor;
-        if (!IsExact(factors) || (shape.Hull is null && shape.Scale != Vector3.One)) return false;
+        if (!IsExact(factors) || factors.X == 0 || (shape.Hull is null && shape.Scale != Vector3.One)) return false;
         resized = (shape.Hull is { } hull ? ConvexShape.Mesh(hull) : shape).Scaled(factors);
         return true;
     }
