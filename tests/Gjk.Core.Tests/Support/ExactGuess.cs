@@ -4,12 +4,15 @@ using System.Collections.Generic;
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>
-/// Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be right, since the exact walk goes on from any
+/// Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be right, since
+/// the exact walk goes on from any
 /// simplex; it only saves steps on long integers.
 /// </summary>
 internal static class ExactGuess
 {
-    /// <summary>More than hulls need; curved shapes have crept to the rounding of a double by then, or nearly.</summary>
+    /// <summary>
+    /// More than hulls need; curved shapes have crept to the rounding of a double by then, or nearly.
+    /// </summary>
     private const int MostSteps = 128;
 
     /// <summary>Ratio to |v|²: what is left between the planes is rounding.</summary>
@@ -80,7 +83,8 @@ internal static class ExactGuess
     }
 
     /// <summary>
-    /// The origin's projection, if it lies inside the face: a mean of the corners with weights that are positive, so that rounding moves it within the face but never out of it.
+    /// The origin's projection, if it lies inside the face: a mean of the corners with weights that are positive, so
+    /// that rounding moves it within the face but never out of it.
     /// </summary>
     private static bool TryProject(List<Corner> face, out Vector3D v)
     {
@@ -99,7 +103,12 @@ internal static class ExactGuess
         if (face.Count == 3) return TryMean([a, b, c], [Area(n, b, c), Area(n, c, a), Area(n, a, b)], out v);
         Vector3D d = face[3].W;
         double side = Math.Sign(Vector3D.Dot(n, d - a));
-        return TryMean([a, b, c, d], [side * Volume(default, b, c, d), side * Volume(a, default, c, d), side * Volume(a, b, default, d), side * Volume(a, b, c, default)], out v);
+        ReadOnlySpan<double> weights =
+        [
+            side * Volume(default, b, c, d), side * Volume(a, default, c, d), side * Volume(a, b, default, d),
+            side * Volume(a, b, c, default),
+        ];
+        return TryMean([a, b, c, d], weights, out v);
     }
 
     private static bool TryMean(ReadOnlySpan<Vector3D> corners, ReadOnlySpan<double> weights, out Vector3D mean)
@@ -116,7 +125,9 @@ internal static class ExactGuess
         return true;
     }
 
-    private static double Area(in Vector3D normal, in Vector3D a, in Vector3D b) => Vector3D.Dot(normal, Vector3D.Cross(a, b));
+    private static double Area(in Vector3D normal, in Vector3D a, in Vector3D b) =>
+        Vector3D.Dot(normal, Vector3D.Cross(a, b));
 
-    private static double Volume(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) => Vector3D.Dot(Vector3D.Cross(b - a, c - a), d - a);
+    private static double Volume(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) =>
+        Vector3D.Dot(Vector3D.Cross(b - a, c - a), d - a);
 }

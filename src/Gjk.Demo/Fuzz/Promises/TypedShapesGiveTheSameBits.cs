@@ -7,7 +7,8 @@ using Gjk.Demo.Fuzz.Shrinking;
 namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
-/// A shape of its own type is solved like the same one as a <see cref="ConvexShape"/>, to the last bit: A typed, B typed.
+/// A shape of its own type is solved like the same one as a <see cref="ConvexShape"/>, to the last bit: A typed, B
+/// typed.
 /// </summary>
 internal sealed class TypedShapesGiveTheSameBits : IPromise
 {
@@ -21,7 +22,8 @@ internal sealed class TypedShapesGiveTheSameBits : IPromise
     }
 
     private static string? Problem(
-        in ConvexShape typed, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in DistanceResult expected, string name)
+        in ConvexShape typed, in RigidPose pose, in ConvexShape other, in RigidPose otherPose,
+        in DistanceResult expected, string name)
     {
         if (typed.Hull is { } hull)
         {
@@ -37,14 +39,16 @@ internal sealed class TypedShapesGiveTheSameBits : IPromise
     }
 
     private static string? Primitive(
-        in ConvexShape typed, float[] n, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in DistanceResult expected, string name)
+        in ConvexShape typed, float[] n, in RigidPose pose, in ConvexShape other, in RigidPose otherPose,
+        in DistanceResult expected, string name)
     {
         switch (typed.Kind)
         {
             case ShapeKind.Point:
                 return Compare(new SphereShape(n[0]), pose, other, otherPose, expected, name);
             case ShapeKind.Segment when n[6] == 0:
-                return Compare(new SegmentShape(new(n[0], n[1], n[2]), new(n[3], n[4], n[5])), pose, other, otherPose, expected, name);
+                var segment = new SegmentShape(new(n[0], n[1], n[2]), new(n[3], n[4], n[5]));
+                return Compare(segment, pose, other, otherPose, expected, name);
             case ShapeKind.Segment when n[0] == 0 && n[2] == 0 && n[3] == 0 && n[5] == 0 && n[4] == -n[1] && n[1] >= 0:
                 return Compare(new CapsuleShape(n[6], n[1]), pose, other, otherPose, expected, name);
             case ShapeKind.Triangle:
@@ -57,14 +61,16 @@ internal sealed class TypedShapesGiveTheSameBits : IPromise
             case ShapeKind.Cone:
                 return Compare(new ConeShape(n[0], n[1]), pose, other, otherPose, expected, name);
             case ShapeKind.Ellipsoid:
-                return Compare(new EllipsoidShape(new Vector3(n[0], n[1], n[2])), pose, other, otherPose, expected, name);
+                return Compare(
+                    new EllipsoidShape(new Vector3(n[0], n[1], n[2])), pose, other, otherPose, expected, name);
             default:
                 return null;
         }
     }
 
     private static string? Compare<T>(
-        in T typed, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in DistanceResult expected, string name)
+        in T typed, in RigidPose pose, in ConvexShape other, in RigidPose otherPose,
+        in DistanceResult expected, string name)
         where T : struct, ISupportMap =>
         Same.BitProblem(expected, ConvexQuery.Distance(typed, pose, other, otherPose), name);
 

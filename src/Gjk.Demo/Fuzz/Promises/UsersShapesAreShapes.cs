@@ -4,7 +4,8 @@ using Gjk.Core;
 namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
-/// A user's own shape with the same supports gets an answer that is as exact, however generous its bounding radius is: flag, distance and bound.
+/// A user's own shape with the same supports gets an answer that is as exact, however generous its bounding radius is:
+/// flag, distance and bound.
 /// </summary>
 internal sealed class UsersShapesAreShapes : IPromise
 {
@@ -19,7 +20,8 @@ internal sealed class UsersShapesAreShapes : IPromise
             string? problem = Same.Problem(pair, r, name);
             if (problem is not null) return problem;
             if (LowerBoundHolds.Problem(pair, r) is { } bound) return Say.Line($"{name}: {bound}");
-            if (Overlaps(pair, factor) != r.Overlaps) return Say.Line($"{name}: Overlaps says {!r.Overlaps}, Distance {r.Status}, {r.Distance}");
+            if (Overlaps(pair, factor) != r.Overlaps)
+                return Say.Line($"{name}: Overlaps says {!r.Overlaps}, Distance {r.Status}, {r.Distance}");
         }
 
         return null;
