@@ -4,11 +4,11 @@ using System.CommandLine;
 using System.CommandLine.Invocation;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Threading;
 using Gjk.Demo.Fuzz;
+using Gjk.Demo.Output;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
@@ -70,7 +70,7 @@ internal static class CommandLine
             CustomParser = result => int.TryParse(result.Tokens[0].Value, NumberStyles.Integer, CultureInfo.InvariantCulture, out int n) ? n : 0,
         };
         frames.Validators.Add(result => Check(result, frames, n => n >= 1, $"must be a whole number, at least 1, at most {int.MaxValue}"));
-        var json = new Option<string?>("--json") { Description = "Also write the figures and all results to this file.", HelpName = "FILE" };
+        var json = new Option<string?>("--json") { Description = "Also write the figures and all results to this file. An interrupted replay writes the scenes that it completed, but leaves an existing file as it is.", HelpName = "FILE" };
         var command = new Command(Default, "Replay the report's two scenes, 20 objects and 190 pairs per frame, and print its table beside this machine's.")
         {
             seconds, frames, json,
@@ -121,7 +121,7 @@ internal static class CommandLine
         command.SetAction(r =>
         {
             string? file = r.GetValue(scene), target = r.GetValue(output);
-            if (file is not null && target is not null && IsSameFile(file, target)) throw new RefusedException($"{target}: --out would overwrite the scene");
+            TargetFiles.Check(file ?? RecordScene.InputOf(r.GetValue(record)!), ("--out", target));
             Scene asked = file is null ? RecordScene.Read(r.GetValue(record)!) : SceneFile.Load(file);
             QueryCommand.Run(asked, target, r.GetValue(max), cancel);
             return ExitCode.Done;
@@ -163,6 +163,4 @@ internal static class CommandLine
         if (result.Errors.Any()) return;
         if (!isGood(result.GetValueOrDefault<T>()!)) result.AddError($"{option.Name} {string.Join(" ", result.Tokens.Select(t => t.Value))}: {reason}.");
     }
-
-    private static bool IsSameFile(string a, string b) => a.Length > 0 && b.Length > 0 && Path.GetFullPath(a) == Path.GetFullPath(b);
 }

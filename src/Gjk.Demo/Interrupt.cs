@@ -5,7 +5,7 @@ using System.Threading;
 namespace Gjk.Demo;
 
 /// <summary>
-/// Ctrl-C, and a polite kill: the first one asks the command to stop, finish its output and end with <see cref="ExitCode.Cancelled"/>;
+/// Ctrl-C, a polite kill, and a terminal that closes: the first one asks the command to stop, finish its output and end with <see cref="ExitCode.Cancelled"/>;
 /// a second one ends the process at once.
 /// </summary>
 internal sealed class Interrupt : IDisposable
@@ -13,11 +13,13 @@ internal sealed class Interrupt : IDisposable
     private readonly CancellationTokenSource _source = new();
     private readonly PosixSignalRegistration _interrupt;
     private readonly PosixSignalRegistration _terminate;
+    private readonly PosixSignalRegistration _hangUp;
 
     public Interrupt()
     {
         _interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, OnSignal);
         _terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, OnSignal);
+        _hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, OnSignal);
     }
 
     public CancellationToken Token => _source.Token;
@@ -26,6 +28,7 @@ internal sealed class Interrupt : IDisposable
     {
         _interrupt.Dispose();
         _terminate.Dispose();
+        _hangUp.Dispose();
         _source.Dispose();
     }
 

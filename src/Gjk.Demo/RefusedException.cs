@@ -29,6 +29,7 @@ internal sealed class RefusedException : Exception
         FileNotFoundException => "there is no such file",
         DirectoryNotFoundException => "there is no such directory",
         UnauthorizedAccessException => "access is denied, or it is a directory",
+        ArgumentOutOfRangeException => "it would be larger than the file system or a limit allows",
         _ => cause.Message,
     };
 }

@@ -116,8 +116,9 @@ internal struct PairFrame
         frame.MarginB = b.Margin;
         frame.Unit = 1;
         double radius = frame.RadiusA + frame.RadiusB, offset = SumOfSizes(centerA) + SumOfSizes(centerB);
+        double tightRadius = (TightBounds<TA>.Are ? frame.RadiusA : 0) + (TightBounds<TB>.Are ? frame.RadiusB : 0);
         Vector3D between = (Vector3D)poseB.Position - poseA.Position;
-        if (!(offset > FarCenter * radius))
+        if (!(offset > FarCenter * tightRadius))
         {
             frame.Translation = frame.RotationA.InverseRotate(between);
             if (offset != 0) frame.Translation += frame.Rotation.Rotate(centerB) - centerA;

@@ -28,7 +28,7 @@ public static partial class ConvexQuery
         Weights w = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
         Vector3D onA = state.Simplex.PointOnA(w), onB = state.Simplex.PointOnB(w);
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
-        Vector3D toA = state.Feature.Normal * scale, toAInB = frame.Rotation.InverseRotate(toA);
+        Vector3D toA = state.Feature.Normal * scale, toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;
         if (IsTouching(state, distance))
         {
             double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
@@ -36,7 +36,7 @@ public static partial class ConvexQuery
         }
 
         distance = Math.Max(distance, 0) * frame.Unit;
-        if ((float)distance > maxDistance) return Beyond(state, frame);
+        if ((float)distance > Math.Max(maxDistance, 0)) return Beyond(state, frame);
 
         Vector3D localA = (onA - toA * frame.MarginA + frame.CenterA) * frame.Unit;
         Vector3D localB = (onB + toAInB * frame.MarginB + frame.CenterB) * frame.Unit;
@@ -45,9 +45,10 @@ public static partial class ConvexQuery
 
         // The plane is the feature's but for a walk in extended precision that ended on an older, better one.
         double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared ? scale : 1 / Math.Sqrt(state.Plane.NormalSquared);
+        double coreGap = Math.Min(state.Plane.Value * planeScale, state.Feature.Height * scale);
         return new DistanceResult(
             state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit,
-            (float)distance, LowerBound(state.Plane.Value * planeScale, state, frame), (Vector3)worldA,
+            (float)distance, LowerBound(coreGap, state, frame), (Vector3)worldA,
             (Vector3)worldB, (Vector3)normal, (Vector3)localA, (Vector3)localB, state.Iterations);
     }
 
@@ -93,7 +94,8 @@ public static partial class ConvexQuery
     /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded down.</summary>
     private static float LowerBound(double coreGap, in SolverState state, in PairFrame frame)
     {
-        double reach = state.Size.Value + frame.Translation.Length;
+        // The centres are no further apart than the gap and both sizes, so this is at least the size and the distance of the centres.
+        double reach = 2 * state.Size.Value + coreGap;
         double value = (coreGap - frame.Margins - GjkTolerances.LowerBoundError * reach) * frame.Unit;
         return value > 0 ? RoundDown(value) : 0;
     }

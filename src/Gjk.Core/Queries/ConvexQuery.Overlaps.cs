@@ -53,7 +53,7 @@ public static partial class ConvexQuery
 
         Verdict verdict = frame.IsOrdinary ? QuickVerdict(ref a, ref b, frame) : Verdict.Undecided;
         status = verdict == Verdict.Undecided
-            ? StatusByDistance(ref a, poseA, ref b, poseB)
+            ? StatusByDistance(ref a, ref b, ref frame)
             : verdict == Verdict.Enclosed ? GjkStatus.Overlapping : GjkStatus.Separated;
         return status == GjkStatus.Overlapping;
     }
@@ -70,13 +70,14 @@ public static partial class ConvexQuery
     }
 
     /// <summary>What the distance query says, which need not go further than to see the shapes apart.</summary>
-    private static GjkStatus StatusByDistance<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+    private static GjkStatus StatusByDistance<TA, TB>(ref TA a, ref TB b, ref PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         NoTrace trace = default;
         WarmStart unused = default;
-        Solve(ref a, poseA, ref b, poseB, 0, ref unused, false, ref trace, out PairFrame frame, out SolverState state);
+        SolverState.Begin<TA, TB>(frame, out SolverState state);
+        SolveFrame(ref a, ref b, ref frame, 0, ref unused, false, ref state, ref trace);
         switch (state.Verdict)
         {
             case Verdict.Apart:

@@ -55,11 +55,19 @@ public static partial class ConvexQuery
 
         PairFrame.Compose(ref a, poseA, ref b, poseB, out frame);
         SolverState.Begin<TA, TB>(frame, out state);
-        if (!frame.IsValid || float.IsNaN(maxDistance))
-        {
-            state.Verdict = Verdict.Contradiction;
-        }
-        else if (frame.ArePoints)
+        if (!frame.IsValid || float.IsNaN(maxDistance)) state.Verdict = Verdict.Contradiction;
+        else SolveFrame(ref a, ref b, ref frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
+    }
+
+    /// <summary>The pipeline from a valid frame on.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void SolveFrame<TA, TB, TTrace>(
+        ref TA a, ref TB b, ref PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm, ref SolverState state, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        if (frame.ArePoints)
         {
             GjkDistance.SolvePoints(frame, ref state);
             if (trace.IsOn) TellPoints(frame, state, ref trace);

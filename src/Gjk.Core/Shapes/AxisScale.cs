@@ -9,6 +9,12 @@ namespace Gjk.Core;
 /// </summary>
 internal readonly struct AxisScale
 {
+    /// <summary>
+    /// Sums of components between which no product of a factor and a component has overflowed or become a denormal number. Outside, the direction is brought to unit size first. Pinned
+    /// by DirectionLengthTests.
+    /// </summary>
+    private const double LeastSize = 1e-200, MostSize = 1e200;
+
     public readonly Vector3D Factors;
     public readonly bool KeepsBalls;
 
@@ -22,9 +28,17 @@ internal readonly struct AxisScale
 
     public double Margin(double innerMargin) => KeepsBalls ? innerMargin * Math.Abs(Factors.X) : 0;
 
-    /// <summary>The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map itself).</summary>
+    /// <summary>The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map itself), or a multiple of it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3D Inward(in Vector3D direction) => Vector3D.Multiply(Factors, direction);
+    public Vector3D Inward(in Vector3D direction)
+    {
+        Vector3D inward = Vector3D.Multiply(Factors, direction);
+        double size = Math.Abs(inward.X) + Math.Abs(inward.Y) + Math.Abs(inward.Z);
+        return size > LeastSize && size < MostSize ? inward : FromUnit(direction);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private Vector3D FromUnit(in Vector3D direction) => Vector3D.Multiply(Factors, DirectionRange.ToUnit(direction));
 
     /// <summary>Scales a support point outward; a margin that is an ellipsoid now is added here, and the vertex loses its id.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

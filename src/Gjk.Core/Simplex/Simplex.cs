@@ -50,6 +50,18 @@ internal unsafe struct Simplex
 
     public readonly int IdB(int slot) => _ids[2 * slot + 1];
 
+    /// <summary>An empty simplex; the contents of the slots are not cleared where the runtime lets them be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Begin(out Simplex simplex)
+    {
+#if NET
+        Unsafe.SkipInit(out simplex);
+        simplex.Clear();
+#else
+        simplex = default;
+#endif
+    }
+
     /// <summary>No vertices, and slot numbers that are some, so that nothing can be read out of bounds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Clear() => A = B = C = D = Count = 0;

@@ -33,6 +33,7 @@ internal static class GjkDistance
         if (simplex.Count == 0) feature.NormalSquared = feature.Normal.LengthSquared;
         else if (!TryBegin(ref state, out distanceSquared)) return;
 
+        double touchSquared = state.TouchSquared, noise = state.Noise;
         bool separated = false;
         int idA = -1, idB = -1;
         state.Verdict = Verdict.Undecided;
@@ -40,9 +41,15 @@ internal static class GjkDistance
         {
             var normal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
             MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
-            state.See<TA, TB>(frame, onA, onB, idA, idB);
+            state.Iterations++;
+            if (state.Matters<TA, TB>(idA | idB))
+            {
+                state.See(frame, onA, onB, idA | idB);
+                (touchSquared, noise) = (state.TouchSquared, state.Noise);
+            }
+
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: false));
-            double plane = Vector3D.Dot(normal, w), touchSquared = state.TouchSquared;
+            double plane = Vector3D.Dot(normal, w);
             if (plane > 0)
             {
                 separated |= plane * plane > touchSquared * feature.NormalSquared;
@@ -54,7 +61,7 @@ internal static class GjkDistance
                 }
             }
 
-            if (simplex.Count != 0 && IsEnd(ref state, plane)) return;
+            if (simplex.Count != 0 && IsEnd(ref state, plane, noise)) return;
 
             simplex.Push(w, onA, onB, idA, idB);
             bool isOutside = feature.Reduce(ref simplex);
@@ -108,11 +115,10 @@ internal static class GjkDistance
 
     /// <summary>The bounds have met, or the newest plane lies behind the feature, which no convex shape's can.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsEnd(ref SolverState state, double plane)
+    private static bool IsEnd(ref SolverState state, double plane, double noise)
     {
         double gap = state.Feature.Height - plane;
-        double noise = state.IsCurved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise;
-        if (Proofs.IsClosed(gap, state.Feature, state.IsCurved, noise * state.Size.Value))
+        if (Proofs.IsClosed(gap, state.Feature, state.IsCurved, noise))
         {
             // The normal of a needle of a triangle can be tilted so far by rounding that its corners no longer are level: then the height of one proves nothing.
             if (state.Simplex.Count == 3 && !state.IsCurved

@@ -42,7 +42,8 @@ internal static class GjkExtendedPrecision
         while (true)
         {
             MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
-            state.See<TA, TB>(frame, onA, onB, idA, idB);
+            state.Iterations++;
+            if (state.Matters<TA, TB>(idA | idB)) state.See(frame, onA, onB, idA | idB);
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: true));
             double plane = Vector3D.Dot(normal, w);
             if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, limit)) return;
@@ -79,7 +80,6 @@ internal static class GjkExtendedPrecision
         ref SolverState state, in Simplex simplex, in ClosestFeature feature, double plane, double maxDistance, int limit)
     {
         double gap = feature.Height - plane;
-        double noise = (state.IsCurved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise) * state.Size.Value;
         state.Simplex = simplex;
         state.Feature = feature;
         if (state.Plane.NormalSquared == 0 || plane / Math.Sqrt(feature.NormalSquared) > state.Plane.Distance) state.Plane.Set(feature, plane);
@@ -90,7 +90,7 @@ internal static class GjkExtendedPrecision
             return true;
         }
 
-        if (Proofs.IsClosed(gap, feature, state.IsCurved, noise))
+        if (Proofs.IsClosed(gap, feature, state.IsCurved, state.Noise))
         {
             state.Verdict = Verdict.Apart;
             return true;
@@ -119,7 +119,7 @@ internal static class GjkExtendedPrecision
         {
             if (!TryFeature(simplex, subset, out VectorDD normal, out DoubleDouble height, out bool flipped)) continue;
             DoubleDouble normalSquared = VectorDD.Dot(normal, normal);
-            DoubleDouble squared = normalSquared.Sign == 0 ? 0.0 : height * height / normalSquared;
+            DoubleDouble squared = (double)normalSquared == 0 ? 0.0 : height * height / normalSquared;
             if (best != 0 && (squared - distanceSquared).Sign >= 0) continue;
             best = flipped ? -subset : subset;
             distanceSquared = squared;

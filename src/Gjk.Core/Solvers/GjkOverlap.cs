@@ -21,7 +21,7 @@ internal static class GjkOverlap
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Simplex simplex = default;
+        Simplex.Begin(out Simplex simplex);
         int idA = -1, idB = -1;
         Vector3D normal = frame.FirstNormal;
         for (int round = 0; round < MaxRounds; round++)

@@ -39,6 +39,13 @@ internal struct SolverState
         }
     }
 
+    /// <summary>What rounding, or the end of a walk along a curved core, leaves open: a gap between two bounds below it counts as closed.</summary>
+    public readonly double Noise
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => (IsCurved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise) * Size.Value;
+    }
+
     /// <summary>Makes a state without vertices and planes; the contents of empty slots are not cleared.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin<TA, TB>(in PairFrame frame, out SolverState state)
@@ -58,14 +65,19 @@ internal struct SolverState
         PairSize.Begin<TA, TB>(frame, out state.Size);
     }
 
-    /// <summary>Takes note of what the newest support says about the shapes.</summary>
+    /// <summary>Whether a support says anything that the tolerances depend on, so that <see cref="See"/> must be told of it.</summary>
+    /// <param name="ids">Both ids; negative where one is.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void See<TA, TB>(in PairFrame frame, in Vector3D onA, in Vector3D onB, int idA, int idB)
+    public readonly bool Matters<TA, TB>(int ids)
         where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        (ids < 0 && !IsCurved) || !(TightBounds<TA>.Are && TightBounds<TB>.Are);
+
+    /// <summary>Takes note of what a support says about the shapes; the tolerances may have changed then.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void See(in PairFrame frame, in Vector3D onA, in Vector3D onB, int ids)
     {
-        Iterations++;
-        IsCurved |= (idA | idB) < 0;
-        if (!(TightBounds<TA>.Are && TightBounds<TB>.Are)) Size.See(frame, onA, onB);
+        IsCurved |= ids < 0;
+        Size.See(frame, onA, onB);
     }
 }

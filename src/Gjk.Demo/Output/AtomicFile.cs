@@ -1,51 +1,126 @@
 using System;
 using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
 
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// A file that appears whole or not at all: written beside its target under another name, and renamed at the end. Created before the work
-/// starts, so that a target that cannot be written is refused then.
+/// A file that appears whole or not at all. It is written beside its target under another name, and renamed at the end;
+/// so a command that is refused, interrupted or killed leaves the old file as it was. A link to the target stays. The
+/// new file keeps the old one's permissions, and its owner where the system allows it. A device or a pipe has no
+/// contents to protect: it is written to directly.
 /// </summary>
 internal sealed class AtomicFile : IDisposable
 {
-    private readonly string _name;
-    private readonly string _target;
-    private readonly string? _temporary;
-    private readonly FileStream _stream;
-    private bool _closed;
+    private const UnixFileMode OwnerOnly = UnixFileMode.UserRead | UnixFileMode.UserWrite;
 
-    /// <summary>Opens the temporary file.</summary>
-    /// <param name="name">The target as the user named it; an existing file is replaced by <see cref="Commit"/>, a link is followed.</param>
+    private const UnixFileMode AnyWrite = UnixFileMode.UserWrite | UnixFileMode.GroupWrite | UnixFileMode.OtherWrite;
+
+    private const UnixFileMode SpecialBits = UnixFileMode.SetUser | UnixFileMode.SetGroup | UnixFileMode.StickyBit;
+
+    private readonly string _name;
+    private readonly OutputTarget _target;
+    private readonly string? _temporary;
+    private readonly RefusingStream _stream;
+    private readonly CancellationToken _cancel;
+    private readonly CancellationTokenRegistration _onCancel;
+    private readonly Lock _ending = new();
+    private bool _isComplete;
+    private bool _isCommitted;
+
+    /// <summary>
+    /// Opens the temporary file before the work starts, so that a target that cannot be written is refused then.
+    /// </summary>
+    /// <param name="name">The target as the user named it.</param>
+    /// <param name="cancel">Removes the temporary file at once, on whatever the command is busy with; it cannot be
+    /// committed after that.</param>
     /// <exception cref="RefusedException">It cannot be written there.</exception>
-    public AtomicFile(string name)
+    /// <exception cref="OperationCanceledException">Cancelled while nobody read the pipe.</exception>
+    public AtomicFile(string name, CancellationToken cancel)
     {
         _name = name;
+        _cancel = cancel;
+        Stream? stream = null;
         try
         {
-            string full = Path.GetFullPath(name);
-            _target = IsDevice(full) ? full : FollowLinks(new FileInfo(full));
-            if (Directory.Exists(_target) || Path.EndsInDirectorySeparator(_target)) throw new IOException("it is a directory");
-            _temporary = IsDevice(_target) ? null : $"{_target}.{Guid.NewGuid():N}.tmp";
-            _stream = new FileStream(_temporary ?? _target, _temporary is null ? FileMode.Open : FileMode.CreateNew, FileAccess.Write);
+            _target = OutputTarget.Of(name);
+            if (_target.IsStandardOutput)
+            {
+                stream = Console.OpenStandardOutput();
+            }
+            else if (_target.Status.Kind == FileKind.Stream)
+            {
+                stream = OpenStream(_target.Path, cancel);
+            }
+            else
+            {
+                if (_target.Status.Kind == FileKind.Regular) CheckWritable(_target);
+
+                // Its name does not grow with the target's, which may be as long as the file system allows.
+                _temporary = Path.Combine(Path.GetDirectoryName(_target.Path)!, $".gjk-demo.{Guid.NewGuid():N}.tmp");
+                stream = CreateLike(_target.Status, _temporary);
+            }
         }
         catch (Exception e) when (RefusedException.IsFileTrouble(e))
         {
+            if (_temporary is not null) TryDelete(_temporary);
             throw new RefusedException(name, "cannot be written", e);
+        }
+
+        _stream = new RefusingStream(name, stream);
+        _onCancel = cancel.Register(OnCancel);
+    }
+
+    /// <summary>
+    /// Refuses a target that could not be written now, and leaves everything as it is. A pipe is not opened: its reader
+    /// would see an end.
+    /// </summary>
+    /// <exception cref="RefusedException">It cannot be written there.</exception>
+    public static void Check(string name)
+    {
+        if (!IsStream(name)) new AtomicFile(name, CancellationToken.None).Dispose();
+    }
+
+    /// <summary>True if there is a file now that <see cref="Commit"/> would replace.</summary>
+    public bool ReplacesAFile => _target is { Status.Kind: FileKind.Regular, IsStandardOutput: false };
+
+    /// <summary>For the content; a write that fails throws <see cref="RefusedException"/>.</summary>
+    public Stream Stream => _stream;
+
+    /// <summary>
+    /// Brings everything to the disk, where a lack of room shows, and keeps it from here on, cancelled or not.
+    /// <see cref="Commit"/> does so itself; who commits several files completes them all first.
+    /// </summary>
+    /// <exception cref="RefusedException">The last bytes could not be written.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before.</exception>
+    public void Complete()
+    {
+        if (_isComplete) return;
+        if (_temporary is not null) _stream.FlushToDisk();
+        _stream.Dispose();
+        lock (_ending)
+        {
+            _cancel.ThrowIfCancellationRequested();
+            _isComplete = true;
         }
     }
 
-    public Stream Stream => _stream;
-
     /// <summary>Makes what was written the target.</summary>
-    /// <exception cref="RefusedException">The last bytes or the rename failed; the temporary file is removed.</exception>
+    /// <exception cref="RefusedException">The last bytes or the rename failed; the old file stays.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before it was complete; the old file stays.</exception>
     public void Commit()
     {
+        Complete();
         try
         {
-            _stream.Dispose();
-            if (_temporary is not null) File.Move(_temporary, _target, overwrite: true);
-            _closed = true;
+            if (_temporary is not null) File.Move(_temporary, _target.Path, overwrite: true);
+            _isCommitted = true;
+        }
+        catch (FileNotFoundException)
+        {
+            const string reason = "its directory or its temporary file was removed meanwhile";
+            throw new RefusedException($"{_name}: cannot be written: {reason}");
         }
         catch (Exception e) when (RefusedException.IsFileTrouble(e))
         {
@@ -56,23 +131,104 @@ internal sealed class AtomicFile : IDisposable
     /// <summary>Removes the temporary file unless it was committed.</summary>
     public void Dispose()
     {
-        if (_closed) return;
-        _closed = true;
+        _onCancel.Dispose();
+        if (!_isCommitted && _temporary is not null) TryDelete(_temporary);
         try
         {
             _stream.Dispose();
         }
-        catch (IOException)
+        catch (RefusedException)
         {
             // The bytes are to be thrown away, so it does not matter that they cannot be flushed.
         }
-
-        if (_temporary is not null) File.Delete(_temporary);
     }
 
-    private static string FollowLinks(FileInfo file) =>
-        file.LinkTarget is null ? file.FullName : file.ResolveLinkTarget(returnFinalTarget: true)!.FullName;
+    private static bool IsStream(string name)
+    {
+        try
+        {
+            OutputTarget target = OutputTarget.Of(name);
+            return target.IsStandardOutput || target.Status.Kind == FileKind.Stream;
+        }
+        catch (Exception e) when (RefusedException.IsFileTrouble(e))
+        {
+            return false;
+        }
+    }
 
-    /// <summary>Renaming a file over a device such as /dev/null would replace the device.</summary>
-    private static bool IsDevice(string path) => !OperatingSystem.IsWindows() && path.StartsWith("/dev/", StringComparison.Ordinal);
+    /// <summary>
+    /// A rename needs no permission to write the file that it replaces, so this is asked here. Root may write
+    /// everything; a file that nobody may write is refused to root as well.
+    /// </summary>
+    private static void CheckWritable(in OutputTarget target)
+    {
+        bool isProtected = !OperatingSystem.IsWindows() && (target.Status.Mode & AnyWrite) == 0;
+        if (isProtected) throw new IOException("it is read-only");
+        new FileStream(target.Path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete).Dispose();
+    }
+
+    private static FileStream CreateLike(in FileStatus old, string file)
+    {
+        var options = new FileStreamOptions
+        {
+            Mode = FileMode.CreateNew,
+            Access = FileAccess.Write,
+            Share = FileShare.Read | FileShare.Delete,
+        };
+        if (OperatingSystem.IsWindows() || old.Kind != FileKind.Regular) return new FileStream(file, options);
+
+        // Nobody may look into the new file who could not look into the old one, not even while it is written.
+        options.UnixCreateMode = OwnerOnly;
+        var stream = new FileStream(file, options);
+        try
+        {
+            // Changing the owner clears special bits, so the permissions come after it; a file of another owner does
+            // not get them back.
+            bool keepsOwner = NativeFileStatus.TryChangeOwner(stream.SafeFileHandle, old.Owner, old.Group);
+            File.SetUnixFileMode(stream.SafeFileHandle, keepsOwner ? old.Mode : old.Mode & ~SpecialBits);
+            return stream;
+        }
+        catch
+        {
+            stream.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Opening a pipe waits for its reader, and no signal ends that; so another thread waits.</summary>
+    private static FileStream OpenStream(string path, CancellationToken cancel)
+    {
+        var open = Task.Run(() => new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite), cancel);
+        try
+        {
+            open.Wait(cancel);
+        }
+        catch (AggregateException)
+        {
+            // Its cause is thrown below.
+        }
+
+        return open.GetAwaiter().GetResult();
+    }
+
+    private static void TryDelete(string file)
+    {
+        try
+        {
+            File.Delete(file);
+        }
+        catch (Exception e) when (RefusedException.IsFileTrouble(e))
+        {
+            // Its directory may be gone, and the file with it.
+        }
+    }
+
+    /// <summary>On the signal's thread.</summary>
+    private void OnCancel()
+    {
+        lock (_ending)
+        {
+            if (!_isComplete && _temporary is not null) TryDelete(_temporary);
+        }
+    }
 }

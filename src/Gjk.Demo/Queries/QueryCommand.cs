@@ -1,4 +1,3 @@
-using System;
 using System.IO;
 using System.Threading;
 using Gjk.Core;
@@ -7,7 +6,9 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>Asks for the distance of every pair of a scene, in the poses of its first frame, and writes the answers as CSV.</summary>
+/// <summary>
+/// Asks for the distance of every pair of a scene, in the poses of its first frame, and writes the answers as CSV.
+/// </summary>
 internal static class QueryCommand
 {
     /// <summary>How many pairs are answered between two looks at Ctrl-C.</summary>
@@ -21,40 +22,33 @@ internal static class QueryCommand
     {
         if (output is null)
         {
-            using Stream stdout = Console.OpenStandardOutput();
-            Write(scene, stdout, "standard output", maxDistance, cancel);
+            using Stream stdout = OutputConsole.OpenStream();
+            Write(scene, stdout, maxDistance, cancel);
             return;
         }
 
-        using var file = new AtomicFile(output);
-        Write(scene, file.Stream, output, maxDistance, cancel);
-        cancel.ThrowIfCancellationRequested();
+        using var file = new AtomicFile(output, cancel);
+        Write(scene, file.Stream, maxDistance, cancel);
         file.Commit();
     }
 
-    private static void Write(Scene scene, Stream stream, string name, float maxDistance, CancellationToken cancel)
+    private static void Write(Scene scene, Stream stream, float maxDistance, CancellationToken cancel)
     {
         SceneObject[] objects = scene.Objects;
-        try
+        var rows = new CsvWriter(stream);
+        int untilLook = 0;
+        foreach ((int a, int b) in scene.Pairs)
         {
-            var rows = new CsvWriter(stream);
-            int untilLook = 0;
-            foreach ((int a, int b) in scene.Pairs)
+            if (--untilLook < 0)
             {
-                if (--untilLook < 0)
-                {
-                    cancel.ThrowIfCancellationRequested();
-                    untilLook = PairsPerLook;
-                }
-
-                rows.Write(a, b, ConvexQuery.Distance(objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose, maxDistance));
+                cancel.ThrowIfCancellationRequested();
+                untilLook = PairsPerLook;
             }
 
-            rows.Flush();
+            SceneObject one = objects[a], other = objects[b];
+            rows.Write(a, b, ConvexQuery.Distance(one.Shape, one.Pose, other.Shape, other.Pose, maxDistance));
         }
-        catch (IOException e)
-        {
-            throw new RefusedException(name, "cannot be written", e);
-        }
+
+        rows.Flush();
     }
 }

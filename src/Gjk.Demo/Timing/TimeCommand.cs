@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Threading;
+using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
@@ -14,18 +15,11 @@ internal static class TimeCommand
     public static int Run(string[] files, TimeSpan duration, CancellationToken cancel)
     {
         Scene[] scenes = Array.ConvertAll(files, Load);
-        using Stream stdout = Console.OpenStandardOutput();
+        using Stream stdout = OutputConsole.OpenStream();
         for (int i = 0; i < scenes.Length; i++)
         {
             SceneTimes times = new SceneTimer(scenes[i], duration, cancel).Run();
-            try
-            {
-                times.Write(stdout, Path.GetFileNameWithoutExtension(files[i]));
-            }
-            catch (IOException e)
-            {
-                throw new RefusedException("standard output", "cannot be written", e);
-            }
+            times.Write(stdout, Path.GetFileNameWithoutExtension(files[i]));
         }
 
         return ExitCode.Done;

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
@@ -42,20 +41,11 @@ internal static class TraceOptions
     private static void Write(Scene scene, (int A, int B) pair, string target, CancellationToken cancel)
     {
         SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
-        using var file = new AtomicFile(target);
+        using var file = new AtomicFile(target, cancel);
         var steps = new List<TraceStep>();
         var recorder = new TraceRecorder(steps);
         DistanceResult result = ConvexQuery.Trace(a.Shape, a.Pose, b.Shape, b.Pose, ref recorder);
-        try
-        {
-            TracePage.Write(file.Stream, scene, pair, steps, result);
-        }
-        catch (IOException e)
-        {
-            throw new RefusedException(target, "cannot be written", e);
-        }
-
-        cancel.ThrowIfCancellationRequested();
+        TracePage.Write(file.Stream, scene, pair, steps, result);
         file.Commit();
     }
 

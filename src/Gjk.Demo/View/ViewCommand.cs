@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
@@ -17,30 +15,20 @@ internal static class ViewCommand
     /// <param name="cancel">Ends the work; no file is left then.</param>
     public static int Run(Scene scene, string name, string? page, string? picture, CancellationToken cancel)
     {
-        using AtomicFile? pageFile = page is null ? null : new AtomicFile(page);
-        using AtomicFile? pictureFile = picture is null ? null : new AtomicFile(picture);
+        using AtomicFile? pageFile = page is null ? null : new AtomicFile(page, cancel);
+        using AtomicFile? pictureFile = picture is null ? null : new AtomicFile(picture, cancel);
         ProgressBar.Show(OutputConsole.Create(), OutputConsole.IsPlain, bars =>
         {
             SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
             var shapes = new ShapeTable(scene);
-            if (pageFile is not null) Write(pageFile, page!, stream => ScenePage.Write(stream, scene, shapes, results));
-            if (pictureFile is not null) Write(pictureFile, picture!, stream => ScenePicture.Write(stream, scene, shapes, results, bars.Add("picture"), cancel));
+            if (pageFile is not null) ScenePage.Write(pageFile.Stream, scene, shapes, results);
+            if (pictureFile is not null) ScenePicture.Write(pictureFile.Stream, scene, shapes, results, bars.Add("picture"), cancel);
         });
-        cancel.ThrowIfCancellationRequested();
+        // Neither replaces anything before both are complete on the disk.
+        pageFile?.Complete();
+        pictureFile?.Complete();
         pageFile?.Commit();
         pictureFile?.Commit();
         return ExitCode.Done;
-    }
-
-    private static void Write(AtomicFile file, string name, Action<Stream> content)
-    {
-        try
-        {
-            content(file.Stream);
-        }
-        catch (IOException e)
-        {
-            throw new RefusedException(name, "cannot be written", e);
-        }
     }
 }

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Threading;
+using Gjk.Demo.Output;
 
 namespace Gjk.Demo.View;
 

@@ -61,10 +61,9 @@ public sealed class QueryTests
         Assert.Equal(2, directory.Files.Length);
     }
 
-    [Fact]
+    [UnixFact]
     public void ALinkIsFollowedAndStays()
     {
-        if (OperatingSystem.IsWindows()) return;
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheresAndABox), link = directory.File("link.csv");
         File.CreateSymbolicLink(link, directory.File("target.csv"));
@@ -73,10 +72,9 @@ public sealed class QueryTests
         Assert.StartsWith(CsvRow.Header, File.ReadAllText(directory.File("target.csv")));
     }
 
-    [Fact]
+    [UnixFact]
     public void ADeviceIsWrittenToAndNotReplaced()
     {
-        if (OperatingSystem.IsWindows()) return;
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheresAndABox);
         DemoProcess.Run("query", scene, "--out", "/dev/null").AssertDone();
@@ -112,10 +110,9 @@ public sealed class QueryTests
         Assert.Equal(1_000_001, lines);
     }
 
-    [Fact]
+    [UnixFact]
     public void CtrlCLeavesNoFile()
     {
-        if (OperatingSystem.IsWindows()) return;
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", SceneTests.Points(20_000, pairs: "")), target = directory.File("out.csv");
         using DemoProcess demo = DemoProcess.Start("query", scene, "--out", target);
@@ -126,10 +123,9 @@ public sealed class QueryTests
         Assert.Equal([scene], directory.Files);
     }
 
-    [Fact]
+    [UnixFact]
     public void CtrlCEndsTheStream()
     {
-        if (OperatingSystem.IsWindows()) return;
         using var directory = new TempDirectory();
         using DemoProcess demo = DemoProcess.Start("query", directory.Write("scene.json", SceneTests.Points(20_000, pairs: "")));
         demo.WaitUntil(text => text.Length > 100_000);

@@ -127,21 +127,6 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.Contains(_replay.Scene("spheres").GetProperty("hash").GetString()!, again.Out);
     }
 
-    [Fact]
-    public void CtrlCWritesWhatWasCompleted()
-    {
-        if (OperatingSystem.IsWindows()) return;
-        using var directory = new TempDirectory();
-        using DemoProcess demo = DemoProcess.Start("--seconds", "60", "--json", directory.File("replay.json"));
-        demo.WaitUntil(_ => directory.Files.Length > 0);
-        demo.Interrupt();
-        DemoRun run = demo.Wait();
-        Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
-        using JsonDocument written = JsonDocument.Parse(File.ReadAllText(directory.File("replay.json")));
-        Assert.Equal(0, written.RootElement.GetProperty("scenes").GetArrayLength());
-        Assert.Single(directory.Files);
-    }
-
     private static bool Overlaps(JsonElement pair) => pair.GetProperty("overlap").GetBoolean();
 
     private static int Int(JsonElement pair, string field) => pair.GetProperty(field).GetInt32();

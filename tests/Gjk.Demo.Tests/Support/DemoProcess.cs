@@ -37,19 +37,20 @@ public sealed class DemoProcess : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(90);
 
-    private static readonly string Assembly = typeof(DemoProcess).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>()
-        .Single(a => a.Key == "DemoAssembly").Value!;
+    private static readonly string Assembly = typeof(DemoProcess).Assembly
+        .GetCustomAttributes<AssemblyMetadataAttribute>().Single(a => a.Key == "DemoAssembly").Value!;
 
     private readonly Process _process;
     private readonly StringBuilder _out = new();
     private readonly StringBuilder _error = new();
     private readonly Task _readers;
 
-    private DemoProcess(IReadOnlyDictionary<string, string> environment, string[] args)
+    private DemoProcess(IReadOnlyDictionary<string, string> environment, string[] command)
     {
-        // A job that a shell started in the background ignores SIGINT, and hands that on; env gives the signal its meaning back.
+        // A job that a shell started in the background ignores SIGINT, and hands that on; env gives the signals their
+        // meaning back.
         bool restoreSignal = OperatingSystem.IsLinux();
-        var start = new ProcessStartInfo(restoreSignal ? "env" : Host)
+        var start = new ProcessStartInfo(restoreSignal ? "env" : command[0])
         {
             RedirectStandardOutput = true,
             RedirectStandardError = true,
@@ -59,12 +60,11 @@ public sealed class DemoProcess : IDisposable
         };
         if (restoreSignal)
         {
-            start.ArgumentList.Add("--default-signal=INT");
-            start.ArgumentList.Add(Host);
+            start.ArgumentList.Add("--default-signal=INT,HUP");
+            start.ArgumentList.Add(command[0]);
         }
 
-        start.ArgumentList.Add(Assembly);
-        foreach (string arg in args) start.ArgumentList.Add(arg);
+        foreach (string arg in command[1..]) start.ArgumentList.Add(arg);
         foreach ((string key, string value) in environment) start.Environment[key] = value;
         _process = Process.Start(start)!;
         _process.StandardInput.Close();
@@ -78,17 +78,47 @@ public sealed class DemoProcess : IDisposable
 
     public static DemoRun RunWith(IReadOnlyDictionary<string, string> environment, params string[] args)
     {
-        using var demo = new DemoProcess(environment, args);
+        using var demo = new DemoProcess(environment, [Host, Assembly, .. args]);
         return demo.Wait();
     }
 
+    /// <summary>
+    /// Runs a script of the shell, in which <c>demo</c> is the demo and <c>$1</c> the first argument.
+    /// </summary>
+    public static DemoRun Shell(string script, params string[] args)
+    {
+        using DemoProcess shell = StartShell(script, args);
+        return shell.Wait();
+    }
+
+    /// <summary>As <see cref="Shell"/>; if the tests run as root, the demo runs as nobody.</summary>
+    public static DemoRun ShellAsUser(string script, params string[] args)
+    {
+        const string drop = "setpriv --reuid=65534 --regid=65534 --clear-groups";
+        const string asNobody = $$"""demo() { {{drop}} "$GJK_HOST" "$GJK_DEMO" "$@"; };""";
+        return Shell((Environment.IsPrivilegedProcess ? asNobody : "") + script, args);
+    }
+
+    /// <summary>As <see cref="Shell"/>, without waiting.</summary>
+    public static DemoProcess StartShell(string script, params string[] args)
+    {
+        var names = new Dictionary<string, string> { ["GJK_HOST"] = Host, ["GJK_DEMO"] = Assembly };
+        const string demo = """demo() { "$GJK_HOST" "$GJK_DEMO" "$@"; };""";
+        return new DemoProcess(names, ["sh", "-c", demo + script, "sh", .. args]);
+    }
+
     /// <summary>Starts it and returns at once.</summary>
-    public static DemoProcess Start(params string[] args) => new(new Dictionary<string, string>(), args);
+    public static DemoProcess Start(params string[] args) =>
+        new(new Dictionary<string, string>(), [Host, Assembly, .. args]);
 
     /// <summary>What Ctrl-C sends.</summary>
-    public void Interrupt()
+    public void Interrupt() => Signal("INT");
+
+    /// <summary>Sends a signal by its name, without SIG.</summary>
+    public void Signal(string name)
     {
-        using Process kill = Process.Start("kill", ["-INT", _process.Id.ToString(System.Globalization.CultureInfo.InvariantCulture)]);
+        string id = _process.Id.ToString(System.Globalization.CultureInfo.InvariantCulture);
+        using Process kill = Process.Start("kill", ["-" + name, id]);
         kill.WaitForExit();
     }
 

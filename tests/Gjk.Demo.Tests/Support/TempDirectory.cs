@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 
 namespace Gjk.Demo.Tests.Support;
 
@@ -20,6 +22,20 @@ public sealed class TempDirectory : IDisposable
         string file = File(name);
         System.IO.File.WriteAllText(file, text);
         return file;
+    }
+
+    /// <summary>
+    /// What each file holds, by its name; a link counts as the file that it leads to. Anything else holds nothing.
+    /// </summary>
+    public Dictionary<string, string> Contents()
+    {
+        static string Text(string file)
+        {
+            var info = new FileInfo(file);
+            return info.Exists && info.Length > 0 ? System.IO.File.ReadAllText(file) : "";
+        }
+
+        return Files.ToDictionary(f => System.IO.Path.GetFileName(f), Text);
     }
 
     public void Dispose() => Directory.Delete(Path, recursive: true);

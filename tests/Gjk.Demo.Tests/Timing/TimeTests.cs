@@ -50,10 +50,9 @@ public sealed class TimeTests
         Assert.Equal(JsonValueKind.Null, nothing.RootElement.GetProperty("cold_ns").ValueKind);
     }
 
-    [Fact]
+    [UnixFact]
     public void CtrlCKeepsTheScenesThatWereDone()
     {
-        if (OperatingSystem.IsWindows()) return;
         using var directory = new TempDirectory();
         string empty = directory.Write("empty.json", """{"version":1,"objects":[]}"""), points = directory.Write("points.json", SceneTests.Points(40, pairs: ""));
         using DemoProcess demo = DemoProcess.Start("time", empty, points, "--seconds", "60");

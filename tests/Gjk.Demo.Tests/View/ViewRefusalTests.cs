@@ -54,10 +54,9 @@ public sealed class ViewRefusalTests
         Assert.Equal([scene], directory.Files);
     }
 
-    [Fact]
+    [UnixFact]
     public void CtrlCLeavesNoFile()
     {
-        if (OperatingSystem.IsWindows()) return;
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", SceneTests.Points(20_000, pairs: ""));
         using DemoProcess demo = DemoProcess.Start("view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));

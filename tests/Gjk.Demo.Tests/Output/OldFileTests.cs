@@ -1,0 +1,175 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text.Json;
+using System.Threading;
+using Gjk.Demo.Tests.Scenes;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Output;
+
+/// <summary>
+/// A command that is interrupted, or fails while it writes, leaves the old file byte for byte, and no temporary file.
+/// </summary>
+public sealed class OldFileTests
+{
+    /// <summary>Of 200 million pairs: no command is through with them before it is interrupted.</summary>
+    private const int ManyPoints = 20_000;
+
+    [UnixTheory]
+    [InlineData("query SCENE --out TARGET", "INT")]
+    [InlineData("query SCENE --out TARGET", "TERM")]
+    [InlineData("query SCENE --out TARGET", "HUP")]
+    [InlineData("view SCENE --out TARGET --svg SECOND", "INT")]
+    [InlineData("view SCENE --out TARGET --svg SECOND", "TERM")]
+    [InlineData("view SCENE --out TARGET --svg SECOND", "HUP")]
+    public void ASignalLeavesTheOldFile(string command, string signal)
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", SceneTests.Points(ManyPoints, pairs: ""));
+        string target = directory.Write("target", "old"), second = directory.Write("second", "old too");
+        Dictionary<string, string> before = directory.Contents();
+        command = command.Replace("SCENE", scene).Replace("TARGET", target).Replace("SECOND", second);
+        using DemoProcess demo = DemoProcess.Start(command.Split(' '));
+        demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal)));
+        demo.Signal(signal);
+        DemoRun run = demo.Wait();
+        Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
+        Assert.Equal(before, directory.Contents());
+    }
+
+    /// <summary>
+    /// The second signal ends the process wherever it is; what was temporary has gone with the first.
+    /// </summary>
+    [UnixFact]
+    public void TwoSignalsLeaveTheOldFile()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", SceneTests.Points(ManyPoints, pairs: ""));
+        string target = directory.Write("target", "old");
+        Dictionary<string, string> before = directory.Contents();
+        using DemoProcess demo = DemoProcess.Start("query", scene, "--out", target);
+        demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal)));
+        demo.Signal("TERM");
+        demo.Signal("TERM");
+        Assert.NotEqual(0, demo.Wait().ExitCode);
+        Assert.Equal(before, directory.Contents());
+    }
+
+    [UnixTheory]
+    [InlineData("INT", "")]
+    [InlineData("TERM", "")]
+    [InlineData("HUP", "")]
+    [InlineData("INT", "--motion 0.1")]
+    public void AReplayWithoutACompleteSceneLeavesTheOldFile(string signal, string more)
+    {
+        using var directory = new TempDirectory();
+        string target = directory.Write("replay.json", "old"), unborn = directory.File("new.json");
+        foreach (string json in new[] { target, unborn })
+        {
+            string[] options = more.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+            using var watch = new TemporaryFileWatch(directory);
+            using DemoProcess demo = DemoProcess.Start(["replay", "--seconds", "60", "--json", json, .. options]);
+            demo.WaitUntil(_ => watch.HasSeenOne);
+            demo.Signal(signal);
+            DemoRun run = demo.Wait();
+            Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
+            Assert.Equal(new Dictionary<string, string> { ["replay.json"] = "old" }, directory.Contents());
+        }
+    }
+
+    /// <summary>
+    /// A part of the scenes makes a new file, but is no replacement for a complete one. The time to interrupt at is
+    /// searched for, as machines differ.
+    /// </summary>
+    [UnixTheory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void AReplayWithOneCompleteSceneReplacesNothing(bool hasOldFile)
+    {
+        using var directory = new TempDirectory();
+        string target = hasOldFile ? directory.Write("replay.json", "old") : directory.File("replay.json");
+        DemoRun? run = null;
+        double earliest = 0, seconds = 6, latest = double.PositiveInfinity;
+        for (int tries = 0; tries < 8 && run is null; tries++)
+        {
+            using DemoProcess demo = DemoProcess.Start("replay", "--seconds", "3", "--json", target);
+            Thread.Sleep(TimeSpan.FromSeconds(seconds));
+            demo.Interrupt();
+            run = demo.Wait();
+            if (run.ExitCode == 130 && run.Out.Length > 0) break;
+            if (run.ExitCode == 130) earliest = seconds;
+            else latest = seconds;
+            seconds = double.IsFinite(latest) ? (earliest + latest) / 2 : seconds * 1.5;
+            if (hasOldFile) File.WriteAllText(target, "old");
+            else File.Delete(target);
+            run = null;
+        }
+
+        Assert.NotNull(run);
+        Assert.Equal("", run.Error);
+        Assert.Contains("cubes, here", run.Out);
+        Assert.DoesNotContain("spheres", run.Out);
+        Assert.Equal([target], directory.Files);
+        if (hasOldFile)
+        {
+            Assert.Equal("old", File.ReadAllText(target));
+            return;
+        }
+
+        using JsonDocument written = JsonDocument.Parse(File.ReadAllText(target));
+        JsonElement scene = Assert.Single(written.RootElement.GetProperty("scenes").EnumerateArray());
+        Assert.Equal("cubes", scene.GetProperty("name").GetString());
+    }
+
+    /// <summary>
+    /// A limit on the size of files stands for a full disk. The runtime needs a larger file of its own unless it is
+    /// told not to.
+    /// </summary>
+    [UnixTheory]
+    [InlineData("query \"$1\" --out \"$2\"")]
+    [InlineData("view \"$1\" --out \"$2\"")]
+    [InlineData("view \"$1\" --out \"$2.html\" --svg \"$2\"")]
+    [InlineData("trace \"$1\" --pair 0,1 --out \"$2\"")]
+    [InlineData("replay --frames 1 --json \"$2\"")]
+    public void AFullDiskLeavesTheOldFile(string call)
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", SceneTests.Points(200, pairs: ""));
+        string target = directory.Write("target", "old");
+        Dictionary<string, string> before = directory.Contents();
+        string script = $"trap '' XFSZ; ulimit -f 4; export DOTNET_EnableWriteXorExecute=0; demo {call}";
+        DemoRun run = DemoProcess.Shell(script, scene, target);
+        run.AssertRefused(target, "cannot be written");
+        Assert.Equal(before, directory.Contents());
+    }
+
+    [UnixFact]
+    public void ADirectoryThatVanishesIsOneLine()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", SceneTests.Points(1_000, pairs: ""));
+        string inner = directory.File("inner"), moved = directory.File("moved");
+        Directory.CreateDirectory(inner);
+        string target = Path.Combine(inner, "target");
+        File.WriteAllText(target, "old");
+        using DemoProcess demo = DemoProcess.Start("query", scene, "--out", target);
+        demo.WaitUntil(_ => Array.Exists(Directory.GetFiles(inner), f => f.EndsWith(".tmp", StringComparison.Ordinal)));
+        Directory.Move(inner, moved);
+        demo.Wait().AssertRefused(target, "cannot be written", "removed meanwhile");
+        Assert.Equal("old", File.ReadAllText(Path.Combine(moved, "target")));
+    }
+
+    [UnixFact]
+    public void ARefusedInputLeavesTheOldFile()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", "{"), target = directory.Write("target", "old");
+        Dictionary<string, string> before = directory.Contents();
+        DemoProcess.Run("query", scene, "--out", target).AssertRefused(scene);
+        DemoProcess.Run("view", scene, "--out", target).AssertRefused(scene);
+        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", target).AssertRefused(scene);
+        Assert.Equal(before, directory.Contents());
+    }
+}
