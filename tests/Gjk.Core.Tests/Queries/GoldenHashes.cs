@@ -10,6 +10,7 @@ internal static class GoldenHashes
     private static readonly Dictionary<string, string> Golden = new()
     {
         ["cases"] = "0a933cdbecedad14",
+        ["allCases"] = "4cd2ad573f4638ef",
         ["random"] = "bba608ef5fee06a0",
     };
 
