@@ -10,8 +10,7 @@ namespace Gjk.Demo.Fuzz;
 
 /// <summary>
 /// A pair as a record's line and back. The library writes a mesh as its hull's corners; this writes the points that it
-/// was made of, or a hull that lost one could
-/// not be shown.
+/// was made of, or a hull that lost one could not be shown.
 /// </summary>
 internal static class FuzzText
 {

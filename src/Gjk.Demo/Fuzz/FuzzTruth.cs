@@ -6,8 +6,8 @@ namespace Gjk.Demo.Fuzz;
 
 /// <summary>
 /// What is certain about a pair's distance. Without a curved core it is known, margins included: solved in integers of
-/// any size from the points that the shapes were made of. With one, a
-/// point of each shape, found by a walk of its own, bounds it from above.
+/// any size from the points that the shapes were made of. With one, a point of each shape, found by a walk of its own,
+/// bounds it from above.
 /// </summary>
 internal sealed class FuzzTruth
 {

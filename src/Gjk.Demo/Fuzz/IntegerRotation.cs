@@ -6,9 +6,8 @@ namespace Gjk.Demo.Fuzz;
 
 /// <summary>
 /// A rotation by a quaternion of small integers: quarter turns, thirds of a turn, the angles of the triangles 3-4-5,
-/// 5-12-13 and 8-15-17, and products of them. Its matrix is
-/// integers over the squared length, so that multiples of that length are turned without rounding; a float quaternion
-/// holds it exactly, since only ratios matter.
+/// 5-12-13 and 8-15-17, and products of them. Its matrix is integers over the squared length, so that multiples of that
+/// length are turned without rounding; a float quaternion holds it exactly, since only ratios matter.
 /// </summary>
 internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
 {

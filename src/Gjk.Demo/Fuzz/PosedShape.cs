@@ -7,8 +7,8 @@ namespace Gjk.Demo.Fuzz;
 
 /// <summary>
 /// A shape where it is, seen without the library's hulls, supports and solvers: a rotation matrix of its own, the
-/// points that the shape was made of, and heights
-/// found by looking at all of them. Nothing here depends on the shape's bounding radius, which may be generous.
+/// points that the shape was made of, and heights found by looking at all of them. Nothing here depends on the shape's
+/// bounding radius, which may be generous.
 /// </summary>
 internal sealed class PosedShape
 {

@@ -5,8 +5,8 @@ namespace Gjk.Core.Tests.Support;
 
 /// <summary>
 /// Proves a result from the shapes' supports alone, without another solver: the planes across the returned normal must
-/// stand as far apart as the distance
-/// says, and the points must lie on their shapes and differ by it. Works for any support map.
+/// stand as far apart as the distance says, and the points must lie on their shapes and differ by it. Works for any
+/// support map.
 /// </summary>
 internal static class Certificate
 {

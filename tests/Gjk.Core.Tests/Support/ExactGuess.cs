@@ -5,8 +5,7 @@ namespace Gjk.Core.Tests.Support;
 
 /// <summary>
 /// Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be right, since
-/// the exact walk goes on from any
-/// simplex; it only saves steps on long integers.
+/// the exact walk goes on from any simplex; it only saves steps on long integers.
 /// </summary>
 internal static class ExactGuess
 {

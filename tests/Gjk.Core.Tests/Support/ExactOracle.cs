@@ -7,11 +7,10 @@ internal readonly record struct ExactAnswer(bool Overlap, double Distance);
 
 /// <summary>
 /// The true answer for two posed point clouds with margins, in integers: slow, and independent of the library. A float
-/// is an integer times a power of two, and
-/// a rotation by an unnormalised quaternion is a matrix of integers over |q|², so every Minkowski vertex is an integer
-/// vector over one common denominator.
-/// GJK on those, with exact signs, ends after finitely many steps, because the distance falls strictly. Doubles only
-/// propose: where to start, and which points cannot be furthest.
+/// is an integer times a power of two, and a rotation by an unnormalised quaternion is a matrix of integers over |q|²,
+/// so every Minkowski vertex is an integer vector over one common denominator. GJK on those, with exact signs, ends
+/// after finitely many steps, because the distance falls strictly. Doubles only propose: where to start, and which
+/// points cannot be furthest.
 /// </summary>
 internal static class ExactOracle
 {

@@ -45,8 +45,7 @@ internal static class ContactFamilies
 
     /// <summary>
     /// A lies below the plane x = 0 and B above it, both in one rotation, and B's position is the gap itself: so gaps
-    /// down to 1e-15 are exactly what floats can
-    /// hold nowhere else.
+    /// down to 1e-15 are exactly what floats can hold nowhere else.
     /// </summary>
     public static FuzzPair AtTheOrigin(FuzzRandom random)
     {

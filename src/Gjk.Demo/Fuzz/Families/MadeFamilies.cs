@@ -78,7 +78,8 @@ internal static class MadeFamilies
         return FuzzShape.Mesh(Clouds.Placed(cloud, 1, offset));
     }
 
-    private static FuzzShape Stretched(FuzzRandom random)
+    /// <summary>Divided by factors and scaled back by them.</summary>
+    public static FuzzShape Stretched(FuzzRandom random)
     {
         bool even = random.OneIn(4), exact = !random.OneIn(3);
         float x = Factor(random, exact);

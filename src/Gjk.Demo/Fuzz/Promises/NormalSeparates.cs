@@ -5,8 +5,8 @@ namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
 /// The certificate of a distance: the planes across the normal that touch the shapes stand the distance apart. From
-/// above that proves the distance by itself (no gap
-/// between planes can exceed it); from below as far as a normal rounded to float can tell.
+/// above that proves the distance by itself (no gap between planes can exceed it); from below as far as a normal
+/// rounded to float can tell.
 /// </summary>
 internal sealed class NormalSeparates : IPromise
 {

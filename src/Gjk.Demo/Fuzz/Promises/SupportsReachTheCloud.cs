@@ -6,8 +6,8 @@ namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
 /// In no direction does a shape's support value differ from the greatest dot product with the points that it was made
-/// of; of curved shapes, from the
-/// formula. The support point is one of those points, to the last bit, and is the vertex that its id names.
+/// of; of curved shapes, from the formula. The support point is one of those points, to the last bit, and is the vertex
+/// that its id names.
 /// </summary>
 internal sealed class SupportsReachTheCloud : IPromise
 {
