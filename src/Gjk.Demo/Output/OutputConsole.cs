@@ -34,7 +34,10 @@ internal static class OutputConsole
         // it.
         bool isPipe = IsPlain && !OperatingSystem.IsWindows() && FileStatus.Of("/dev/stdout").Kind == FileKind.Stream;
         Stream stream = isPipe ? new PipeStream(StandardOutput) : Console.OpenStandardOutput();
-        return new RefusingStream("standard output", stream, cancel);
+
+        // The console's own stream locks Console.Out, so a write to it must stay on the thread that may hold that lock.
+        bool waits = isPipe || !IsPlain;
+        return new RefusingStream("standard output", stream, waits ? cancel : CancellationToken.None);
     }
 
     public static IAnsiConsole Create()
