@@ -26,6 +26,9 @@ public readonly struct WorldBounds
     /// </summary>
     private const double DoubleSlack = 64.0 / (1L << 53);
 
+    /// <summary>Ratio to the ball's radius, outward: five times how far apart curved shapes still touch. Pinned by WorldBoundsTests.</summary>
+    private const double TouchSlack = 5 * GjkTolerances.TouchCurved;
+
     private readonly Vector3D _center;
     private readonly Vector3D _half;
     private readonly double _margin;
@@ -88,7 +91,7 @@ public readonly struct WorldBounds
 
     private Aabb Around(in Vector3D center, in Vector3D half)
     {
-        double rounding = DoubleSlack * (_offset + _radius);
+        double rounding = DoubleSlack * (_offset + _radius) + TouchSlack * _radius;
         double x = half.X + FloatSlack * (Math.Abs(center.X) + half.X) + rounding;
         double y = half.Y + FloatSlack * (Math.Abs(center.Y) + half.Y) + rounding;
         double z = half.Z + FloatSlack * (Math.Abs(center.Z) + half.Z) + rounding;
