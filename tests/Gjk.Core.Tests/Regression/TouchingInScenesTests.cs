@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
