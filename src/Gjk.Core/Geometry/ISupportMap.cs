@@ -17,10 +17,13 @@ public interface ISupportMap
     /// </summary>
     Vector3D Center { get; }
 
-    /// <summary>How far the shape reaches beyond the core, at least 0, in local units.</summary>
+    /// <summary>How far the shape reaches beyond the core, from 0 to 1e150, in local units.</summary>
     double Margin { get; }
 
-    /// <summary>The radius of a ball about <see cref="Center"/> that holds the whole shape, margin included; it may be generous.</summary>
+    /// <summary>
+    /// The radius of a ball about <see cref="Center"/> that holds the whole shape, margin included. It may be generous: it only serves to reject pairs early, and no
+    /// tolerance depends on it. From 0 to 1e150, as all lengths; a negative or larger one, or NaN, gives <see cref="GjkStatus.InvalidInput"/>.
+    /// </summary>
     double BoundingRadius { get; }
 
     /// <summary>The point of the core that is furthest in a direction.</summary>

@@ -10,8 +10,8 @@ public static partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Where it is.</param>
     /// <returns>
-    /// The true distance of the shapes as given, rounded to float; see <see cref="DistanceResult"/>. A <c>default</c> pose or shape, or a NaN, gives
-    /// <see cref="GjkStatus.InvalidInput"/>.
+    /// The true distance of the shapes as given, rounded to float; on curved cores (cylinder, cone, ellipsoid) within 1e-6 of the larger of size and distance. A
+    /// <c>default</c> pose or shape, or a NaN, gives <see cref="GjkStatus.InvalidInput"/>. See <see cref="DistanceResult"/>.
     /// </returns>
     public static DistanceResult Distance<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
         where TA : struct, ISupportMap

@@ -41,7 +41,13 @@ internal static class GjkDistance
         {
             var normal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
             MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
-            if (state.See<TA, TB>(frame, onA, onB, idA | idB)) (touchSquared, noise) = (state.TouchSquared, state.Noise);
+            state.Iterations++;
+            if (state.Matters<TA, TB>(idA | idB))
+            {
+                state.See(frame, onA, onB, idA | idB);
+                (touchSquared, noise) = (state.TouchSquared, state.Noise);
+            }
+
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: false));
             double plane = Vector3D.Dot(normal, w);
             if (plane > 0)

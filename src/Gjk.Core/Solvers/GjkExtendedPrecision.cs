@@ -42,7 +42,8 @@ internal static class GjkExtendedPrecision
         while (true)
         {
             MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
-            state.See<TA, TB>(frame, onA, onB, idA | idB);
+            state.Iterations++;
+            if (state.Matters<TA, TB>(idA | idB)) state.See(frame, onA, onB, idA | idB);
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: true));
             double plane = Vector3D.Dot(normal, w);
             if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, limit)) return;

@@ -57,10 +57,10 @@ internal static class GjkTolerances
     public const double SeparatedBandCurved = 4 * TouchCurved;
 
     /// <summary>
-    /// Length: what rounding can do to a lower bound: to the relative pose, to the choice of the supports and to their values: 16 roundings of (size + distance of
+    /// Length: what rounding can do to a lower bound: to the relative pose, to the choice of the supports and to their values: 10 roundings of (size + distance of
     /// the centres). Not more: this must fit into the promised 1e-14 of the scale. Pinned by LowerBoundTests and fuzz.
     /// </summary>
-    public const double LowerBoundError = 16 * UnitRoundoff;
+    public const double LowerBoundError = 10 * UnitRoundoff;
 
     /// <summary>
     /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3 by 3 determinant of rounded differences asks.

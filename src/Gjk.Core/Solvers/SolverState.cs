@@ -65,18 +65,19 @@ internal struct SolverState
         PairSize.Begin<TA, TB>(frame, out state.Size);
     }
 
-    /// <summary>Counts a support, and takes note of what it says about the shapes.</summary>
-    /// <returns>Whether the tolerances have changed.</returns>
+    /// <summary>Whether a support says anything that the tolerances depend on, so that <see cref="See"/> must be told of it.</summary>
+    /// <param name="ids">Both ids; negative where one is.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool See<TA, TB>(in PairFrame frame, in Vector3D onA, in Vector3D onB, int ids)
+    public readonly bool Matters<TA, TB>(int ids)
         where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        (ids < 0 && !IsCurved) || !(TightBounds<TA>.Are && TightBounds<TB>.Are);
+
+    /// <summary>Takes note of what a support says about the shapes; the tolerances may have changed then.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void See(in PairFrame frame, in Vector3D onA, in Vector3D onB, int ids)
     {
-        Iterations++;
-        bool changed = (ids < 0) & !IsCurved;
-        if (changed) IsCurved = true;
-        if (TightBounds<TA>.Are && TightBounds<TB>.Are) return changed;
+        IsCurved |= ids < 0;
         Size.See(frame, onA, onB);
-        return true;
     }
 }

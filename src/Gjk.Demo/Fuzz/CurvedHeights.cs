@@ -7,7 +7,9 @@ using Gjk.Demo.Fuzz.Shrinking;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>How far a shape with a curved core reaches along a direction, from the shape's numbers by formulas of its own.</summary>
+/// <summary>
+/// How far a shape with a curved core reaches along a direction, from the shape's numbers by formulas of its own.
+/// </summary>
 internal sealed class CurvedHeights
 {
     private readonly ShapeKind _kind;
@@ -38,7 +40,8 @@ internal sealed class CurvedHeights
                 return Length(_numbers[0] * d.X, _numbers[1] * d.Y, _numbers[2] * d.Z);
             default:
                 // A segment whose ball became an ellipsoid.
-                double first = _numbers[0] * d.X + _numbers[1] * d.Y + _numbers[2] * d.Z, second = _numbers[3] * d.X + _numbers[4] * d.Y + _numbers[5] * d.Z;
+                double first = _numbers[0] * d.X + _numbers[1] * d.Y + _numbers[2] * d.Z;
+                double second = _numbers[3] * d.X + _numbers[4] * d.Y + _numbers[5] * d.Z;
                 return Math.Max(first, second) + _numbers[6] * Length(d.X, d.Y, d.Z);
         }
     }
@@ -52,5 +55,6 @@ internal sealed class CurvedHeights
         return most * Math.Sqrt(x * x + y * y + z * z);
     }
 
-    private static double[] Read(IEnumerable<string> words) => [.. words.Select(w => double.Parse(w, CultureInfo.InvariantCulture))];
+    private static double[] Read(IEnumerable<string> words) =>
+        [.. words.Select(w => double.Parse(w, CultureInfo.InvariantCulture))];
 }

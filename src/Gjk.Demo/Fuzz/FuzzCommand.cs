@@ -16,7 +16,8 @@ internal static class FuzzCommand
     {
         var run = new FuzzRun(length, seed, AllPromises.Make());
         BrokenPromise? broken = null;
-        ProgressBar.Show(OutputConsole.Create(), OutputConsole.IsPlain, bar => broken = run.Search(bar.Add("pairs"), cancel));
+        ProgressBar.Show(
+            OutputConsole.Create(), OutputConsole.IsPlain, bar => broken = run.Search(bar.Add("pairs"), cancel));
         FuzzReport report = FuzzReport.Of(run, broken, cancel.IsCancellationRequested);
         Console.Out.Write(report.Text);
         return report.ExitCode;

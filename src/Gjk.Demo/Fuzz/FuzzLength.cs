@@ -15,5 +15,6 @@ internal readonly struct FuzzLength
     }
 
     /// <summary>How much of it is over; from 1 on, all.</summary>
-    public double Done(long tried, TimeSpan elapsed) => Math.Max(_time is { } time ? elapsed / time : 0, _pairs is { } pairs ? tried / (double)pairs : 0);
+    public double Done(long tried, TimeSpan elapsed) =>
+        Math.Max(_time is { } time ? elapsed / time : 0, _pairs is { } pairs ? tried / (double)pairs : 0);
 }

@@ -16,21 +16,41 @@ internal static class FuzzOptions
 
     public static Command Build(CancellationToken cancel)
     {
-        var seconds = new Option<double?>("--seconds") { Description = "How long to search. Without it and without --count: 60.", HelpName = "S", CustomParser = Seconds };
-        var count = new Option<long?>("--count") { Description = "End after so many pairs.", HelpName = "N", CustomParser = Count };
-        var seed = new Option<ulong?>("--seed") { Description = "Which sequence of pairs; a seed always gives the same. Without it: another one each time.", HelpName = "S", CustomParser = Seed };
-        var command = new Command("fuzz", "Search at random for a pair of shapes that breaks a promise of the library, and shrink what is found.") { seconds, seed, count };
+        var seconds = new Option<double?>("--seconds")
+        {
+            Description = "How long to search. Without it and without --count: 60.",
+            HelpName = "S",
+            CustomParser = Seconds,
+        };
+        var count = new Option<long?>("--count")
+        {
+            Description = "End after so many pairs.",
+            HelpName = "N",
+            CustomParser = Count,
+        };
+        var seed = new Option<ulong?>("--seed")
+        {
+            Description = "Which sequence of pairs; a seed always gives the same. Without it: another one each time.",
+            HelpName = "S",
+            CustomParser = Seed,
+        };
+        const string Purpose =
+            "Search at random for a pair of shapes that breaks a promise of the library, and shrink what is found.";
+        var command = new Command("fuzz", Purpose) { seconds, seed, count };
         command.SetAction(r =>
         {
             double? time = r.GetValue(seconds) ?? (r.GetValue(count) is null ? DefaultSeconds : null);
             return FuzzCommand.Run(
-                new FuzzLength(time is null ? null : TimeSpan.FromSeconds(time.Value), r.GetValue(count)), r.GetValue(seed) ?? (ulong)Random.Shared.Next(), cancel);
+                new FuzzLength(
+                    time is null ? null : TimeSpan.FromSeconds(time.Value),
+                    r.GetValue(count)), r.GetValue(seed) ?? (ulong)Random.Shared.Next(), cancel);
         });
         return command;
     }
 
     private static double? Seconds(ArgumentResult result) =>
-        double.TryParse(Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double s) && s > 0 && s <= MostSeconds
+        double.TryParse(Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double s) && s > 0
+            && s <= MostSeconds
             ? s
             : Refuse<double>(result, $"must be a number above 0, at most {MostSeconds:F0}");
 

@@ -12,7 +12,8 @@ internal sealed class FuzzRandom
     public FuzzRandom(ulong seed) => _state = seed;
 
     /// <summary>The source of one pair, which depends on no other pair.</summary>
-    public static FuzzRandom ForPair(ulong seed, long index) => new(new FuzzRandom(new FuzzRandom(seed).Next() + (ulong)index).Next());
+    public static FuzzRandom ForPair(ulong seed, long index) =>
+        new(new FuzzRandom(new FuzzRandom(seed).Next() + (ulong)index).Next());
 
     public ulong Next()
     {
@@ -42,7 +43,10 @@ internal sealed class FuzzRandom
     public Vector3 Vector(double size) => new(Float(-size, size), Float(-size, size), Float(-size, size));
 
     /// <summary>Factors for a scale: uneven, some of them mirroring.</summary>
-    public Vector3 Factors(double low, double high) => new(Sign() * (float)Magnitude(low, high), Sign() * (float)Magnitude(low, high), Sign() * (float)Magnitude(low, high));
+    public Vector3 Factors(double low, double high) =>
+        new(
+            Sign() * (float)Magnitude(low, high), Sign() * (float)Magnitude(low, high),
+            Sign() * (float)Magnitude(low, high));
 
     public int Sign() => OneIn(2) ? -1 : 1;
 

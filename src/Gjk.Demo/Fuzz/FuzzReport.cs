@@ -12,9 +12,15 @@ internal readonly record struct FuzzReport(string Text, int ExitCode)
     public static FuzzReport Of(FuzzRun run, BrokenPromise? broken, bool cancelled)
     {
         double seconds = run.Elapsed.TotalSeconds;
-        string tried = Say.Line($"{run.Tried} pairs tried in {seconds:F1} s, {run.Tried / Math.Max(seconds, LeastSeconds):F0} pairs per second, seed {run.Seed}");
+        double rate = run.Tried / Math.Max(seconds, LeastSeconds);
+        string tried = Say.Line(
+            $"{run.Tried} pairs tried in {seconds:F1} s, {rate:F0} pairs per second, seed {run.Seed}");
         if (broken is null)
-            return cancelled ? new($"{tried}: no promise broken until cancelled\n", Demo.ExitCode.Cancelled) : new($"{tried}: no promise broken\n", Demo.ExitCode.Done);
-        return new(Say.Line($"{tried}\npair {broken.Index} ({broken.Family}) breaks a promise: {broken.Promise}: {broken.How}\n{broken.Record}\n"), Demo.ExitCode.Failed);
+            return cancelled
+                ? new($"{tried}: no promise broken until cancelled\n", Demo.ExitCode.Cancelled)
+                : new($"{tried}: no promise broken\n", Demo.ExitCode.Done);
+        string found = Say.Line(
+            $"pair {broken.Index} ({broken.Family}) breaks a promise: {broken.Promise}: {broken.How}");
+        return new($"{tried}\n{found}\n{broken.Record}\n", Demo.ExitCode.Failed);
     }
 }

@@ -4,7 +4,9 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>A shape of the library beside the points that its mesh was made of, so that the library's hull itself is under test.</summary>
+/// <summary>
+/// A shape of the library beside the points that its mesh was made of, so that the library's hull itself is under test.
+/// </summary>
 internal readonly struct FuzzShape
 {
     private FuzzShape(in ConvexShape shape, IReadOnlyList<Vector3>? cloud)
@@ -15,7 +17,10 @@ internal readonly struct FuzzShape
 
     public ConvexShape Shape { get; }
 
-    /// <summary>A mesh's points as they were given, repeats and inner ones included, without the scale; null for what is no mesh.</summary>
+    /// <summary>
+    /// A mesh's points as they were given, repeats and inner ones included, without the scale; null for what is no
+    /// mesh.
+    /// </summary>
     public IReadOnlyList<Vector3>? Cloud { get; }
 
     public ShapeKind Kind => Shape.Kind;
@@ -23,7 +28,8 @@ internal readonly struct FuzzShape
     public Vector3 Scale => Shape.Scale;
 
     /// <summary>Where only the hull is known, its corners are the cloud.</summary>
-    public static implicit operator FuzzShape(in ConvexShape shape) => new(shape, shape.Hull is { } hull ? Corners(hull) : null);
+    public static implicit operator FuzzShape(in ConvexShape shape) =>
+        new(shape, shape.Hull is { } hull ? Corners(hull) : null);
 
     public static FuzzShape Mesh(IReadOnlyList<Vector3> cloud) => new(ConvexShape.Mesh(cloud), cloud);
 

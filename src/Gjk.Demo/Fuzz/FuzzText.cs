@@ -9,8 +9,8 @@ using Gjk.Demo.Fuzz.Shrinking;
 namespace Gjk.Demo.Fuzz;
 
 /// <summary>
-/// A pair as a record's line and back. The library writes a mesh as its hull's corners; this writes the points that it was made of, or a hull that lost one could
-/// not be shown.
+/// A pair as a record's line and back. The library writes a mesh as its hull's corners; this writes the points that it
+/// was made of, or a hull that lost one could not be shown.
 /// </summary>
 internal static class FuzzText
 {
@@ -31,11 +31,13 @@ internal static class FuzzText
         return (a, ShapeWords.Read(words));
     }
 
+    /// <summary>False for what is no record, and for a scale that is not of floats.</summary>
     public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
     {
         pair = null;
         if (!QueryRecord.TryParse(text, out QueryRecord record, out _)) return false;
         (ShapeWords a, ShapeWords b) = Split(text);
+        if (!HasFloatScale(a) || !HasFloatScale(b)) return false;
         pair = new FuzzPair(Shape(record.A, a), record.PoseA, Shape(record.B, b), record.PoseB);
         return true;
     }
@@ -43,15 +45,23 @@ internal static class FuzzText
     private static Queue<string> Words(string text) => new(text.Split(' ').Skip(1));
 
     private static ShapeWords WithCloud(ShapeWords words, IReadOnlyList<Vector3>? cloud) =>
-        cloud is null ? words : words with { Numbers = [.. cloud.SelectMany(p => (string[])[Word(p.X), Word(p.Y), Word(p.Z)])] };
+        cloud is null
+            ? words
+            : words with { Numbers = [.. cloud.SelectMany(p => (string[])[Word(p.X), Word(p.Y), Word(p.Z)])] };
 
     private static FuzzShape Shape(in ConvexShape shape, ShapeWords words)
     {
         if (shape.Kind != ShapeKind.Mesh) return shape;
         var cloud = new Vector3[words.Numbers.Count / 3];
-        for (int i = 0; i < cloud.Length; i++) cloud[i] = new Vector3(Number(words.Numbers[3 * i]), Number(words.Numbers[3 * i + 1]), Number(words.Numbers[3 * i + 2]));
+        for (int i = 0; i < cloud.Length; i++)
+            cloud[i] = new Vector3(
+                Number(words.Numbers[3 * i]), Number(words.Numbers[3 * i + 1]), Number(words.Numbers[3 * i + 2]));
         return FuzzShape.Of(shape, cloud);
     }
+
+    /// <summary>A record may hold other factors, but no user can give them to a shape.</summary>
+    private static bool HasFloatScale(ShapeWords words) =>
+        words.Scale.All(w => double.Parse(w, CultureInfo.InvariantCulture) == Number(w));
 
     private static float Number(string word) => float.Parse(word, CultureInfo.InvariantCulture);
 

@@ -5,8 +5,9 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Demo.Fuzz;
 
 /// <summary>
-/// What is certain about a pair's distance. Without a curved core it is known, margins included: solved in integers of any size from the points that the shapes were made of. With one, a
-/// point of each shape, found by a walk of its own, bounds it from above.
+/// What is certain about a pair's distance. Without a curved core it is known, margins included: solved in integers of
+/// any size from the points that the shapes were made of. With one, a point of each shape, found by a walk of its own,
+/// bounds it from above.
 /// </summary>
 internal sealed class FuzzTruth
 {
@@ -25,14 +26,19 @@ internal sealed class FuzzTruth
     /// <summary>The exact flag and the distance rounded to the nearest double; only where it is known.</summary>
     public ExactAnswer Answer { get; }
 
-    /// <summary>The true distance is no larger: the distance itself where it is known, else that of two points, with room for the roundings of a double.</summary>
+    /// <summary>
+    /// The true distance is no larger: the distance itself where it is known, else that of two points, with room for
+    /// the roundings of a double.
+    /// </summary>
     public double AtMost { get; }
 
     /// <summary>Whether moving B by so much parts the shapes: then they overlap by no more than that.</summary>
     public bool PartsWith(in Vector3D moveB) => !Solve(moveB).Overlap;
 
     private ExactAnswer Solve(in Vector3D moveB) =>
-        ExactOracle.Solve(_pair.BodyA.Vertices, _pair.A.Margin, _pair.PoseA, _pair.BodyB.Vertices, _pair.B.Margin, _pair.PoseB, moveB);
+        ExactOracle.Solve(
+            _pair.BodyA.Vertices, _pair.A.Margin, _pair.PoseA, _pair.BodyB.Vertices, _pair.B.Margin, _pair.PoseB,
+            moveB);
 
     private double BetweenPoints()
     {

@@ -2,7 +2,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>A shape as a user might write it: the same supports, a bounding radius that is larger than need be, and no kind that the library could recognise.</summary>
+/// <summary>
+/// A shape as a user might write it: the same supports, a bounding radius that is larger than need be, and no kind that
+/// the library could recognise.
+/// </summary>
 internal readonly struct Generous : ISupportMap
 {
     private readonly ConvexShape _inner;
@@ -22,7 +25,8 @@ internal readonly struct Generous : ISupportMap
 
     public double BoundingRadius => _inner.BoundingRadius * _factor;
 
-    public int Support(in Vector3D direction, int hint, out Vector3D point) => _inner.Support(direction, hint, out point);
+    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
+        _inner.Support(direction, hint, out point);
 
     public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);
 }

@@ -5,12 +5,16 @@ using Gjk.Core;
 namespace Gjk.Demo.Fuzz;
 
 /// <summary>
-/// A rotation by a quaternion of small integers: quarter turns, thirds of a turn, the angles of the triangles 3-4-5, 5-12-13 and 8-15-17, and products of them. Its matrix is
-/// integers over the squared length, so that multiples of that length are turned without rounding; a float quaternion holds it exactly, since only ratios matter.
+/// A rotation by a quaternion of small integers: quarter turns, thirds of a turn, the angles of the triangles 3-4-5,
+/// 5-12-13 and 8-15-17, and products of them. Its matrix is integers over the squared length, so that multiples of that
+/// length are turned without rounding; a float quaternion holds it exactly, since only ratios matter.
 /// </summary>
 internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
 {
-    /// <summary>Bits of the factor that brings the quaternion to about unit length: with the integers' own bits it fits into a float.</summary>
+    /// <summary>
+    /// Bits of the factor that brings the quaternion to about unit length: with the integers' own bits it fits into a
+    /// float.
+    /// </summary>
     private const int FactorBits = 12;
 
     /// <summary>The squared length, the matrix's denominator.</summary>
@@ -42,7 +46,8 @@ internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
     public Quaternion ToQuaternion(FuzzRandom random)
     {
         double factor = 1 / Math.Sqrt(Norm);
-        if (!random.OneIn(4)) factor = Math.Round(Math.ScaleB(factor, FactorBits + Bits / 2)) / Math.ScaleB(1, FactorBits + Bits / 2);
+        if (!random.OneIn(4))
+            factor = Math.Round(Math.ScaleB(factor, FactorBits + Bits / 2)) / Math.ScaleB(1, FactorBits + Bits / 2);
         return new Quaternion((float)(X * factor), (float)(Y * factor), (float)(Z * factor), (float)(W * factor));
     }
 

@@ -6,8 +6,9 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Demo.Fuzz;
 
 /// <summary>
-/// A shape where it is, seen without the library's hulls, supports and solvers: a rotation matrix of its own, the points that the shape was made of, and heights
-/// found by looking at all of them. Nothing here depends on the shape's bounding radius, which may be generous.
+/// A shape where it is, seen without the library's hulls, supports and solvers: a rotation matrix of its own, the
+/// points that the shape was made of, and heights found by looking at all of them. Nothing here depends on the shape's
+/// bounding radius, which may be generous.
 /// </summary>
 internal sealed class PosedShape
 {
@@ -44,7 +45,8 @@ internal sealed class PosedShape
     public Vector3D Sides { get; }
 
     /// <summary>The largest magnitude of each local coordinate.</summary>
-    public Vector3D Extents => new(Math.Abs(Center.X) + 0.5 * Sides.X, Math.Abs(Center.Y) + 0.5 * Sides.Y, Math.Abs(Center.Z) + 0.5 * Sides.Z);
+    public Vector3D Extents =>
+        new(Math.Abs(Center.X) + 0.5 * Sides.X, Math.Abs(Center.Y) + 0.5 * Sides.Y, Math.Abs(Center.Z) + 0.5 * Sides.Z);
 
     public double LongestSide => Math.Max(Sides.X, Math.Max(Sides.Y, Sides.Z));
 
@@ -67,7 +69,10 @@ internal sealed class PosedShape
         return most;
     }
 
-    /// <summary>The most that a local point exceeds the shape by along any of the directions, or along that from the centre; all of them in the local frame.</summary>
+    /// <summary>
+    /// The most that a local point exceeds the shape by along any of the directions, or along that from the centre; all
+    /// of them in the local frame.
+    /// </summary>
     public double Outside(in Vector3D local, ReadOnlySpan<Vector3D> directions)
     {
         Vector3D outward = local - Center;
@@ -76,7 +81,9 @@ internal sealed class PosedShape
         return outward.IsFinite ? most : double.PositiveInfinity;
     }
 
-    /// <summary>The directions across up to <paramref name="most"/> triangles of a mesh's surface, in the local frame.</summary>
+    /// <summary>
+    /// The directions across up to <paramref name="most"/> triangles of a mesh's surface, in the local frame.
+    /// </summary>
     public IEnumerable<Vector3D> FaceNormals(int most)
     {
         if (_shape.Hull is not { } hull) yield break;
@@ -116,7 +123,8 @@ internal sealed class PosedShape
             return scaled;
         }
 
-        // Segments, boxes and the like: the library multiplies the scale in without rounding, and has at most eight of them.
+        // Segments, boxes and the like: the library multiplies the scale in without rounding, and has at most eight of
+        // them.
         var vertices = new List<Vector3D>();
         for (int id = 0; shape.Shape.TryGetVertex(id, out Vector3D vertex); id++) vertices.Add(vertex);
         return [.. vertices];

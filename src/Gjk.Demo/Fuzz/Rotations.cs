@@ -3,7 +3,10 @@ using System.Numerics;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>Rotations as they occur: none, even ones, by quarter and half turns, by next to nothing, and quaternions whose length has drifted from 1.</summary>
+/// <summary>
+/// Rotations as they occur: none, even ones, by quarter and half turns, by next to nothing, and quaternions whose
+/// length has drifted from 1.
+/// </summary>
 internal static class Rotations
 {
     /// <summary>A pose accepts a length of 1 within 1e-3; the last tenth is left for the rounding to float.</summary>
@@ -34,7 +37,12 @@ internal static class Rotations
     public static Quaternion Tiny(FuzzRandom random)
     {
         float angle = (float)random.Magnitude(1e-12, 1e-3);
-        return random.Below(3) switch { 0 => new(angle, 0, 0, 1), 1 => new(0, angle, 0, 1), _ => new(angle, -angle, angle, 1) };
+        return random.Below(3) switch
+        {
+            0 => new(angle, 0, 0, 1),
+            1 => new(0, angle, 0, 1),
+            _ => new(angle, -angle, angle, 1),
+        };
     }
 
     /// <summary>Turned by next to nothing.</summary>
@@ -53,7 +61,8 @@ internal static class Rotations
     }
 
     /// <summary>The rotation, to float rounding, with another length of its quaternion.</summary>
-    public static Quaternion Drifted(FuzzRandom random, Quaternion q) => OfLength(1 + random.Range(-Drift, Drift), q.X, q.Y, q.Z, q.W);
+    public static Quaternion Drifted(FuzzRandom random, Quaternion q) =>
+        OfLength(1 + random.Range(-Drift, Drift), q.X, q.Y, q.Z, q.W);
 
     /// <summary>About a coordinate axis; the argument is half the angle.</summary>
     private static Quaternion Turned(FuzzRandom random, double half)

@@ -4,12 +4,18 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>Directions in which a look-up of a shape's furthest point might go wrong, in the shape's frame and of about unit length.</summary>
+/// <summary>
+/// Directions in which a look-up of a shape's furthest point might go wrong, in the shape's frame and of about unit
+/// length.
+/// </summary>
 internal static class SupportDirections
 {
     private const int MostFaces = 12, Edges = 12, Scattered = 12;
 
-    /// <summary>What a component may be beside one of about 1: nothing, far below the rounding of a dot product, or the least number there is.</summary>
+    /// <summary>
+    /// What a component may be beside one of about 1: nothing, far below the rounding of a dot product, or the least
+    /// number there is.
+    /// </summary>
     private static readonly double[] Tiny = [0, 1e-17, -1e-17, 1e-12, -1e-9, 1e-300, -double.Epsilon];
 
     /// <param name="body">The shape.</param>
@@ -51,14 +57,25 @@ internal static class SupportDirections
         double Component(int axis, double value) => axis == spared || axis == other ? value : random.Of<double>(Tiny);
     }
 
-    /// <summary>On the border of a cell of a cube's face that is cut into 2^k squares a side, for a cube stretched to the shape's box or not.</summary>
+    /// <summary>
+    /// On the border of a cell of a cube's face that is cut into 2^k squares a side, for a cube stretched to the
+    /// shape's box or not.
+    /// </summary>
     private static Vector3D CellBorder(FuzzRandom random, in Vector3D sides)
     {
         int parts = 1 << random.Below(7);
-        double u = (2.0 * random.Below(parts + 1) - parts) / parts, v = random.OneIn(2) ? random.Range(-1, 1) : (2.0 * random.Below(parts + 1) - parts) / parts;
-        Vector3D d = random.Below(3) switch { 0 => new(random.Sign(), u, v), 1 => new(v, random.Sign(), u), _ => new(u, v, random.Sign()) };
+        double u = (2.0 * random.Below(parts + 1) - parts) / parts;
+        double v = random.OneIn(2) ? random.Range(-1, 1) : (2.0 * random.Below(parts + 1) - parts) / parts;
+        Vector3D d = random.Below(3) switch
+        {
+            0 => new(random.Sign(), u, v),
+            1 => new(v, random.Sign(), u),
+            _ => new(u, v, random.Sign()),
+        };
         if (random.OneIn(2) || sides.X == 0 || sides.Y == 0 || sides.Z == 0) return d;
-        return TryUnit(new Vector3D(d.X / sides.X, d.Y / sides.Y, d.Z / sides.Z), out Vector3D stretched) ? stretched : d;
+        return TryUnit(new Vector3D(d.X / sides.X, d.Y / sides.Y, d.Z / sides.Z), out Vector3D stretched)
+            ? stretched
+            : d;
     }
 
     /// <summary>Of unit length; false for zero, and for what is too long or too short to be squared.</summary>

@@ -6,7 +6,10 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Cases;
 
-/// <summary>The families of hard pairs with proved answers: no wrong flag, every distance exact to float rounding, every result certified.</summary>
+/// <summary>
+/// The families of hard pairs with proved answers: no wrong flag, every distance exact to float rounding, every result
+/// certified.
+/// </summary>
 public class HardCaseTests
 {
     private const int FailuresShown = 5;
@@ -39,7 +42,9 @@ public class HardCaseTests
     {
         DistanceResult r = c.Pair.Distance();
         bool matters = Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
-        return (matters && r.Overlaps != c.Overlap ? double.PositiveInfinity : 0, $"overlap {r.Overlaps}, status {r.Status}");
+        return (
+            matters && r.Overlaps != c.Overlap ? double.PositiveInfinity : 0,
+            $"overlap {r.Overlaps}, status {r.Status}");
     });
 
     [Theory]
@@ -49,7 +54,9 @@ public class HardCaseTests
         DistanceResult r = c.Pair.Distance();
         double error = Math.Abs(r.Distance - c.Distance);
         double ratio = error == 0 ? 0 : error / Tolerance.Band(c.Distance, c.Pair.Scale);
-        return (double.IsNaN(ratio) ? double.PositiveInfinity : ratio, $"distance {r.Distance:R}, status {r.Status}, error {error:R}");
+        return (
+            double.IsNaN(ratio) ? double.PositiveInfinity : ratio,
+            $"distance {r.Distance:R}, status {r.Status}, error {error:R}");
     });
 
     [Theory]
@@ -57,7 +64,8 @@ public class HardCaseTests
     public void NoPairReachesTheIterationLimit(string family) => Report(family, c =>
     {
         DistanceResult r = c.Pair.Distance();
-        bool ended = r.Status is GjkStatus.Separated or GjkStatus.Overlapping && r.Iterations < GjkTolerances.MaxIterations / 2;
+        bool ended = r.Status is GjkStatus.Separated or GjkStatus.Overlapping
+            && r.Iterations < GjkTolerances.MaxIterations / 2;
         return (ended ? 0 : double.PositiveInfinity, $"status {r.Status}, {r.Iterations} iterations");
     });
 
@@ -77,7 +85,8 @@ public class HardCaseTests
     [MemberData(nameof(Families))]
     public void EveryResultIsCertified(string family) => Report(family, c =>
     {
-        string? problem = Certificate.Problem(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, c.Pair.Distance(), c.Pair.Scale);
+        string? problem = Certificate.Problem(
+            c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, c.Pair.Distance(), c.Pair.Scale);
         return (problem is null ? 0 : double.PositiveInfinity, problem ?? "");
     });
 
@@ -85,9 +94,12 @@ public class HardCaseTests
     [MemberData(nameof(Families))]
     public void OverlapsSaysWhatDistanceSays(string family) => Report(family, c =>
     {
-        bool flag = ConvexQuery.Overlaps(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, out GjkStatus status);
+        bool flag = ConvexQuery.Overlaps(
+            c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, out GjkStatus status);
         DistanceResult r = c.Pair.Distance();
-        return (flag == r.Overlaps && status == r.Status ? 0 : double.PositiveInfinity, $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}");
+        return (
+            flag == r.Overlaps && status == r.Status ? 0 : double.PositiveInfinity,
+            $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}");
     });
 
     [Theory]
@@ -97,7 +109,9 @@ public class HardCaseTests
         DistanceResult r = c.Pair.Distance(), s = c.Pair.Swapped.Distance();
         bool sameFlag = r.Overlaps == s.Overlaps || Math.Max(c.Distance, c.Depth) <= Tolerance.Flag * c.Pair.Scale;
         double error = Math.Abs(r.Distance - s.Distance), band = Tolerance.Band(c.Distance, c.Pair.Scale);
-        return (sameFlag && error <= 2 * band ? 0 : double.PositiveInfinity, $"{r.Status} {r.Distance:R}, swapped {s.Status} {s.Distance:R}");
+        return (
+            sameFlag && error <= 2 * band ? 0 : double.PositiveInfinity,
+            $"{r.Status} {r.Distance:R}, swapped {s.Status} {s.Distance:R}");
     });
 
     [Theory]
@@ -111,9 +125,11 @@ public class HardCaseTests
             double worst = 0;
             for (int i = 0; i < 2; i++)
             {
-                DistanceResult r = ConvexQuery.Distance(c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, ref warm);
+                DistanceResult r = ConvexQuery.Distance(
+                    c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, ref warm);
                 bool wrong = r.Overlaps != c.Overlap && Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
-                double error = Math.Abs(r.Distance - c.Distance), ratio = error == 0 ? 0 : error / Tolerance.Band(c.Distance, c.Pair.Scale);
+                double error = Math.Abs(r.Distance - c.Distance);
+                double ratio = error == 0 ? 0 : error / Tolerance.Band(c.Distance, c.Pair.Scale);
                 worst = wrong || double.IsNaN(ratio) ? double.PositiveInfinity : Math.Max(worst, ratio);
             }
 
@@ -121,7 +137,10 @@ public class HardCaseTests
         });
     }
 
-    /// <summary>Fails with the number of pairs whose error is above 1 (in units of what is allowed), and the worst of them in full.</summary>
+    /// <summary>
+    /// Fails with the number of pairs whose error is above 1 (in units of what is allowed), and the worst of them in
+    /// full.
+    /// </summary>
     private static void Report(string family, Func<HardCase, (double Error, string Said)> examine)
     {
         var failures = new List<(double Error, string Said, HardCase Case)>();
@@ -131,9 +150,11 @@ public class HardCaseTests
             if (!(error <= 1)) failures.Add((error, said, c));
         }
 
-        string worst = string.Join("\n", failures.OrderByDescending(f => f.Error).Take(FailuresShown).Select(f => string.Create(
+        var shown = failures.OrderByDescending(f => f.Error).Take(FailuresShown);
+        string worst = string.Join("\n", shown.Select(f => string.Create(
             CultureInfo.InvariantCulture,
-            $"{f.Case.Pair.Name}: {f.Said}; truth: overlap {f.Case.Overlap}, distance {f.Case.Distance:R}, depth {f.Case.Depth:R}, scale {f.Case.Pair.Scale:R}, error {f.Error:R} of what is allowed")));
+            $"{f.Case.Pair.Name}: {f.Said}; truth: overlap {f.Case.Overlap}, distance {f.Case.Distance:R}, "
+            + $"depth {f.Case.Depth:R}, scale {f.Case.Pair.Scale:R}, error {f.Error:R} of what is allowed")));
         Assert.True(failures.Count == 0, $"{family}: {failures.Count} pairs fail.\n{worst}");
     }
 }

@@ -6,7 +6,9 @@ namespace Gjk.Core.Tests.Support;
 /// <summary>What every <see cref="Body{T}"/> shares.</summary>
 internal static class Body
 {
-    /// <summary>Unit directions on a lattice (faces, edges and corners of a cube, and finer) and a few that are on none.</summary>
+    /// <summary>
+    /// Unit directions on a lattice (faces, edges and corners of a cube, and finer) and a few that are on none.
+    /// </summary>
     public static readonly Vector3D[] Directions = MakeDirections();
 
     private static Vector3D[] MakeDirections()
@@ -29,7 +31,9 @@ internal static class Body
     }
 }
 
-/// <summary>A posed shape with its own rotation matrix, made here from the quaternion and not taken from the library.</summary>
+/// <summary>
+/// A posed shape with its own rotation matrix, made here from the quaternion and not taken from the library.
+/// </summary>
 internal sealed class Body<T>
     where T : struct, ISupportMap
 {
@@ -42,7 +46,8 @@ internal sealed class Body<T>
         Pose = pose;
         Center = shape.Center;
         _rotation = new ApproximateRotation(pose.Rotation);
-        Radius = 0.5 * new Vector3D(Side(new Vector3D(1, 0, 0)), Side(new Vector3D(0, 1, 0)), Side(new Vector3D(0, 0, 1))).Length;
+        Radius = 0.5 * new Vector3D(
+            Side(new Vector3D(1, 0, 0)), Side(new Vector3D(0, 1, 0)), Side(new Vector3D(0, 0, 1))).Length;
     }
 
     public RigidPose Pose { get; }
@@ -51,7 +56,9 @@ internal sealed class Body<T>
 
     public Vector3D Center { get; }
 
-    /// <summary>Half the diagonal of the local bounding box, by the shape's own supports: the bounding radius may be generous.</summary>
+    /// <summary>
+    /// Half the diagonal of the local bounding box, by the shape's own supports: the bounding radius may be generous.
+    /// </summary>
     public double Radius { get; }
 
     public Vector3D Rotate(in Vector3D v) => _rotation.Rotate(v);
@@ -61,12 +68,16 @@ internal sealed class Body<T>
     public Vector3D ToWorld(in Vector3D local) => Rotate(local) + Position;
 
     /// <summary>How far the shape reaches from its position along a unit direction of the world.</summary>
-    public double Height(in Vector3D direction) => Vector3D.Dot(direction, Rotate(Center)) + HeightOverCenter(direction);
+    public double Height(in Vector3D direction) =>
+        Vector3D.Dot(direction, Rotate(Center)) + HeightOverCenter(direction);
 
     /// <summary>The same from its centre, which loses nothing where the shape is far from its own origin.</summary>
     public double HeightOverCenter(in Vector3D direction) => LocalHeight(InverseRotate(direction));
 
-    /// <summary>How far a local point is outside: the most that it exceeds the support by in any of the fixed directions, or in that from the centre.</summary>
+    /// <summary>
+    /// How far a local point is outside: the most that it exceeds the support by in any of the fixed directions, or in
+    /// that from the centre.
+    /// </summary>
     public double Outside(in Vector3D local)
     {
         double most = double.NegativeInfinity;

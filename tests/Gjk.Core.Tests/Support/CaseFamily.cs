@@ -22,20 +22,29 @@ internal sealed class CaseFamily
         Name = name;
         using var scene = JsonDocument.Parse(Read($"{name}.json"));
         JsonElement root = scene.RootElement;
-        Dictionary<string, TestShape> meshes = root.GetProperty("meshes").EnumerateObject().ToDictionary(m => m.Name, Mesh);
-        (TestShape Shape, RigidPose Pose)[] objects = [.. root.GetProperty("objects").EnumerateArray().Select(o => Object(o, meshes))];
+        JsonElement.ObjectEnumerator given = root.GetProperty("meshes").EnumerateObject();
+        Dictionary<string, TestShape> meshes = given.ToDictionary(m => m.Name, Mesh);
+        (TestShape Shape, RigidPose Pose)[] objects =
+        [
+            .. root.GetProperty("objects").EnumerateArray().Select(o => Object(o, meshes))
+        ];
         string[] rows = Read($"{name}.expected.csv").Split('\n', StringSplitOptions.RemoveEmptyEntries);
-        if (rows[0].Trim() != "a,b,overlap,distance,depth,case") throw new InvalidDataException($"{name}: unexpected header '{rows[0]}'.");
+        if (rows[0].Trim() != "a,b,overlap,distance,depth,case")
+            throw new InvalidDataException($"{name}: unexpected header '{rows[0]}'.");
         Cases = [.. rows.Skip(1).Select(row => Case(row.Trim().Split(','), objects))];
     }
 
-    public static IEnumerable<string> Names => ["parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense", "everyday", "offset", "uneven"];
+    public static IEnumerable<string> Names =>
+    [
+        "parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense", "everyday", "offset", "uneven",
+    ];
 
     public string Name { get; }
 
     public IReadOnlyList<HardCase> Cases { get; }
 
-    public static CaseFamily Load(string name) => Loaded.GetOrAdd(name, n => new Lazy<CaseFamily>(() => new CaseFamily(n))).Value;
+    public static CaseFamily Load(string name) =>
+        Loaded.GetOrAdd(name, n => new Lazy<CaseFamily>(() => new CaseFamily(n))).Value;
 
     private static string Read(string file)
     {
@@ -56,7 +65,9 @@ internal sealed class CaseFamily
         string mesh = o.GetProperty("shape").GetProperty("mesh").GetString()!;
         JsonElement q = o.GetProperty("rotation");
         var rotation = new Quaternion(q[0].GetSingle(), q[1].GetSingle(), q[2].GetSingle(), q[3].GetSingle());
-        TestShape shape = o.TryGetProperty("scale", out JsonElement scale) ? meshes[mesh].Scaled(Vector(scale)) : meshes[mesh];
+        TestShape shape = o.TryGetProperty("scale", out JsonElement scale)
+            ? meshes[mesh].Scaled(Vector(scale))
+            : meshes[mesh];
         return (shape, new RigidPose(rotation, Vector(o.GetProperty("position"))));
     }
 
@@ -64,8 +75,10 @@ internal sealed class CaseFamily
 
     private HardCase Case(string[] cells, (TestShape Shape, RigidPose Pose)[] objects)
     {
-        int a = int.Parse(cells[0], CultureInfo.InvariantCulture), b = int.Parse(cells[1], CultureInfo.InvariantCulture);
-        var pair = new TestPair($"{Name} {a},{b} {cells[5]}", objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose);
+        int a = int.Parse(cells[0], CultureInfo.InvariantCulture);
+        int b = int.Parse(cells[1], CultureInfo.InvariantCulture);
+        var pair = new TestPair(
+            $"{Name} {a},{b} {cells[5]}", objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose);
         return new HardCase(a, b, pair, bool.Parse(cells[2]), Number(cells[3]), Number(cells[4]));
     }
 

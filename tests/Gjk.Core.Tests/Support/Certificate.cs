@@ -4,12 +4,16 @@ using System.Numerics;
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>
-/// Proves a result from the shapes' supports alone, without another solver: the planes across the returned normal must stand as far apart as the distance
-/// says, and the points must lie on their shapes and differ by it. Works for any support map.
+/// Proves a result from the shapes' supports alone, without another solver: the planes across the returned normal must
+/// stand as far apart as the distance says, and the points must lie on their shapes and differ by it. Works for any
+/// support map.
 /// </summary>
 internal static class Certificate
 {
-    /// <summary>Ratio: what the rounding of a unit normal to float (2^-24 a component) can tilt it by, with room for the three components.</summary>
+    /// <summary>
+    /// Ratio: what the rounding of a unit normal to float (2^-24 a component) can tilt it by, with room for the three
+    /// components.
+    /// </summary>
     private const double Tilt = 1.5e-7;
 
     /// <summary>Ratio: half a unit in the last place of a float, the rounding of a coordinate.</summary>
@@ -29,18 +33,22 @@ internal static class Certificate
     /// <param name="r">What the query said.</param>
     /// <param name="scale">Of the pair, contract 6.</param>
     /// <param name="curved">Whether the pair is held to the curved shapes' accuracy.</param>
-    public static string? Problem<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult r, double scale, bool curved = false)
+    public static string? Problem<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult r, double scale,
+        bool curved = false)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return $"status is {r.Status} after {r.Iterations} iterations";
+        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping))
+            return $"status is {r.Status} after {r.Iterations} iterations";
 
         // Contract 6: where there is no scale (two points), errors are relative to the distance.
         if (scale == 0) scale = r.Distance;
         var bodyA = new Body<TA>(a, poseA);
         var bodyB = new Body<TB>(b, poseB);
         double slack = curved ? Tolerance.Curved * Math.Max(scale, r.Distance) : Tolerance.Witness * scale;
-        return Points(bodyA, bodyB, r, slack) ?? (r.Overlaps ? Overlapping(bodyA, bodyB, r, scale) : Separated(bodyA, bodyB, r, scale, curved));
+        return Points(bodyA, bodyB, r, slack)
+            ?? (r.Overlaps ? Overlapping(bodyA, bodyB, r, scale) : Separated(bodyA, bodyB, r, scale, curved));
     }
 
     /// <summary>Each point lies in its shape, and the world's point is the local one, rounded.</summary>
@@ -52,8 +60,10 @@ internal static class Certificate
         if (!(outsideA <= slack + Rounding(r.LocalPointA))) return $"LocalPointA lies {outsideA:R} outside of A";
         if (!(outsideB <= slack + Rounding(r.LocalPointB))) return $"LocalPointB lies {outsideB:R} outside of B";
         double offA = (a.ToWorld(r.LocalPointA) - r.PointA).Length, offB = (b.ToWorld(r.LocalPointB) - r.PointB).Length;
-        if (!(offA <= slack + Rounding(r.LocalPointA) + Rounding(r.PointA))) return $"PointA is {offA:R} off the world position of LocalPointA";
-        if (!(offB <= slack + Rounding(r.LocalPointB) + Rounding(r.PointB))) return $"PointB is {offB:R} off the world position of LocalPointB";
+        if (!(offA <= slack + Rounding(r.LocalPointA) + Rounding(r.PointA)))
+            return $"PointA is {offA:R} off the world position of LocalPointA";
+        if (!(offB <= slack + Rounding(r.LocalPointB) + Rounding(r.PointB)))
+            return $"PointB is {offB:R} off the world position of LocalPointB";
         return null;
     }
 
@@ -81,10 +91,14 @@ internal static class Certificate
         n *= 1 / n.Length;
 
         double reach = a.Radius + b.Radius + d, gap = Gap(a, b, n);
-        if (!(gap <= d + band + Denormal)) return $"the planes across the normal are {gap:R} apart, more than the distance {d:R}";
-        if (!(gap >= d - band - Tilt * reach)) return $"the planes across the normal are only {gap:R} apart, the distance is {d:R}";
-        if (!(r.LowerBound <= r.Distance)) return $"the lower bound {r.LowerBound:R} is above the distance {r.Distance:R}";
-        if (!(r.LowerBound >= d - band - Denormal - Tolerance.DistanceScale * scale)) return $"the lower bound {r.LowerBound:R} leaves a gap to the distance {r.Distance:R}";
+        if (!(gap <= d + band + Denormal))
+            return $"the planes across the normal are {gap:R} apart, more than the distance {d:R}";
+        if (!(gap >= d - band - Tilt * reach))
+            return $"the planes across the normal are only {gap:R} apart, the distance is {d:R}";
+        if (!(r.LowerBound <= r.Distance))
+            return $"the lower bound {r.LowerBound:R} is above the distance {r.Distance:R}";
+        if (!(r.LowerBound >= d - band - Denormal - Tolerance.DistanceScale * scale))
+            return $"the lower bound {r.LowerBound:R} leaves a gap to the distance {r.Distance:R}";
 
         double slack = curved ? Tolerance.CurvedBand(d, scale) : Tolerance.Witness * scale;
         double world = ((Vector3D)r.PointB - r.PointA - n * d).Length;
@@ -96,7 +110,10 @@ internal static class Certificate
         return null;
     }
 
-    /// <summary>How far apart the planes across a unit direction stand that touch A and B; negative where the shapes reach past each other.</summary>
+    /// <summary>
+    /// How far apart the planes across a unit direction stand that touch A and B; negative where the shapes reach past
+    /// each other.
+    /// </summary>
     public static double Gap<TA, TB>(Body<TA> a, Body<TB> b, in Vector3D n)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>

@@ -4,14 +4,15 @@ using System.Numerics;
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>
-/// One posed cloud whose points become integers only when they are asked for. The furthest point is found in two steps: doubles rule out whatever is lower by more than
-/// their rounding, integers decide between the rest.
+/// One posed cloud whose points become integers only when they are asked for. The furthest point is found in two steps:
+/// doubles rule out whatever is lower by more than their rounding, integers decide between the rest.
 /// </summary>
 internal sealed class ExactCloud
 {
     /// <summary>
-    /// Ratio to |direction| times the cloud's reach: above what rounding can do to the difference of two heights. The direction costs 2 roundings (2^-53 each), the matrix
-    /// and turning the direction 20, the points' differences 2, two dot products 8. Pinned by OracleTests.TheFilterChangesNothing.
+    /// Ratio to |direction| times the cloud's reach: above what rounding can do to the difference of two heights. The
+    /// direction costs 2 roundings (2^-53 each), the matrix and turning the direction 20, the points' differences 2,
+    /// two dot products 8. Pinned by OracleTests.TheFilterChangesNothing.
     /// </summary>
     private const double HeightError = 64.0 / (1L << 53);
 
@@ -30,7 +31,8 @@ internal sealed class ExactCloud
     /// <param name="position">Of the pose.</param>
     /// <param name="otherDenominator">The other rotation's: both clouds get the product of both.</param>
     /// <param name="exponent">Of the common unit, 2^exponent.</param>
-    public ExactCloud(Vector3D[] points, ExactRotation rotation, in Vector3D position, BigInteger otherDenominator, int exponent)
+    public ExactCloud(
+        Vector3D[] points, ExactRotation rotation, in Vector3D position, BigInteger otherDenominator, int exponent)
     {
         _points = points;
         _rotation = rotation;
@@ -111,5 +113,6 @@ internal sealed class ExactCloud
         return highest;
     }
 
-    private Int3 Integer(in Vector3D v) => new(Exact.ToInteger(v.X, _exponent), Exact.ToInteger(v.Y, _exponent), Exact.ToInteger(v.Z, _exponent));
+    private Int3 Integer(in Vector3D v) =>
+        new(Exact.ToInteger(v.X, _exponent), Exact.ToInteger(v.Y, _exponent), Exact.ToInteger(v.Z, _exponent));
 }

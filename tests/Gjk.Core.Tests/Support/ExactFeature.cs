@@ -4,10 +4,12 @@ using System.Numerics;
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>
-/// The face of a simplex nearest to the origin, found by trying all of them: the origin's projection must lie inside the face (all weights positive) and no other
-/// point of the simplex may be nearer along the direction to it. The least face that holds the nearest point always passes.
+/// The face of a simplex nearest to the origin, found by trying all of them: the origin's projection must lie inside
+/// the face (all weights positive) and no other point of the simplex may be nearer along the direction to it. The least
+/// face that holds the nearest point always passes.
 /// </summary>
-internal sealed record ExactFeature(Int3[] Points, Int3 Direction, BigInteger SquaredNumerator, BigInteger SquaredDenominator)
+internal sealed record ExactFeature(
+    Int3[] Points, Int3 Direction, BigInteger SquaredNumerator, BigInteger SquaredDenominator)
 {
     public static ExactFeature Nearest(Int3[] simplex)
     {

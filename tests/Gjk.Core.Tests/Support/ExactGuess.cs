@@ -4,12 +4,14 @@ using System.Collections.Generic;
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>
-/// Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be right, since the exact walk goes on from any
-/// simplex; it only saves steps on long integers.
+/// Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be right, since
+/// the exact walk goes on from any simplex; it only saves steps on long integers.
 /// </summary>
 internal static class ExactGuess
 {
-    /// <summary>More than hulls need; curved shapes have crept to the rounding of a double by then, or nearly.</summary>
+    /// <summary>
+    /// More than hulls need; curved shapes have crept to the rounding of a double by then, or nearly.
+    /// </summary>
     private const int MostSteps = 128;
 
     /// <summary>Ratio to |v|²: what is left between the planes is rounding.</summary>
@@ -42,7 +44,7 @@ internal static class ExactGuess
     {
         List<Corner> feature = [first];
         nearest = first.W;
-        for (int step = 0; step < MostSteps; step++)
+        for (int step = 0; step < MostSteps && feature.Count < 4; step++)
         {
             double squared = nearest.LengthSquared;
             if (!(squared > 0) || double.IsInfinity(squared)) break;
@@ -79,32 +81,52 @@ internal static class ExactGuess
         return best;
     }
 
-    /// <summary>The origin's projection, if it lies inside the face.</summary>
+    /// <summary>
+    /// The origin's projection, if it lies inside the face: a mean of the corners with weights that are positive, so
+    /// that rounding moves it within the face but never out of it.
+    /// </summary>
     private static bool TryProject(List<Corner> face, out Vector3D v)
     {
         Vector3D a = face[0].W;
         v = a;
         if (face.Count == 1) return true;
-        Vector3D ab = face[1].W - a;
+        Vector3D b = face[1].W, ab = b - a;
         if (face.Count == 2)
         {
             double t = -Vector3D.Dot(a, ab) / ab.LengthSquared;
-            v = a + ab * t;
+            v = a * (1 - t) + b * t;
             return t > 0 && t < 1;
         }
 
-        Vector3D b = face[1].W, c = face[2].W, n = Vector3D.Cross(ab, c - a);
-        if (face.Count == 3)
-        {
-            v = n * (Vector3D.Dot(n, a) / n.LengthSquared);
-            return Vector3D.Dot(n, Vector3D.Cross(a, b)) > 0 && Vector3D.Dot(n, Vector3D.Cross(b, c)) > 0 && Vector3D.Dot(n, Vector3D.Cross(c, a)) > 0;
-        }
-
+        Vector3D c = face[2].W, n = Vector3D.Cross(ab, c - a);
+        if (face.Count == 3) return TryMean([a, b, c], [Area(n, b, c), Area(n, c, a), Area(n, a, b)], out v);
         Vector3D d = face[3].W;
-        v = default;
-        int side = Math.Sign(Vector3D.Dot(n, d - a));
-        return side != 0 && Volume(default, b, c, d) == side && Volume(a, default, c, d) == side && Volume(a, b, default, d) == side && Volume(a, b, c, default) == side;
+        double side = Math.Sign(Vector3D.Dot(n, d - a));
+        ReadOnlySpan<double> weights =
+        [
+            side * Volume(default, b, c, d), side * Volume(a, default, c, d), side * Volume(a, b, default, d),
+            side * Volume(a, b, c, default),
+        ];
+        return TryMean([a, b, c, d], weights, out v);
     }
 
-    private static int Volume(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) => Math.Sign(Vector3D.Dot(Vector3D.Cross(b - a, c - a), d - a));
+    private static bool TryMean(ReadOnlySpan<Vector3D> corners, ReadOnlySpan<double> weights, out Vector3D mean)
+    {
+        mean = default;
+        double sum = 0;
+        foreach (double w in weights)
+        {
+            if (!(w > 0)) return false;
+            sum += w;
+        }
+
+        for (int i = 0; i < corners.Length; i++) mean += corners[i] * (weights[i] / sum);
+        return true;
+    }
+
+    private static double Area(in Vector3D normal, in Vector3D a, in Vector3D b) =>
+        Vector3D.Dot(normal, Vector3D.Cross(a, b));
+
+    private static double Volume(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) =>
+        Vector3D.Dot(Vector3D.Cross(b - a, c - a), d - a);
 }

@@ -6,9 +6,11 @@ namespace Gjk.Core.Tests.Support;
 internal readonly record struct ExactAnswer(bool Overlap, double Distance);
 
 /// <summary>
-/// The true answer for two posed point clouds with margins, in integers: slow, and independent of the library. A float is an integer times a power of two, and
-/// a rotation by an unnormalised quaternion is a matrix of integers over |q|², so every Minkowski vertex is an integer vector over one common denominator.
-/// GJK on those, with exact signs, ends after finitely many steps, because the distance falls strictly. Doubles only propose: where to start, and which points cannot be furthest.
+/// The true answer for two posed point clouds with margins, in integers: slow, and independent of the library. A float
+/// is an integer times a power of two, and a rotation by an unnormalised quaternion is a matrix of integers over |q|²,
+/// so every Minkowski vertex is an integer vector over one common denominator. GJK on those, with exact signs, ends
+/// after finitely many steps, because the distance falls strictly. Doubles only propose: where to start, and which
+/// points cannot be furthest.
 /// </summary>
 internal static class ExactOracle
 {
@@ -22,14 +24,17 @@ internal static class ExactOracle
     /// <param name="marginB">How far its shape reaches beyond the cloud's hull.</param>
     /// <param name="poseB">Where it is.</param>
     /// <param name="shiftB">Moves B further, in the world.</param>
-    public static ExactAnswer Solve(Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB, in Vector3D shiftB = default)
+    public static ExactAnswer Solve(
+        Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB,
+        in Vector3D shiftB = default)
     {
         var problem = new ExactProblem(a, marginA, poseA, b, marginB, poseB, shiftB);
         ExactFeature feature = Nearest(problem);
         if (feature.Direction.IsZero) return new ExactAnswer(true, 0);
 
         // distance² = P / Q in the problem's unit, squared.
-        BigInteger p = feature.SquaredNumerator, q = feature.SquaredDenominator * problem.Denominator * problem.Denominator;
+        BigInteger p = feature.SquaredNumerator;
+        BigInteger q = feature.SquaredDenominator * problem.Denominator * problem.Denominator;
         if (p <= problem.Margins * problem.Margins * q) return new ExactAnswer(true, 0);
 
         int shift = RootBits + System.Math.Max(0, (int)(q.GetBitLength() - p.GetBitLength()));

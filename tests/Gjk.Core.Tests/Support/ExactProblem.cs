@@ -3,7 +3,9 @@ using System.Numerics;
 
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>Two posed clouds as integer vectors: the Minkowski vertex of i and j is (A[i] - B[j]) · 2^Exponent / Denominator.</summary>
+/// <summary>
+/// Two posed clouds as integer vectors: the Minkowski vertex of i and j is (A[i] - B[j]) · 2^Exponent / Denominator.
+/// </summary>
 internal sealed class ExactProblem
 {
     private readonly ExactCloud _a, _b;
@@ -16,9 +18,13 @@ internal sealed class ExactProblem
     /// <param name="marginB">How far its shape reaches beyond the cloud's hull.</param>
     /// <param name="poseB">Where it is.</param>
     /// <param name="shiftB">Moves B further, in the world.</param>
-    public ExactProblem(Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB, in Vector3D shiftB = default)
+    public ExactProblem(
+        Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB,
+        in Vector3D shiftB = default)
     {
-        int exponent = Math.Min(Math.Min(Exact.Exponent(marginA), Exact.Exponent(marginB)), Math.Min(ExponentOf(poseA.Position), ExponentOf(poseB.Position)));
+        int exponent = Math.Min(
+            Math.Min(Exact.Exponent(marginA), Exact.Exponent(marginB)),
+            Math.Min(ExponentOf(poseA.Position), ExponentOf(poseB.Position)));
         exponent = Math.Min(exponent, ExponentOf(shiftB));
         foreach (Vector3D v in a) exponent = Math.Min(exponent, ExponentOf(v));
         foreach (Vector3D v in b) exponent = Math.Min(exponent, ExponentOf(v));
@@ -28,7 +34,9 @@ internal sealed class ExactProblem
         Denominator = rotationA.Denominator * rotationB.Denominator;
         _a = new ExactCloud(a, rotationA, poseA.Position, rotationB.Denominator, Exponent);
         _b = new ExactCloud(b, rotationB, poseB.Position, rotationA.Denominator, Exponent);
-        _shiftB = new Int3(Exact.ToInteger(shiftB.X, Exponent), Exact.ToInteger(shiftB.Y, Exponent), Exact.ToInteger(shiftB.Z, Exponent)) * Denominator;
+        _shiftB = new Int3(
+            Exact.ToInteger(shiftB.X, Exponent), Exact.ToInteger(shiftB.Y, Exponent),
+            Exact.ToInteger(shiftB.Z, Exponent)) * Denominator;
         Margins = Exact.ToInteger(marginA, Exponent) + Exact.ToInteger(marginB, Exponent);
     }
 
@@ -59,7 +67,10 @@ internal sealed class ExactProblem
         return new Vector3D(ToDouble(w.X), ToDouble(w.Y), ToDouble(w.Z));
     }
 
-    /// <summary>The indices of the points that are furthest in a direction, as far as doubles can tell, and their vertex seen from the first points' one.</summary>
+    /// <summary>
+    /// The indices of the points that are furthest in a direction, as far as doubles can tell, and their vertex seen
+    /// from the first points' one.
+    /// </summary>
     public (int I, int J, Vector3D FromFirst) RoughSupport(in Vector3D direction)
     {
         int i = _a.Furthest(direction), j = _b.Furthest(-direction);
@@ -84,5 +95,6 @@ internal sealed class ExactProblem
         return Exact.ToDouble((numerator << shift) / Denominator, Exponent - shift);
     }
 
-    private static int ExponentOf(in Vector3D v) => Math.Min(Math.Min(Exact.Exponent(v.X), Exact.Exponent(v.Y)), Exact.Exponent(v.Z));
+    private static int ExponentOf(in Vector3D v) =>
+        Math.Min(Math.Min(Exact.Exponent(v.X), Exact.Exponent(v.Y)), Exact.Exponent(v.Z));
 }

@@ -3,14 +3,17 @@ using System.Numerics;
 
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>The rotation of a quaternion that need not be of unit length: an integer matrix over an integer denominator, |q|².</summary>
+/// <summary>
+/// The rotation of a quaternion that need not be of unit length: an integer matrix over an integer denominator, |q|².
+/// </summary>
 internal sealed class ExactRotation
 {
     private readonly Int3 _row0, _row1, _row2;
 
     public ExactRotation(Quaternion q)
     {
-        int exponent = Math.Min(Math.Min(Exact.Exponent(q.X), Exact.Exponent(q.Y)), Math.Min(Exact.Exponent(q.Z), Exact.Exponent(q.W)));
+        int exponent = Math.Min(
+            Math.Min(Exact.Exponent(q.X), Exact.Exponent(q.Y)), Math.Min(Exact.Exponent(q.Z), Exact.Exponent(q.W)));
         BigInteger x = Exact.ToInteger(q.X, exponent), y = Exact.ToInteger(q.Y, exponent);
         BigInteger z = Exact.ToInteger(q.Z, exponent), w = Exact.ToInteger(q.W, exponent);
         BigInteger xx = x * x, yy = y * y, zz = z * z, ww = w * w;
@@ -43,7 +46,8 @@ internal sealed class ApproximateRotation
         _row2 = new Vector3D(2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z) * s;
     }
 
-    public Vector3D Rotate(in Vector3D v) => new(Vector3D.Dot(_row0, v), Vector3D.Dot(_row1, v), Vector3D.Dot(_row2, v));
+    public Vector3D Rotate(in Vector3D v) =>
+        new(Vector3D.Dot(_row0, v), Vector3D.Dot(_row1, v), Vector3D.Dot(_row2, v));
 
     public Vector3D InverseRotate(in Vector3D v) => _row0 * v.X + _row1 * v.Y + _row2 * v.Z;
 }

@@ -11,11 +11,20 @@ internal static class Generators
 {
     /// <summary>Every kind of polytope, with and without margin: what the exact oracle can judge.</summary>
     public static readonly string[] PolytopeKinds =
-        ["point", "segment", "triangle", "sphere", "capsule", "box", "hull", "flat", "needle", "plate", "scaledHull", "scaledBox", "mirroredCapsule"];
+    [
+        "point", "segment", "triangle", "sphere", "capsule", "box", "hull", "flat", "needle", "plate", "scaledHull",
+        "scaledBox", "mirroredCapsule",
+    ];
 
-    public static readonly string[] CurvedKinds = ["cylinder", "cone", "ellipsoid", "scaledCylinder", "scaledCone", "scaledCapsule", "scaledSphere"];
+    public static readonly string[] CurvedKinds =
+    [
+        "cylinder", "cone", "ellipsoid", "scaledCylinder", "scaledCone", "scaledCapsule", "scaledSphere",
+    ];
 
-    /// <summary>Meshes as people and programs make them, plain, far from their own origin, and scaled back to the size that they were divided by.</summary>
+    /// <summary>
+    /// Meshes as people and programs make them, plain, far from their own origin, and scaled back to the size that they
+    /// were divided by.
+    /// </summary>
     public static readonly string[] MadeKinds = ["made", "made", "madeFarOff", "madeUneven"];
 
     public static readonly string[] AllKinds = [.. PolytopeKinds, .. CurvedKinds];
@@ -51,21 +60,29 @@ internal static class Generators
 
     public static RigidPose Pose(Rng rng, Vector3 position) => new(rng.Rotation(), position);
 
-    /// <summary>Two shapes at random whose centres are within a part of the sum of their radii, so that about half of them overlap.</summary>
+    /// <summary>
+    /// Two shapes at random whose centres are within a part of the sum of their radii, so that about half of them
+    /// overlap.
+    /// </summary>
     public static TestPair Pair(ulong seed, string[] kinds, double spread = 1.0)
     {
         var rng = new Rng(seed);
         TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
         double distance = rng.Range(0, spread) * (a.Reach + b.Reach);
-        RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), poseB = Pose(rng, poseA.Position + rng.Direction() * (float)distance);
+        RigidPose poseA = Pose(rng, rng.Vector(-1, 1));
+        RigidPose poseB = Pose(rng, poseA.Position + rng.Direction() * (float)distance);
         return new TestPair($"seed {seed}", a, poseA, b, poseB);
     }
 
-    /// <summary>Made meshes whose centres, wherever they are in the local frames, are within reach of each other, or whose planes across one direction stand a gap apart.</summary>
+    /// <summary>
+    /// Made meshes whose centres, wherever they are in the local frames, are within reach of each other, or whose
+    /// planes across one direction stand a gap apart.
+    /// </summary>
     public static TestPair MadePair(ulong seed, double? gap = null)
     {
         var rng = new Rng(seed);
-        TestShape a = Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]), b = rng.Below(4) == 0 ? Shape(rng, "hull") : Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]);
+        TestShape a = Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]);
+        TestShape b = rng.Below(4) == 0 ? Shape(rng, "hull") : Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
         Body<ConvexShape> bodyA = new(a.Shape, poseA), bodyB = new(b.Shape, turned);
         Vector3D n = rng.Direction(), centerA = bodyA.Rotate(a.Shape.Center), centerB = bodyB.Rotate(b.Shape.Center);
@@ -73,10 +90,15 @@ internal static class Generators
         double apart = gap is { } g
             ? bodyA.Height(n) - Vector3D.Dot(n, centerA) + bodyB.Height(-n) + Vector3D.Dot(n, centerB) + g
             : rng.Range(0, 0.7) * (a.LongestSide + b.LongestSide);
-        return new TestPair($"seed {seed}", a, poseA, b, new RigidPose(turned.Rotation, (Vector3)(poseA.Position + centerA + n * apart - centerB)));
+        return new TestPair(
+            $"seed {seed}", a, poseA, b,
+            new RigidPose(turned.Rotation, (Vector3)(poseA.Position + centerA + n * apart - centerB)));
     }
 
-    /// <summary>A pair whose planes across one direction stand a given gap apart (to the rounding of the position), negative for shallow overlaps.</summary>
+    /// <summary>
+    /// A pair whose planes across one direction stand a given gap apart (to the rounding of the position), negative for
+    /// shallow overlaps.
+    /// </summary>
     public static TestPair NearPair(ulong seed, string[] kinds, double gap)
     {
         var rng = new Rng(seed);
@@ -84,17 +106,22 @@ internal static class Generators
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
         Vector3D n = rng.Direction();
         n *= 1 / n.Length;
-        double apart = new Body<ConvexShape>(a.Shape, poseA).Height(n) + new Body<ConvexShape>(b.Shape, turned).Height(-n) + gap;
-        return new TestPair($"seed {seed} gap {gap:R}", a, poseA, b, new RigidPose(turned.Rotation, (Vector3)(poseA.Position + n * apart)));
+        Body<ConvexShape> bodyA = new(a.Shape, poseA), bodyB = new(b.Shape, turned);
+        double apart = bodyA.Height(n) + bodyB.Height(-n) + gap;
+        return new TestPair(
+            $"seed {seed} gap {gap:R}", a, poseA, b,
+            new RigidPose(turned.Rotation, (Vector3)(poseA.Position + n * apart)));
     }
 
     /// <summary>Points spread evenly in a box of the given half size.</summary>
-    public static Vector3[] Cloud(Rng rng, int count, Vector3 size) => [.. Enumerable.Range(0, count).Select(_ => rng.Vector(-1, 1) * size)];
+    public static Vector3[] Cloud(Rng rng, int count, Vector3 size) =>
+        [.. Enumerable.Range(0, count).Select(_ => rng.Vector(-1, 1) * size)];
 
     private static Vector3[] Made(Rng rng) => MadeMeshes.Any(new FuzzRandom(rng.Next()));
 
     /// <summary>Ten to ten million sizes from its own origin.</summary>
-    private static Vector3[] FarOff(Rng rng, Vector3[] cloud) => Clouds.Placed(cloud, 1, rng.Direction() * rng.LogFloat(10, 1e7));
+    private static Vector3[] FarOff(Rng rng, Vector3[] cloud) =>
+        Clouds.Placed(cloud, 1, rng.Direction() * rng.LogFloat(10, 1e7));
 
     /// <summary>By powers of two from 2^-24 to 2^24, some of them negative.</summary>
     private static TestShape Uneven(Rng rng, Vector3[] cloud)

@@ -12,10 +12,14 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary>The search of <c>fuzz</c> from within: that pairs repeat, that wrong answers are noticed, that what is found is shrunk and reported.</summary>
+/// <summary>
+/// The search of <c>fuzz</c> from within: that pairs repeat, that wrong answers are noticed, that what is found is
+/// shrunk and reported.
+/// </summary>
 public sealed class FuzzSearchTests
 {
-    private static readonly ConvexShape Cube = ConvexShape.Mesh([.. Enumerable.Range(0, 8).Select(i => new Vector3((i & 1) - 0.5f, (i >> 1 & 1) - 0.5f, (i >> 2 & 1) - 0.5f))]);
+    private static readonly ConvexShape Cube = ConvexShape.Mesh(
+        [.. Enumerable.Range(0, 8).Select(i => new Vector3((i & 1) - 0.5f, (i >> 1 & 1) - 0.5f, (i >> 2 & 1) - 0.5f))]);
 
     private static readonly RigidPose Right = new(new Vector3(2, 0.25f, 0.125f));
 
@@ -47,9 +51,12 @@ public sealed class FuzzSearchTests
         Assert.InRange(overlaps, 0.3 * Count, 0.7 * Count);
     }
 
-    /// <summary>The answer of a pair so little further apart that only the bound tells, of one a thousandth further apart, of the pair turned round, of an overlap, and of nothing.</summary>
+    /// <summary>
+    /// The answer of a pair so little further apart that only the bound tells, of one a thousandth further apart, of
+    /// the pair turned round, of an overlap, and of nothing.
+    /// </summary>
     [Theory]
-    [InlineData("bound", "exact")]
+    [InlineData("bound", "lower bound|maximum")]
     [InlineData("further", "exact|planes|points|mirrors|bits|warm|maximum|repeated|unit|moving")]
     [InlineData("mirrored", "planes|points")]
     [InlineData("overlapping", "exact|plane|Overlaps|mirrors")]
@@ -59,7 +66,8 @@ public sealed class FuzzSearchTests
     {
         FuzzPair pair = Told(lie);
         string[] broken = [.. AllPromises.Make().Where(p => p.Broken(pair) is not null).Select(p => p.Name)];
-        foreach (string name in names.Split('|')) Assert.Contains(broken, b => b.Contains(name, StringComparison.Ordinal));
+        foreach (string name in names.Split('|'))
+            Assert.Contains(broken, b => b.Contains(name, StringComparison.Ordinal));
     }
 
     [Fact]
@@ -69,11 +77,16 @@ public sealed class FuzzSearchTests
         foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
-    /// <summary>Two points in one place, one of them a corner far from its own origin, the other an ellipsoid of no size: there is no scale, but corners are still turned with rounding.</summary>
+    /// <summary>
+    /// Two points in one place, one of them a corner far from its own origin, the other an ellipsoid of no size: there
+    /// is no scale, but corners are still turned with rounding.
+    /// </summary>
     [Fact]
     public void WhatHasNoExtentIsHeldToWhatArithmeticCanDo()
     {
-        FuzzPair pair = Parse("gjk1 mesh 1 0.215349019 -0.353724241 -0.519843936 @ 0 0.707106769 0 0.707106769 0 0 0 ellipsoid 0 0 0 @ 0 0 0 1 -0.519843936 -0.353724241 -0.215349019");
+        FuzzPair pair = Parse(
+            "gjk1 mesh 1 0.215349019 -0.353724241 -0.519843936 @ 0 0.707106769 0 0.707106769 0 0 0 "
+            + "ellipsoid 0 0 0 @ 0 0 0 1 -0.519843936 -0.353724241 -0.215349019");
         foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
@@ -81,7 +94,8 @@ public sealed class FuzzSearchTests
     public void APairIsShrunkToWhatThePromiseIsAbout()
     {
         FuzzPair pair = PairFamilies.Draw(3, 0, out _);
-        for (long i = 1; !(pair.A.Kind == ShapeKind.Mesh && pair.B.Kind == ShapeKind.Mesh && new Far().Broken(pair) is not null); i++) pair = PairFamilies.Draw(3, i, out _);
+        for (long i = 1; pair.A.Hull is null || pair.B.Hull is null || new Far().Broken(pair) is null; i++)
+            pair = PairFamilies.Draw(3, i, out _);
         FuzzPair shrunk = Shrinker.Shrink(pair, new Far(), default);
         Assert.NotNull(new Far().Broken(shrunk));
         Assert.True(shrunk.Text.Length < 90, shrunk.Text);
@@ -92,7 +106,8 @@ public sealed class FuzzSearchTests
     [Fact]
     public void ShrinkingKeepsThePromiseThatWasBroken()
     {
-        FuzzPair shrunk = Shrinker.Shrink(new FuzzPair(Cube, RigidPose.Identity, Cube, Right), new ManyCorners(), default);
+        FuzzPair shrunk = Shrinker.Shrink(
+            new FuzzPair(Cube, RigidPose.Identity, Cube, Right), new ManyCorners(), default);
         Assert.Equal(5, shrunk.A.Hull!.VertexCount);
         Assert.Equal(ShapeKind.Point, shrunk.B.Kind);
     }
@@ -100,7 +115,8 @@ public sealed class FuzzSearchTests
     [Fact]
     public void WhatIsFoundIsReportedWithExitCodeOne()
     {
-        var run = new FuzzRun(new FuzzLength(TimeSpan.FromSeconds(60), null), 4, [new QueriesEndWithAnAnswer(), new Far()]);
+        var run = new FuzzRun(
+            new FuzzLength(TimeSpan.FromSeconds(60), null), 4, [new QueriesEndWithAnAnswer(), new Far()]);
         BrokenPromise? broken = run.Search(_ => { }, CancellationToken.None);
         Assert.NotNull(broken);
         FuzzReport report = FuzzReport.Of(run, broken, cancelled: false);
@@ -133,7 +149,8 @@ public sealed class FuzzSearchTests
         DistanceResult right = ConvexQuery.Distance(Cube, RigidPose.Identity, Cube, Right);
         DistanceResult answer = lie switch
         {
-            "further" => ConvexQuery.Distance(Cube, RigidPose.Identity, Cube, new RigidPose(Right.Position + new Vector3(1e-3f, 0, 0))),
+            "further" => ConvexQuery.Distance(
+                Cube, RigidPose.Identity, Cube, new RigidPose(Right.Position + new Vector3(1e-3f, 0, 0))),
             "bound" => ConvexQuery.Distance(Cube, new RigidPose(new Vector3(-1.195e-7f, 0, 0)), Cube, Right),
             "mirrored" => right.Swapped,
             "overlapping" => ConvexQuery.Distance(Cube, RigidPose.Identity, Cube, RigidPose.Identity),

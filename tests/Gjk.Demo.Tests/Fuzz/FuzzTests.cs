@@ -5,7 +5,9 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary><c>fuzz</c> as its user runs it. Length, seed, words and exit codes; the search itself is in FuzzSearchTests.</summary>
+/// <summary>
+/// <c>fuzz</c> as its user runs it. Length, seed, words and exit codes; the search itself is in FuzzSearchTests.
+/// </summary>
 public sealed class FuzzTests
 {
     [Fact]
@@ -50,7 +52,9 @@ public sealed class FuzzTests
         demo.Interrupt();
         DemoRun run = demo.Wait();
         Assert.Equal((130, ""), (run.ExitCode, run.Error));
-        Assert.Matches(@"^\d+ pairs tried in \d+\.\d s, \d+ pairs per second, seed 7: no promise broken until cancelled\n$", run.Out);
+        Assert.Matches(
+            @"^\d+ pairs tried in \d+\.\d s, \d+ pairs per second, seed 7: no promise broken until cancelled\n$",
+            run.Out);
     }
 
     [Theory]
@@ -64,11 +68,14 @@ public sealed class FuzzTests
     [InlineData("--seed -1")]
     [InlineData("--seed x")]
     [InlineData("--seed 99999999999999999999")]
-    public void WrongNumbersAreOneLine(string args) => DemoProcess.Run(["fuzz", .. args.Split(' ')]).AssertRefused("fuzz: " + Regex.Replace(args, " .*", ""), args.Split(' ')[1]);
+    public void WrongNumbersAreOneLine(string args) =>
+        DemoProcess.Run(["fuzz", .. args.Split(' ')]).AssertRefused(
+            "fuzz: " + Regex.Replace(args, " .*", ""), args.Split(' ')[1]);
 
     [Theory]
     [InlineData("fuzz scene.json", "scene.json")]
     [InlineData("fuzz --nope", "--nope")]
     [InlineData("fuzz --count", "--count")]
-    public void WrongArgumentsAreOneLine(string args, string part) => DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+    public void WrongArgumentsAreOneLine(string args, string part) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
 }

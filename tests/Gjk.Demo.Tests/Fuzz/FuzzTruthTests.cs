@@ -9,10 +9,16 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary>What fuzz takes for true: clouds rather than hulls, contacts that are exact, heights by formula, and bands that no generous radius widens.</summary>
+/// <summary>
+/// What fuzz takes for true: clouds rather than hulls, contacts that are exact, heights by formula, and bands that no
+/// generous radius widens.
+/// </summary>
 public sealed class FuzzTruthTests
 {
-    private static readonly Vector3[] Corners = [.. Enumerable.Range(0, 8).Select(i => new Vector3((i & 1) - 0.5f, (i >> 1 & 1) - 0.5f, (i >> 2 & 1) - 0.5f))];
+    private static readonly Vector3[] Corners =
+    [
+        .. Enumerable.Range(0, 8).Select(i => new Vector3((i & 1) - 0.5f, (i >> 1 & 1) - 0.5f, (i >> 2 & 1) - 0.5f))
+    ];
 
     private static readonly RigidPose Right = new(new Vector3(2, 0.25f, 0.125f));
 
@@ -21,8 +27,10 @@ public sealed class FuzzTruthTests
     public void ALostCornerIsNoticed()
     {
         Vector3[] cloud = [.. Corners, new(0.75f, 0, 0)];
-        var pair = new FuzzPair(FuzzShape.Of(ConvexShape.Mesh(Corners), cloud), RigidPose.Identity, ConvexShape.Mesh(Corners), Right);
-        Assert.Contains("lower than the highest point", new SupportsReachTheCloud().Broken(pair), StringComparison.Ordinal);
+        var pair = new FuzzPair(
+            FuzzShape.Of(ConvexShape.Mesh(Corners), cloud), RigidPose.Identity, ConvexShape.Mesh(Corners), Right);
+        Assert.Contains(
+            "lower than the highest point", new SupportsReachTheCloud().Broken(pair), StringComparison.Ordinal);
         Assert.Contains("truly 0.75", new TheExactAnswer().Broken(pair), StringComparison.Ordinal);
     }
 
@@ -31,7 +39,8 @@ public sealed class FuzzTruthTests
     public void ThePairsLineKeepsTheCloud()
     {
         Vector3[] cloud = [.. Corners, Vector3.Zero, new(0.1f, 1e-30f, -0.2f)];
-        var pair = new FuzzPair(FuzzShape.Mesh(cloud).Scaled(new Vector3(2, -3, 0.5f)), RigidPose.Identity, ConvexShape.Sphere(1), Right);
+        var pair = new FuzzPair(
+            FuzzShape.Mesh(cloud).Scaled(new Vector3(2, -3, 0.5f)), RigidPose.Identity, ConvexShape.Sphere(1), Right);
         Assert.StartsWith("gjk1 mesh 10 -0.5 -0.5 -0.5 ", pair.Text, StringComparison.Ordinal);
         Assert.True(FuzzPair.TryParse(pair.Text, out FuzzPair? again));
         Assert.Equal(pair.Text, again.Text);
@@ -39,7 +48,10 @@ public sealed class FuzzTruthTests
         Assert.True(QueryRecord.TryParse(pair.Text, out _, out string? reason), reason);
     }
 
-    /// <summary>Rational rotations turn lattice points without rounding, and their quaternions are theirs exactly or to float rounding.</summary>
+    /// <summary>
+    /// Rational rotations turn lattice points without rounding, and their quaternions are theirs exactly or to float
+    /// rounding.
+    /// </summary>
     [Fact]
     public void IntegerRotationsAreExact()
     {
@@ -49,7 +61,9 @@ public sealed class FuzzTruthTests
             var random = new FuzzRandom(seed);
             IntegerRotation r = IntegerRotation.Any(random).Times(IntegerRotation.AboutY(random));
             Vector3D v = r.Exactly(new Vector3D(3, -2, 5) * r.Norm);
-            Assert.True(v.X == Math.Round(v.X) && v.Y == Math.Round(v.Y) && v.Z == Math.Round(v.Z), $"{r}: {v.X}, {v.Y}, {v.Z}");
+            Assert.True(
+                v.X == Math.Round(v.X) && v.Y == Math.Round(v.Y) && v.Z == Math.Round(v.Z),
+                $"{r}: {v.X}, {v.Y}, {v.Z}");
             Assert.Equal(38.0 * r.Norm * r.Norm, v.LengthSquared);
             Quaternion q = r.ToQuaternion(random);
             _ = new RigidPose(q, Vector3.Zero);
@@ -61,7 +75,9 @@ public sealed class FuzzTruthTests
         Assert.InRange(exact, 300, 500);
     }
 
-    /// <summary>Bodies at rest with no gap do touch: they overlap, and part when one is lifted by next to nothing.</summary>
+    /// <summary>
+    /// Bodies at rest with no gap do touch: they overlap, and part when one is lifted by next to nothing.
+    /// </summary>
     [Fact]
     public void RestingBodiesTouchExactly()
     {
@@ -71,7 +87,8 @@ public sealed class FuzzTruthTests
             FuzzPair pair = RestFamilies.Resting(new FuzzRandom(seed));
             if (!pair.Truth.IsKnown) continue;
             known++;
-            Vector3D up = new PosedShape(ConvexShape.Point(), new RigidPose(pair.PoseA.Rotation, Vector3.Zero)).Rotate(new Vector3D(0, 1, 0));
+            Vector3D up = new PosedShape(ConvexShape.Point(), new RigidPose(pair.PoseA.Rotation, Vector3.Zero)).Rotate(
+                new Vector3D(0, 1, 0));
             if (pair.Truth.Answer.Overlap && pair.Truth.PartsWith(up * (1e-14 * pair.Scale))) touching++;
         }
 
@@ -104,13 +121,17 @@ public sealed class FuzzTruthTests
         }
     }
 
-    /// <summary>A cube stored two million times as long and scaled back is a cube: its scale, noise and bands are the cube's.</summary>
+    /// <summary>
+    /// A cube stored two million times as long and scaled back is a cube: its scale, noise and bands are the cube's.
+    /// </summary>
     [Fact]
     public void AnUnevenScaleWidensNoBand()
     {
         const float Long = 1 << 21;
-        FuzzShape stretched = FuzzShape.Mesh([.. Corners.Select(p => p with { X = p.X * Long })]).Scaled(new Vector3(1 / Long, 1, 1));
-        FuzzPair plain = new(FuzzShape.Mesh(Corners), RigidPose.Identity, FuzzShape.Mesh(Corners), Right), scaled = new(stretched, RigidPose.Identity, stretched, Right);
+        FuzzShape stretched = FuzzShape.Mesh([.. Corners.Select(p => p with { X = p.X * Long })]).Scaled(
+            new Vector3(1 / Long, 1, 1));
+        FuzzPair plain = new(FuzzShape.Mesh(Corners), RigidPose.Identity, FuzzShape.Mesh(Corners), Right);
+        FuzzPair scaled = new(stretched, RigidPose.Identity, stretched, Right);
         Assert.Equal((1, plain.Noise, plain.Band(1)), (scaled.Scale, scaled.Noise, scaled.Band(1)));
         Assert.Equal(1, scaled.Truth.Answer.Distance);
     }

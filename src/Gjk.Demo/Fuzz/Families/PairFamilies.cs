@@ -32,6 +32,7 @@ internal static class PairFamilies
         new("resting", 8, RestFamilies.Resting),
         new("curved on a lattice", 4, RestFamilies.CurvedLattice),
         new("at the threshold", 8, RestFamilies.AtTheThreshold),
+        new("thin gaps", 8, RestFamilies.ThinGaps),
         new("the whole range", 4, RangeFamilies.WholeRange),
         new("ratios", 4, RangeFamilies.Ratios),
         new("distances", 4, RangeFamilies.Distances),

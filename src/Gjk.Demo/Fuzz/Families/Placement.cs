@@ -17,10 +17,14 @@ internal static class Placement
     }
 
     /// <summary>A distance of the centres at which about half of the pairs overlap.</summary>
-    public static double Apart(FuzzRandom random, in FuzzShape a, in FuzzShape b) => random.Unit() * (Radius(a) + Radius(b));
+    public static double Apart(FuzzRandom random, in FuzzShape a, in FuzzShape b) =>
+        random.Unit() * (Radius(a) + Radius(b));
 
-    /// <summary>Planes across a direction stand a gap apart, as nearly as the float position allows; negative gaps overlap.</summary>
-    public static FuzzPair Gap(in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
+    /// <summary>
+    /// Planes across a direction stand a gap apart, as nearly as the float position allows; negative gaps overlap.
+    /// </summary>
+    public static FuzzPair Gap(
+        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
@@ -28,7 +32,8 @@ internal static class Placement
     }
 
     /// <summary>B with its centre a vector from A's, both in world axes.</summary>
-    public static FuzzPair Between(in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D centers)
+    public static FuzzPair Between(
+        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D centers)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
@@ -37,7 +42,17 @@ internal static class Placement
     }
 
     /// <summary>From 1e-15 to 0.1, of either sign, or none at all.</summary>
-    public static double AnyGap(FuzzRandom random) => random.OneIn(8) ? 0 : random.Sign() * random.Magnitude(1e-15, 0.1);
+    public static double AnyGap(FuzzRandom random) =>
+        random.OneIn(8) ? 0 : random.Sign() * random.Magnitude(1e-15, 0.1);
+
+    /// <summary>Any direction of the world, or one across a face of A.</summary>
+    public static Vector3D AnyNormal(FuzzRandom random, in FuzzShape a, in RigidPose poseA)
+    {
+        if (random.OneIn(2)) return random.Direction();
+        var body = new PosedShape(a, poseA);
+        Vector3D[] faces = [.. body.FaceNormals(8)];
+        return faces.Length == 0 ? random.Direction() : body.Rotate(faces[random.Below(faces.Length)]);
+    }
 
     private static double Radius(in FuzzShape shape) => new PosedShape(shape, RigidPose.Identity).Radius;
 }

@@ -18,7 +18,8 @@ internal static class RangeFamilies
         FuzzShape a = Sized(random, size), b = Sized(random, size * random.Magnitude(0.1, 1));
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(0.1 * size));
         Vector3D direction = random.Direction();
-        if (random.OneIn(2)) return Held(a, poseA, b, Rotations.Any(random), direction, Placement.AnyGap(random) * size);
+        if (random.OneIn(2))
+            return Held(a, poseA, b, Rotations.Any(random), direction, Placement.AnyGap(random) * size);
         return Held(a, poseA, b, Rotations.Any(random), direction, (random.Unit() - 1) * size);
     }
 
@@ -43,7 +44,8 @@ internal static class RangeFamilies
     }
 
     /// <summary>Planes a gap apart; at the origin where floats do not reach so far.</summary>
-    private static FuzzPair Held(in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
+    private static FuzzPair Held(
+        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
@@ -54,17 +56,19 @@ internal static class RangeFamilies
     private static FuzzShape Sized(FuzzRandom random, double size)
     {
         var factor = (float)size;
-        switch (random.Below(8))
+        return random.Below(8) switch
         {
-            case 0: return ConvexShape.Box(Vector3.Abs(random.Vector(1)) * factor);
-            case 1: return ConvexShape.Sphere(random.Float(0.1, 1) * factor);
-            case 2: return ConvexShape.Capsule(random.Float(0.1, 0.5) * factor, random.Float(0.1, 0.5) * factor);
-            case 3: return Curved(random, factor);
-            case 4: return FuzzShape.Mesh(Clouds.InBox(random, 4 + random.Below(9), new Vector3(0.5f))).Scaled(new Vector3(factor));
-            case 5: return FuzzShape.Mesh(Clouds.Fitted(MadeMeshes.Any(random), 0.5 * size));
-            default: return FuzzShape.Mesh(Clouds.Placed(Clouds.InBox(random, 4 + random.Below(9), Vector3.One), factor, Vector3.Zero));
-        }
+            0 => ConvexShape.Box(Vector3.Abs(random.Vector(1)) * factor),
+            1 => ConvexShape.Sphere(random.Float(0.1, 1) * factor),
+            2 => ConvexShape.Capsule(random.Float(0.1, 0.5) * factor, random.Float(0.1, 0.5) * factor),
+            3 => Curved(random, factor),
+            4 => FuzzShape.Mesh(Cloud(random, new Vector3(0.5f))).Scaled(new Vector3(factor)),
+            5 => FuzzShape.Mesh(Clouds.Fitted(MadeMeshes.Any(random), 0.5 * size)),
+            _ => FuzzShape.Mesh(Clouds.Placed(Cloud(random, Vector3.One), factor, Vector3.Zero)),
+        };
     }
+
+    private static Vector3[] Cloud(FuzzRandom random, Vector3 half) => Clouds.InBox(random, 4 + random.Below(9), half);
 
     private static FuzzShape Curved(FuzzRandom random, float size) => random.Below(3) switch
     {

@@ -10,47 +10,93 @@ namespace Gjk.Demo.Fuzz.Families;
 internal static class RestFamilies
 {
     /// <summary>
-    /// A below a plane that it reaches, B above it, both turned by one rational rotation and B once more about the plane's normal. The plane stands at y = 0 of the turned frame,
-    /// and positions are multiples of the rotation's denominator, so nothing is rounded: they touch, or stand a known gap apart.
+    /// A below a plane that it reaches, B above it, both turned by one rational rotation and B once more about the
+    /// plane's normal. The plane stands at y = 0 of the turned frame, and positions are multiples of the rotation's
+    /// denominator, so nothing is rounded: they touch, or stand a known gap apart.
     /// </summary>
     public static FuzzPair Resting(FuzzRandom random)
     {
         IntegerRotation frame = Any(random), turned = random.OneIn(2) ? frame : frame.Times(AboutY(random));
         double unit = Math.ScaleB(1, -turned.Bits - random.Below(6));
-        FuzzShape a = Grounded(random, -1, turned.Norm * unit, out double topA), b = Grounded(random, 1, turned.Norm * unit, out double bottomB);
+        FuzzShape a = Grounded(random, -1, turned.Norm * unit, out double topA);
+        FuzzShape b = Grounded(random, 1, turned.Norm * unit, out double bottomB);
         double gap = random.OneIn(2) ? 0 : random.Sign() * turned.Norm * Math.ScaleB(1, -random.Below(40));
         var aside = new Vector3D(random.Below(9) - 4, 0, random.Below(9) - 4) * (turned.Norm * unit);
-        Vector3 home = gap == 0 || Math.Abs(gap) > 1e-3 ? new Vector3(random.Below(65) - 32, random.Below(65) - 32, random.Below(65) - 32) * (float)unit : Vector3.Zero;
+        Vector3 home = gap == 0 || Math.Abs(gap) > 1e-3
+            ? new Vector3(random.Below(65) - 32, random.Below(65) - 32, random.Below(65) - 32) * (float)unit
+            : Vector3.Zero;
         Vector3D up = frame.Exactly(aside + new Vector3D(0, topA + gap - bottomB, 0));
-        return new FuzzPair(a, new RigidPose(frame.ToQuaternion(random), home), b, new RigidPose(turned.ToQuaternion(random), home + (Vector3)up));
+        return new FuzzPair(
+            a, new RigidPose(frame.ToQuaternion(random), home), b,
+            new RigidPose(turned.ToQuaternion(random), home + (Vector3)up));
     }
 
-    /// <summary>Curved and flat shapes with lattice sizes at lattice places: rims on faces, axes side by side, slopes on edges.</summary>
+    /// <summary>
+    /// Curved and flat shapes with lattice sizes at lattice places: rims on faces, axes side by side, slopes on edges.
+    /// </summary>
     public static FuzzPair CurvedLattice(FuzzRandom random)
     {
-        IntegerRotation frame = random.OneIn(2) ? Identity : Any(random), other = random.OneIn(2) ? frame : frame.Times(Any(random));
+        IntegerRotation frame = random.OneIn(2) ? Identity : Any(random);
+        IntegerRotation other = random.OneIn(2) ? frame : frame.Times(Any(random));
         double unit = Math.ScaleB(1, -other.Bits);
         Vector3 home = new Vector3(random.Below(9) - 4, random.Below(9) - 4, random.Below(9) - 4) * (float)unit;
         var steps = new Vector3D(random.Below(17) - 8, random.Below(17) - 8, random.Below(17) - 8);
         Vector3D away = frame.Exactly(steps * (0.25 * other.Norm * unit));
-        FuzzShape a = LatticeShape(random, (float)(other.Norm * unit)), b = LatticeShape(random, (float)(other.Norm * unit));
-        return new FuzzPair(a, new RigidPose(frame.ToQuaternion(random), home), b, new RigidPose(other.ToQuaternion(random), home + (Vector3)away));
+        FuzzShape a = LatticeShape(random, (float)(other.Norm * unit));
+        FuzzShape b = LatticeShape(random, (float)(other.Norm * unit));
+        return new FuzzPair(
+            a, new RigidPose(frame.ToQuaternion(random), home), b,
+            new RigidPose(other.ToQuaternion(random), home + (Vector3)away));
     }
 
     /// <summary>
-    /// Shapes with and without margins whose planes stand a gap of a few last places of a double apart: what B's position loses by rounding is put into A's,
-    /// which is 0 but for that.
+    /// Shapes with and without margins whose planes stand a gap of a few last places of a double apart: what B's
+    /// position loses by rounding is put into A's, which is 0 but for that.
     /// </summary>
     public static FuzzPair AtTheThreshold(FuzzRandom random)
     {
-        FuzzShape a = random.OneIn(3) ? Shapes.Any(random) : Shapes.Round(random), b = random.OneIn(4) ? Shapes.Any(random) : Shapes.Round(random);
-        Vector3D n = random.OneIn(2) ? random.Direction() : new Vector3D(0, random.Sign(), 0);
+        FuzzShape a = random.OneIn(3) ? Shapes.Any(random) : Shapes.Round(random);
+        FuzzShape b = random.OneIn(4) ? Shapes.Any(random) : Shapes.Round(random);
         Quaternion turnA = Rotations.Any(random), turnB = Rotations.Any(random);
         if (random.OneIn(2)) (turnA, turnB) = (Quaternion.Identity, Quaternion.Identity);
+        Vector3D n = random.OneIn(2) ? random.Direction() : new Vector3D(0, random.Sign(), 0);
+        return Exactly(a, turnA, b, turnB, n, Math.ScaleB(random.Below(33) - 16, -54));
+    }
+
+    /// <summary>
+    /// Plates, needles, stretched and made meshes whose planes across a face of A stand next to nothing apart.
+    /// </summary>
+    public static FuzzPair ThinGaps(FuzzRandom random)
+    {
+        FuzzShape a = Thin(random), b = random.OneIn(3) ? Shapes.Any(random) : Thin(random);
+        Quaternion turnA = Rotations.Any(random);
+        Quaternion turnB = random.OneIn(2) ? turnA : Rotations.Any(random);
+        Vector3D n = Placement.AnyNormal(random, a, new RigidPose(turnA, Vector3.Zero));
+        return Exactly(a, turnA, b, turnB, n, random.Sign() * random.Magnitude(1e-16, 1e-12));
+    }
+
+    private static FuzzShape Thin(FuzzRandom random) => random.Below(4) switch
+    {
+        0 => MadeFamilies.Stretched(random),
+        1 => Shapes.Made(random),
+        2 => Shapes.Scaled(random),
+        _ => Shapes.Needle(random),
+    };
+
+    /// <summary>What B's position loses by rounding is put into A's, which is 0 but for that.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="turnA">Its rotation.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="turnB">Its rotation.</param>
+    /// <param name="n">The direction across the planes, of unit length.</param>
+    /// <param name="gap">How far the planes stand apart, as a fraction of both shapes' size.</param>
+    private static FuzzPair Exactly(
+        in FuzzShape a, Quaternion turnA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
+    {
         var bodyA = new PosedShape(a, new RigidPose(turnA, Vector3.Zero));
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
-        double gap = (random.Below(33) - 16) * Math.ScaleB(bodyA.LongestSide + bodyB.LongestSide, -54);
-        Vector3D place = bodyA.Rotate(bodyA.Center) - bodyB.Rotate(bodyB.Center) + n * (bodyA.Height(n) + bodyB.Height(-n) + gap);
+        double apart = bodyA.Height(n) + bodyB.Height(-n) + gap * (bodyA.LongestSide + bodyB.LongestSide);
+        Vector3D place = bodyA.Rotate(bodyA.Center) - bodyB.Rotate(bodyB.Center) + n * apart;
         var rounded = (Vector3)place;
         return new FuzzPair(a, new RigidPose(turnA, (Vector3)(rounded - place)), b, new RigidPose(turnB, rounded));
     }

@@ -48,7 +48,9 @@ internal static class Shapes
     /// <summary>With a margin that is a float, or a product of floats.</summary>
     public static FuzzShape Round(FuzzRandom random)
     {
-        ConvexShape round = random.OneIn(2) ? ConvexShape.Sphere(random.Float(0, 1)) : ConvexShape.Capsule(random.Float(0, 0.5), random.Float(0, 1));
+        ConvexShape round = random.OneIn(2)
+            ? ConvexShape.Sphere(random.Float(0, 1))
+            : ConvexShape.Capsule(random.Float(0, 0.5), random.Float(0, 1));
         return random.OneIn(2) ? round : round.Scaled(new Vector3(random.Sign() * random.Float(0.1, 3)));
     }
 
@@ -65,7 +67,9 @@ internal static class Shapes
     /// <summary>Scaled unevenly or evenly, mirrored or not.</summary>
     public static FuzzShape Scaled(FuzzRandom random)
     {
-        Vector3 factors = random.OneIn(2) ? random.Factors(0.1, 10) : new Vector3(random.Sign() * (float)random.Magnitude(0.1, 10));
+        Vector3 factors = random.OneIn(2)
+            ? random.Factors(0.1, 10)
+            : new Vector3(random.Sign() * (float)random.Magnitude(0.1, 10));
         return random.Below(4) switch
         {
             0 => ConvexShape.Box(Vector3.Abs(random.Vector(1))).Scaled(factors),

@@ -4,11 +4,11 @@ using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Demo.Fuzz.Families;
 
-/// <summary>Pairs whose difficulty is in their numbers: sizes, distances from an origin, or how many corners there are.</summary>
+/// <summary>
+/// Pairs whose difficulty is in their numbers: sizes, distances from an origin, or how many corners there are.
+/// </summary>
 internal static class SizeFamilies
 {
-    private static readonly int[] HullSizes = [128, 512, 515, 1024, 2048, 4096];
-
     /// <summary>One shape up to a million times larger than the other, in contact or nearly.</summary>
     public static FuzzPair SizesApart(FuzzRandom random)
     {
@@ -25,7 +25,9 @@ internal static class SizeFamilies
         float size = (float)random.Magnitude(1e-15, 1e15);
         FuzzShape a = Polytope(random, size), b = random.OneIn(4) ? Curved(random, size) : Polytope(random, size);
         var poseA = new RigidPose(Rotations.Any(random), random.Vector(1) * size);
-        if (random.OneIn(2)) return Placement.Gap(a, poseA, b, Rotations.Any(random), random.Direction(), Placement.AnyGap(random) * size);
+        if (random.OneIn(2))
+            return Placement.Gap(
+                a, poseA, b, Rotations.Any(random), random.Direction(), Placement.AnyGap(random) * size);
         double apart = Placement.Apart(random, a, b);
         return Placement.Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
     }
@@ -35,7 +37,9 @@ internal static class SizeFamilies
     {
         FuzzShape a = Shapes.Any(random), b = Shapes.Any(random);
         var poseA = new RigidPose(Rotations.Any(random), (Vector3)(random.Direction() * random.Magnitude(1e3, 1e5)));
-        if (random.OneIn(2)) return Placement.Gap(a, poseA, b, Rotations.Any(random), random.Direction(), random.Sign() * random.Magnitude(1e-3, 1));
+        if (random.OneIn(2))
+            return Placement.Gap(
+                a, poseA, b, Rotations.Any(random), random.Direction(), random.Sign() * random.Magnitude(1e-3, 1));
         double apart = Placement.Apart(random, a, b);
         return Placement.Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
     }
@@ -49,17 +53,22 @@ internal static class SizeFamilies
         return Placement.Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
     }
 
-    /// <summary>Hulls of 128 to 4096 corners, deep, near tangent and apart, against each other and against small shapes.</summary>
+    /// <summary>
+    /// Hulls of 100 to 4096 corners, deep, near tangent and apart, against each other and against small shapes.
+    /// </summary>
     public static FuzzPair LargeHulls(FuzzRandom random)
     {
         FuzzShape a = Large(random), b = random.OneIn(2) ? Large(random) : Shapes.Any(random);
         var poseA = new RigidPose(Rotations.Any(random), random.Vector(1));
-        return Placement.Gap(a, poseA, b, Rotations.Any(random), random.Direction(), random.OneIn(3) ? -random.Unit() : Placement.AnyGap(random));
+        return Placement.Gap(
+            a, poseA, b, Rotations.Any(random), random.Direction(),
+            random.OneIn(3) ? -random.Unit() : Placement.AnyGap(random));
     }
 
     private static FuzzShape Large(FuzzRandom random)
     {
-        Vector3[] cloud = Clouds.OnSphere(random, random.Of<int>(HullSizes));
+        int corners = random.OneIn(8) ? random.Of(2048, 4096) : random.Of(100, 128, 515, 1024);
+        Vector3[] cloud = Clouds.OnSphere(random, corners);
         FuzzShape sphere = FuzzShape.Mesh(cloud);
         return random.OneIn(2) ? sphere : sphere.Scaled(random.Factors(0.3, 2));
     }
@@ -67,7 +76,9 @@ internal static class SizeFamilies
     private static FuzzShape Offset(FuzzRandom random)
     {
         Vector3 offset = (Vector3)(random.Direction() * random.Magnitude(1, 1e4));
-        Vector3[] cloud = random.OneIn(2) ? Clouds.Lattice(random) : Clouds.InBox(random, 4 + random.Below(9), Vector3.One);
+        Vector3[] cloud = random.OneIn(2)
+            ? Clouds.Lattice(random)
+            : Clouds.InBox(random, 4 + random.Below(9), Vector3.One);
         return FuzzShape.Mesh(Clouds.Placed(cloud, 1, offset));
     }
 

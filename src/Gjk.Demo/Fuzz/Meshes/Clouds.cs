@@ -27,13 +27,18 @@ internal static class Clouds
     public static Vector3[] Box(Vector3 half)
     {
         var cloud = new Vector3[8];
-        for (int i = 0; i < 8; i++) cloud[i] = half * new Vector3((i & 1) == 0 ? 1 : -1, (i & 2) == 0 ? 1 : -1, (i & 4) == 0 ? 1 : -1);
+        for (int i = 0; i < 8; i++)
+            cloud[i] = half * new Vector3((i & 1) == 0 ? 1 : -1, (i & 2) == 0 ? 1 : -1, (i & 4) == 0 ? 1 : -1);
         return cloud;
     }
 
-    /// <summary>A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes meet.</summary>
+    /// <summary>
+    /// A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes meet.
+    /// </summary>
     public static Vector3 LatticePoint(FuzzRandom random, int reach) =>
-        new Vector3(random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach) * LatticeStep;
+        new Vector3(
+            random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach,
+            random.Below(2 * reach + 1) - reach) * LatticeStep;
 
     /// <summary>Corners on a coarse grid: many parallel edges and coplanar faces.</summary>
     public static Vector3[] Lattice(FuzzRandom random)
@@ -80,18 +85,21 @@ internal static class Clouds
     public static Vector3[] Repeated(FuzzRandom random, Vector3[] cloud)
     {
         var repeated = new Vector3[cloud.Length * 3];
-        for (int i = 0; i < repeated.Length; i++) repeated[i] = i < cloud.Length ? cloud[i] : cloud[random.Below(cloud.Length)];
+        for (int i = 0; i < repeated.Length; i++)
+            repeated[i] = i < cloud.Length ? cloud[i] : cloud[random.Below(cloud.Length)];
         return repeated;
     }
 
     /// <summary>Moved and resized, as far as floats allow.</summary>
-    public static Vector3[] Placed(Vector3[] cloud, float size, Vector3 offset) => Array.ConvertAll(cloud, p => p * size + offset);
+    public static Vector3[] Placed(Vector3[] cloud, float size, Vector3 offset) =>
+        Array.ConvertAll(cloud, p => p * size + offset);
 
     /// <summary>Resized so that the largest coordinate has a given magnitude.</summary>
     public static Vector3[] Fitted(Vector3[] cloud, double size)
     {
         float largest = 0;
-        foreach (Vector3 p in cloud) largest = Math.Max(largest, Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
+        foreach (Vector3 p in cloud)
+            largest = Math.Max(largest, Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
         return Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p * (size / largest)));
     }
 }

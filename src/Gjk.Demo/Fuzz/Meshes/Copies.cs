@@ -13,7 +13,9 @@ internal static class Copies
     public static Vector3[] OneFloatApart(FuzzRandom random, Vector3[] cloud, int times)
     {
         var copies = new List<Vector3>(cloud);
-        for (int i = 0; i < times; i++) copies.AddRange(cloud.Select(p => new Vector3(Beside(random, p.X), Beside(random, p.Y), Beside(random, p.Z))));
+        for (int i = 0; i < times; i++)
+            copies.AddRange(
+                cloud.Select(p => new Vector3(Beside(random, p.X), Beside(random, p.Y), Beside(random, p.Z))));
         return [.. copies];
     }
 
@@ -35,7 +37,11 @@ internal static class Copies
 
     /// <summary>Measured, with an error of a given size.</summary>
     public static Vector3[] Scanned(FuzzRandom random, Vector3[] cloud, double noise) =>
-        Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p + new Vector3D(random.Range(-noise, noise), random.Range(-noise, noise), random.Range(-noise, noise))));
+        Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p + Error(random, noise)));
 
-    private static float Beside(FuzzRandom random, float x) => random.Below(3) switch { 0 => x, 1 => MathF.BitIncrement(x), _ => MathF.BitDecrement(x) };
+    private static Vector3D Error(FuzzRandom random, double noise) =>
+        new(random.Range(-noise, noise), random.Range(-noise, noise), random.Range(-noise, noise));
+
+    private static float Beside(FuzzRandom random, float x) =>
+        random.Below(3) switch { 0 => x, 1 => MathF.BitIncrement(x), _ => MathF.BitDecrement(x) };
 }

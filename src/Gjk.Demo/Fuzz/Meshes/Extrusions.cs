@@ -12,8 +12,11 @@ internal static class Extrusions
     {
         var t = Trigonometry.Any(random);
         int sides = random.OneIn(6) ? 3 + random.Below(62) : Lathe.Count(random);
-        double radius = random.Range(0.2, 1), half = random.OneIn(4) ? random.Magnitude(1e-4, 1e-1) : random.Range(0.2, 2);
-        (double, double)[] profile = random.OneIn(2) ? [(radius, half), (radius, -half)] : [(0, half), (radius, half), (radius, -half), (0, -half)];
+        double radius = random.Range(0.2, 1);
+        double half = random.OneIn(4) ? random.Magnitude(1e-4, 1e-1) : random.Range(0.2, 2);
+        (double, double)[] profile = random.OneIn(2)
+            ? [(radius, half), (radius, -half)]
+            : [(0, half), (radius, half), (radius, -half), (0, -half)];
         return Lathe.Turned(t, profile, sides, random.OneIn(2));
     }
 

@@ -5,7 +5,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Meshes;
 
-/// <summary>A subdivided icosahedron whose points are brought to the sphere in float, step by step, or in double at the end. Points of shared edges are there twice.</summary>
+/// <summary>
+/// A subdivided icosahedron whose points are brought to the sphere in float, step by step, or in double at the end.
+/// Points of shared edges are there twice.
+/// </summary>
 internal static class Icosphere
 {
     private static readonly int[] Faces =
@@ -54,7 +57,12 @@ internal static class Icosphere
         var smaller = new List<T>();
         for (int i = 0; i < triangles.Count; i += 3)
         {
-            T a = triangles[i], b = triangles[i + 1], c = triangles[i + 2], ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            T a = triangles[i];
+            T b = triangles[i + 1];
+            T c = triangles[i + 2];
+            T ab = middle(a, b);
+            T bc = middle(b, c);
+            T ca = middle(c, a);
             smaller.AddRange([a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca]);
         }
 

@@ -20,7 +20,9 @@ internal static class MadeMeshes
     {
         Vector3[] cloud = Any(random);
         Quaternion turn = Rotations.Any(random);
-        Vector3 size = random.OneIn(2) ? Vector3.One : new Vector3(random.Float(0.2, 3), random.Float(0.2, 3), random.Float(0.2, 3));
+        Vector3 size = random.OneIn(2)
+            ? Vector3.One
+            : new Vector3(random.Float(0.2, 3), random.Float(0.2, 3), random.Float(0.2, 3));
         return Array.ConvertAll(cloud, p => Vector3.Transform(p * size, turn));
     }
 

@@ -3,8 +3,11 @@ using System.Numerics;
 
 namespace Gjk.Demo.Fuzz.Meshes;
 
-/// <summary>Points on circles, computed in float or in double: each leaves its own residue where the result should be 0.</summary>
-/// <param name="InFloat">Whether sine, cosine and products are floats; else they are doubles, rounded at the end.</param>
+/// <summary>
+/// Points on circles, computed in float or in double: each leaves its own residue where the result should be 0.
+/// </summary>
+/// <param name="InFloat">Whether sine, cosine and products are floats; else they are doubles, rounded at the
+/// end.</param>
 internal readonly record struct Trigonometry(bool InFloat)
 {
     public static Trigonometry Any(FuzzRandom random) => new(random.OneIn(2));
@@ -26,7 +29,9 @@ internal readonly record struct Trigonometry(bool InFloat)
         return new Vector3((float)(radius * cos), (float)height, (float)(radius * sin));
     }
 
-    /// <summary>Sine and cosine of pi times a fraction, as this arithmetic has them: neither is 0 at 1 or at 1/2.</summary>
+    /// <summary>
+    /// Sine and cosine of pi times a fraction, as this arithmetic has them: neither is 0 at 1 or at 1/2.
+    /// </summary>
     public (double Sin, double Cos) OfHalfTurns(int i, int count)
     {
         if (!InFloat) return Math.SinCos(Math.PI * i / count);

@@ -24,6 +24,7 @@ internal static class AllPromises
         new SizeChangesNothing(),
         new MotionChangesNothing(),
         new TheSameBitsAgain(),
+        new TypedShapesGiveTheSameBits(),
         new UsersShapesAreShapes(),
     ];
 }

@@ -4,7 +4,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>Moving both shapes alike changes nothing: half turns about the axes, which are exact in floats, and shifts where the sums are.</summary>
+/// <summary>
+/// Moving both shapes alike changes nothing: half turns about the axes, which are exact in floats, and shifts where the
+/// sums are.
+/// </summary>
 internal sealed class MotionChangesNothing : IPromise
 {
     public string Name => "moving both shapes alike changes nothing";
@@ -15,7 +18,8 @@ internal sealed class MotionChangesNothing : IPromise
     {
         for (int axis = 0; axis < 3; axis++)
         {
-            DistanceResult r = ConvexQuery.Distance(pair.A, HalfTurn(pair.PoseA, axis), pair.B, HalfTurn(pair.PoseB, axis));
+            DistanceResult r = ConvexQuery.Distance(
+                pair.A, HalfTurn(pair.PoseA, axis), pair.B, HalfTurn(pair.PoseB, axis));
             string? problem = Same.Problem(pair, r, Say.Line($"half a turn about axis {axis}"));
             if (problem is not null) return problem;
         }
@@ -26,17 +30,22 @@ internal sealed class MotionChangesNothing : IPromise
     private static string? Shifted(FuzzPair pair)
     {
         // B's place becomes A's neighbourhood: the sums are often exact, and never by accident only for small numbers.
-        foreach (Vector3 shift in (ReadOnlySpan<Vector3>)[-pair.PoseA.Position, -pair.PoseB.Position, new(1024, -2048, 512)])
+        ReadOnlySpan<Vector3> shifts = [-pair.PoseA.Position, -pair.PoseB.Position, new(1024, -2048, 512)];
+        foreach (Vector3 shift in shifts)
         {
-            if (!TryShift(pair.PoseA, shift, out RigidPose a) || !TryShift(pair.PoseB, shift, out RigidPose b)) continue;
-            string? problem = Same.Problem(pair, ConvexQuery.Distance(pair.A, a, pair.B, b), Say.Line($"shifted by {shift}"));
+            if (!TryShift(pair.PoseA, shift, out RigidPose a) || !TryShift(pair.PoseB, shift, out RigidPose b))
+                continue;
+            string? problem = Same.Problem(
+                pair, ConvexQuery.Distance(pair.A, a, pair.B, b), Say.Line($"shifted by {shift}"));
             if (problem is not null) return problem;
         }
 
         return null;
     }
 
-    /// <summary>The product of the axis's unit quaternion with the pose's: its components, exchanged, some negated.</summary>
+    /// <summary>
+    /// The product of the axis's unit quaternion with the pose's: its components, exchanged, some negated.
+    /// </summary>
     private static RigidPose HalfTurn(in RigidPose pose, int axis)
     {
         Quaternion q = pose.Rotation;
@@ -52,7 +61,8 @@ internal sealed class MotionChangesNothing : IPromise
     private static bool TryShift(in RigidPose pose, Vector3 by, out RigidPose shifted)
     {
         Vector3 sum = pose.Position + by;
-        bool exact = IsSum(pose.Position.X, by.X, sum.X) && IsSum(pose.Position.Y, by.Y, sum.Y) && IsSum(pose.Position.Z, by.Z, sum.Z);
+        bool exact = IsSum(pose.Position.X, by.X, sum.X) && IsSum(pose.Position.Y, by.Y, sum.Y)
+            && IsSum(pose.Position.Z, by.Z, sum.Z);
         shifted = exact ? new RigidPose(pose.Rotation, sum) : pose;
         return exact;
     }

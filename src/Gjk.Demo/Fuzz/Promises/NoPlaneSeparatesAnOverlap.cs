@@ -3,7 +3,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>Of shapes that are said to overlap, no plane has one on either side: looked for along many directions and across the faces of both.</summary>
+/// <summary>
+/// Of shapes that are said to overlap, no plane has one on either side: looked for along many directions and across the
+/// faces of both.
+/// </summary>
 internal sealed class NoPlaneSeparatesAnOverlap : IPromise
 {
     private const int MostFaces = 200;
@@ -23,10 +26,13 @@ internal sealed class NoPlaneSeparatesAnOverlap : IPromise
     private static double Widest(FuzzPair pair)
     {
         double widest = double.NegativeInfinity;
-        int faces = Math.Max(1, Math.Min(MostFaces, MostWork / Math.Max(1, pair.BodyA.Vertices.Length + pair.BodyB.Vertices.Length)));
-        foreach (Vector3D n in pair.Truth.IsKnown ? Directions.Few : Directions.Many) widest = Math.Max(widest, pair.Gap(n));
+        int faces = Math.Max(
+            1, Math.Min(MostFaces, MostWork / Math.Max(1, pair.BodyA.Vertices.Length + pair.BodyB.Vertices.Length)));
+        foreach (Vector3D n in pair.Truth.IsKnown ? Directions.Few : Directions.Many)
+            widest = Math.Max(widest, pair.Gap(n));
         foreach (Vector3D n in pair.BodyA.FaceNormals(faces)) widest = Math.Max(widest, pair.Gap(pair.BodyA.Rotate(n)));
-        foreach (Vector3D n in pair.BodyB.FaceNormals(faces)) widest = Math.Max(widest, pair.Gap(pair.BodyB.Rotate(-n)));
+        foreach (Vector3D n in pair.BodyB.FaceNormals(faces))
+            widest = Math.Max(widest, pair.Gap(pair.BodyB.Rotate(-n)));
         double length = pair.Centers.Length;
         return length > 0 ? Math.Max(widest, pair.Gap(pair.Centers * (1 / length))) : widest;
     }

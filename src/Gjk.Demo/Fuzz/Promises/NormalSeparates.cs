@@ -4,8 +4,9 @@ using Gjk.Core;
 namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
-/// The certificate of a distance: the planes across the normal that touch the shapes stand the distance apart. From above that proves the distance by itself (no gap
-/// between planes can exceed it); from below as far as a normal rounded to float can tell.
+/// The certificate of a distance: the planes across the normal that touch the shapes stand the distance apart. From
+/// above that proves the distance by itself (no gap between planes can exceed it); from below as far as a normal
+/// rounded to float can tell.
 /// </summary>
 internal sealed class NormalSeparates : IPromise
 {
@@ -14,7 +15,8 @@ internal sealed class NormalSeparates : IPromise
     public string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
-        if (r.Status == GjkStatus.Overlapping) return r.Normal == default ? null : Say.Line($"overlapping with the normal {r.Normal}");
+        if (r.Status == GjkStatus.Overlapping)
+            return r.Normal == default ? null : Say.Line($"overlapping with the normal {r.Normal}");
         if (r.Status != GjkStatus.Separated) return null;
 
         Vector3D n = r.Normal;
@@ -23,7 +25,8 @@ internal sealed class NormalSeparates : IPromise
         double d = r.Distance, gap = pair.Gap(n * (1 / length)), band = pair.Band(d) + pair.Noise;
         if (!(gap <= d + band)) return Say.Line($"they are {gap} apart, the distance is said to be {d}");
 
-        // A plane that is turned by an angle loses at most that part of the circle that its point of contact may lie away.
+        // A plane that is turned by an angle loses at most that part of the circle that its point of contact may lie
+        // away.
         double turned = Accuracy.NormalTurn * (pair.BodyA.LongestSide + pair.BodyB.LongestSide + d) * Math.Sqrt(3);
         double tilt = pair.IsCurved ? Math.Max(turned, pair.Band(d)) : turned;
         return gap >= d - band - tilt ? null : Say.Line($"they are only {gap} apart, the distance is said to be {d}");

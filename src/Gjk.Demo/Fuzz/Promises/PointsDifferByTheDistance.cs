@@ -2,7 +2,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>From one closest point to the other is normal times distance, in the world and through the local frames; of overlapping shapes both are one.</summary>
+/// <summary>
+/// From one closest point to the other is normal times distance, in the world and through the local frames; of
+/// overlapping shapes both are one.
+/// </summary>
 internal sealed class PointsDifferByTheDistance : IPromise
 {
     /// <summary>Ratio to the distance: the rounding of the distance and of the normal's three components.</summary>
@@ -14,7 +17,8 @@ internal sealed class PointsDifferByTheDistance : IPromise
     {
         DistanceResult r = pair.Answer;
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
-        if (r.Overlaps && r.PointA != r.PointB) return Say.Line($"overlapping with the points {r.PointA} and {r.PointB}");
+        if (r.Overlaps && r.PointA != r.PointB)
+            return Say.Line($"overlapping with the points {r.PointA} and {r.PointB}");
 
         Vector3D step = (Vector3D)r.Normal * r.Distance;
         double slack = pair.DifferenceSlack + Product * r.Distance + pair.Noise;
@@ -23,7 +27,8 @@ internal sealed class PointsDifferByTheDistance : IPromise
             return Say.Line($"in the world they are {world} off that");
 
         double local = (pair.Between(r.LocalPointA, r.LocalPointB) - step).Length;
-        return local <= slack + PointsLieOnTheShapes.Rounded(r.LocalPointA) + PointsLieOnTheShapes.Rounded(r.LocalPointB)
+        return local <= slack + PointsLieOnTheShapes.Rounded(r.LocalPointA)
+            + PointsLieOnTheShapes.Rounded(r.LocalPointB)
             ? null
             : Say.Line($"the local ones are {local} off that");
     }

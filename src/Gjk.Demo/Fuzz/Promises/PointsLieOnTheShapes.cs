@@ -4,7 +4,9 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>Each closest point lies in its shape, in its own frame as in the world's, as far as a float can hold it.</summary>
+/// <summary>
+/// Each closest point lies in its shape, in its own frame as in the world's, as far as a float can hold it.
+/// </summary>
 internal sealed class PointsLieOnTheShapes : IPromise
 {
     private const int MostFaces = 64;
@@ -18,17 +20,24 @@ internal sealed class PointsLieOnTheShapes : IPromise
     {
         DistanceResult r = pair.Answer;
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
-        return Problem(pair, pair.BodyA, r.LocalPointA, r.PointA, "A") ?? Problem(pair, pair.BodyB, r.LocalPointB, r.PointB, "B");
+        return Problem(pair, pair.BodyA, r.LocalPointA, r.PointA, "A")
+            ?? Problem(pair, pair.BodyB, r.LocalPointB, r.PointB, "B");
     }
 
     private static string? Problem(FuzzPair pair, PosedShape body, Vector3 local, Vector3 world, string name)
     {
         double slack = pair.WitnessSlack(body) + Accuracy.Rounding * body.LongestSide, rounding = Rounded(local);
-        Vector3D[] directions = [.. Directions.Few, .. body.FaceNormals(Math.Max(1, Math.Min(MostFaces, MostWork / Math.Max(1, body.Vertices.Length))))];
+        Vector3D[] directions =
+        [
+            .. Directions.Few,
+            .. body.FaceNormals(Math.Max(1, Math.Min(MostFaces, MostWork / Math.Max(1, body.Vertices.Length)))),
+        ];
         double outside = body.Outside(local, directions);
         if (!(outside <= slack + rounding)) return Say.Line($"the local point of {name} lies {outside} outside");
         double off = (body.Rotate(local) + body.Position - world).Length;
-        return off <= slack + rounding + Rounded(world) ? null : Say.Line($"the point of {name} is {off} off the place of its local one");
+        return off <= slack + rounding + Rounded(world)
+            ? null
+            : Say.Line($"the point of {name} is {off} off the place of its local one");
     }
 
     /// <summary>What rounding to float does to a point.</summary>

@@ -11,12 +11,15 @@ internal sealed class QueriesEndWithAnAnswer : IPromise
     public string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
-        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return $"status {r.Status} after {r.Iterations} iterations";
+        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping))
+            return $"status {r.Status} after {r.Iterations} iterations";
         if (!float.IsFinite(r.Distance) || !float.IsFinite(r.LowerBound) || r.Distance < 0 || r.LowerBound < 0)
             return Say.Line($"distance {r.Distance}, lower bound {r.LowerBound}");
-        foreach (Vector3 v in (System.ReadOnlySpan<Vector3>)[r.PointA, r.PointB, r.Normal, r.LocalPointA, r.LocalPointB])
+        System.ReadOnlySpan<Vector3> vectors = [r.PointA, r.PointB, r.Normal, r.LocalPointA, r.LocalPointB];
+        foreach (Vector3 v in vectors)
         {
-            if (!float.IsFinite(v.X) || !float.IsFinite(v.Y) || !float.IsFinite(v.Z)) return Say.Line($"a point or the normal is {v}");
+            if (!float.IsFinite(v.X) || !float.IsFinite(v.Y) || !float.IsFinite(v.Z))
+                return Say.Line($"a point or the normal is {v}");
         }
 
         return null;

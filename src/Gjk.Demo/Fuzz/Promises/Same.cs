@@ -7,7 +7,9 @@ namespace Gjk.Demo.Fuzz.Promises;
 /// <summary>Comparisons with the cold answer.</summary>
 internal static class Same
 {
-    /// <summary>How an answer to the same question differs from the cold one by more than the accuracy, or null.</summary>
+    /// <summary>
+    /// How an answer to the same question differs from the cold one by more than the accuracy, or null.
+    /// </summary>
     /// <param name="pair">The pair with its cold answer.</param>
     /// <param name="other">The other answer.</param>
     /// <param name="name">What the other one is.</param>
@@ -17,15 +19,21 @@ internal static class Same
         DistanceResult r = pair.Answer;
         double distance = other.Distance * unit, band = 2 * pair.Band(r.Distance) + Accuracy.LeastFloat * unit;
         bool answered = other.Status is GjkStatus.Separated or GjkStatus.Overlapping;
-        return answered && Math.Abs(distance - r.Distance) <= band ? null : Say.Line($"{name}: {other.Status}, {distance}; as given: {r.Status}, {r.Distance}");
+        return answered && Math.Abs(distance - r.Distance) <= band
+            ? null
+            : Say.Line($"{name}: {other.Status}, {distance}; as given: {r.Status}, {r.Distance}");
     }
 
     /// <summary>How two answers differ in any bit, or null; iterations do not count.</summary>
     public static string? BitProblem(in DistanceResult r, in DistanceResult s, string name)
     {
-        bool same = r.Status == s.Status && Bits(r.Distance, s.Distance) && Bits(r.LowerBound, s.LowerBound) && Bits(r.PointA, s.PointA) && Bits(r.PointB, s.PointB)
+        bool same = r.Status == s.Status && Bits(r.Distance, s.Distance) && Bits(r.LowerBound, s.LowerBound)
+            && Bits(r.PointA, s.PointA) && Bits(r.PointB, s.PointB)
             && Bits(r.Normal, s.Normal) && Bits(r.LocalPointA, s.LocalPointA) && Bits(r.LocalPointB, s.LocalPointB);
-        return same ? null : Say.Line($"{name}: {s.Status}, {s.Distance:R}, {s.PointA}; as given: {r.Status}, {r.Distance:R}, {r.PointA}");
+        return same
+            ? null
+            : Say.Line(
+                $"{name}: {s.Status}, {s.Distance:R}, {s.PointA}; as given: {r.Status}, {r.Distance:R}, {r.PointA}");
     }
 
     private static bool Bits(float a, float b) => a.Equals(b);

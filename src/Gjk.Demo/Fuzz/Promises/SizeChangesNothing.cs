@@ -4,7 +4,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>A pair in another unit of length has the same answer in that unit. The factors are powers of two, so that the larger and the smaller pair are exactly the same.</summary>
+/// <summary>
+/// A pair in another unit of length has the same answer in that unit. The factors are powers of two, so that the larger
+/// and the smaller pair are exactly the same.
+/// </summary>
 internal sealed class SizeChangesNothing : IPromise
 {
     private const float Least = 1e-30f, Most = 1e30f;
@@ -17,8 +20,11 @@ internal sealed class SizeChangesNothing : IPromise
         {
             Vector3 a = pair.PoseA.Position * factor, b = pair.PoseB.Position * factor;
             if (!(factor * (pair.Scale + pair.Centers.Length) < Most)) continue;
-            if (!IsExact(a) || !IsExact(b) || !TryResize(pair.A, factor, out ConvexShape shapeA) || !TryResize(pair.B, factor, out ConvexShape shapeB)) continue;
-            DistanceResult r = ConvexQuery.Distance(shapeA, new RigidPose(pair.PoseA.Rotation, a), shapeB, new RigidPose(pair.PoseB.Rotation, b));
+            if (!IsExact(a) || !IsExact(b) || !TryResize(pair.A, factor, out ConvexShape shapeA)
+                || !TryResize(pair.B, factor, out ConvexShape shapeB))
+                continue;
+            DistanceResult r = ConvexQuery.Distance(
+                shapeA, new RigidPose(pair.PoseA.Rotation, a), shapeB, new RigidPose(pair.PoseB.Rotation, b));
             string? problem = Same.Problem(pair, r, Say.Line($"times {factor}"), 1 / factor);
             if (problem is not null) return problem;
         }
@@ -31,7 +37,7 @@ internal sealed class SizeChangesNothing : IPromise
     {
         resized = default;
         Vector3 factors = shape.Scale * factor;
-        if (!IsExact(factors) || (shape.Hull is null && shape.Scale != Vector3.One)) return false;
+        if (!IsExact(factors) || factors.X == 0 || (shape.Hull is null && shape.Scale != Vector3.One)) return false;
         resized = (shape.Hull is { } hull ? ConvexShape.Mesh(hull) : shape).Scaled(factors);
         return true;
     }

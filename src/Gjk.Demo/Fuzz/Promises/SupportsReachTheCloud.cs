@@ -1,11 +1,13 @@
 using System;
+using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
-/// In no direction does a shape's support value differ from the greatest dot product with the points that it was made of; of curved shapes, from the
-/// formula. The support point is one of those points, to the last bit, and is the vertex that its id names.
+/// In no direction does a shape's support value differ from the greatest dot product with the points that it was made
+/// of; of curved shapes, from the formula. The support point is one of those points, to the last bit, and is the vertex
+/// that its id names.
 /// </summary>
 internal sealed class SupportsReachTheCloud : IPromise
 {
@@ -16,7 +18,8 @@ internal sealed class SupportsReachTheCloud : IPromise
 
     public string? Broken(FuzzPair pair)
     {
-        ulong seed = BitConverter.SingleToUInt32Bits(pair.PoseB.Position.X) ^ (ulong)BitConverter.SingleToUInt32Bits(pair.PoseB.Position.Y) << 32;
+        Vector3 place = pair.PoseB.Position;
+        ulong seed = BitConverter.SingleToUInt32Bits(place.X) ^ (ulong)BitConverter.SingleToUInt32Bits(place.Y) << 32;
         return Problem(pair.A, pair.BodyA, seed, "A") ?? Problem(pair.B, pair.BodyB, seed + 1, "B");
     }
 
@@ -25,8 +28,13 @@ internal sealed class SupportsReachTheCloud : IPromise
     {
         if (d == default || !d.IsFinite) return null;
         int id = shape.Support(d, -1, out Vector3D point);
-        string? problem = body.IsCurved ? OffTheFormula(body, d, point) : OffTheCloud(body, d, point) ?? OfAnotherName(shape, body, id, point);
-        return problem is null ? null : Say.Line($"towards ({d.X:R}, {d.Y:R}, {d.Z:R}) {name} gives ({point.X:R}, {point.Y:R}, {point.Z:R}): {problem}");
+        string? problem = body.IsCurved
+            ? OffTheFormula(body, d, point)
+            : OffTheCloud(body, d, point) ?? OfAnotherName(shape, body, id, point);
+        return problem is null
+            ? null
+            : Say.Line(
+                $"towards ({d.X:R}, {d.Y:R}, {d.Z:R}) {name} gives ({point.X:R}, {point.Y:R}, {point.Z:R}): {problem}");
     }
 
     private static string? Problem(in ConvexShape shape, PosedShape body, ulong seed, string name)
@@ -43,7 +51,9 @@ internal sealed class SupportsReachTheCloud : IPromise
     {
         Vector3D unit = Normal(d);
         double highest = body.CoreHeight(unit), height = Vector3D.Dot(unit, point - body.Center);
-        return height >= highest - Rounding(body, unit) ? null : Say.Line($"lower than the highest point by {highest - height}");
+        return height >= highest - Rounding(body, unit)
+            ? null
+            : Say.Line($"lower than the highest point by {highest - height}");
     }
 
     private static string? OffTheFormula(PosedShape body, in Vector3D d, in Vector3D point)
@@ -55,15 +65,24 @@ internal sealed class SupportsReachTheCloud : IPromise
 
     private static string? OfAnotherName(in ConvexShape shape, PosedShape body, int id, in Vector3D point)
     {
-        if (!shape.TryGetVertex(id, out Vector3D vertex) || vertex != point) return Say.Line($"vertex {id} is ({vertex.X:R}, {vertex.Y:R}, {vertex.Z:R})");
-        return shape.Hull is null || body.Vertices[shape.Hull.SourceIndex(id)] == point ? null : Say.Line($"vertex {id} is not point {shape.Hull.SourceIndex(id)} of the cloud");
+        if (!shape.TryGetVertex(id, out Vector3D vertex) || vertex != point)
+            return Say.Line($"vertex {id} is ({vertex.X:R}, {vertex.Y:R}, {vertex.Z:R})");
+        return shape.Hull is null || body.Vertices[shape.Hull.SourceIndex(id)] == point
+            ? null
+            : Say.Line($"vertex {id} is not point {shape.Hull.SourceIndex(id)} of the cloud");
     }
 
-    /// <summary>What the roundings of two scaled dot products with points of the shape come to, and of the check; products below the range of doubles are 0.</summary>
+    /// <summary>
+    /// What the roundings of two scaled dot products with points of the shape come to, and of the check; products below
+    /// the range of doubles are 0.
+    /// </summary>
     private static double Rounding(PosedShape body, in Vector3D unit) =>
-        Underflow * body.LongestSide + 2 * Accuracy.Rounding * (Math.Abs(unit.X) * body.Extents.X + Math.Abs(unit.Y) * body.Extents.Y + Math.Abs(unit.Z) * body.Extents.Z);
+        Underflow * body.LongestSide + 2 * Accuracy.Rounding * (
+            Math.Abs(unit.X) * body.Extents.X + Math.Abs(unit.Y) * body.Extents.Y + Math.Abs(unit.Z) * body.Extents.Z);
 
-    /// <summary>Brought near unit length by a power of two, which rounds nothing but what is far below the rest.</summary>
+    /// <summary>
+    /// Brought near unit length by a power of two, which rounds nothing but what is far below the rest.
+    /// </summary>
     private static Vector3D Normal(in Vector3D d)
     {
         int exponent = -Math.ILogB(Math.Max(Math.Abs(d.X), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z))));

@@ -2,7 +2,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>A query depends on its arguments alone: asked again it gives the same bits, and so does the overload with the final simplex, whose weights are those of points.</summary>
+/// <summary>
+/// A query depends on its arguments alone: asked again it gives the same bits, and so does the overload with the final
+/// simplex, whose weights are those of points.
+/// </summary>
 internal sealed class TheSameBitsAgain : IPromise
 {
     /// <summary>A pure number: the roundings of four weights.</summary>
@@ -14,7 +17,9 @@ internal sealed class TheSameBitsAgain : IPromise
     {
         DistanceResult again = ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB);
         DistanceResult whole = ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, out FinalSimplex simplex);
-        return Same.BitProblem(pair.Answer, again, "asked again") ?? Same.BitProblem(pair.Answer, whole, "with the simplex") ?? Weights(simplex);
+        return Same.BitProblem(pair.Answer, again, "asked again")
+            ?? Same.BitProblem(pair.Answer, whole, "with the simplex")
+            ?? Weights(simplex);
     }
 
     private static string? Weights(in FinalSimplex simplex)
@@ -27,6 +32,8 @@ internal sealed class TheSameBitsAgain : IPromise
             least = System.Math.Min(least, weight);
         }
 
-        return simplex.Count >= 1 && System.Math.Abs(sum - 1) <= WeightSum && least >= 0 ? null : Say.Line($"{simplex.Count} weights, the least {least}, the sum {sum}");
+        return simplex.Count >= 1 && System.Math.Abs(sum - 1) <= WeightSum && least >= 0
+            ? null
+            : Say.Line($"{simplex.Count} weights, the least {least}, the sum {sum}");
     }
 }

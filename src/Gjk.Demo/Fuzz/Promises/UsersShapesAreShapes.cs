@@ -4,7 +4,8 @@ using Gjk.Core;
 namespace Gjk.Demo.Fuzz.Promises;
 
 /// <summary>
-/// A user's own shape with the same supports gets an answer that is as exact, however generous its bounding radius is: flag, distance and bound.
+/// A user's own shape with the same supports gets an answer that is as exact, however generous its bounding radius is:
+/// flag, distance and bound.
 /// </summary>
 internal sealed class UsersShapesAreShapes : IPromise
 {
@@ -18,13 +19,16 @@ internal sealed class UsersShapesAreShapes : IPromise
             string name = Say.Line($"with a radius {factor} times as large");
             string? problem = Same.Problem(pair, r, name);
             if (problem is not null) return problem;
-            if (!(r.LowerBound <= pair.Truth.AtMost)) return Say.Line($"{name}: the bound {r.LowerBound:R} is above the true distance {pair.Truth.AtMost:R}");
-            if (!(r.LowerBound >= r.Distance - pair.Band(r.Distance))) return Say.Line($"{name}: the bound is {r.LowerBound:R}, the distance {r.Distance:R}");
-            if (ConvexQuery.Overlaps(new Generous(pair.A, factor), pair.PoseA, new Generous(pair.B, 1), pair.PoseB) != r.Overlaps) return Say.Line($"{name}: Overlaps says {!r.Overlaps}, Distance {r.Status}, {r.Distance}");
+            if (LowerBoundHolds.Problem(pair, r) is { } bound) return Say.Line($"{name}: {bound}");
+            if (Overlaps(pair, factor) != r.Overlaps)
+                return Say.Line($"{name}: Overlaps says {!r.Overlaps}, Distance {r.Status}, {r.Distance}");
         }
 
         return null;
     }
+
+    private static bool Overlaps(FuzzPair pair, double factor) =>
+        ConvexQuery.Overlaps(new Generous(pair.A, factor), pair.PoseA, new Generous(pair.B, 1), pair.PoseB);
 
     private static DistanceResult Ask(FuzzPair pair, double factor) =>
         ConvexQuery.Distance(new Generous(pair.A, factor), pair.PoseA, new Generous(pair.B, 1), pair.PoseB);

@@ -5,7 +5,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
 
-/// <summary>A warm start, whatever it remembers, changes the answer by no more than the accuracy: its own, that of a moved pair, and those of quite other shapes.</summary>
+/// <summary>
+/// A warm start, whatever it remembers, changes the answer by no more than the accuracy: its own, that of a moved pair,
+/// and those of quite other shapes.
+/// </summary>
 internal sealed class WarmStartsChangeNothing : IPromise
 {
     private static readonly WarmStart[] BytePatterns = MakeBytePatterns();
@@ -29,11 +32,14 @@ internal sealed class WarmStartsChangeNothing : IPromise
     private static string? Stale(FuzzPair pair)
     {
         Vector3 between = pair.PoseB.Position - pair.PoseA.Position, step = new((float)(0.01 * pair.Scale));
-        foreach (Vector3 position in (ReadOnlySpan<Vector3>)[pair.PoseB.Position + step, pair.PoseA.Position, pair.PoseA.Position - between, pair.PoseB.Position + between])
+        Vector3 a = pair.PoseA.Position, b = pair.PoseB.Position;
+        foreach (Vector3 position in (ReadOnlySpan<Vector3>)[b + step, a, a - between, b + between])
         {
             if (!float.IsFinite(position.X + position.Y + position.Z)) continue;
             var warm = default(WarmStart);
-            ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, new RigidPose(Quaternion.Conjugate(pair.PoseB.Rotation), position), ref warm);
+            ConvexQuery.Distance(
+                pair.A, pair.PoseA, pair.B, new RigidPose(Quaternion.Conjugate(pair.PoseB.Rotation), position),
+                ref warm);
             string? problem = Problem(pair, ref warm, Say.Line($"from when B was at {position}"));
             if (problem is not null) return problem;
         }
@@ -53,13 +59,16 @@ internal sealed class WarmStartsChangeNothing : IPromise
         return null;
     }
 
-    /// <summary>Memory that no query wrote: a guess like any other. What the query leaves in it must be one, too.</summary>
+    /// <summary>
+    /// Memory that no query wrote: a guess like any other. What the query leaves in it must be one, too.
+    /// </summary>
     private static string? AnyBytes(FuzzPair pair)
     {
         for (int i = 0; i < BytePatterns.Length; i++)
         {
             WarmStart warm = BytePatterns[i];
-            string? problem = Problem(pair, ref warm, Say.Line($"bytes {i}")) ?? Problem(pair, ref warm, Say.Line($"left by bytes {i}"));
+            string? problem = Problem(pair, ref warm, Say.Line($"bytes {i}"))
+                ?? Problem(pair, ref warm, Say.Line($"left by bytes {i}"));
             if (problem is not null) return problem;
         }
 
@@ -69,7 +78,9 @@ internal sealed class WarmStartsChangeNothing : IPromise
     private static string? Problem(FuzzPair pair, ref WarmStart warm, string name) =>
         Same.Problem(pair, ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, ref warm), name);
 
-    /// <summary>Words of one value each, small whole numbers, least floats, infinities and NaN among them, and words at random.</summary>
+    /// <summary>
+    /// Words of one value each, small whole numbers, least floats, infinities and NaN among them, and words at random.
+    /// </summary>
     private static WarmStart[] MakeBytePatterns()
     {
         int[] words = [-1, 1, 4, 0x00000007, 0x7F800000, 0x7FC00000, 0x7F7FFFFF];
@@ -78,7 +89,8 @@ internal sealed class WarmStartsChangeNothing : IPromise
         for (int i = 0; i < patterns.Length; i++)
         {
             Span<int> bytes = MemoryMarshal.Cast<WarmStart, int>(patterns.AsSpan(i, 1));
-            for (int k = 0; k < bytes.Length; k++) bytes[k] = i < words.Length || random.OneIn(3) ? words[i % words.Length] : random.Below(12);
+            for (int k = 0; k < bytes.Length; k++)
+                bytes[k] = i < words.Length || random.OneIn(3) ? words[i % words.Length] : random.Below(12);
 
             // With a count that is taken, the ids after it are, too.
             if (i >= words.Length) bytes[0] = random.Below(6);
@@ -94,13 +106,17 @@ internal sealed class WarmStartsChangeNothing : IPromise
         for (int i = 0; i < cloud.Length; i++) cloud[i] = random.Vector(1);
         ConvexShape[] shapes =
         [
-            ConvexShape.Mesh(cloud), ConvexShape.Box(new Vector3(1, 2, 3)), ConvexShape.Segment(new Vector3(-1, 0, 0), new Vector3(1, 0, 0)), ConvexShape.Cone(1, 1), ConvexShape.Sphere(1),
+            ConvexShape.Mesh(cloud), ConvexShape.Box(new Vector3(1, 2, 3)),
+            ConvexShape.Segment(
+                new Vector3(-1, 0, 0), new Vector3(1, 0, 0)), ConvexShape.Cone(1, 1), ConvexShape.Sphere(1),
         ];
         var memories = new WarmStart[shapes.Length * 2];
         for (int i = 0; i < memories.Length; i++)
         {
-            var pose = new RigidPose(Rotations.Even(random), i % 2 == 0 ? new Vector3(0.1f, 0.2f, -0.1f) : new Vector3(4, 1, -2));
-            ConvexQuery.Distance(shapes[i / 2], RigidPose.Identity, shapes[(i / 2 + i % 2) % shapes.Length], pose, ref memories[i]);
+            var pose = new RigidPose(
+                Rotations.Even(random), i % 2 == 0 ? new Vector3(0.1f, 0.2f, -0.1f) : new Vector3(4, 1, -2));
+            ConvexQuery.Distance(
+                shapes[i / 2], RigidPose.Identity, shapes[(i / 2 + i % 2) % shapes.Length], pose, ref memories[i]);
         }
 
         return memories;

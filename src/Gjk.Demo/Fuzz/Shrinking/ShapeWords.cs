@@ -9,14 +9,16 @@ namespace Gjk.Demo.Fuzz.Shrinking;
 /// <param name="Numbers">Its numbers; of a mesh three for each corner.</param>
 /// <param name="Scale">Three factors, or none.</param>
 /// <param name="Pose">Rotation and position, seven numbers.</param>
-internal sealed record ShapeWords(string Kind, IReadOnlyList<string> Numbers, IReadOnlyList<string> Scale, IReadOnlyList<string> Pose)
+internal sealed record ShapeWords(
+    string Kind, IReadOnlyList<string> Numbers, IReadOnlyList<string> Scale, IReadOnlyList<string> Pose)
 {
     public const string Mesh = "mesh";
 
     /// <summary>Of a shape without a pose of interest.</summary>
     public static ShapeWords Of(in ConvexShape shape)
     {
-        string[] words = new QueryRecord(shape, RigidPose.Identity, ConvexShape.Point(), RigidPose.Identity).ToString().Split(' ');
+        string[] words = new QueryRecord(
+            shape, RigidPose.Identity, ConvexShape.Point(), RigidPose.Identity).ToString().Split(' ');
         return Read(new Queue<string>(words.Skip(1)));
     }
 

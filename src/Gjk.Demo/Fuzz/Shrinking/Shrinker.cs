@@ -9,7 +9,9 @@ namespace Gjk.Demo.Fuzz.Shrinking;
 /// <summary>Makes a pair that breaks a promise as small as it gets while it still breaks the same one.</summary>
 internal static class Shrinker
 {
-    /// <summary>Large hulls have very many smaller ones; what is found by then is small enough to be looked at.</summary>
+    /// <summary>
+    /// Large hulls have very many smaller ones; what is found by then is small enough to be looked at.
+    /// </summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
 
     public static FuzzPair Shrink(FuzzPair pair, IPromise promise, CancellationToken cancel)
@@ -38,5 +40,6 @@ internal static class Shrinker
         return null;
     }
 
-    private static bool IsBroken(string text, IPromise promise) => FuzzPair.TryParse(text, out FuzzPair? pair) && promise.Broken(pair) is not null;
+    private static bool IsBroken(string text, IPromise promise) =>
+        FuzzPair.TryParse(text, out FuzzPair? pair) && promise.Broken(pair) is not null;
 }

@@ -14,8 +14,10 @@ internal static class SimplerShapes
     {
         if (shape.Kind != "point") yield return shape with { Kind = "point", Numbers = ["0"], Scale = [] };
         if (shape.Scale.Count > 0) yield return shape with { Scale = [] };
-        if (!shape.Pose.Take(4).SequenceEqual(Identity)) yield return shape with { Pose = [.. Identity, .. shape.Pose.Skip(4)] };
-        if (shape.Pose.Skip(4).Any(p => p != "0")) yield return shape with { Pose = [.. shape.Pose.Take(4), "0", "0", "0"] };
+        if (!shape.Pose.Take(4).SequenceEqual(Identity))
+            yield return shape with { Pose = [.. Identity, .. shape.Pose.Skip(4)] };
+        if (shape.Pose.Skip(4).Any(p => p != "0"))
+            yield return shape with { Pose = [.. shape.Pose.Take(4), "0", "0", "0"] };
         foreach (ShapeWords fewer in shape.Kind == ShapeWords.Mesh ? FewerCorners(shape) : []) yield return fewer;
         foreach (IReadOnlyList<string> numbers in Rounder(shape.Numbers)) yield return shape with { Numbers = numbers };
         foreach (IReadOnlyList<string> scale in Rounder(shape.Scale)) yield return shape with { Scale = scale };
@@ -29,7 +31,10 @@ internal static class SimplerShapes
         for (int size = corners / 2; size >= 1; size /= 2)
         {
             for (int start = 0; start + size <= corners; start += size)
-                yield return mesh with { Numbers = [.. mesh.Numbers.Take(3 * start), .. mesh.Numbers.Skip(3 * (start + size))] };
+            {
+                int end = start + size;
+                yield return mesh with { Numbers = [.. mesh.Numbers.Take(3 * start), .. mesh.Numbers.Skip(3 * end)] };
+            }
         }
     }
 
