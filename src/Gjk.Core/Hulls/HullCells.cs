@@ -191,8 +191,9 @@ internal sealed class HullCells
         var first = new Dictionary<int, int>();
         for (int cell = 0; cell < NoCell; cell++)
         {
-            int length = (lists.Length(cell) + Lanes - 1) / Lanes;
-            if (!first.TryGetValue(lists.Begin(cell), out int start) || length == 0)
+            // A cell without a list begins where some other list does, and must not be taken for its owner.
+            int length = (lists.Length(cell) + Lanes - 1) / Lanes, start = blocks;
+            if (length > 0 && !first.TryGetValue(lists.Begin(cell), out start))
             {
                 start = blocks;
                 blocks += length;
