@@ -21,9 +21,11 @@ public sealed class BenchOptions
           --scale           no BenchmarkDotNet: which pairs intersect among 20 to 100,000 cubes, at rest and moving, for every broad phase, on one thread
                             and on all: ms per frame in the broad and in the narrow phase, candidates, pairs, memory, bytes allocated; and the report's
                             scenes, all judged by the goals. Four minutes.
+          --worst           no BenchmarkDotNet: clouds made to be slow, of 10,000 and 100,000 points: building their hulls, the slowest supports and
+                            the slowest distance of each. A few minutes.
           --seconds S       with --table: how long to measure each set (default 6); with --scale: each row (default 1); from 0.01 to 600
           --csv             with --table: keep the figures as bench/results/MACHINE.csv and draw docs/cost.svg; with --scale: as MACHINE-scale.csv,
-                            and docs/scale.svg; otherwise keep those of BenchmarkDotNet as MACHINE-benchmarkdotnet.csv (replaced whole: use it
+                            and docs/scale.svg; with --worst: as MACHINE-worst.csv; otherwise keep those of BenchmarkDotNet as MACHINE-benchmarkdotnet.csv (replaced whole: use it
                             with --filter '*')
           --machine NAME    the name for those files and their first line (default: the CPU's model)
           --factor          no BenchmarkDotNet: check that both algorithms agree on the report's scenes, time them in turn, print the
@@ -49,6 +51,8 @@ public sealed class BenchOptions
     public bool Table { get; private set; }
 
     public bool Scale { get; private set; }
+
+    public bool Worst { get; private set; }
 
     /// <summary>Null where none were given.</summary>
     public double? Seconds { get; private set; }
@@ -85,6 +89,9 @@ public sealed class BenchOptions
                 case "--scale":
                     options.Scale = true;
                     break;
+                case "--worst":
+                    options.Worst = true;
+                    break;
                 case "--seconds":
                     options.Seconds = i + 1 < args.Length ? SecondsOf(args[++i]) : null;
                     if (options.Seconds is not null) break;
@@ -112,7 +119,8 @@ public sealed class BenchOptions
     {
         error = "";
         bool hasForeign = Factor || Quick || Remaining.Count > 0;
-        if (Table && (hasForeign || Scale)) error = "--table: takes --seconds, --csv and --machine only";
+        if (Worst && (hasForeign || Table || Scale || Seconds is not null)) error = "--worst: takes --csv and --machine only";
+        else if (Table && (hasForeign || Scale)) error = "--table: takes --seconds, --csv and --machine only";
         else if (Scale && hasForeign) error = "--scale: takes --seconds, --csv and --machine only";
         else if (Seconds is not null && !Table && !Scale) error = "--seconds: goes with --table and --scale only";
         else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";

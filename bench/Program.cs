@@ -10,6 +10,7 @@ using BenchmarkDotNet.Toolchains.InProcess.Emit;
 using Gjk.Bench.Reporting;
 using Gjk.Bench.Scale;
 using Gjk.Bench.Table;
+using Gjk.Bench.Worst;
 
 namespace Gjk.Bench;
 
@@ -33,6 +34,7 @@ public static class Program
         if (options.Csv && project is null)
             return Complain("--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder", BadArguments);
         if (options.Table) return PrintTable(options, project);
+        if (options.Worst) return PrintWorst(options, project);
         return options.Scale ? PrintScale(options, project) : Measure(options, project);
     }
 
@@ -83,6 +85,18 @@ public static class Program
         Console.Write(ScaleReport.Markdown(rows, slowness));
         if (project is null) return Done;
         Keep(ResultFile(options, project, "-scale"), ScaleReport.Csv(rows, MachineLine(options)), Figure(project, "scale"), ScaleFigure.Draw(rows, MachineName(options)));
+        return Done;
+    }
+
+    /// <inheritdoc cref="PrintTable"/>
+    private static int PrintWorst(BenchOptions options, string? project)
+    {
+        List<WorstRow> rows = WorstRun.Run(Console.Error);
+        Console.Write(WorstReport.Markdown(rows));
+        if (project is null) return Done;
+        string file = ResultFile(options, project, "-worst");
+        SummaryCsv.Write(file, WorstReport.Csv(rows, MachineLine(options)));
+        Console.Error.WriteLine($"Figures kept in {file}");
         return Done;
     }
 

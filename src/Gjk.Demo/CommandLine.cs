@@ -44,9 +44,10 @@ internal static class CommandLine
 
         // A file name may begin with @, and nothing else is to be read from it.
         ParseResult parsed = root.Parse(WithDefault(args), new ParserConfiguration { ResponseFileTokenReplacer = null });
+        string where = parsed.CommandResult.Command is RootCommand ? "" : parsed.CommandResult.Command.Name + ": ";
+        if (StrayOption(parsed) is { } stray) throw new RefusedException(where + stray);
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction)
         {
-            string where = parsed.CommandResult.Command is RootCommand ? "" : parsed.CommandResult.Command.Name + ": ";
             throw new RefusedException(where + string.Join(" ", parsed.Errors.Select(e => e.Message)));
         }
 
@@ -58,6 +59,29 @@ internal static class CommandLine
     {
         bool isDefault = args.Length == 0 || (args[0].StartsWith('-') && args[0] is not ("-h" or "--help" or "-?" or "--version"));
         return isDefault ? [Default, .. args] : args;
+    }
+
+    /// <summary>
+    /// Names what looks like an option, but not like a number, and was taken for a file or for an option's value. After
+    /// "--" everything is a file.
+    /// </summary>
+    private static string? StrayOption(ParseResult parsed)
+    {
+        Token? before = null;
+        foreach (Token token in parsed.Tokens.TakeWhile(t => t.Type != TokenType.DoubleDash))
+        {
+            if (token.Type == TokenType.Argument && token.Value is ['-', not (>= '0' and <= '9' or '.'), ..])
+            {
+                bool isKnown = parsed.CommandResult.Command.Options.Any(o => o.Name == token.Value);
+                return isKnown && before?.Type == TokenType.Option
+                    ? $"{before.Value}: its value is missing before {token.Value}."
+                    : $"{token.Value}: there is no such option; a file of that name is ./{token.Value}";
+            }
+
+            before = token;
+        }
+
+        return null;
     }
 
     private static Command BuildReplay(CancellationToken cancel)
@@ -93,7 +117,11 @@ internal static class CommandLine
 
     private static Command BuildQuery(CancellationToken cancel)
     {
-        var scene = new Argument<string?>("SCENE.json") { Description = "The scene.", Arity = ArgumentArity.ZeroOrOne };
+        var scene = new Argument<string?>("SCENE.json")
+        {
+            Description = "The scene; - reads it from standard input.",
+            Arity = ArgumentArity.ZeroOrOne,
+        };
         var record = new Option<string?>("--record")
         {
             Description = "Answer one query, written as the library's QueryRecord has it, instead of a scene; - reads it from standard input.",
@@ -109,7 +137,7 @@ internal static class CommandLine
         };
         max.Validators.Add(result =>
         {
-            if (!result.Implicit) Check(result, max, d => float.IsFinite(d) && d >= 0, "must be a finite number, at least 0");
+            if (!result.Implicit) Check(result, max, d => d >= 0, "must be a number, at least 0, or Infinity");
         });
         var command = new Command("query", "The distance and the closest points of every pair of a scene, as CSV.") { scene, output, max, record };
         command.Validators.Add(result =>
@@ -122,7 +150,7 @@ internal static class CommandLine
         {
             string? file = r.GetValue(scene), target = r.GetValue(output);
             TargetFiles.Check(file ?? RecordScene.InputOf(r.GetValue(record)!), ("--out", target));
-            Scene asked = file is null ? RecordScene.Read(r.GetValue(record)!) : SceneFile.Load(file);
+            Scene asked = file is null ? RecordScene.Read(r.GetValue(record)!, cancel) : SceneFile.Load(file, cancel);
             QueryCommand.Run(asked, target, r.GetValue(max), cancel);
             return ExitCode.Done;
         });
@@ -155,7 +183,11 @@ internal static class CommandLine
         where T : struct, IFloatingPoint<T>
     {
         string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
-        return T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out T value) ? value : T.CreateChecked(0) / T.CreateChecked(0);
+        bool isNumber = T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out T value);
+
+        // A number that is too large is read as infinite, but only the word means that.
+        if (isNumber && (!T.IsInfinity(value) || !text.Any(char.IsAsciiDigit))) return value;
+        return T.CreateChecked(0) / T.CreateChecked(0);
     }
 
     private static void Check<T>(OptionResult result, Option<T> option, Func<T, bool> isGood, string reason)

@@ -14,6 +14,7 @@ internal sealed class Interrupt : IDisposable
     private readonly PosixSignalRegistration _interrupt;
     private readonly PosixSignalRegistration _terminate;
     private readonly PosixSignalRegistration _hangUp;
+    private bool _isDisposed;
 
     public Interrupt()
     {
@@ -29,12 +30,20 @@ internal sealed class Interrupt : IDisposable
         _interrupt.Dispose();
         _terminate.Dispose();
         _hangUp.Dispose();
-        _source.Dispose();
+        lock (_source)
+        {
+            _isDisposed = true;
+            _source.Dispose();
+        }
     }
 
     private void OnSignal(PosixSignalContext context)
     {
-        context.Cancel = !_source.IsCancellationRequested;
-        _source.Cancel();
+        lock (_source)
+        {
+            // After the work the process ends at once anyway, with the exit code of what it did.
+            context.Cancel = _isDisposed || !_source.IsCancellationRequested;
+            if (!_isDisposed) _source.Cancel();
+        }
     }
 }

@@ -8,6 +8,7 @@ internal static class Program
     private static int Main(string[] args)
     {
         using var interrupt = new Interrupt();
+        OutputConsole.RefuseFailures(interrupt.Token);
         try
         {
             return CommandLine.Run(args, interrupt.Token);
@@ -23,7 +24,7 @@ internal static class Program
         }
         catch (Exception unexpected)
         {
-            Console.Error.WriteLine($"gjk-demo: internal error: {unexpected}");
+            StandardError.Text($"internal error: {unexpected}");
             return ExitCode.Failed;
         }
     }

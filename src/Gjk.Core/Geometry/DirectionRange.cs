@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -12,6 +13,13 @@ internal static class DirectionRange
 
     /// <summary>Numbers below it are raised first.</summary>
     private const double Small = 1e-150;
+
+    /// <summary>Sizes between which a dot product of a direction of any length has lost nothing to the limits of double.</summary>
+    private const double LeastDot = 1e-270, MostDot = 1e300;
+
+    /// <summary>Whether a dot product can be trusted; false for 0, which may be what is left of a tiny one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsSafe(double dot) => Math.Abs(dot) > LeastDot && Math.Abs(dot) < MostDot;
 
     /// <summary>The same direction with its largest component between 1 and 2; unchanged when it is zero, infinite or NaN.</summary>
     public static Vector3D ToUnit(in Vector3D direction)

@@ -17,8 +17,17 @@ namespace Gjk.Core;
 /// </remarks>
 public sealed class ConvexHull
 {
-    /// <summary>Coordinates by axis, padded to a multiple of 8 with copies of vertex 0, which no tie can prefer to the original.</summary>
+    /// <summary>
+    /// Coordinates by axis, counted from <see cref="Origin"/>, padded to a multiple of 8 with copies of vertex 0, which
+    /// no tie can prefer to the original.
+    /// </summary>
     internal readonly float[] X, Y, Z;
+
+    /// <summary>
+    /// What <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> are counted from (<see cref="HullOrigin"/>). No
+    /// coordinate exceeds four half extents, so a support is as exact far from the local origin as near it.
+    /// </summary>
+    internal readonly Vector3 Origin;
 
     /// <summary>The neighbours of vertex i are <see cref="Neighbors"/> from NeighborStart[i] up to, not including, NeighborStart[i + 1]; ascending.</summary>
     /// <remarks>
@@ -64,17 +73,18 @@ public sealed class ConvexHull
         Z = new float[padded];
         _sources = new int[count];
         _triangles = mesh.Triangles;
+        Bounds = MeasureBounds(cloud.Points, mesh.Corners);
+        Origin = HullOrigin.Of(Bounds);
         for (int i = 0; i < padded; i++)
         {
             int corner = mesh.Corners[i < count ? i : 0];
             if (i < count) _sources[i] = cloud.Sources[corner];
-            X[i] = cloud.Points[corner].X;
-            Y[i] = cloud.Points[corner].Y;
-            Z[i] = cloud.Points[corner].Z;
+            X[i] = cloud.Points[corner].X - Origin.X;
+            Y[i] = cloud.Points[corner].Y - Origin.Y;
+            Z[i] = cloud.Points[corner].Z - Origin.Z;
         }
 
         HullAdjacency.Build(mesh, out NeighborStart, out Neighbors);
-        Bounds = MeasureBounds();
         Center = ((Vector3D)Bounds.Min + Bounds.Max) * 0.5;
         BoundingRadius = MeasureRadius();
         Cells = new HullCells(this);
@@ -125,7 +135,7 @@ public sealed class ConvexHull
     public Vector3 GetVertex(int id)
     {
         CheckVertex(id);
-        return new Vector3(X[id], Y[id], Z[id]);
+        return Vertex(id);
     }
 
     /// <summary>Where the corner first occurs in the cloud.</summary>
@@ -171,7 +181,8 @@ public sealed class ConvexHull
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal void GetVertex(int id, out Vector3D point) => point = new Vector3D(X[id], Y[id], Z[id]);
+    internal void GetVertex(int id, out Vector3D point) =>
+        point = new Vector3D((double)Origin.X + X[id], (double)Origin.Y + Y[id], (double)Origin.Z + Z[id]);
 
     private static Vector3[] CheckedCopy(IReadOnlyList<Vector3> points)
     {
@@ -203,17 +214,20 @@ public sealed class ConvexHull
         if (id < 0 || id >= VertexCount) throw new ArgumentOutOfRangeException(nameof(id), id, "There is no such vertex.");
     }
 
-    private Aabb MeasureBounds()
+    private static Aabb MeasureBounds(Vector3[] points, int[] corners)
     {
-        Vector3 min = GetVertex(0), max = min;
-        for (int i = 1; i < VertexCount; i++)
+        Vector3 min = points[corners[0]], max = min;
+        foreach (int corner in corners)
         {
-            min = Vector3.Min(min, GetVertex(i));
-            max = Vector3.Max(max, GetVertex(i));
+            min = Vector3.Min(min, points[corner]);
+            max = Vector3.Max(max, points[corner]);
         }
 
         return new Aabb(min, max);
     }
+
+    /// <summary>The sum is a float again: the one that <see cref="Origin"/> was subtracted from.</summary>
+    private Vector3 Vertex(int id) => new(Origin.X + X[id], Origin.Y + Y[id], Origin.Z + Z[id]);
 
     private double MeasureRadius()
     {

@@ -4,25 +4,40 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>
-/// From distinct points to their hull: finds out whether they span a point, a segment, a polygon or a solid, and calls the method for it.
+/// From distinct points to their hull: finds out whether they span a point, a segment, a polygon or a solid, and
+/// calls the method for it.
 /// </summary>
 /// <remarks>
-/// Rounded measures choose good starting points (far apart), exact predicates decide what they span. So a cloud that is flat but for one bit is a solid, and
-/// a cloud that is exactly flat is a polygon. Not thread-safe: one per build.
+/// Rounded measures choose good starting points (far apart), exact predicates decide what they span. So a cloud that
+/// is flat but for one bit is a solid, and a cloud that is exactly flat is a polygon. Not thread-safe: one per build.
 /// </remarks>
 internal sealed class ConvexHullBuilder
 {
     private readonly Vector3[] _points;
     private readonly HullPredicates _predicates;
+    private readonly int _mostWork;
+    private long _work;
 
-    private ConvexHullBuilder(Vector3[] points)
+    private ConvexHullBuilder(Vector3[] points, int mostWork)
     {
+        _mostWork = mostWork;
         _points = points;
         _predicates = new HullPredicates(points);
     }
 
     /// <param name="points">At least one, all different, all finite.</param>
-    public static HullMesh Build(Vector3[] points) => new ConvexHullBuilder(points).Build();
+    public static HullMesh Build(Vector3[] points) => Build(points, QuickHull.MostWork, out _);
+
+    /// <param name="points">At least one, all different, all finite.</param>
+    /// <param name="mostWork">As for <see cref="QuickHull.Build"/>.</param>
+    /// <param name="work">The work of a solid, in tests of a point against a plane; 0 for others.</param>
+    public static HullMesh Build(Vector3[] points, int mostWork, out long work)
+    {
+        var builder = new ConvexHullBuilder(points, mostWork);
+        HullMesh mesh = builder.Build();
+        work = builder._work;
+        return mesh;
+    }
 
     private HullMesh Build()
     {
@@ -34,20 +49,24 @@ internal sealed class ConvexHullBuilder
         int d = OffPlane(a, b, c, out bool isAbove);
         if (d < 0) return Polygon(a, b, c);
 
-        var hull = new QuickHull(_predicates);
-        if (isAbove) hull.Run(a, c, b, d);
-        else hull.Run(a, b, c, d);
-        return HullFacets.Build(hull, _points.Length);
+        if (isAbove) (b, c) = (c, b);
+        HullSurface surface = QuickHull.Build(_predicates, a, b, c, d, _mostWork, out _work);
+        return HullFacets.Build(surface, _points.Length);
     }
 
-    /// <summary>On a line the lexicographic order is the order along it, so the ends are its first and its last.</summary>
+    /// <summary>
+    /// On a line the lexicographic order is the order along it, so the ends are its first and its last.
+    /// </summary>
     private HullMesh Segment(int first)
     {
         int last = FirstInLexicographicOrder(-1);
         return new HullMesh(1, [Math.Min(first, last), Math.Max(first, last)], [], _points.Length);
     }
 
-    /// <summary>Projects along an axis that is not parallel to the plane; there is one, because the three points are not on a line.</summary>
+    /// <summary>
+    /// Projects along an axis that is not parallel to the plane; there is one, because the three points are not on a
+    /// line.
+    /// </summary>
     private HullMesh Polygon(int a, int b, int c)
     {
         int axis = 0;

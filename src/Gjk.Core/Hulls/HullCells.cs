@@ -1,48 +1,50 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 
 namespace Gjk.Core;
 
 /// <summary>
-/// Which corners can be furthest in a direction: a map from directions to short lists of candidates, made once per hull.
+/// Which vertices can be furthest in a direction: a map from directions to short lists of candidates, made once per hull.
 /// </summary>
 /// <remarks>
-/// The idea: a corner is furthest for the directions of its normal cone, and the cones tile the sphere of directions. That sphere is drawn on the
-/// faces of a cube, each cut into Side × Side cells, and every cell lists the corners whose cones reach into it. A support is then one look-up and a few dot products, whatever
-/// the hull's size and whatever was asked before, and it is exact: the list holds every corner that is furthest, or within rounding of it, for
-/// some direction of the cell. (A cube map of start vertices for hill climbing is known from PhysX; here nothing is left to climb.)
-/// Directions are first stretched by the hull's extents, which maps a needle's cones, crowded around its waist, to those of a round hull.
-/// Building walks each cell's corners over the hull's edges from one that is furthest at the cell's centre; cones that share a cell are connected. A cone reaches into a cell when the
-/// cell, a square of directions (u, v, 1), is not clipped away by the half planes "not below this neighbour". Lists are stored as blocks of four
-/// corners with coordinates and ids, ids ascending, the last block filled up with copies of its first corner: that is what a scan reads. A hull that
-/// gains nothing by cells has a single list, of all corners.
+/// The sphere of directions is drawn on the faces of a cube. Each face is cut into Side × Side cells, and each cell has a
+/// list of the vertices that can be furthest in one of its directions (<see cref="HullCellLists"/> says how it is made and
+/// why nothing is missed). A support is one look-up and a few dot products, whatever the hull's size. A cube map of start
+/// vertices for hill climbing is known from PhysX; here nothing is left to climb.
+/// Directions are first stretched by the hull's extents, so that a needle is treated as a round hull.
+/// The lists are stored as blocks of four vertices with coordinates and ids. Ids ascend in a list, and the last block is
+/// filled up with copies of the list's first vertex. Where the list would be long, because a flat face has many corners
+/// there, the cell has none, and <see cref="Tree"/> is searched. The directions of a flat hull form a circle, which is drawn
+/// on the sides of a square. A hull that gains nothing by cells has a single list, of all vertices.
 /// </remarks>
 internal sealed class HullCells
 {
-    /// <summary>Corners per block: the lanes of a 256-bit register of doubles.</summary>
+    /// <summary>Vertices per block: the lanes of a 256-bit register of doubles.</summary>
     public const int Lanes = 4;
 
-    /// <summary>Floats per block: x, y, z of four corners.</summary>
+    /// <summary>Floats per block: x, y, z of four vertices.</summary>
     public const int BlockFloats = 3 * Lanes;
 
-    /// <summary>Count: up to this many corners a scan of all of them is no slower than finding the cell. Measured by the SupportAlone benchmark.</summary>
+    /// <summary>Count: up to this many vertices a scan of all of them is no slower than finding the cell. Measured by the SupportAlone benchmark.</summary>
 #if NET
     private const int ScanLimit = 24;
 #else
     private const int ScanLimit = 12;
 #endif
 
-    /// <summary>Count: cells along an edge of the cube; 6 · 64² cells hold the lists of 10^5 corners with some ten candidates each.</summary>
+    /// <summary>Count: cells along an edge of the cube; 6 · 64² cells hold the lists of 10^5 vertices with some ten candidates each.</summary>
     private const int MaxSide = 64;
 
-    /// <summary>Count: list entries per corner beyond which the cells are made coarser (a prism's sides cross many cells).</summary>
-    private const int MaxEntriesPerCorner = 24;
+    /// <summary>Count: vertices per cell of a flat hull.</summary>
+    private const int FlatVerticesPerCell = 2;
 
-    /// <summary>Cell side: how far each cell is widened, so that rounding in the look-up (1e-15) cannot miss it.</summary>
-    private const double Widening = 1e-6;
-
-    /// <summary>Length in units of the extents: corners that lie this little below the best are candidates too, far more than a rounded dot product can be off.</summary>
-    private const double Slack = 1e-9;
+    /// <summary>
+    /// Relative. The dot products of two corners that differ along an axis i differ by 2 |d_i| h_i or more. Each is rounded by less than
+    /// 12 u times the sum of all |d_j| h_j: three products of at most 4 |d_j| h_j and two sums, u = 2^-53. So a sign decides where
+    /// |d_i| h_i exceeds 12 u times that sum; this is 16 u. Pinned by BoxTieTests.
+    /// </summary>
+    private const double Tie = 1.0 / (1L << 49);
 
     /// <summary>How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are not touched in vain.</summary>
     public readonly SupportKind Kind;
@@ -50,56 +52,100 @@ internal sealed class HullCells
     /// <summary>The blocks of a hull that is scanned as a whole.</summary>
     public readonly int BlockCount;
 
-    /// <summary>Cells along an edge of the cube; 0 when there is a single list.</summary>
+    /// <summary>Cells along an edge of the cube or square; 0 when there is a single list.</summary>
     public readonly int Side;
+
+    /// <summary>Half of <see cref="Side"/>.</summary>
+    public readonly double HalfSide;
+
+    /// <summary>The empty cell of directions that have none.</summary>
+    public readonly int NoCell;
 
     /// <summary>What a direction is stretched by, along each axis: half the hull's extents.</summary>
     public readonly Vector3D Stretch;
 
+    /// <summary>Prepares directions.</summary>
+    public readonly HullDirection Direction;
+
     /// <summary>
-    /// For a hull whose corners are the eight of its bounds, the slot of each by the signs of the direction (bit 0, 1, 2 set where x, y, z is negative);
+    /// For a hull whose vertices are the eight corners of its bounds, the slot of each by the signs of the direction (bit 0, 1, 2 set where x, y, z is negative);
     /// empty for any other. Boxes are the commonest mesh, and their support needs no dot product.
     /// </summary>
     public readonly byte[] BoxSlots;
 
-    /// <summary>The blocks of cell i are those from Start[i] up to, not including, Start[i + 1].</summary>
-    public readonly int[] Start;
+    /// <summary>
+    /// The part of the direction's components, added up, that each of them must exceed, so that its sign decides between a box's corners.
+    /// </summary>
+    public readonly double BoxTie;
 
-    /// <summary>Per block x of four corners, then y, then z.</summary>
+    /// <summary>
+    /// The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Where there are none the tree is asked, whose blocks come
+    /// after all others. Cells can share blocks.
+    /// </summary>
+    public readonly int[] Runs;
+
+    /// <summary>Per block x of four vertices, then y, then z, counted from the hull's origin.</summary>
     public readonly float[] Coordinates;
 
-    /// <summary>Per block the ids of its four corners.</summary>
+    /// <summary>The same in the hull's own frame: what a support gives out. The same array where the hull's origin is 0.</summary>
+    public readonly float[] Points;
+
+    /// <summary>Per block the ids of its four vertices.</summary>
     public readonly int[] Ids;
+
+    /// <summary>A slot with vertex 0, which is furthest where all are level.</summary>
+    public readonly int FirstSlot;
+
+    /// <summary>Finds the furthest vertex where a cell has no list; null when all have one.</summary>
+    public readonly HullTree? Tree;
 
     public HullCells(ConvexHull hull)
     {
-        Vector3D min = hull.Bounds.Min, max = hull.Bounds.Max;
-        Stretch = (max - min) * 0.5;
-        int side = hull.VertexCount <= ScanLimit ? 0 : Math.Min(MaxSide, (int)Math.Ceiling(Math.Sqrt(hull.VertexCount / 6.0)));
-        var lists = new HullCellLists(hull, Stretch, Widening, Slack);
-        while (side > 0 && !lists.TryCollect(side, MaxEntriesPerCorner * hull.VertexCount)) side /= 2;
-        if (side == 0) lists.CollectAll();
-        Side = side;
-        Start = new int[lists.CellCount + 1];
-        for (int i = 0; i < lists.CellCount; i++) Start[i + 1] = Start[i] + (lists.Length(i) + Lanes - 1) / Lanes;
-        Coordinates = new float[Start[lists.CellCount] * BlockFloats];
-        Ids = new int[Start[lists.CellCount] * Lanes];
-        for (int i = 0; i < lists.CellCount; i++) Fill(hull, lists, i);
+        Direction = new HullDirection(hull);
+        Stretch = Direction.Stretch;
+        var lists = new HullCellLists(hull, Direction.Stretch);
+        if (hull.VertexCount <= ScanLimit) lists.CollectAll();
+        else if (Direction.IsPlanar) lists.CollectSquare(Side = hull.VertexCount / (4 * FlatVerticesPerCell));
+        else lists.CollectCube(Side = Math.Min(MaxSide, (int)Math.Ceiling(Math.Sqrt(hull.VertexCount / 6.0))));
+
+        HalfSide = 0.5 * Side;
+        NoCell = lists.CellCount;
+        Runs = new int[2 * NoCell + 2];
+        int blocks = SetRuns(lists);
+        HullTreeBuilder? tree = lists.HasLongLists ? new HullTreeBuilder(hull, Stretch, blocks) : null;
+        Tree = tree is null ? null : new HullTree(tree.Nodes, Stretch);
+        Ids = new int[(blocks + (tree is null ? 0 : (hull.VertexCount + Lanes - 1) / Lanes)) * Lanes];
+        for (int cell = 0; cell < NoCell; cell++) Fill(lists, cell);
+        for (int slot = blocks * Lanes; slot < Ids.Length; slot++)
+        {
+            int place = slot - blocks * Lanes;
+            Ids[slot] = tree!.Order[place < hull.VertexCount ? place : place / Lanes * Lanes];
+        }
+
+        Coordinates = Gather(hull, default);
+        Points = hull.Origin == default ? Coordinates : Gather(hull, hull.Origin);
+        FirstSlot = Array.IndexOf(Ids, 0);
         BoxSlots = FindBoxSlots(hull);
-        BlockCount = Start[1];
-        Kind = BoxSlots.Length > 0 ? SupportKind.Box : Side > 0 ? SupportKind.Cells : SupportKind.Scan;
+        BoxTie = Tie * Math.Max(Math.Max(Stretch.X, Stretch.Y), Stretch.Z) / Math.Min(Math.Min(Stretch.X, Stretch.Y), Stretch.Z);
+        BlockCount = Runs[1];
+        Kind = BoxSlots.Length > 0 ? SupportKind.Box
+            : !Direction.IsSpatial ? SupportKind.Flat
+            : Side > 0 ? SupportKind.Cells : SupportKind.Scan;
     }
 
     public enum SupportKind
     {
-        /// <summary>All corners are scanned; a corner's slot is its id.</summary>
+        /// <summary>All vertices are scanned; a vertex's slot is its id.</summary>
         Scan,
 
-        /// <summary>The signs of the direction name the corner.</summary>
+        /// <summary>The signs of the direction name the vertex.</summary>
         Box,
 
-        /// <summary>The corners of the direction's cell are scanned.</summary>
+        /// <summary>The vertices of the direction's cell are scanned.</summary>
         Cells,
+
+        /// <summary>As Scan or Cells, but for a hull without extent in some direction: the direction must be prepared first.</summary>
+        Flat,
     }
 
     private static byte[] FindBoxSlots(ConvexHull hull)
@@ -110,9 +156,9 @@ internal sealed class HullCells
         int found = 0;
         for (int id = 0; id < 8; id++)
         {
-            float x = hull.X[id], y = hull.Y[id], z = hull.Z[id];
-            if ((x != min.X && x != max.X) || (y != min.Y && y != max.Y) || (z != min.Z && z != max.Z)) return [];
-            int signs = (x == min.X ? 1 : 0) | (y == min.Y ? 2 : 0) | (z == min.Z ? 4 : 0);
+            Vector3 p = hull.GetVertex(id);
+            if ((p.X != min.X && p.X != max.X) || (p.Y != min.Y && p.Y != max.Y) || (p.Z != min.Z && p.Z != max.Z)) return [];
+            int signs = (p.X == min.X ? 1 : 0) | (p.Y == min.Y ? 2 : 0) | (p.Z == min.Z ? 4 : 0);
             slots[signs] = (byte)id;
             found |= 1 << signs;
         }
@@ -120,17 +166,45 @@ internal sealed class HullCells
         return found == 0xFF ? slots : [];
     }
 
-    private void Fill(ConvexHull hull, HullCellLists lists, int cell)
+    /// <summary>Lays out the lists, each once; gives the number of blocks.</summary>
+    private int SetRuns(HullCellLists lists)
     {
-        int first = Start[cell] * Lanes, length = lists.Length(cell), padded = (Start[cell + 1] - Start[cell]) * Lanes;
-        for (int k = 0; k < padded; k++)
+        int blocks = 0;
+        var first = new Dictionary<int, int>();
+        for (int cell = 0; cell < NoCell; cell++)
         {
-            int id = lists[cell, k < length ? k : 0];
-            int slot = first + k, at = slot / Lanes * BlockFloats + slot % Lanes;
-            Ids[slot] = id;
-            Coordinates[at] = hull.X[id];
-            Coordinates[at + Lanes] = hull.Y[id];
-            Coordinates[at + 2 * Lanes] = hull.Z[id];
+            int length = (lists.Length(cell) + Lanes - 1) / Lanes;
+            if (!first.TryGetValue(lists.Begin(cell), out int start) || length == 0)
+            {
+                start = blocks;
+                blocks += length;
+                first[lists.Begin(cell)] = start;
+            }
+
+            Runs[2 * cell] = start;
+            Runs[2 * cell + 1] = start + length;
         }
+
+        return blocks;
+    }
+
+    private void Fill(HullCellLists lists, int cell)
+    {
+        int first = Runs[2 * cell] * Lanes, length = lists.Length(cell), padded = Runs[2 * cell + 1] * Lanes - first;
+        for (int k = 0; k < padded; k++) Ids[first + k] = lists[cell, k < length ? k : 0];
+    }
+
+    private float[] Gather(ConvexHull hull, Vector3 origin)
+    {
+        float[] coordinates = new float[Ids.Length / Lanes * BlockFloats];
+        for (int slot = 0; slot < Ids.Length; slot++)
+        {
+            int id = Ids[slot], at = slot / Lanes * BlockFloats + slot % Lanes;
+            coordinates[at] = hull.X[id] + origin.X;
+            coordinates[at + Lanes] = hull.Y[id] + origin.Y;
+            coordinates[at + 2 * Lanes] = hull.Z[id] + origin.Z;
+        }
+
+        return coordinates;
     }
 }

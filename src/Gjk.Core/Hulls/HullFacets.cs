@@ -3,18 +3,20 @@ using System.Collections.Generic;
 namespace Gjk.Core;
 
 /// <summary>
-/// Joins the coplanar triangles of a solid hull into facets, leaves out what is not a strict corner, and cuts the facets into triangles again.
+/// Joins the coplanar triangles of a solid hull into facets, leaves out what is not a strict corner, and cuts the
+/// facets into triangles again.
 /// </summary>
 /// <remarks>
-/// An edge is sharp when the faces on both sides are not coplanar. Sharp edges are the edges of the polytope, or pieces of them, so a vertex with none lies inside a facet, with two it
-/// lies on an edge between two others, and with three or more it is a strict corner. The sharp edges around a facet are one loop, because a facet is convex; without the points
-/// that are no corners the loop is a strictly convex polygon.
+/// An edge is sharp when the faces on both sides are not coplanar. Sharp edges are the edges of the polytope, or
+/// pieces of them, so a vertex with none lies inside a facet, with two it lies on an edge between two others, and
+/// with three or more it is a strict corner. The sharp edges around a facet are one loop, because a facet is convex;
+/// without the points that are no corners the loop is a strictly convex polygon.
 /// </remarks>
 internal static class HullFacets
 {
     private const int SharpEdgesOfCorner = 3;
 
-    public static HullMesh Build(QuickHull hull, int pointCount)
+    public static HullMesh Build(HullSurface hull, int pointCount)
     {
         bool[] isSharp = new bool[hull.HalfEdgeLimit];
         int[] sharpEdges = new int[pointCount];
@@ -35,7 +37,7 @@ internal static class HullFacets
         return new HullMesh(3, corners.ToArray(), Triangulate(hull, isSharp, sharpEdges), pointCount);
     }
 
-    private static int[] Triangulate(QuickHull hull, bool[] isSharp, int[] sharpEdges)
+    private static int[] Triangulate(HullSurface hull, bool[] isSharp, int[] sharpEdges)
     {
         var triangles = new List<int>();
         var loop = new List<int>();
@@ -49,8 +51,8 @@ internal static class HullFacets
                 isDone[edge] = true;
                 int origin = hull.Origin(edge);
                 if (sharpEdges[origin] >= SharpEdgesOfCorner) loop.Add(origin);
-                edge = QuickHull.Next(edge);
-                while (!isSharp[edge]) edge = QuickHull.Next(hull.Twin(edge));
+                edge = HullSurface.Next(edge);
+                while (!isSharp[edge]) edge = HullSurface.Next(hull.Twin(edge));
             }
             while (edge != h);
 

@@ -5,30 +5,36 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// On which side of a line or a plane does a point of the cloud lie? The answers are exact for every finite float, denormal or huge.
+/// On which side of a line or a plane does a point of the cloud lie? The answers are exact for every finite float,
+/// denormal or huge.
 /// </summary>
 /// <remarks>
-/// Three stages, each asked only where the one before cannot tell:
-/// 1. the determinant in double with an error bound. The bound belongs to the plane and holds for the whole cloud, so a test costs three products;
-/// 2. if the nine differences of coordinates are exact in double, six triple products summed exactly;
-/// 3. else 24 triple products of the coordinates themselves, summed exactly.
-/// A cloud on a coarse lattice (<see cref="IsCoarseLattice"/>) ends at stage 1, because its determinants are exact there: grids, where every other test is an
-/// exact zero, cost no more than random points.
-/// Not thread-safe: one per build.
+/// A test against a plane is done in double first. The error bound belongs to the plane and holds for the whole
+/// cloud, so a test costs three products.
+/// <see cref="HullDeterminant"/> decides where double cannot tell. On a coarse lattice (<see
+/// cref="IsCoarseLattice"/>) determinants are exact in double: grids, where every other test is an exact zero, cost
+/// no more than random points. Not thread-safe: one per build.
 /// </remarks>
 internal sealed class HullPredicates
 {
     /// <summary>
-    /// Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term of the height suffers: 2 for the two differences of the normal, 1 for their product,
-    /// 1 for the subtraction, 1 for the difference p - A, 1 for the product, 2 for the sum, 8 u in all; 16 u leaves room for second orders and for the
-    /// rounding of the bound itself. Pinned by HullPredicatesTests, which asks for exact answers on nearly flat quadruples.
+    /// Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term of the height suffers: 2 for
+    /// the two differences of the normal, 1 for their product, 1 for the subtraction, 1 for the difference p - A, 1
+    /// for the product, 2 for the sum, 8 u in all; 16 u leaves room for second orders and for the rounding of the
+    /// bound itself. Pinned by HullPredicatesTests, which asks for exact answers on nearly flat quadruples.
     /// </summary>
     private const double PlaneErrorFactor = 16.0 / (1L << 53);
 
-    /// <summary>As above, for the two products of a planar test: 4 u is proved enough (3 u + 16 u^2 in Shewchuk 1997), 8 u leaves room.</summary>
+    /// <summary>
+    /// As above, for the two products of a planar test: 4 u is proved enough (3 u + 16 u^2 in Shewchuk 1997), 8 u
+    /// leaves room.
+    /// </summary>
     private const double LineErrorFactor = 8.0 / (1L << 53);
 
-    /// <summary>A determinant of differences up to 2^16 units is below 6 * 2^48 &lt; 2^53, so that every step of it is exact in double.</summary>
+    /// <summary>
+    /// A determinant of differences up to 2^16 units is below 6 * 2^48 &lt; 2^53, so that every step of it is exact
+    /// in double.
+    /// </summary>
     private const double CoarseLatticeSteps = 1 << 16;
 
     private readonly Vector3[] _points;
@@ -54,12 +60,17 @@ internal sealed class HullPredicates
 
     public Vector3[] Points => _points;
 
+    /// <summary>What decides where double cannot tell; it counts how often.</summary>
+    public HullDeterminant Determinant { get; } = new();
+
     public HullPlane PlaneThrough(int a, int b, int c)
     {
         Vector3D origin = _points[a];
         Vector3D u = _points[b] - origin, v = _points[c] - origin;
         double yz = u.Y * v.Z, zy = u.Z * v.Y, zx = u.Z * v.X, xz = u.X * v.Z, xy = u.X * v.Y, yx = u.Y * v.X;
-        double largest = (Math.Abs(yz) + Math.Abs(zy)) * _extentX + (Math.Abs(zx) + Math.Abs(xz)) * _extentY + (Math.Abs(xy) + Math.Abs(yx)) * _extentZ;
+        double largest = (Math.Abs(yz) + Math.Abs(zy)) * _extentX
+            + (Math.Abs(zx) + Math.Abs(xz)) * _extentY
+            + (Math.Abs(xy) + Math.Abs(yx)) * _extentZ;
         return new HullPlane
         {
             A = a,
@@ -72,18 +83,25 @@ internal sealed class HullPredicates
         };
     }
 
-    /// <summary>1 strictly above the plane, 0 in it, -1 below. The height, by the length of the normal, is rounded and only good for comparing.</summary>
+    /// <summary>
+    /// 1 strictly above the plane, 0 in it, -1 below. The height, by the length of the normal, is rounded and only
+    /// good for comparing.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Side(in HullPlane plane, int point, out double height)
     {
         Vector3 anchor = _points[plane.A], p = _points[point];
-        height = plane.NormalX * ((double)p.X - anchor.X) + plane.NormalY * ((double)p.Y - anchor.Y) + plane.NormalZ * ((double)p.Z - anchor.Z);
+        height = plane.NormalX * ((double)p.X - anchor.X)
+            + plane.NormalY * ((double)p.Y - anchor.Y)
+            + plane.NormalZ * ((double)p.Z - anchor.Z);
         if (height > plane.HeightError) return 1;
         if (height < -plane.HeightError) return -1;
-        return _exactInDouble ? 0 : ExactSide(_points[plane.A], _points[plane.B], _points[plane.C], p);
+        return _exactInDouble ? 0 : Determinant.Sign(_points[plane.A], _points[plane.B], _points[plane.C], p);
     }
 
-    /// <summary>1 when c lies to the left of the line from a to b in the plane of two axes, 0 on it, -1 to the right.</summary>
+    /// <summary>
+    /// 1 when c lies to the left of the line from a to b in the plane of two axes, 0 on it, -1 to the right.
+    /// </summary>
     public int Turn(int a, int b, int c, int axisU, int axisV)
     {
         double au = Coordinate(a, axisU), av = Coordinate(a, axisV);
@@ -115,40 +133,13 @@ internal sealed class HullPredicates
         _ => _points[point].Z,
     };
 
-    private int ExactSide(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D p)
-    {
-        _sum.Clear();
-        Vector3D u = b - a, v = c - a, w = p - a;
-        if (IsExact(b, a, u) && IsExact(c, a, v) && IsExact(p, a, w))
-        {
-            _sum.AddDeterminant(u, v, w);
-        }
-        else
-        {
-            // |b-a, c-a, p-a| by rows, multiplied out: terms with two rows a vanish.
-            _sum.AddDeterminant(b, c, p);
-            _sum.AddDeterminant(-a, c, p);
-            _sum.AddDeterminant(a, b, p);
-            _sum.AddDeterminant(-a, b, c);
-        }
-
-        return _sum.Sign;
-    }
-
-    private static bool IsExact(in Vector3D a, in Vector3D b, in Vector3D difference) =>
-        IsExact(a.X, b.X, difference.X) && IsExact(a.Y, b.Y, difference.Y) && IsExact(a.Z, b.Z, difference.Z);
-
-    /// <summary>Two-difference: is the rounding error of a - b zero?</summary>
-    private static bool IsExact(double a, double b, double difference)
-    {
-        double bRounded = a - difference;
-        return a - (difference + bRounded) + (bRounded - b) == 0;
-    }
-
-    /// <summary>True when all coordinates are multiples of one power of two that fits into the extent at most 2^16 times.</summary>
+    /// <summary>
+    /// True when all coordinates are multiples of one power of two that fits into the extent at most 2^16 times.
+    /// </summary>
     private static bool IsCoarseLattice(Vector3[] points, double extent)
     {
-        // The smallest power of two with which the extent is short enough: multiples of a larger one are multiples of it too.
+        // The smallest power of two with which the extent is short enough: multiples of a larger one are multiples of
+        // it too.
         double step = 1;
         while (step * CoarseLatticeSteps < extent) step *= 2;
         while (step * CoarseLatticeSteps >= 2 * extent && step > float.Epsilon) step /= 2;

@@ -7,8 +7,8 @@ namespace Gjk.Core;
 public static partial class ConvexQuery
 {
     /// <summary>
-    /// Ratio of the distance to the pair's size: further apart, a point of B that is reached from A over the distance would lie beside B by rounding alone, so it is placed from
-    /// B's own pose. Pinned by SizeRatioTests.
+    /// Ratio of the distance to the pair's size and to B's offset from its local origin: further apart, a point of B that is reached from A over the distance would lie beside B by rounding alone, so it is placed from
+    /// B's own pose. Pinned by WitnessPointTests.
     /// </summary>
     private const double FarApart = 1 << 20;
 
@@ -41,7 +41,7 @@ public static partial class ConvexQuery
         Vector3D localA = (onA - toA * frame.MarginA + frame.CenterA) * frame.Unit;
         Vector3D localB = (onB + toAInB * frame.MarginB + frame.CenterB) * frame.Unit;
         Vector3D normal = -frame.RotationA.Rotate(toA), worldA = frame.RotationA.Rotate(localA) + poseA.Position;
-        Vector3D worldB = distance > FarApart * frame.Unit * state.Size.Value ? ToWorld(poseB, localB) : worldA + normal * distance;
+        Vector3D worldB = IsFarApart(state, frame, distance) ? ToWorld(poseB, localB) : worldA + normal * distance;
 
         // The plane is the feature's but for a walk in extended precision that ended on an older, better one.
         double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared ? scale : 1 / Math.Sqrt(state.Plane.NormalSquared);
@@ -64,6 +64,12 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsTouching(in SolverState state, double distance) =>
         state.Verdict == Verdict.Apart && distance <= GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
+
+    /// <summary>Whether B's own pose places its point better than the distance from A does.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsFarApart(in SolverState state, in PairFrame frame, double distance) =>
+        distance > FarApart * frame.Unit * state.Size.Value
+        && distance > FarApart * frame.Unit * (Math.Abs(frame.CenterB.X) + Math.Abs(frame.CenterB.Y) + Math.Abs(frame.CenterB.Z));
 
     private static DistanceResult Invalid(in SolverState state) =>
         DistanceResult.Invalid(state.Iterations == 0 ? GjkStatus.InvalidInput : GjkStatus.InvalidShape, state.Iterations);

@@ -17,14 +17,25 @@ internal static class PrimitiveSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Segment(in Vector3D a, in Vector3D b, in Vector3D direction, out Vector3D point)
     {
-        bool first = Vector3D.Dot(direction, a - b) >= 0;
+        Vector3D toA = a - b;
+        double dot = Vector3D.Dot(direction, toA);
+        if (!DirectionRange.IsSafe(dot)) dot = Vector3D.Dot(DirectionRange.ToUnit(direction), toA);
+        bool first = dot >= 0;
         point = first ? a : b;
         return first ? 0 : 1;
     }
 
     public static int Triangle(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, out Vector3D point)
     {
-        double db = Vector3D.Dot(direction, b - a), dc = Vector3D.Dot(direction, c - a);
+        Vector3D toB = b - a, toC = c - a;
+        double db = Vector3D.Dot(direction, toB), dc = Vector3D.Dot(direction, toC);
+        if (!(DirectionRange.IsSafe(db) && DirectionRange.IsSafe(dc)))
+        {
+            Vector3D unit = DirectionRange.ToUnit(direction);
+            db = Vector3D.Dot(unit, toB);
+            dc = Vector3D.Dot(unit, toC);
+        }
+
         int id = db <= 0 ? (dc <= 0 ? 0 : 2) : (db >= dc ? 1 : 2);
         point = id == 0 ? a : id == 1 ? b : c;
         return id;

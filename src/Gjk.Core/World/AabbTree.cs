@@ -1,23 +1,36 @@
 using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
 /// <summary>
-/// A binary tree of boxes with an object at each leaf. An insertion descends where it adds least surface and turns the branches on its way back (Catto, "Dynamic bounding volume
-/// hierarchies", 2019; Kopta et al. 2012); the expected work of a look-up is proportional to the surfaces.
+/// A binary tree of boxes with an object at each leaf. An insertion descends where it adds least surface and turns the
+/// branches on its way back (Catto, "Dynamic bounding volume hierarchies", 2019; Kopta et al. 2012); the expected work
+/// of a look-up is proportional to the surfaces.
 /// </summary>
-/// <remarks>Leaf i is node i; the inner nodes follow at <see cref="_leafEnd"/>, so growing renumbers them.</remarks>
-internal sealed class AabbTree
+/// <remarks>
+/// Leaf i is node i; the inner nodes follow at <see cref="_leafEnd"/>, so growing renumbers them. Surfaces say nothing
+/// about equal boxes, or about points on a line, and are infinite for the largest boxes; so insertions alone could make
+/// a tree as deep as it has leaves. <see cref="TryInsert"/> tells when it is deeper than <see cref="MaxDepth"/>, and
+/// the owner builds anew.
+/// </remarks>
+internal sealed partial class AabbTree
 {
+    /// <summary>
+    /// Levels below the root: twice as many as a built tree has at most, so that a build is followed by insertions
+    /// again. Pinned by DeepTreeTests.
+    /// </summary>
+    public const int MaxDepth = 128;
+
     private const int None = -1;
 
     private AabbNode[] _nodes = [];
     private int[] _parents = [];
+
+    /// <summary>Levels below a node; more than there are where leaves were removed lately.</summary>
+    private byte[] _heights = [];
     private int[] _free = [];
-    private int[] _stack = new int[64];
     private int _freeCount;
     private int _root = None;
 
@@ -35,10 +48,10 @@ internal sealed class AabbTree
     {
         if (capacity > _leafEnd)
         {
-            _nodes = new AabbNode[2 * capacity];
-            _parents = new int[2 * capacity];
-            _free = new int[capacity];
-            _leafEnd = capacity;
+            var nodes = new AabbNode[2 * capacity];
+            int[] parents = new int[2 * capacity], free = new int[capacity];
+            byte[] heights = new byte[2 * capacity];
+            (_nodes, _parents, _heights, _free, _leafEnd) = (nodes, parents, heights, free, capacity);
         }
 
         _root = None;
@@ -51,11 +64,13 @@ internal sealed class AabbTree
     {
         int shift = capacity - _leafEnd;
         var nodes = new AabbNode[2 * capacity];
-        var parents = new int[2 * capacity];
+        int[] parents = new int[2 * capacity], free = new int[capacity];
+        byte[] heights = new byte[2 * capacity];
         Array.Copy(_nodes, nodes, _leafEnd);
         Array.Copy(_parents, parents, _leafEnd);
         Array.Copy(_nodes, _leafEnd, nodes, capacity, _leafEnd);
         Array.Copy(_parents, _leafEnd, parents, capacity, _leafEnd);
+        Array.Copy(_heights, _leafEnd, heights, capacity, _leafEnd);
         for (int i = 0; i < nodes.Length; i++)
         {
             if (parents[i] >= _leafEnd) parents[i] += shift;
@@ -64,15 +79,17 @@ internal sealed class AabbTree
             if (nodes[i].Right >= _leafEnd) nodes[i].Right += shift;
         }
 
-        int[] free = new int[capacity];
         int count = 0;
         for (int node = 2 * capacity - 1; node >= capacity + _leafEnd; node--) free[count++] = node;
         for (int i = 0; i < _freeCount; i++) free[count++] = _free[i] + shift;
         if (_root >= _leafEnd) _root += shift;
-        (_nodes, _parents, _free, _freeCount, _leafEnd) = (nodes, parents, free, count, capacity);
+        (_nodes, _parents, _heights, _free) = (nodes, parents, heights, free);
+        (_freeCount, _leafEnd) = (count, capacity);
     }
 
-    public void Insert(int leaf, Vector3 min, Vector3 max)
+    /// <summary>Adds a leaf.</summary>
+    /// <returns>False where the tree is too deep now, and has to be built anew.</returns>
+    public bool TryInsert(int leaf, Vector3 min, Vector3 max)
     {
         ref AabbNode box = ref _nodes[leaf];
         box.Min = min;
@@ -81,10 +98,10 @@ internal sealed class AabbTree
         {
             _root = leaf;
             _parents[leaf] = None;
-            return;
+            return true;
         }
 
-        int sibling = FindSibling(box);
+        int sibling = FindSibling(leaf);
         int parent = _free[--_freeCount], above = _parents[sibling];
         ref AabbNode joined = ref _nodes[parent];
         joined.Left = sibling;
@@ -94,6 +111,7 @@ internal sealed class AabbTree
         if (above == None) _root = parent;
         else Replace(above, sibling, parent);
         Refit(parent);
+        return _heights[_root] <= MaxDepth;
     }
 
     public void Remove(int leaf)
@@ -119,116 +137,44 @@ internal sealed class AabbTree
         Shrink(above);
     }
 
-    /// <summary>Builds the tree anew over leaves that are sorted along a space-filling curve; their boxes are set by <see cref="SetLeaf"/>.</summary>
-    public void Build(ulong[] curve, int count)
-    {
-        Reset(_leafEnd);
-        if (count == 0) return;
-        _root = Join(curve, 0, count);
-        _parents[_root] = None;
-    }
-
-    /// <summary>A leaf's box, for <see cref="Build"/>.</summary>
-    public void SetLeaf(int leaf, Vector3 min, Vector3 max)
-    {
-        _nodes[leaf].Min = min;
-        _nodes[leaf].Max = max;
-    }
-
-    /// <summary>The leaves whose boxes overlap the given one.</summary>
-    public void Query(Vector3 min, Vector3 max, List<int> leaves)
-    {
-        int depth = 0, node = _root;
-        while (node != None)
-        {
-            ref readonly AabbNode box = ref _nodes[node];
-            bool down = false;
-            if (box.Meets(min, max))
-            {
-                down = node >= _leafEnd;
-                if (!down) leaves.Add(node);
-            }
-
-            if (down)
-            {
-                if (depth == _stack.Length) Array.Resize(ref _stack, 2 * depth);
-                _stack[depth++] = box.Right;
-                node = box.Left;
-            }
-            else
-            {
-                node = depth > 0 ? _stack[--depth] : None;
-            }
-        }
-    }
-
     /// <summary>
-    /// Adds a pair for each leaf whose box overlaps this leaf's when one of them is widened, but for those that are being looked up as well and come first. The ends are added
-    /// and rounded as <see cref="BoundsTable.Near"/> does it, so that what is near there is found here.
+    /// Down from the root: each node entered grows by the new box, so stopping at it, as the box's sibling, costs its
+    /// grown surface; going on costs what the node itself grows by and at least the new box's own growth of a child.
     /// </summary>
-    public void QueryPairs(int leaf, float margin, bool[] pending, PairKeys keys)
+    private int FindSibling(int leaf)
     {
-        var widening = new Vector3(margin);
-        Vector3 min = _nodes[leaf].Min, max = _nodes[leaf].Max + widening;
-        int depth = 0, node = _root;
-        while (true)
-        {
-            ref readonly AabbNode box = ref _nodes[node];
-            if (box.Min.X <= max.X && min.X <= (float)(box.Max.X + margin) &&
-                box.Min.Y <= max.Y && min.Y <= (float)(box.Max.Y + margin) &&
-                box.Min.Z <= max.Z && min.Z <= (float)(box.Max.Z + margin))
-            {
-                if (node >= _leafEnd)
-                {
-                    if (depth == _stack.Length) Array.Resize(ref _stack, 2 * depth);
-                    _stack[depth++] = box.Right;
-                    node = box.Left;
-                    continue;
-                }
-
-                if (node != leaf && !(pending[node] && node < leaf)) keys.Add(PairKeys.Key(leaf, node));
-            }
-
-            if (depth == 0) return;
-            node = _stack[--depth];
-        }
-    }
-
-    /// <summary>A tree over part of the curve, cut where the highest bit changes; its depth is that of the bits and, among equal places, logarithmic.</summary>
-    private int Join(ulong[] curve, int begin, int end)
-    {
-        if (end - begin == 1) return (int)(uint)curve[begin];
-        int middle = MortonCurve.Split(curve, begin, end);
-        int node = _free[--_freeCount];
-        int left = Join(curve, begin, middle), right = Join(curve, middle, end);
-        _nodes[node].Left = left;
-        _nodes[node].Right = right;
-        _parents[left] = _parents[right] = node;
-        Enclose(node);
-        return node;
-    }
-
-    /// <summary>
-    /// Down from the root: each node entered grows by the new box, so stopping at it, as the box's sibling, costs its grown surface; going on costs what the node itself
-    /// grows by and at least the new box's own growth of a child.
-    /// </summary>
-    private int FindSibling(in AabbNode box)
-    {
+        ref readonly AabbNode box = ref _nodes[leaf];
         int node = _root;
-        while (node >= _leafEnd)
+        for (int depth = 0; node >= _leafEnd; depth++)
         {
             ref readonly AabbNode inner = ref _nodes[node];
             float joined = AabbNode.UnionArea(inner, box), growth = joined - AabbNode.Area(inner);
             float left = growth + DescentCost(_nodes[inner.Left], box, inner.Left < _leafEnd);
             float right = growth + DescentCost(_nodes[inner.Right], box, inner.Right < _leafEnd);
             if (joined < left && joined < right) break;
-            node = left < right ? inner.Left : inner.Right;
+            bool isLeft = left < right || (left == right && IsLeftNearer(inner, box, leaf >> (depth & 15)));
+            node = isLeft ? inner.Left : inner.Right;
         }
 
         return node;
     }
 
-    private static float DescentCost(in AabbNode child, in AabbNode box, bool isLeaf) => isLeaf ? AabbNode.UnionArea(child, box) : AabbNode.UnionArea(child, box) - AabbNode.Area(child);
+    private static float DescentCost(in AabbNode child, in AabbNode box, bool isLeaf)
+    {
+        float joined = AabbNode.UnionArea(child, box);
+        return isLeaf ? joined : joined - AabbNode.Area(child);
+    }
+
+    /// <summary>
+    /// Where surfaces are equal, as they are on a line, the child that grows less in length; where both hold the box
+    /// already, the two in turn.
+    /// </summary>
+    private bool IsLeftNearer(in AabbNode inner, in AabbNode box, int turn)
+    {
+        float left = AabbNode.LengthGrowth(_nodes[inner.Left], box);
+        float right = AabbNode.LengthGrowth(_nodes[inner.Right], box);
+        return left < right || (left == right && (turn & 1) != 0);
+    }
 
     /// <summary>From a node to the root: the boxes, and a turn where it lessens the surface.</summary>
     private void Refit(int node)
@@ -241,7 +187,10 @@ internal sealed class AabbTree
         }
     }
 
-    /// <summary>From a node to the root, or to where the removed leaf was not at the edge: the boxes alone; the next insertion turns the branches.</summary>
+    /// <summary>
+    /// From a node to the root, or to where the removed leaf was not at the edge: the boxes alone; the next insertion
+    /// turns the branches.
+    /// </summary>
     private void Shrink(int node)
     {
         for (; node != None; node = _parents[node])
@@ -252,13 +201,17 @@ internal sealed class AabbTree
         }
     }
 
-    /// <summary>Exchanges a child with one of its sibling's children where that makes the sibling smaller; nothing else changes its box.</summary>
+    /// <summary>
+    /// Exchanges a child with one of its sibling's children where that makes the sibling smaller; nothing else changes
+    /// its box.
+    /// </summary>
     private void Turn(int node, int child, int sibling)
     {
         if (sibling < _leafEnd) return;
         ref AabbNode branch = ref _nodes[sibling];
         float area = AabbNode.Area(branch);
-        float withLeft = AabbNode.UnionArea(_nodes[child], _nodes[branch.Left]), withRight = AabbNode.UnionArea(_nodes[child], _nodes[branch.Right]);
+        float withLeft = AabbNode.UnionArea(_nodes[child], _nodes[branch.Left]);
+        float withRight = AabbNode.UnionArea(_nodes[child], _nodes[branch.Right]);
         int raised;
         if (withLeft < area && withLeft <= withRight)
         {
@@ -295,5 +248,6 @@ internal sealed class AabbTree
         ref readonly AabbNode right = ref _nodes[box.Right];
         box.Min = Vector3.Min(left.Min, right.Min);
         box.Max = Vector3.Max(left.Max, right.Max);
+        _heights[node] = (byte)Math.Min(Math.Max(_heights[box.Left], _heights[box.Right]) + 1, byte.MaxValue);
     }
 }

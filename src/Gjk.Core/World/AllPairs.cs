@@ -2,13 +2,19 @@ using System.Collections.Generic;
 
 namespace Gjk.Core;
 
-/// <summary>The broad phase that compares every pair of boxes: what the others are measured by, and the fastest for a few dozen objects.</summary>
+/// <summary>
+/// The broad phase that compares every pair of boxes: what the others are measured by, and the fastest for a few dozen
+/// objects.
+/// </summary>
 /// <remarks>Mutable and not thread-safe. Time grows with n².</remarks>
 public sealed class AllPairs : IBroadPhase
 {
     private readonly BoundsTable _table = new();
     private Aabb[] _boxes = [];
     private int[] _ids = [];
+
+    /// <summary>How many pairs may be found: less in tests.</summary>
+    internal int PairLimit { get; set; } = PairKeys.MostPairs;
 
     /// <inheritdoc/>
     public int Count => _table.Count;
@@ -34,7 +40,11 @@ public sealed class AllPairs : IBroadPhase
         {
             ref readonly Aabb box = ref _boxes[i];
             for (int j = i + 1; j < n; j++)
-                if (BoundsTable.Near(box, _boxes[j], margin)) pairs.Add(new ObjectPair(_ids[i], _ids[j]));
+            {
+                if (!BoundsTable.Near(box, _boxes[j], margin)) continue;
+                if (pairs.Count == PairLimit) throw PairKeys.TooMany(PairLimit, pairs);
+                pairs.Add(new ObjectPair(_ids[i], _ids[j]));
+            }
         }
     }
 

@@ -1,3 +1,4 @@
+using System;
 #if NET
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
@@ -7,13 +8,19 @@ using System.Runtime.Intrinsics;
 namespace Gjk.Core;
 
 /// <summary>
-/// Sort and sweep (Baraff 1992; Ericson 2004, section 7.5.2): boxes sorted by their lower ends along the axis on which they spread most; each is then compared
-/// with those that begin before it ends.
+/// Sort and sweep (Baraff 1992; Ericson 2004, section 7.5.2): boxes sorted by their lower ends along the axis on which
+/// they are spread most for their size; each is then compared with those that begin before it ends.
 /// </summary>
 internal sealed class AxisSweep
 {
     /// <summary>Boxes compared at once, and the padding of the sorted arrays.</summary>
     private const int Width = 8;
+
+    /// <summary>
+    /// Ratio to n^(5/3), what a cube of boxes that touch a few others needs: what needs more on one axis may need less
+    /// on another. A matter of speed only.
+    /// </summary>
+    private const double UsualComparisons = 4;
 
     private readonly int[] _histograms = new int[SortKeys.HistogramLength];
     private ulong[] _order = [];
@@ -21,37 +28,85 @@ internal sealed class AxisSweep
     private int[] _ids = [];
 
     // In sorted order, u along the sweep's axis; the upper ends have the margin added.
-    private float[] _minU = [], _maxU = [], _minV = [], _maxV = [], _minW = [], _maxW = [];
+    private float[] _minU = [];
+    private float[] _maxU = [];
+    private float[] _minV = [];
+    private float[] _maxV = [];
+    private float[] _minW = [];
+    private float[] _maxW = [];
 
-    /// <summary>Adds every pair of boxes that overlap with the margin to the keys, in no useful order.</summary>
+    /// <summary>How many pairs of boxes were compared, for the tests of cost.</summary>
+    public long Comparisons { get; private set; }
+
+    /// <summary>Finds every pair of boxes that overlap with the margin, in no useful order.</summary>
     public void Collect(BoundsTable table, float margin, PairKeys keys)
     {
         Reserve(table);
-        int axis = LargestSpread(table);
+        int axis = LargestSpread(table, margin);
+        long most = (long)(UsualComparisons * Math.Pow(table.Count, 5 / 3.0));
+
+        // Few outliers can make an axis look good along which most boxes overlap. Then the others are tried.
+        for (int i = 0; i < 3; i++)
+        {
+            if (TrySweep(table, (axis + i) % 3, margin, keys, most)) return;
+        }
+
+        TrySweep(table, axis, margin, keys, long.MaxValue);
+    }
+
+    private bool TrySweep(BoundsTable table, int axis, float margin, PairKeys keys, long most)
+    {
         int n = 0;
+        keys.Count = 0;
         for (int id = 0; id < table.End; id++)
-            if (table.Present[id]) _order[n++] = (ulong)SortKeys.Ordered(Component(table.Boxes[id].Min, axis)) << 32 | (uint)id;
+        {
+            if (!table.Present[id]) continue;
+            _order[n++] = (ulong)SortKeys.Ordered(Component(table.Boxes[id].Min, axis)) << 32 | (uint)id;
+        }
+
         SortKeys.Sort(ref _order, ref _scratch, _histograms, n);
         Gather(table, axis, margin, n);
-        Sweep(n, keys);
+        long left = most;
+        for (int i = 0; i < n && left >= 0; i++) left -= SweepOne(i, n, keys);
+        Comparisons += most - left;
+        return left >= 0;
     }
 
     public static float Component(in System.Numerics.Vector3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 
-    /// <summary>The axis along which the centres vary most: there the fewest boxes overlap by chance.</summary>
-    private static int LargestSpread(BoundsTable table)
+    private static double Component(in Vector3D v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
+
+    /// <summary>
+    /// The axis along which the fewest boxes overlap by chance: the one with the most standard deviation of the centres
+    /// for each unit of the mean side.
+    /// </summary>
+    private static int LargestSpread(BoundsTable table, float margin)
     {
-        Vector3D sum = default, squares = default;
+        Vector3D sum = default, squares = default, sides = default;
         for (int id = 0; id < table.End; id++)
         {
             if (!table.Present[id]) continue;
-            Vector3D centre = (Vector3D)table.Boxes[id].Min + table.Boxes[id].Max;
+            ref readonly Aabb box = ref table.Boxes[id];
+            Vector3D centre = (Vector3D)box.Min + box.Max;
             sum += centre;
             squares += Vector3D.Multiply(centre, centre);
+            sides += (Vector3D)box.Max - box.Min;
         }
 
-        Vector3D spread = squares * table.Count - Vector3D.Multiply(sum, sum);
-        return spread.X >= spread.Y ? (spread.X >= spread.Z ? 0 : 2) : (spread.Y >= spread.Z ? 1 : 2);
+        double n = table.Count;
+        Vector3D spread = squares * n - Vector3D.Multiply(sum, sum);
+        var reach = new Vector3D(sides.X + n * margin, sides.Y + n * margin, sides.Z + n * margin);
+        int best = IsBetter(spread.Y, reach.Y, spread.X, reach.X) ? 1 : 0;
+        return IsBetter(spread.Z, reach.Z, Component(spread, best), Component(reach, best)) ? 2 : best;
+    }
+
+    /// <summary>
+    /// Compares variances for each squared side; by the variances alone where the sides are 0 or infinite.
+    /// </summary>
+    private static bool IsBetter(double spread, double reach, double otherSpread, double otherReach)
+    {
+        double ratio = spread * otherReach * otherReach, other = otherSpread * reach * reach;
+        return ratio > other || (!(ratio < other) && spread > otherSpread);
     }
 
     private void Reserve(BoundsTable table)
@@ -60,9 +115,11 @@ internal sealed class AxisSweep
         int length = table.Boxes.Length + Width;
         _order = new ulong[length];
         _scratch = new ulong[length];
-        _ids = new int[length];
         (_minU, _maxU, _minV) = (new float[length], new float[length], new float[length]);
         (_maxV, _minW, _maxW) = (new float[length], new float[length], new float[length]);
+
+        // Last: its length says that there is room in all of them.
+        _ids = new int[length];
     }
 
     private void Gather(BoundsTable table, int axis, float margin, int n)
@@ -85,31 +142,19 @@ internal sealed class AxisSweep
         for (int i = n; i < n + Width; i++) _minU[i] = float.NaN;
     }
 
-    private void Sweep(int n, PairKeys keys)
-    {
-        for (int i = 0; i < n; i++)
-        {
 #if NET
-            SweepWide(i, n, keys);
-#else
-            float end = _maxU[i], minV = _minV[i], maxV = _maxV[i], minW = _minW[i], maxW = _maxW[i];
-            for (int j = i + 1; j < n && _minU[j] <= end; j++)
-            {
-                if (_minV[j] <= maxV && minV <= _maxV[j] && _minW[j] <= maxW && minW <= _maxW[j])
-                    keys.Add(PairKeys.Key(_ids[i], _ids[j]));
-            }
-#endif
-        }
-    }
-
-#if NET
-    /// <summary>The same comparisons, eight at a time: the arrays are as long as the last group asks.</summary>
-    private void SweepWide(int i, int n, PairKeys keys)
+    /// <summary>
+    /// Compares a box with those that begin before it ends, eight at a time: the arrays are as long as the last group
+    /// needs.
+    /// </summary>
+    /// <returns>How many were compared.</returns>
+    private int SweepOne(int i, int n, PairKeys keys)
     {
         Vector256<float> end = Vector256.Create(_maxU[i]);
         Vector256<float> minV = Vector256.Create(_minV[i]), maxV = Vector256.Create(_maxV[i]);
         Vector256<float> minW = Vector256.Create(_minW[i]), maxW = Vector256.Create(_maxW[i]);
-        for (int j = i + 1; j < n; j += Width)
+        int j = i + 1;
+        for (; j < n; j += Width)
         {
             Vector256<float> begins = Vector256.LessThanOrEqual(Load(_minU, j), end);
             Vector256<float> meets = begins
@@ -117,12 +162,29 @@ internal sealed class AxisSweep
                 & Vector256.LessThanOrEqual(Load(_minW, j), maxW) & Vector256.LessThanOrEqual(minW, Load(_maxW, j));
             for (uint bits = meets.ExtractMostSignificantBits(); bits != 0; bits &= bits - 1)
                 keys.Add(PairKeys.Key(_ids[i], _ids[j + System.Numerics.BitOperations.TrailingZeroCount(bits)]));
-            if (begins.ExtractMostSignificantBits() != byte.MaxValue) return;
+            if (begins.ExtractMostSignificantBits() != byte.MaxValue) break;
         }
+
+        return j - i;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Load(float[] values, int index) =>
         Vector256.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (uint)index);
+#else
+    /// <summary>Compares a box with those that begin before it ends.</summary>
+    /// <returns>How many were compared.</returns>
+    private int SweepOne(int i, int n, PairKeys keys)
+    {
+        float end = _maxU[i], minV = _minV[i], maxV = _maxV[i], minW = _minW[i], maxW = _maxW[i];
+        int j = i + 1;
+        for (; j < n && _minU[j] <= end; j++)
+        {
+            if (_minV[j] <= maxV && minV <= _maxV[j] && _minW[j] <= maxW && minW <= _maxW[j])
+                keys.Add(PairKeys.Key(_ids[i], _ids[j]));
+        }
+
+        return j - i;
+    }
 #endif
 }

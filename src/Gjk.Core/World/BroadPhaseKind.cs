@@ -1,6 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>How a <see cref="CollisionScene"/> finds the pairs that are worth a query. The results are the same for all of them.</summary>
+/// <summary>
+/// How a <see cref="CollisionScene"/> finds the pairs that are worth a query. The results are the same for all of them.
+/// </summary>
 public enum BroadPhaseKind
 {
     /// <summary>Every pair of bounds is compared: the fastest for a few dozen objects.</summary>

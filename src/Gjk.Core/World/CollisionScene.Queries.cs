@@ -7,10 +7,15 @@ namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>Ratio: four times float's rounding, which a margin meets twice, when it is widened by this and when it is added to a bound.</summary>
+    /// <summary>
+    /// Ratio: four times float's rounding, which a margin meets twice, when it is widened by this and when it is added
+    /// to a bound.
+    /// </summary>
     private const float MarginSlack = 1 + 4f / (1 << 24);
 
-    /// <summary>Ratio: by how much the search for the nearest object widens while it finds none. A matter of speed only.</summary>
+    /// <summary>
+    /// Ratio: by how much the search for the nearest object widens while it finds none. A matter of speed only.
+    /// </summary>
     private const float SearchGrowth = 4;
 
     private readonly List<ObjectPair> _candidates = [];
@@ -28,6 +33,9 @@ public sealed partial class CollisionScene
     /// <param name="distance">At least 0; may be infinite.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// There are more pairs than <see cref="IBroadPhase"/> can find.
+    /// </exception>
     public void CollectCandidates(List<ObjectPair> candidates, float distance = 0)
     {
         CheckNotVisiting();
@@ -43,7 +51,9 @@ public sealed partial class CollisionScene
     /// <param name="results">Emptied first; then the pairs that overlap, in the order of the candidates.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">A list is missing.</exception>
-    /// <exception cref="ArgumentException">The two lists are the same, or there is no object with one of the ids; the message names the pair.</exception>
+    /// <exception cref="ArgumentException">
+    /// The two lists are the same, or there is no object with one of the ids; the message names the pair.
+    /// </exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void OverlapsOf(List<ObjectPair> candidates, List<ObjectPair> results, Workers? workers = null)
     {
@@ -79,8 +89,12 @@ public sealed partial class CollisionScene
 
     /// <summary>Shows the pairs that overlap, touching included, to a visitor, sorted by id.</summary>
     /// <typeparam name="TVisitor">A struct.</typeparam>
-    /// <param name="visitor">It may not use the scene before it has seen all pairs. What it throws passes through.</param>
-    /// <param name="workers">The threads to use for the queries; null for the caller's own, which makes the visits in either case.</param>
+    /// <param name="visitor">
+    /// It may not use the scene before it has seen all pairs. What it throws passes through.
+    /// </param>
+    /// <param name="workers">
+    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
+    /// </param>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void Overlaps<TVisitor>(ref TVisitor visitor, Workers? workers = null)
         where TVisitor : struct, IPairVisitor
@@ -101,8 +115,10 @@ public sealed partial class CollisionScene
     }
 
     /// <summary>
-    /// The pairs no further apart than a distance, and how far. Each pair's query begins where the one of the last call ended, if the pair was near enough then; so the results are those of
-    /// <see cref="ConvexQuery"/> within the accuracy, not always to the last bit.
+    /// The pairs no further apart than a distance, and how far. The query of a pair that the last call reported begins
+    /// where that one ended; so the results are those of <see cref="ConvexQuery"/> within the accuracy, not always to
+    /// the last bit. They depend on what was reported for the pair before, and are the same bits for every broad phase
+    /// and bound.
     /// </summary>
     /// <param name="distance">At least 0; infinite for all pairs.</param>
     /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
@@ -110,6 +126,9 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// There are more pairs than <see cref="IBroadPhase"/> can find.
+    /// </exception>
     public void PairsWithin(float distance, List<PairDistance> results, Workers? workers = null)
     {
         CheckNotVisiting();
@@ -121,11 +140,17 @@ public sealed partial class CollisionScene
             if (_distances[i].Status != GjkStatus.BeyondMaxDistance) results.Add(new PairDistance(IdsOf(_candidates[i]), _distances[i]));
     }
 
-    /// <summary>Shows the pairs no further apart than a distance to a visitor, sorted by id; as the other otherwise.</summary>
+    /// <summary>
+    /// Shows the pairs no further apart than a distance to a visitor, sorted by id; as the other otherwise.
+    /// </summary>
     /// <typeparam name="TVisitor">A struct.</typeparam>
     /// <param name="distance">At least 0; infinite for all pairs.</param>
-    /// <param name="visitor">It may not use the scene before it has seen all pairs. What it throws passes through.</param>
-    /// <param name="workers">The threads to use for the queries; null for the caller's own, which makes the visits in either case.</param>
+    /// <param name="visitor">
+    /// It may not use the scene before it has seen all pairs. What it throws passes through.
+    /// </param>
+    /// <param name="workers">
+    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void PairsWithin<TVisitor>(float distance, ref TVisitor visitor, Workers? workers = null)
@@ -149,7 +174,9 @@ public sealed partial class CollisionScene
     /// <summary>The object nearest to one; of several the one with the least id.</summary>
     /// <param name="id">The object.</param>
     /// <param name="other">The nearest other object, or -1 where there is none.</param>
-    /// <param name="result">The distance from the object (A) to the other (B), as <see cref="ConvexQuery"/> has it.</param>
+    /// <param name="result">
+    /// The distance from the object (A) to the other (B), as <see cref="ConvexQuery"/> has it.
+    /// </param>
     /// <returns>False when there is no other object.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public bool Nearest(int id, out int other, out DistanceResult result)
@@ -174,7 +201,10 @@ public sealed partial class CollisionScene
         return true;
     }
 
-    /// <summary>The distance between two objects, from where the last question about this pair ended; within the accuracy that of <see cref="ConvexQuery"/>, not always to the last bit.</summary>
+    /// <summary>
+    /// The distance between two objects, from where the last question about this pair ended; within the accuracy that
+    /// of <see cref="ConvexQuery"/>, not always to the last bit.
+    /// </summary>
     /// <param name="idA">The first object.</param>
     /// <param name="idB">The second object, another one.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with one of the ids, or no longer.</exception>
@@ -230,7 +260,8 @@ public sealed partial class CollisionScene
             int other = _near[i];
             if (other == slot) continue;
 
-            // A little more than the best, so that equals are found and the one of several does not depend on the order of the search.
+            // A little more than the best, so that equals are found and the one of several does not depend on the order
+            // of the search.
             float limit = best < 0 ? float.PositiveInfinity : result.Distance * MarginSlack + float.Epsilon;
             DistanceResult found = ConvexQuery.Distance(
                 _objects.Shapes[slot], _objects.Poses[slot], _objects.Shapes[other], _objects.Poses[other], limit);

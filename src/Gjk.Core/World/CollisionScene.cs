@@ -5,13 +5,14 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>
-/// Posed shapes, and the questions that are asked of all of them: which overlap, which are within a distance, which is nearest. A broad phase leaves the queries only the
-/// pairs that are worth one.
+/// Posed shapes, and the questions that are asked of all of them: which overlap, which are within a distance, which is
+/// nearest. A broad phase leaves the queries only the pairs that are worth one.
 /// </summary>
 /// <remarks>
-/// Mutable and not thread-safe; with <see cref="Workers"/> it uses several threads inside a call. Results come sorted by id and are the same for every broad phase, and to the
-/// last bit for one thread or many. Ids count up from 0 and are never given twice. A refused call changes nothing. Nothing is allocated once the internal
-/// buffers and the caller's lists have their size.
+/// Mutable and not thread-safe; with <see cref="Workers"/> it uses several threads inside a call. Results come sorted
+/// by id and are the same for every broad phase, and to the last bit for one thread or many. Ids count up from 0 and
+/// are never given twice. A refused call changes nothing. Nothing is allocated once the internal buffers and the
+/// caller's lists have their size.
 /// </remarks>
 public sealed partial class CollisionScene
 {
@@ -73,15 +74,20 @@ public sealed partial class CollisionScene
     /// <param name="pose">Where it is.</param>
     /// <returns>Its id: the next number, from 0.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// There are 16,777,216 objects, or 2,147,483,647 ids were given out.
+    /// </exception>
     public int Add(in ConvexShape shape, in RigidPose pose)
     {
         CheckNotVisiting();
         var bounds = new WorldBounds(shape);
         CheckPose(pose);
         if (_objects.ShouldCloseUp) CloseUp();
-        int slot = _objects.Add(shape, pose, bounds);
-        if (Bound == BoundKind.Ball && _centers.Length < _objects.Ids.Length) Array.Resize(ref _centers, _objects.Ids.Length);
-        _phase.Add(slot, PlaceBound(slot, pose));
+        int slot = _objects.Reserve();
+        if (Bound == BoundKind.Ball && _centers.Length < _objects.Ids.Length)
+            Array.Resize(ref _centers, _objects.Ids.Length);
+        _phase.Add(slot, PlaceBound(slot, bounds, pose));
+        _objects.Add(shape, pose, bounds);
         NoteChange();
         return _objects.Ids[slot];
     }
@@ -97,7 +103,7 @@ public sealed partial class CollisionScene
         int slot = _objects.Checked(id, nameof(id));
         CheckPose(pose);
         _objects.Poses[slot] = pose;
-        _phase.Move(slot, PlaceBound(slot, pose));
+        _phase.Move(slot, PlaceBound(slot, _objects.Bounds[slot], pose));
         NoteChange();
     }
 
@@ -125,9 +131,8 @@ public sealed partial class CollisionScene
         if (_visiting) throw new InvalidOperationException("The scene cannot be used before its visitor has seen all pairs.");
     }
 
-    private Aabb PlaceBound(int slot, in RigidPose pose)
+    private Aabb PlaceBound(int slot, in WorldBounds bounds, in RigidPose pose)
     {
-        ref readonly WorldBounds bounds = ref _objects.Bounds[slot];
         if (Bound == BoundKind.Box) return bounds.BoxAt(pose);
         _centers[slot] = bounds.CenterAt(pose);
         return bounds.BallBoxAt(pose);
@@ -138,7 +143,8 @@ public sealed partial class CollisionScene
     {
         _objects.CloseUp();
         _phase.Clear();
-        for (int slot = 0; slot < _objects.End; slot++) _phase.Add(slot, PlaceBound(slot, _objects.Poses[slot]));
+        for (int slot = 0; slot < _objects.End; slot++)
+            _phase.Add(slot, PlaceBound(slot, _objects.Bounds[slot], _objects.Poses[slot]));
     }
 
     private void NoteChange()

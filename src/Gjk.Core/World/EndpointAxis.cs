@@ -4,8 +4,9 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>
-/// The ends of all boxes along one axis, sorted. An end is one number: its place, as an integer that orders as the float does, then whether it is the upper one, then the
-/// object. A lower end comes before an upper one at the same place, so touching boxes overlap; the margin is added to the upper ends.
+/// The ends of all boxes along one axis, sorted. An end is one number: its place, as an integer that orders as the
+/// float does, then whether it is the upper one, then the object. A lower end comes before an upper one at the same
+/// place, so touching boxes overlap; the margin is added to the upper ends.
 /// </summary>
 internal sealed class EndpointAxis(int axis)
 {
@@ -15,7 +16,10 @@ internal sealed class EndpointAxis(int axis)
 
     private ulong[] _ends = [];
 
-    /// <summary>Puts all objects in, sorted from scratch: the lower ends first, each half by number, as the stable sort needs it.</summary>
+    /// <summary>
+    /// Puts all objects in, sorted from scratch: the lower ends first, each half by number, as the stable sort needs
+    /// it.
+    /// </summary>
     public void Fill(BoundsTable table, float margin, ref ulong[] scratch, int[] histograms)
     {
         if (_ends.Length < scratch.Length) _ends = new ulong[scratch.Length];
@@ -54,8 +58,8 @@ internal sealed class EndpointAxis(int axis)
     }
 
     /// <summary>
-    /// Sorts what is nearly sorted. Every two ends that change places do so once, with both already at their new place; of these, a lower end that passes an upper one may
-    /// begin a pair, if the boxes overlap on all axes.
+    /// Sorts what is nearly sorted. Every two ends that change places do so once, with both already at their new place;
+    /// of these, a lower end that passes an upper one may begin a pair, if the boxes overlap on all axes.
     /// </summary>
     /// <param name="table">The boxes as they are now.</param>
     /// <param name="margin">As in the ends.</param>

@@ -4,11 +4,13 @@ using System.Collections.Generic;
 namespace Gjk.Core;
 
 /// <summary>
-/// Finds the pairs of boxes that overlap without a look at every pair. All implementations give the same pairs; they differ in speed only.
+/// Finds the pairs of boxes that overlap without a look at every pair. All implementations give the same pairs; they
+/// differ in speed only.
 /// </summary>
 /// <remarks>
-/// Mutable and not thread-safe. Objects are known by numbers of the caller's choice, from 0; memory grows with the largest one, so keep them dense. A number is free again
-/// once it was removed. Nothing is allocated once the internal buffers and the caller's lists have their size. A refused call changes nothing.
+/// Mutable and not thread-safe. Objects are known by numbers of the caller's choice, from 0 to 16,777,215; memory grows
+/// with the largest one, so keep them dense. A number is free again once it was removed. Nothing is allocated once the
+/// internal buffers and the caller's lists have their size. A refused call changes nothing.
 /// </remarks>
 public interface IBroadPhase
 {
@@ -16,9 +18,9 @@ public interface IBroadPhase
     int Count { get; }
 
     /// <summary>Adds an object.</summary>
-    /// <param name="id">At least 0, and not in use.</param>
+    /// <param name="id">From 0 to 16,777,215, and not in use.</param>
     /// <param name="bounds">A box that holds the object.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The number is negative.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The number is negative, or too large.</exception>
     /// <exception cref="ArgumentException">The number is in use.</exception>
     void Add(int id, in Aabb bounds);
 
@@ -36,11 +38,16 @@ public interface IBroadPhase
     /// <summary>Removes all objects.</summary>
     void Clear();
 
-    /// <summary>All pairs whose boxes overlap, touching included, when one of the two is widened by the margin on every side.</summary>
+    /// <summary>
+    /// All pairs whose boxes overlap, touching included, when one of the two is widened by the margin on every side.
+    /// </summary>
     /// <param name="margin">At least 0; may be infinite.</param>
     /// <param name="pairs">Emptied first; then the pairs, A less than B, sorted by (A, B).</param>
     /// <exception cref="ArgumentOutOfRangeException">The margin is negative or NaN.</exception>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// There are more than 1,073,741,824 pairs. The list is left empty; the broad phase is as it was.
+    /// </exception>
     void CollectPairs(float margin, List<ObjectPair> pairs);
 
     /// <summary>All objects whose boxes overlap a given one, touching included.</summary>

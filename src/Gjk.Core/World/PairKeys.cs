@@ -4,7 +4,10 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <summary>A growable array of pairs, each packed as A in the upper and B in the lower half, so that the order of the numbers is the order of the pairs.</summary>
+/// <summary>
+/// A growable array of pairs, each packed as A in the upper and B in the lower half, so that the order of the numbers
+/// is the order of the pairs.
+/// </summary>
 internal sealed class PairKeys
 {
     /// <summary>Count: buckets up to this length are sorted by insertion.</summary>
@@ -13,8 +16,14 @@ internal sealed class PairKeys
     /// <summary>The bucket sort passes over all objects; it pays from one pair per this many objects on.</summary>
     private const int ObjectsPerPair = 8;
 
+    /// <summary>Count: how many pairs fit; 8 GB, twice that while they are sorted.</summary>
+    public const int MostPairs = 1 << 30;
+
     public ulong[] Keys = new ulong[16];
     public int Count;
+
+    /// <summary>How many pairs may be added: less in tests.</summary>
+    public int Limit = MostPairs;
 
     private ulong[] _sorted = [];
     private int[] _starts = [];
@@ -31,8 +40,15 @@ internal sealed class PairKeys
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(ulong key)
     {
-        if (Count == Keys.Length) Array.Resize(ref Keys, 2 * Count);
+        if (Count == Keys.Length || Count >= Limit) MakeRoom(Count + 1L);
         Keys[Count++] = key;
+    }
+
+    /// <summary>For more pairs than fit; the caller's list is left empty.</summary>
+    public static InvalidOperationException TooMany(int limit, List<ObjectPair>? pairs = null)
+    {
+        pairs?.Clear();
+        return new(FormattableString.Invariant($"There are more than {limit} pairs, more than a broad phase can hold."));
     }
 
     /// <summary>Sorts; the objects' numbers are below the given end.</summary>
@@ -55,8 +71,8 @@ internal sealed class PairKeys
     /// <summary>Merges sorted keys into these sorted ones; none of them may be in both.</summary>
     public void Merge(PairKeys other)
     {
+        MakeRoom((long)Count + other.Count);
         int total = Count + other.Count;
-        if (Keys.Length < total) Array.Resize(ref Keys, BoundsTable.Grown(Keys.Length, total));
         for (int i = Count - 1, j = other.Count - 1, to = total - 1; j >= 0; to--)
             Keys[to] = i >= 0 && Keys[i] > other.Keys[j] ? Keys[i--] : other.Keys[j--];
         Count = total;
@@ -65,6 +81,12 @@ internal sealed class PairKeys
     public void CopyTo(List<ObjectPair> pairs)
     {
         for (int i = 0; i < Count; i++) pairs.Add(new ObjectPair(First(Keys[i]), Second(Keys[i])));
+    }
+
+    private void MakeRoom(long count)
+    {
+        if (count > Limit) throw TooMany(Limit);
+        if (count > Keys.Length) Array.Resize(ref Keys, (int)Math.Min(Math.Max(2L * Keys.Length, count), MostPairs));
     }
 
     /// <summary>A counting sort by A; then each A's pairs, usually a handful, by B.</summary>

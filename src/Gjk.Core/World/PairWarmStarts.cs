@@ -4,51 +4,85 @@ using System.Collections.Generic;
 namespace Gjk.Core;
 
 /// <summary>
-/// Warm starts of all the pairs of a frame, sorted as the pairs are: the next frame's pairs find theirs by walking both lists at once, and those of pairs
-/// that are gone are left behind.
+/// What a frame leaves to the next one about each of its pairs: the warm start, and whether the pair was reported. The
+/// pairs are sorted: the next frame's pairs find theirs by walking both lists at once, and those of pairs that are gone
+/// are left behind.
 /// </summary>
+/// <remarks>
+/// Which pairs a frame looks at depends on their bounds, which pairs it reports does not. So only the warm start of a
+/// pair that was reported may be seen in a result; see <see cref="SceneDistanceJob"/>.
+/// </remarks>
 internal sealed class PairWarmStarts
 {
-    private ulong[] _keys = [], _lastKeys = [];
-    private WarmStart[] _starts = [], _lastStarts = [];
-    private int _count, _lastCount;
+    private Frame _now = new();
+    private Frame _last = new();
 
     /// <summary>How many pairs the last frame had.</summary>
-    public int Count => _count;
+    public int Count => _now.Count;
 
     /// <summary>A new frame with these pairs of slots; their ids ascend as they do.</summary>
     public void Begin(List<ObjectPair> pairs, int[] ids)
     {
-        (_keys, _lastKeys) = (_lastKeys, _keys);
-        (_starts, _lastStarts) = (_lastStarts, _starts);
-        _lastCount = _count;
-        _count = pairs.Count;
-        if (_keys.Length < _count)
-        {
-            int capacity = BoundsTable.Grown(_keys.Length, _count);
-            _keys = new ulong[capacity];
-            _starts = new WarmStart[capacity];
-        }
-
-        for (int i = 0; i < _count; i++) _keys[i] = PairKeys.Key(ids[pairs[i].A], ids[pairs[i].B]);
+        _last.Reserve(pairs.Count);
+        (_now, _last) = (_last, _now);
+        _now.Count = pairs.Count;
+        for (int i = 0; i < _now.Count; i++) _now.Keys[i] = PairKeys.Key(ids[pairs[i].A], ids[pairs[i].B]);
     }
 
     /// <summary>Where among the last frame's pairs to look for the i-th and those after it.</summary>
     public int Seek(int i)
     {
-        int found = Array.BinarySearch(_lastKeys, 0, _lastCount, _keys[i]);
+        int found = Array.BinarySearch(_last.Keys, 0, _last.Count, _now.Keys[i]);
         return found >= 0 ? found : ~found;
     }
 
     /// <summary>The i-th pair's warm start, with what the last frame left.</summary>
     /// <param name="i">The pair.</param>
     /// <param name="last">From <see cref="Seek"/>, or as the call for the pair before left it.</param>
-    public ref WarmStart Resume(int i, ref int last)
+    /// <param name="state">What the last frame said of the pair.</param>
+    public ref WarmStart Resume(int i, ref int last, out PairState state)
     {
-        ulong key = _keys[i];
-        while (last < _lastCount && _lastKeys[last] < key) last++;
-        ref WarmStart start = ref _starts[i];
-        start = last < _lastCount && _lastKeys[last] == key ? _lastStarts[last] : default;
+        ulong key = _now.Keys[i];
+        while (last < _last.Count && _last.Keys[last] < key) last++;
+        ref WarmStart start = ref _now.Starts[i];
+        bool isKnown = last < _last.Count && _last.Keys[last] == key;
+        start = isKnown ? _last.Starts[last] : default;
+        state = !isKnown ? PairState.Unknown : _last.Reported[last] ? PairState.Reported : PairState.Beyond;
         return ref start;
     }
+
+    /// <summary>Whether the i-th pair is reported in this frame; once for each pair.</summary>
+    public void SetReported(int i, bool isReported) => _now.Reported[i] = isReported;
+
+    private sealed class Frame
+    {
+        public ulong[] Keys = [];
+        public WarmStart[] Starts = [];
+        public bool[] Reported = [];
+        public int Count;
+
+        /// <summary>Nothing changes if there is no memory for it.</summary>
+        public void Reserve(int count)
+        {
+            if (Keys.Length >= count) return;
+            int capacity = BoundsTable.Grown(Keys.Length, count);
+            var starts = new WarmStart[capacity];
+            bool[] reported = new bool[capacity];
+            ulong[] keys = new ulong[capacity];
+            (Keys, Starts, Reported) = (keys, starts, reported);
+        }
+    }
+}
+
+/// <summary>What is known of a pair from the frame before.</summary>
+internal enum PairState
+{
+    /// <summary>Nothing: its bounds were too far apart, or one of the two was not there.</summary>
+    Unknown = 0,
+
+    /// <summary>It was looked at, and was further apart than asked.</summary>
+    Beyond,
+
+    /// <summary>It was reported.</summary>
+    Reported,
 }

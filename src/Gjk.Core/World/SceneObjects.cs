@@ -3,8 +3,9 @@ using System;
 namespace Gjk.Core;
 
 /// <summary>
-/// The objects of a scene in arrays, ordered by id. An id is the next number ever; its slot is the same until so many objects were removed that the arrays are closed up, which
-/// keeps the order, so pairs sorted by slot are always sorted by id.
+/// The objects of a scene in arrays, ordered by id. An id is the next number ever; its slot is the same until so many
+/// objects were removed that the arrays are closed up, which keeps the order, so pairs sorted by slot are always sorted
+/// by id.
 /// </summary>
 internal sealed class SceneObjects
 {
@@ -35,13 +36,22 @@ internal sealed class SceneObjects
     public bool IsDirect { get; private set; } = true;
 
     /// <summary>Whether the next object needs the arrays closed up first; slots change.</summary>
-    public bool ShouldCloseUp => End == Ids.Length && Count < End / 2;
+    public bool ShouldCloseUp => End == Ids.Length && (Count < End / 2 || (End == BoundsTable.IdLimit && Count < End));
 
-    /// <summary>The slot of the new object.</summary>
-    public int Add(in ConvexShape shape, in RigidPose pose, in WorldBounds bounds)
+    /// <summary>Makes room for one more object; nothing changes if there is no memory for it.</summary>
+    /// <returns>The slot that it will have.</returns>
+    public int Reserve()
     {
         if (_nextId == int.MaxValue) throw new InvalidOperationException("All ids of this scene were given out.");
+        if (End == BoundsTable.IdLimit)
+            throw new InvalidOperationException("A scene cannot hold more than 16,777,216 objects.");
         if (End == Ids.Length) Grow();
+        return End;
+    }
+
+    /// <summary>The slot of the new object, for which there is room.</summary>
+    public int Add(in ConvexShape shape, in RigidPose pose, in WorldBounds bounds)
+    {
         int slot = End++;
         Shapes[slot] = shape;
         Poses[slot] = pose;
@@ -98,11 +108,13 @@ internal sealed class SceneObjects
 
     private void Grow()
     {
-        int capacity = BoundsTable.Grown(Ids.Length, End);
+        int capacity = Math.Min(BoundsTable.Grown(Ids.Length, End), BoundsTable.IdLimit);
         Array.Resize(ref Shapes, capacity);
         Array.Resize(ref Poses, capacity);
         Array.Resize(ref Bounds, capacity);
-        Array.Resize(ref Ids, capacity);
         Array.Resize(ref Alive, capacity);
+
+        // Last: its length says that there is room in all of them.
+        Array.Resize(ref Ids, capacity);
     }
 }

@@ -2,8 +2,15 @@ using System.Collections.Generic;
 
 namespace Gjk.Core;
 
-/// <summary>The broad phase that sorts the boxes along one axis, the one of largest spread, each time it is asked. It keeps nothing between frames, so motion of any size costs the same.</summary>
-/// <remarks>Mutable and not thread-safe. In a cube of constant density the time grows with n^(5/3), in a long row with n log n.</remarks>
+/// <summary>
+/// The broad phase that sorts the boxes along one axis each time it is asked: the one along which they are spread most
+/// for their size. It keeps nothing between frames, so motion of any size costs the same.
+/// </summary>
+/// <remarks>
+/// Mutable and not thread-safe. Every two boxes that overlap along that axis are compared. So the time grows with n log
+/// n in a long row, with n^(5/3) in a cube of constant density, and with n² where no axis tells boxes apart: rods in
+/// all three directions, or a few hundred boxes in one place along the axis and apart along the others.
+/// </remarks>
 public sealed class SortAndSweep : IBroadPhase
 {
     private readonly BoundsTable _table = new();
@@ -12,6 +19,15 @@ public sealed class SortAndSweep : IBroadPhase
 
     /// <inheritdoc/>
     public int Count => _table.Count;
+
+    /// <summary>How many pairs of boxes were compared, for the tests of cost.</summary>
+    internal long Comparisons => _sweep.Comparisons;
+
+    /// <summary>How many pairs may be found: less in tests.</summary>
+    internal int PairLimit
+    {
+        set => _found.Limit = value;
+    }
 
     /// <inheritdoc/>
     public void Add(int id, in Aabb bounds) => _table.Add(id, bounds);

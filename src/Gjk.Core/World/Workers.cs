@@ -5,15 +5,29 @@ using System.Threading;
 namespace Gjk.Core;
 
 /// <summary>
-/// Threads that share the work of a scene or a batch with the thread that asks. Make one, keep it, pass it to every call that should use it, and dispose of it.
+/// Threads that share the work of a scene or a batch with the thread that asks. Make one, keep it, pass it to every
+/// call that should use it, and dispose of it.
 /// </summary>
 /// <remarks>
-/// Thread-safe: calls from several threads take turns. The results do not depend on it: work is cut into the same parts for any number of threads, and each part
-/// has its own place for what it finds. The threads are background threads; they wait without using the processor but for a moment after each task.
+/// Thread-safe: calls from several threads take turns. The results do not depend on it: work is cut into the same parts
+/// for any number of threads, and each part has its own place for what it finds. The threads are background threads;
+/// they wait without using the processor but for a moment after each task. A call that has begun its work ends when all
+/// threads have left it, whatever happens: <see cref="Thread.Interrupt"/> on the caller takes effect where the caller
+/// waits next. While a call waits for its turn, it ends with the usual <see cref="ThreadInterruptedException"/>, and
+/// nothing is done.
 /// </remarks>
-public sealed class Workers : IDisposable
+public sealed partial class Workers : IDisposable
 {
-    /// <summary>Count of pauses, some tens of microseconds, that a thread waits awake before it sleeps: the parts of one frame follow each other faster than threads wake. A matter of speed only.</summary>
+    /// <summary>
+    /// Count of threads: more than any machine that shares memory makes use of here, and few enough to be started
+    /// anywhere. Pinned by WorkerCountTests.
+    /// </summary>
+    private const int MostThreads = 1024;
+
+    /// <summary>
+    /// Count of pauses, some tens of microseconds, that a thread waits awake before it sleeps: the parts of one frame
+    /// follow each other faster than threads wake. A matter of speed only.
+    /// </summary>
     private const int PausesAwake = 200;
 
     /// <summary>Processor pauses between two looks at what is waited for.</summary>
@@ -22,7 +36,9 @@ public sealed class Workers : IDisposable
     private readonly object _turn = new();
     private readonly object _gate = new();
     private readonly Thread[] _threads;
-    private readonly Task[] _tasks = new Task[8];
+
+    /// <summary>One for each kind of job so far; they are few.</summary>
+    private Task[] _tasks = [];
     private Task? _task;
     private Exception? _failure;
     private volatile int _round;
@@ -30,22 +46,45 @@ public sealed class Workers : IDisposable
     private volatile bool _disposed;
 
     /// <summary>Starts the threads, one less than there are processors.</summary>
+    /// <exception cref="InvalidOperationException">
+    /// The system refused a thread; those before it have ended again.
+    /// </exception>
     public Workers()
-        : this(Environment.ProcessorCount)
+        : this(Math.Min(Environment.ProcessorCount, MostThreads))
     {
     }
 
     /// <summary>Starts the threads.</summary>
-    /// <param name="threadCount">How many threads work at once, the caller's included; at least 1.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The count is less than 1.</exception>
+    /// <param name="threadCount">How many threads work at once, the caller's included; from 1 to 1024.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The count is less than 1 or more than 1024.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The system refused a thread; those before it have ended again.
+    /// </exception>
     public Workers(int threadCount)
+        : this(threadCount, thread => thread.Start())
     {
-        if (threadCount < 1) throw new ArgumentOutOfRangeException(nameof(threadCount), threadCount, "Must be at least 1.");
+    }
+
+    /// <summary>As the other; tests start the threads in a way that fails.</summary>
+    internal Workers(int threadCount, Action<Thread> start)
+    {
+        if (threadCount is < 1 or > MostThreads)
+            throw new ArgumentOutOfRangeException(nameof(threadCount), threadCount, "Must be from 1 to 1024.");
         _threads = new Thread[threadCount - 1];
-        for (int i = 0; i < _threads.Length; i++)
+        int started = 0;
+        try
         {
-            _threads[i] = new Thread(Loop) { IsBackground = true, Name = "Gjk worker" };
-            _threads[i].Start();
+            for (; started < _threads.Length; started++)
+            {
+                _threads[started] = new Thread(Loop) { IsBackground = true, Name = "Gjk worker" };
+                start(_threads[started]);
+            }
+        }
+        catch (Exception e)
+        {
+            EndThreads(started);
+            throw new InvalidOperationException(
+                FormattableString.Invariant($"Thread {started + 1} of {_threads.Length} could not be started."), e);
         }
     }
 
@@ -55,16 +94,7 @@ public sealed class Workers : IDisposable
     /// <summary>Ends the threads after the task at hand. Calling it again does nothing.</summary>
     public void Dispose()
     {
-        lock (_turn)
-        {
-            lock (_gate)
-            {
-                _disposed = true;
-                Monitor.PulseAll(_gate);
-            }
-
-            foreach (Thread thread in _threads) thread.Join();
-        }
+        lock (_turn) EndThreads(_threads.Length);
     }
 
     /// <summary>Refuses workers that were disposed of, before a caller changes anything.</summary>
@@ -109,20 +139,29 @@ public sealed class Workers : IDisposable
             return;
         }
 
+        Exception? failure;
+        bool wasInterrupted = false;
         lock (_turn)
         {
             Check(this);
             Task<TJob> task = TaskFor<TJob>();
             task.Begin(job, count, partLength, cancellation);
-            Open(task);
-            Work(task);
-            Close();
-            task.End();
-            Exception? failure = _failure;
-            _failure = null;
-            if (failure is not null) ExceptionDispatchInfo.Capture(failure).Throw();
+            try
+            {
+                Open(task, ref wasInterrupted);
+                Work(task, ref wasInterrupted);
+            }
+            finally
+            {
+                Close(ref wasInterrupted);
+                task.End();
+                (failure, _failure) = (_failure, null);
+            }
         }
 
+        // The caller's next wait throws, as it would have done here.
+        if (wasInterrupted) Thread.CurrentThread.Interrupt();
+        if (failure is not null) ExceptionDispatchInfo.Capture(failure).Throw();
         cancellation.ThrowIfCancellationRequested();
     }
 
@@ -130,32 +169,79 @@ public sealed class Workers : IDisposable
     private Task<TJob> TaskFor<TJob>()
         where TJob : struct, IPartJob
     {
-        int i = 0;
-        for (; _tasks[i] is not null; i++)
-            if (_tasks[i] is Task<TJob> known) return known;
+        foreach (Task known in _tasks)
+            if (known is Task<TJob> of) return of;
         var task = new Task<TJob>();
-        _tasks[i] = task;
+        Array.Resize(ref _tasks, _tasks.Length + 1);
+        _tasks[_tasks.Length - 1] = task;
         return task;
     }
 
-    private void Open(Task task)
+    private void Open(Task task, ref bool wasInterrupted)
     {
-        lock (_gate)
+        EnterGate(ref wasInterrupted);
+        _task = task;
+        _round++;
+        Monitor.PulseAll(_gate);
+        Monitor.Exit(_gate);
+    }
+
+    /// <summary>
+    /// Lets nobody in any more and waits until all are out. A thread that did not wake in time is not waited for.
+    /// </summary>
+    private void Close(ref bool wasInterrupted)
+    {
+        EnterGate(ref wasInterrupted);
+        _task = null;
+        Monitor.Exit(_gate);
+        for (int i = 0; i < PausesAwake && _inside > 0; i++) Thread.SpinWait(PauseLength);
+        if (_inside == 0) return;
+        EnterGate(ref wasInterrupted);
+        while (_inside > 0)
         {
-            _task = task;
-            _round++;
-            Monitor.PulseAll(_gate);
+            try
+            {
+                Monitor.Wait(_gate);
+            }
+            catch (ThreadInterruptedException)
+            {
+                // The gate is entered again.
+                wasInterrupted = true;
+            }
+        }
+
+        Monitor.Exit(_gate);
+    }
+
+    /// <summary>
+    /// Enters the gate, which nobody holds for long, although the caller may be interrupted meanwhile.
+    /// </summary>
+    private void EnterGate(ref bool wasInterrupted)
+    {
+        while (true)
+        {
+            try
+            {
+                Monitor.Enter(_gate);
+                return;
+            }
+            catch (ThreadInterruptedException)
+            {
+                wasInterrupted = true;
+            }
         }
     }
 
-    /// <summary>Lets nobody in any more and waits until all are out. A thread that did not wake in time is not waited for.</summary>
-    private void Close()
+    /// <summary>Ends the first threads, and waits until they are gone.</summary>
+    private void EndThreads(int count)
     {
-        lock (_gate) _task = null;
-        for (int i = 0; i < PausesAwake && _inside > 0; i++) Thread.SpinWait(PauseLength);
-        if (_inside == 0) return;
         lock (_gate)
-            while (_inside > 0) Monitor.Wait(_gate);
+        {
+            _disposed = true;
+            Monitor.PulseAll(_gate);
+        }
+
+        for (int i = 0; i < count; i++) _threads[i].Join();
     }
 
     private void Loop()
@@ -175,7 +261,8 @@ public sealed class Workers : IDisposable
             }
 
             if (task is null) continue;
-            Work(task);
+            bool wasInterrupted = false;
+            Work(task, ref wasInterrupted);
             lock (_gate)
             {
                 _inside--;
@@ -184,7 +271,7 @@ public sealed class Workers : IDisposable
         }
     }
 
-    private void Work(Task task)
+    private void Work(Task task, ref bool wasInterrupted)
     {
         try
         {
@@ -193,56 +280,9 @@ public sealed class Workers : IDisposable
         catch (Exception e)
         {
             task.Stop();
-            lock (_gate) _failure ??= e;
+            EnterGate(ref wasInterrupted);
+            _failure ??= e;
+            Monitor.Exit(_gate);
         }
-    }
-
-    private abstract class Task
-    {
-        public abstract void RunParts();
-
-        public abstract void Stop();
-    }
-
-    private sealed class Task<TJob> : Task
-        where TJob : struct, IPartJob
-    {
-        private TJob _job;
-        private CancellationToken _cancellation;
-        private int _count, _partLength, _parts;
-
-        /// <summary>The first part that nobody has taken.</summary>
-        private int _next;
-
-        public void Begin(in TJob job, int count, int partLength, CancellationToken cancellation)
-        {
-            _job = job;
-            _count = count;
-            _partLength = partLength;
-            _parts = (int)(((long)count + partLength - 1) / partLength);
-            _cancellation = cancellation;
-            _next = 0;
-        }
-
-        /// <summary>Holds on to nothing of the caller's.</summary>
-        public void End()
-        {
-            _job = default;
-            _cancellation = default;
-        }
-
-        public override void RunParts()
-        {
-            TJob job = _job;
-            while (!_cancellation.IsCancellationRequested)
-            {
-                int part = Interlocked.Increment(ref _next) - 1;
-                if (part >= _parts) return;
-                int begin = part * _partLength;
-                job.Run(begin, Math.Min(begin + _partLength, _count));
-            }
-        }
-
-        public override void Stop() => Volatile.Write(ref _next, _parts);
     }
 }

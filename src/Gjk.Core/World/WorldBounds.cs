@@ -5,20 +5,29 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// What is known of a shape's extent in its own frame, so that its bounds in the world cost a few dozen operations at any pose: the smallest box around the core with its
-/// margin, and a ball about the box's centre.
+/// What is known of a shape's extent in its own frame, so that its bounds in the world cost a few dozen operations at
+/// any pose: the smallest box around the core with its margin, and a ball about the box's centre.
 /// </summary>
-/// <remarks>Immutable. For those who use a broad phase alone; a <see cref="CollisionScene"/> does it by itself.</remarks>
+/// <remarks>
+/// Immutable. For those who use a broad phase alone; a <see cref="CollisionScene"/> does it by itself.
+/// </remarks>
 public readonly struct WorldBounds
 {
     /// <summary>
-    /// Ratio to the coordinates, outward: four times float's rounding, 2^-24. One covers the bound's own rounding, one that of a margin added to it in a broad phase, and the rest
-    /// what shapes may be apart and still touch. Pinned by WorldBoundsTests.
+    /// Ratio to the coordinates, outward: four times float's rounding, 2^-24. One covers the bound's own rounding, one
+    /// that of a margin added to it in a broad phase, and the rest what shapes may be apart and still touch. Pinned by
+    /// WorldBoundsTests.
     /// </summary>
     private const double FloatSlack = 4.0 / (1 << 24);
 
-    /// <summary>Ratio to the position and to the local centre, outward: what rounding in double does to the rotated centre, with a factor of 16 to spare.</summary>
+    /// <summary>
+    /// Ratio to the position and to the local centre, outward: what rounding in double does to the rotated centre, with
+    /// a factor of 16 to spare.
+    /// </summary>
     private const double DoubleSlack = 64.0 / (1L << 53);
+
+    /// <summary>Ratio to the ball's radius, outward: five times how far apart curved shapes still touch. Pinned by WorldBoundsTests.</summary>
+    private const double TouchSlack = 5 * GjkTolerances.TouchCurved;
 
     private readonly Vector3D _center;
     private readonly Vector3D _half;
@@ -43,7 +52,10 @@ public readonly struct WorldBounds
     /// <summary>The radius of the ball in <see cref="BallBoxAt"/>.</summary>
     internal double Radius => _radius;
 
-    /// <summary>A box that holds the shape at a pose: the box around the turned local box, or that around the ball, whichever is narrower along each axis; rounded outward.</summary>
+    /// <summary>
+    /// A box that holds the shape at a pose: the box around the turned local box, or that around the ball, whichever is
+    /// narrower along each axis; rounded outward.
+    /// </summary>
     public Aabb BoxAt(in RigidPose pose)
     {
         var rotation = new RotationD(pose.Rotation);
@@ -54,7 +66,10 @@ public readonly struct WorldBounds
         return Around(center, new Vector3D(Math.Min(x, _radius), Math.Min(y, _radius), Math.Min(z, _radius)));
     }
 
-    /// <summary>A box that holds a ball that holds the shape at a pose. Where the shape's centre is its local origin the rotation is not looked at.</summary>
+    /// <summary>
+    /// A box that holds a ball that holds the shape at a pose. Where the shape's centre is its local origin the
+    /// rotation is not looked at.
+    /// </summary>
     public Aabb BallBoxAt(in RigidPose pose) => Around(CenterAt(pose), new Vector3D(_radius, _radius, _radius));
 
     /// <summary>The ball's centre.</summary>
@@ -76,7 +91,7 @@ public readonly struct WorldBounds
 
     private Aabb Around(in Vector3D center, in Vector3D half)
     {
-        double rounding = DoubleSlack * (_offset + _radius);
+        double rounding = DoubleSlack * (_offset + _radius) + TouchSlack * _radius;
         double x = half.X + FloatSlack * (Math.Abs(center.X) + half.X) + rounding;
         double y = half.Y + FloatSlack * (Math.Abs(center.Y) + half.Y) + rounding;
         double z = half.Z + FloatSlack * (Math.Abs(center.Z) + half.Z) + rounding;

@@ -41,17 +41,16 @@ internal sealed class AtomicFile : IDisposable
     {
         _name = name;
         _cancel = cancel;
-        Stream? stream = null;
         try
         {
             _target = OutputTarget.Of(name);
             if (_target.IsStandardOutput)
             {
-                stream = Console.OpenStandardOutput();
+                _stream = OutputConsole.OpenStream(cancel);
             }
             else if (_target.Status.Kind == FileKind.Stream)
             {
-                stream = OpenStream(_target.Path, cancel);
+                _stream = new RefusingStream(name, OpenStream(_target.Path, cancel), cancel);
             }
             else
             {
@@ -59,7 +58,7 @@ internal sealed class AtomicFile : IDisposable
 
                 // Its name does not grow with the target's, which may be as long as the file system allows.
                 _temporary = Path.Combine(Path.GetDirectoryName(_target.Path)!, $".gjk-demo.{Guid.NewGuid():N}.tmp");
-                stream = CreateLike(_target.Status, _temporary);
+                _stream = new RefusingStream(name, CreateLike(_target.Status, _temporary), CancellationToken.None);
             }
         }
         catch (Exception e) when (RefusedException.IsFileTrouble(e))
@@ -68,7 +67,6 @@ internal sealed class AtomicFile : IDisposable
             throw new RefusedException(name, "cannot be written", e);
         }
 
-        _stream = new RefusingStream(name, stream);
         _onCancel = cancel.Register(OnCancel);
     }
 
@@ -195,19 +193,15 @@ internal sealed class AtomicFile : IDisposable
         }
     }
 
-    /// <summary>Opening a pipe waits for its reader, and no signal ends that; so another thread waits.</summary>
+    /// <summary>
+    /// Opening a pipe waits for its reader, and no signal ends that; so another thread waits. Without a buffer, closing
+    /// the pipe writes nothing, and so cannot wait either.
+    /// </summary>
     private static FileStream OpenStream(string path, CancellationToken cancel)
     {
-        var open = Task.Run(() => new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite), cancel);
-        try
-        {
-            open.Wait(cancel);
-        }
-        catch (AggregateException)
-        {
-            // Its cause is thrown below.
-        }
-
+        FileStream Open() => new(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0);
+        Task<FileStream> open = Task.Run(Open, CancellationToken.None);
+        Task.WaitAny([open], cancel);
         return open.GetAwaiter().GetResult();
     }
 

@@ -1,51 +1,46 @@
 using System;
 using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
 
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// An output whose failures are refusals that name it, and so cannot be taken for an error of the code that writes.
+/// An output whose failures are refusals that name it, and so cannot be taken for an error of the code that writes. If
+/// its reader is slow, a cancelled command does not wait for it.
 /// </summary>
-internal sealed class RefusingStream : Stream
+internal sealed class RefusingStream : WriteOnlyStream
 {
+    /// <summary>A reader that is there has this long to take what a cancelled command still has to say.</summary>
+    private static readonly TimeSpan Grace = TimeSpan.FromSeconds(1);
+
     private readonly string _name;
     private readonly Stream _inner;
+    private readonly CancellationToken _cancel;
 
     /// <param name="name">What the user calls it.</param>
     /// <param name="inner">Is closed with this stream.</param>
-    public RefusingStream(string name, Stream inner)
+    /// <param name="cancel">Ends the wait for a reader; none for a file, which has no reader to wait for.</param>
+    public RefusingStream(string name, Stream inner, CancellationToken cancel)
     {
         _name = name;
         _inner = inner;
+        _cancel = cancel;
     }
 
-    public override bool CanRead => false;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => true;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
-
+    /// <exception cref="OperationCanceledException">Cancelled, and the reader did not take it.</exception>
     public override void Write(ReadOnlySpan<byte> buffer)
     {
         try
         {
-            _inner.Write(buffer);
+            if (_cancel.CanBeCanceled) WriteWhileNotCancelled(buffer.ToArray());
+            else _inner.Write(buffer);
         }
         catch (Exception e) when (RefusedException.IsFileTrouble(e))
         {
             throw new RefusedException(_name, "cannot be written", e);
         }
     }
-
-    public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));
 
     public override void Flush() => Try(_inner.Flush);
 
@@ -56,17 +51,29 @@ internal sealed class RefusingStream : Stream
         else Flush();
     }
 
-    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
-
     /// <summary>Writes what is still in a buffer; <see cref="RefusedException"/> if that fails.</summary>
     protected override void Dispose(bool disposing)
     {
         if (disposing) Try(_inner.Dispose);
         base.Dispose(disposing);
+    }
+
+    /// <summary>
+    /// No signal ends a blocked write; so another thread is blocked, and the process ends without it.
+    /// </summary>
+    private void WriteWhileNotCancelled(byte[] bytes)
+    {
+        var write = Task.Run(() => _inner.Write(bytes), CancellationToken.None);
+        try
+        {
+            Task.WaitAny([write], _cancel);
+        }
+        catch (OperationCanceledException)
+        {
+            if (Task.WaitAny([write], Grace) < 0) throw;
+        }
+
+        write.GetAwaiter().GetResult();
     }
 
     private void Try(Action action)

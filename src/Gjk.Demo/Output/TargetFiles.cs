@@ -11,17 +11,14 @@ namespace Gjk.Demo.Output;
 /// </summary>
 internal static class TargetFiles
 {
-    /// <summary>Instead of an input file: standard input.</summary>
-    public const string StandardInput = "-";
-
     private const string StandardInputFile = "/dev/stdin", StandardOutputFile = "/dev/stdout";
 
-    /// <param name="input">The file that is read, <see cref="StandardInput"/>, or null.</param>
+    /// <param name="input">The file that is read, <see cref="InputFile.StandardInput"/>, or null.</param>
     /// <param name="outputs">The options and the files that they name; null where one was not given.</param>
     /// <exception cref="RefusedException">Two are the same file, or a file to be written cannot be.</exception>
     public static void Check(string? input, params (string Option, string? File)[] outputs)
     {
-        string? source = input == StandardInput ? StandardInputFile : input;
+        string? source = input == InputFile.StandardInput ? StandardInputFile : input;
         if (!string.IsNullOrEmpty(source)) source = Path.GetFullPath(source);
         var known = new List<(string Option, string Path)>();
         foreach ((string option, string? file) in outputs)

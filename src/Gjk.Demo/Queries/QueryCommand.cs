@@ -22,7 +22,7 @@ internal static class QueryCommand
     {
         if (output is null)
         {
-            using Stream stdout = OutputConsole.OpenStream();
+            using Stream stdout = OutputConsole.OpenStream(cancel);
             Write(scene, stdout, maxDistance, cancel);
             return;
         }

@@ -1,6 +1,6 @@
-using System;
-using System.IO;
 using System.Numerics;
+using System.Text;
+using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
@@ -16,12 +16,12 @@ internal static class RecordScene
     /// What is read for the text: standard input if it is "-", where a record may be longer than a command line;
     /// otherwise no file.
     /// </summary>
-    public static string? InputOf(string text) => text == TargetFiles.StandardInput ? text : null;
+    public static string? InputOf(string text) => text == InputFile.StandardInput ? text : null;
 
     /// <exception cref="RefusedException">The text is no record.</exception>
-    public static Scene Read(string text)
+    public static Scene Read(string text, CancellationToken cancel)
     {
-        if (text == TargetFiles.StandardInput) text = ReadInput();
+        if (text == InputFile.StandardInput) text = Encoding.UTF8.GetString(InputFile.Read(text, cancel));
         if (!QueryRecord.TryParse(text, out QueryRecord record, out string? reason))
             throw new RefusedException("--record: " + reason);
         SceneObject[] objects = [Object("A", record.A, record.PoseA), Object("B", record.B, record.PoseB)];
@@ -29,16 +29,4 @@ internal static class RecordScene
     }
 
     private static SceneObject Object(string name, in ConvexShape shape, in RigidPose pose) => new(name, shape, pose, Vector3.Zero, Vector3.Zero);
-
-    private static string ReadInput()
-    {
-        try
-        {
-            return Console.In.ReadToEnd();
-        }
-        catch (IOException e)
-        {
-            throw new RefusedException("standard input", "cannot be read", e);
-        }
-    }
 }

@@ -2,7 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Numerics;
+using System.Threading;
 using Gjk.Core;
+using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;
 
@@ -24,21 +26,11 @@ internal sealed class SceneFile
     }
 
     /// <summary>Reads and validates the whole file.</summary>
+    /// <param name="file">Its name, or "-" for standard input.</param>
+    /// <param name="cancel">Ends the wait for a pipe.</param>
     /// <exception cref="RefusedException">It cannot be read, or is not a scene.</exception>
-    public static Scene Load(string file)
-    {
-        byte[] bytes;
-        try
-        {
-            bytes = File.ReadAllBytes(file);
-        }
-        catch (Exception e) when (RefusedException.IsFileTrouble(e))
-        {
-            throw new RefusedException(file, "cannot be read", e);
-        }
-
-        return Parse(file, bytes);
-    }
+    public static Scene Load(string file, CancellationToken cancel) =>
+        Parse(InputFile.NameOf(file), InputFile.Read(file, cancel));
 
     private static Scene Parse(string file, ReadOnlySpan<byte> utf8)
     {

@@ -14,8 +14,8 @@ internal static class TimeCommand
 
     public static int Run(string[] files, TimeSpan duration, CancellationToken cancel)
     {
-        Scene[] scenes = Array.ConvertAll(files, Load);
-        using Stream stdout = OutputConsole.OpenStream();
+        Scene[] scenes = Array.ConvertAll(files, file => Load(file, cancel));
+        using Stream stdout = OutputConsole.OpenStream(cancel);
         for (int i = 0; i < scenes.Length; i++)
         {
             SceneTimes times = new SceneTimer(scenes[i], duration, cancel).Run();
@@ -25,9 +25,9 @@ internal static class TimeCommand
         return ExitCode.Done;
     }
 
-    private static Scene Load(string file)
+    private static Scene Load(string file, CancellationToken cancel)
     {
-        Scene scene = SceneFile.Load(file);
+        Scene scene = SceneFile.Load(file, cancel);
         return scene.Pairs.Count <= MostPairs
             ? scene
             : throw new RefusedException($"{file}: $.pairs: {scene.Pairs.Count} pairs, at most {MostPairs} can be timed");

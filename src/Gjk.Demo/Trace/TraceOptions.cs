@@ -28,7 +28,7 @@ internal static class TraceOptions
         {
             string html = r.GetValue(page)!;
             TargetFiles.Check(r.GetValue(source.File), ("--out", html));
-            Scene scene = source.Load(r, out string name);
+            Scene scene = source.Load(r, cancel, out string name);
             TryParse(r.GetValue(pair)!, out int a, out int b);
             int count = scene.Objects.Length;
             if (a >= count || b >= count) throw new RefusedException($"{name}: --pair {a},{b}: the scene has {count} objects, the first is 0");

@@ -1,4 +1,6 @@
 using System.CommandLine;
+using System.Threading;
+using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
@@ -15,7 +17,11 @@ internal sealed class SceneSource
         });
     }
 
-    public Argument<string?> File { get; } = new("SCENE.json") { Description = "The scene.", Arity = ArgumentArity.ZeroOrOne };
+    public Argument<string?> File { get; } = new("SCENE.json")
+    {
+        Description = "The scene; - reads it from standard input.",
+        Arity = ArgumentArity.ZeroOrOne,
+    };
 
     public Option<string?> BuiltIn { get; } = new("--builtin") { Description = "Show one of the report's scenes, cubes or spheres, instead of a file.", HelpName = "NAME" };
 
@@ -28,12 +34,19 @@ internal sealed class SceneSource
     });
 
     /// <param name="parsed">The command line.</param>
+    /// <param name="cancel">Ends the wait for a pipe.</param>
     /// <param name="name">What the user calls the scene.</param>
-    public Scene Load(ParseResult parsed, out string name)
+    public Scene Load(ParseResult parsed, CancellationToken cancel, out string name)
     {
         string? file = parsed.GetValue(File);
-        Scene scene = file is not null ? SceneFile.Load(file) : Scene.From(parsed.GetValue(BuiltIn) == "cubes" ? BuiltInScenes.Cubes() : BuiltInScenes.Spheres());
-        name = file ?? scene.Name;
+        if (file is not null)
+        {
+            name = InputFile.NameOf(file);
+            return SceneFile.Load(file, cancel);
+        }
+
+        Scene scene = Scene.From(parsed.GetValue(BuiltIn) == "cubes" ? BuiltInScenes.Cubes() : BuiltInScenes.Spheres());
+        name = scene.Name;
         return scene;
     }
 }

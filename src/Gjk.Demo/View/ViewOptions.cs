@@ -22,7 +22,7 @@ internal static class ViewOptions
         {
             string? html = r.GetValue(page), svg = r.GetValue(picture);
             TargetFiles.Check(r.GetValue(source.File), ("--out", html), ("--svg", svg));
-            return ViewCommand.Run(source.Load(r, out string name), name, html, svg, cancel);
+            return ViewCommand.Run(source.Load(r, cancel, out string name), name, html, svg, cancel);
         });
         return command;
     }

@@ -33,6 +33,8 @@ public class HullPredicatesTests
             int expected = HullOracle.Side(p[0], p[1], p[2], p[3]);
             int side = predicates.Side(predicates.PlaneThrough(0, 1, 2), 3, out _);
             Assert.True(expected == side, $"{family}, seed {seed}, quadruple {i}: {string.Join(" ", p)}: {side} instead of {expected}");
+            int determinant = new HullDeterminant().Sign(p[0], p[1], p[2], p[3]);
+            Assert.True(expected == determinant, $"{family}, seed {seed}, quadruple {i}: {string.Join(" ", p)}: determinant {determinant}");
             if (expected == 0) zeros++;
         }
 

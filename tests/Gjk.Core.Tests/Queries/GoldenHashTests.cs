@@ -8,6 +8,9 @@ namespace Gjk.Core.Tests.Queries;
 /// <summary>Contract 7: the same bits for one target framework, SIMD on or off, debug or release, serial or parallel.</summary>
 public class GoldenHashTests
 {
+    /// <summary>The families up to this one have a golden hash of their own.</summary>
+    private const string LastOldFamily = "dense";
+
     [Fact]
     public void TheCasesKeepTheirBits()
     {
@@ -24,9 +27,10 @@ public class GoldenHashTests
             }
 
             byFamily += $" {family} {own}";
+            if (family == LastOldFamily) AssertGolden("cases", all, byFamily);
         }
 
-        AssertGolden("cases", all, byFamily);
+        AssertGolden("allCases", all, byFamily);
     }
 
     [Fact]

@@ -11,7 +11,10 @@ public class BroadPhaseTests
 {
     private const int Frames = 40;
 
-    public static TheoryData<BroadPhaseKind> Kinds => [BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree];
+    public static TheoryData<BroadPhaseKind> Kinds => [.. AllKinds];
+
+    internal static BroadPhaseKind[] AllKinds =>
+        [BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree];
 
     /// <summary>Few objects, so that most ties and empty cases happen; many, so that the radix sort, the bucket sort, the rebuilds and the growth do.</summary>
     [Theory]

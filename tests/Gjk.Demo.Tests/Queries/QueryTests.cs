@@ -48,6 +48,18 @@ public sealed class QueryTests
         Assert.Contains(",NaN,NaN,NaN,NaN,NaN,NaN,", run.Out);
     }
 
+    /// <summary>The help shows this default; so it is taken.</summary>
+    [Fact]
+    public void AnInfiniteMaximumIsNone()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", TwoSpheresAndABox);
+        DemoRun run = DemoProcess.Run("query", scene, "--max-distance", "Infinity");
+        run.AssertDone();
+        Assert.Equal(DemoProcess.Run("query", scene).Out, run.Out);
+        Assert.Contains("[default: Infinity]", DemoProcess.Run("query", "--help").Out);
+    }
+
     [Fact]
     public void AFileGetsTheSameAndReplacesWhatWasThere()
     {

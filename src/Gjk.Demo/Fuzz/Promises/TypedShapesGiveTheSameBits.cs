@@ -66,6 +66,7 @@ internal sealed class TypedShapesGiveTheSameBits : IPromise
             case ShapeKind.Cone:
                 return CompareBoth(new ConeShape(n[0], n[1]), typed, pose, other, otherPose, expected, name);
             case ShapeKind.Ellipsoid:
+                // Scaled, it has its factors multiplied in as a ConvexShape, and rounds its supports differently.
                 var ellipsoid = new EllipsoidShape(new Vector3(n[0], n[1], n[2]));
                 return Compare(ellipsoid, pose, other, otherPose, expected, name);
             default:

@@ -1,0 +1,83 @@
+using System;
+using System.Diagnostics;
+using Gjk.Bench.Scenes;
+using Gjk.Core;
+
+namespace Gjk.Bench.Worst;
+
+/// <summary>Measures the supports of a hull, each direction on its own.</summary>
+internal static class SupportClock
+{
+    private const int Directions = 500;
+
+    /// <summary>Supports per sample: some microseconds, long against the clock's own cost.</summary>
+    private const int Repeats = 32;
+
+    /// <summary>Samples per direction, of which the fastest counts: a disturbance only ever adds time.</summary>
+    private const int Samples = 5;
+
+    private const ulong Seed = 41;
+
+    /// <summary>Powers of ten by which a direction is off a normal: from this one up to -1.</summary>
+    private const int LeastOffset = -18;
+
+    public static SupportCost AlongRandom(ConvexHull hull)
+    {
+        var prng = new Prng(Seed);
+        return Measure(hull, _ => prng.Direction());
+    }
+
+    public static SupportCost AlongNormals(ConvexHull hull)
+    {
+        var prng = new Prng(Seed);
+        return Measure(hull, _ => Normal(hull, prng));
+    }
+
+    public static SupportCost NearNormals(ConvexHull hull)
+    {
+        var prng = new Prng(Seed);
+        return Measure(hull, i =>
+        {
+            Vector3D normal = Normal(hull, prng);
+            return normal + normal.Length * Math.Pow(10, LeastOffset + i % -LeastOffset) * (Vector3D)prng.Direction();
+        });
+    }
+
+    private static SupportCost Measure(ConvexHull hull, Func<int, Vector3D> direction)
+    {
+        double sum = 0, worst = 0;
+        var mesh = new ConvexMesh(hull);
+        for (int i = 0; i < Directions; i++)
+        {
+            double nanoseconds = Nanoseconds(mesh, direction(i));
+            sum += nanoseconds;
+            worst = Math.Max(worst, nanoseconds);
+        }
+
+        return new SupportCost(sum / Directions, worst);
+    }
+
+    private static double Nanoseconds(in ConvexMesh mesh, in Vector3D direction)
+    {
+        double best = double.PositiveInfinity;
+        long ids = 0;
+        for (int sample = 0; sample < Samples; sample++)
+        {
+            long start = Stopwatch.GetTimestamp();
+            for (int i = 0; i < Repeats; i++) ids += mesh.Support(direction, -1, out _);
+            best = Math.Min(best, Stopwatch.GetElapsedTime(start).TotalNanoseconds / Repeats);
+        }
+
+        return ids < 0 ? throw new FactorCheckException("A support had no id") : best;
+    }
+
+    /// <summary>The normal of a random triangle, in double; a random direction for hulls without triangles.</summary>
+    private static Vector3D Normal(ConvexHull hull, Prng prng)
+    {
+        if (hull.TriangleCount == 0) return prng.Direction();
+        hull.GetTriangle(prng.Index(hull.TriangleCount), out int a, out int b, out int c);
+        Vector3D origin = hull.GetVertex(a);
+        Vector3D normal = Vector3D.Cross(hull.GetVertex(b) - origin, hull.GetVertex(c) - origin);
+        return normal.LengthSquared > 0 ? normal : prng.Direction();
+    }
+}

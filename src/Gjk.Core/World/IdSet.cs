@@ -1,0 +1,56 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A set of object numbers, listed in the order in which they came. A number is listed once, however often it is added,
+/// so the list is never longer than the table of objects.
+/// </summary>
+internal sealed class IdSet
+{
+    /// <summary>The numbers; the first <see cref="Count"/> are valid.</summary>
+    public int[] Ids = [];
+
+    /// <summary>Whether a number is in the set, by number.</summary>
+    public bool[] Has = [];
+
+    public int Count;
+
+    /// <summary>Makes room for the numbers below a capacity.</summary>
+    public void Reserve(int capacity)
+    {
+        if (Has.Length >= capacity) return;
+        int[] ids = new int[capacity];
+        bool[] has = new bool[capacity];
+        Array.Copy(Ids, ids, Count);
+        Array.Copy(Has, has, Has.Length);
+        (Ids, Has) = (ids, has);
+    }
+
+    public void Add(int id)
+    {
+        if (Has[id]) return;
+        Has[id] = true;
+        Ids[Count++] = id;
+    }
+
+    /// <summary>Drops the numbers of objects that are not there.</summary>
+    public void KeepPresent(bool[] present)
+    {
+        int kept = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            int id = Ids[i];
+            Has[id] = present[id];
+            if (present[id]) Ids[kept++] = id;
+        }
+
+        Count = kept;
+    }
+
+    public void Clear()
+    {
+        for (int i = 0; i < Count; i++) Has[Ids[i]] = false;
+        Count = 0;
+    }
+}

@@ -1,0 +1,171 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The pairs of a tree's leaves within a margin, kept from one question to the next. While all objects stay in their
+/// leaves nothing changes; the pairs of an object with a new leaf are found anew. Among the kept pairs are all those of
+/// the boxes themselves, for any margin up to the kept one.
+/// </summary>
+/// <remarks>
+/// What is kept is never more than <see cref="PairBudget"/> allows. Where the leaves are to blame, they are made
+/// tighter for a while; where an unusual margin is, the pairs found for it are used once and not kept.
+/// </remarks>
+internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
+{
+    /// <summary>
+    /// Count: questions in a row with less than half the kept margin, until pairs are found anew with the lesser one;
+    /// and questions that an answer's size is remembered for. A matter of speed only.
+    /// </summary>
+    private const int PatienceQuestions = 16;
+
+    /// <summary>Count: questions until tighter leaves are given up again. A matter of speed only.</summary>
+    private const int TightQuestions = 64;
+
+    /// <summary>
+    /// Ratio: when more of the objects have new leaves, all pairs are found anew. A matter of speed only.
+    /// </summary>
+    private const int UnpairedPartForAll = 3;
+
+    private readonly PairBudget _budget = new(table);
+    private readonly PairKeys _begun = new();
+
+    /// <summary>
+    /// The objects with new leaves, whose kept pairs are not those of the leaves. Some may have been removed.
+    /// </summary>
+    private readonly IdSet _unpaired = new();
+    private PairKeys _pairs = new();
+    private PairKeys _found = new();
+
+    /// <summary>Whether there are kept pairs.</summary>
+    private bool _isValid;
+
+    /// <summary>Whether kept pairs may name objects that are not there.</summary>
+    private bool _anyRemoved;
+
+    /// <summary>The kept pairs are all that this margin asks for.</summary>
+    private float _margin;
+    private int _questionsBelowMargin;
+    private int _questionsTight;
+    private int _lastAnswer;
+
+    /// <summary>The least answer of late; negative where there was none.</summary>
+    private int _leastAnswer = -1;
+    private int _leastAnswerAge;
+
+    /// <summary>How many pairs are kept.</summary>
+    public int Count => _isValid ? _pairs.Count : 0;
+
+    /// <summary>How many numbers wait for their pairs, for the tests.</summary>
+    public int WaitingCount => _unpaired.Count;
+
+    /// <summary>How many pairs may be held: less in tests.</summary>
+    public int PairLimit
+    {
+        set => _pairs.Limit = _found.Limit = _begun.Limit = value;
+    }
+
+    public void Reserve(int capacity) => _unpaired.Reserve(capacity);
+
+    public void Remove() => _anyRemoved = true;
+
+    public void Clear()
+    {
+        _unpaired.Clear();
+        _isValid = _anyRemoved = false;
+        _margin = 0;
+        _questionsBelowMargin = _questionsTight = 0;
+        _lastAnswer = _leastAnswerAge = 0;
+        _leastAnswer = -1;
+    }
+
+    /// <summary>
+    /// Gives all objects leaves, so that the tree can be asked; the pairs wait until they are asked for.
+    /// </summary>
+    public void UpdateLeaves() => leaves.Update(_unpaired);
+
+    /// <summary>Pairs, in order, among which are all pairs of boxes within a margin.</summary>
+    public PairKeys Find(float margin)
+    {
+        UpdateLeaves();
+        _questionsBelowMargin = margin < 0.5f * _margin ? _questionsBelowMargin + 1 : 0;
+        if (!_isValid || margin > _margin || _questionsBelowMargin >= PatienceQuestions) return FindAll(margin);
+        return TryUpdate() ? _pairs : FindAll(_margin);
+    }
+
+    /// <summary>Is told how many of the pairs found were pairs of boxes.</summary>
+    public void Note(PairKeys found, int answer)
+    {
+        if (_leastAnswer < 0 || answer <= _leastAnswer || ++_leastAnswerAge > PatienceQuestions)
+            (_leastAnswer, _leastAnswerAge) = (answer, 0);
+        _lastAnswer = answer;
+        if (found == _pairs && found.Count > PairBudget.Of(table.Count, answer)) _isValid = false;
+        if (leaves.Level == FatLevel.Motion || ++_questionsTight < TightQuestions) return;
+        leaves.Level++;
+        _questionsTight = 0;
+    }
+
+    /// <summary>All pairs of leaves, with tighter leaves where there are far more of them than of boxes.</summary>
+    private PairKeys FindAll(float margin)
+    {
+        _found.Count = 0;
+        _budget.Begin(margin, leaves.Level == FatLevel.None);
+        while (!leaves.Tree.TryFindPairs(margin, _found, _budget))
+        {
+            _isValid = false;
+            leaves.Level--;
+            _questionsTight = 0;
+            leaves.Build(_unpaired);
+            _found.Count = 0;
+            _budget.Begin(margin, leaves.Level == FatLevel.None);
+        }
+
+        _found.Sort(table.End);
+
+        // A first question may be an unusual one.
+        if (_found.Count > PairBudget.Of(table.Count, Math.Max(_leastAnswer, 0))) return _found;
+        (_pairs, _found) = (_found, _pairs);
+        _isValid = true;
+        _anyRemoved = false;
+        _unpaired.Clear();
+        _margin = margin;
+        _questionsBelowMargin = 0;
+        return _pairs;
+    }
+
+    /// <summary>
+    /// Drops the kept pairs of what has a new leaf or is gone, and finds the new ones; false, with no pairs kept, where
+    /// finding all anew is better.
+    /// </summary>
+    private bool TryUpdate()
+    {
+        if (_unpaired.Count == 0 && !_anyRemoved) return true;
+        _isValid = false;
+        if (_unpaired.Count > table.Count / UnpairedPartForAll) return false;
+        bool[] unpaired = _unpaired.Has;
+        int kept = 0;
+        for (int i = 0; i < _pairs.Count; i++)
+        {
+            ulong key = _pairs.Keys[i];
+            int a = PairKeys.First(key), b = PairKeys.Second(key);
+            if (leaves.IsInTree(a) && leaves.IsInTree(b) && !unpaired[a] && !unpaired[b]) _pairs.Keys[kept++] = key;
+        }
+
+        _pairs.Count = kept;
+        _begun.Count = 0;
+        long most = PairBudget.Of(table.Count, _lastAnswer) - kept;
+        for (int i = 0; i < _unpaired.Count; i++)
+        {
+            int id = _unpaired.Ids[i];
+            if (leaves.IsInTree(id)) leaves.Tree.QueryPairs(id, _margin, unpaired, _begun);
+            if (_begun.Count > most) return false;
+        }
+
+        _unpaired.Clear();
+        _begun.Sort(table.End);
+        _pairs.Merge(_begun);
+        _anyRemoved = false;
+        _isValid = true;
+        return true;
+    }
+}

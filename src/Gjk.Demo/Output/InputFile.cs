@@ -1,0 +1,44 @@
+using System;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+
+namespace Gjk.Demo.Output;
+
+/// <summary>The bytes of an input: a file, a pipe, or standard input if its name is "-".</summary>
+internal static class InputFile
+{
+    /// <summary>Instead of a file's name: standard input.</summary>
+    public const string StandardInput = "-";
+
+    /// <summary>What messages call it.</summary>
+    public static string NameOf(string file) => file == StandardInput ? "standard input" : file;
+
+    /// <summary>
+    /// Reads to the end. Whoever writes into a pipe may take for ever, so another thread waits for it.
+    /// </summary>
+    /// <exception cref="RefusedException">It cannot be read.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before the end came.</exception>
+    public static byte[] Read(string file, CancellationToken cancel)
+    {
+        byte[] ReadAll() => file == StandardInput ? ReadStandardInput() : File.ReadAllBytes(file);
+        Task<byte[]> read = Task.Run(ReadAll, CancellationToken.None);
+        Task.WaitAny([read], cancel);
+        try
+        {
+            return read.GetAwaiter().GetResult();
+        }
+        catch (Exception e) when (RefusedException.IsFileTrouble(e))
+        {
+            throw new RefusedException(NameOf(file), "cannot be read", e);
+        }
+    }
+
+    private static byte[] ReadStandardInput()
+    {
+        using Stream input = Console.OpenStandardInput();
+        using var bytes = new MemoryStream();
+        input.CopyTo(bytes);
+        return bytes.ToArray();
+    }
+}

@@ -1,0 +1,66 @@
+using System;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Regression;
+
+/// <summary>
+/// A support towards a flat face with 10^4 corners compared all of them. Counted in vertices and boxes looked at, which no machine's load can change.
+/// </summary>
+public class FlatFaceCostTests
+{
+    /// <summary>Count: vertices in a list, and in all lists per vertex of the hull.</summary>
+    private const int LongestList = 512, EntriesPerVertex = 64;
+
+    /// <summary>Count: pairs of nodes or leaves that a search looks at, on average for the directions of one distance from the normal.</summary>
+    private const double MostSteps = 150;
+
+    [Theory]
+    [InlineData("prism")]
+    [InlineData("turned prism")]
+    [InlineData("cone")]
+    [InlineData("disc")]
+    [InlineData("turned disc")]
+    [InlineData("dome")]
+    [InlineData("cluster")]
+    public void NoListIsLong(string kind)
+    {
+        var hull = new ConvexHull(LargeClouds.Make(kind));
+        HullCells cells = hull.Cells;
+        for (int i = 0; i < cells.NoCell; i++)
+            Assert.InRange((cells.Runs[2 * i + 1] - cells.Runs[2 * i]) * HullCells.Lanes, cells.Tree is null ? 1 : 0, LongestList);
+        Assert.True(cells.Ids.Length <= EntriesPerVertex * hull.VertexCount, $"{cells.Ids.Length} entries for {hull.VertexCount} vertices");
+    }
+
+    [Theory]
+    [InlineData(false, 5000)]
+    [InlineData(true, 5000)]
+    public void ASearchLooksAtFewOfTheCorners(bool turned, int sides)
+    {
+        Vector3[] cloud = LargeClouds.Prism(sides);
+        var hull = new ConvexHull(turned ? LargeClouds.Turned(cloud) : cloud);
+        Assert.NotNull(hull.Cells.Tree);
+        Vector3 axis = turned ? LargeClouds.Turned([Vector3.UnitZ])[0] : Vector3.UnitZ;
+        var rng = new Rng(9);
+        for (int exponent = -18; exponent < 0; exponent++)
+        {
+            const int Count = 200;
+            var steps = default(Steps);
+            for (int i = 0; i < Count; i++)
+            {
+                Vector3D d = (Vector3D)axis + (Vector3D)rng.Direction() * Math.Pow(10, exponent);
+                int slot = hull.Cells.Tree!.Find(hull.Cells, d, ref steps);
+                Assert.Equal(HullSupport.Scan(hull, d), hull.Cells.Ids[slot]);
+            }
+
+            Assert.True(steps.Count <= MostSteps * Count, $"{steps.Count / Count} steps at 1e{exponent} from the normal");
+        }
+    }
+
+    private struct Steps : HullTree.ITrace
+    {
+        public int Count { get; private set; }
+
+        public void Step() => Count++;
+    }
+}

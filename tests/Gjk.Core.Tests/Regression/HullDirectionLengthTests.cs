@@ -1,0 +1,81 @@
+using System;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+using Gjk.Demo.Fuzz;
+using Gjk.Demo.Fuzz.Meshes;
+
+namespace Gjk.Core.Tests.Regression;
+
+/// <summary>
+/// A large mesh gave wrong vertices towards directions shorter than 1e-307, and any mesh towards some longer than 1e270: dot products left the range of double.
+/// </summary>
+public class HullDirectionLengthTests
+{
+    [Theory]
+    [InlineData(-1060)]
+    [InlineData(-1000)]
+    [InlineData(-700)]
+    [InlineData(800)]
+    [InlineData(1019)]
+    public void TheLengthDoesNotMatter(int exponent)
+    {
+        double factor = Math.Pow(2, exponent);
+        for (ulong seed = 0; seed < 200; seed++)
+        {
+            ConvexHull hull = Hull(seed);
+            var rng = new Rng(seed);
+            for (int i = 0; i < 50; i++)
+            {
+                // Few bits, so that even denormal components hold them.
+                var d = new Vector3D(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
+                int id = HullSupport.Find(hull, d * factor, out _);
+                Assert.True(id == HullSupport.Find(hull, d, out _) && id == HullSupport.Scan(hull, d * factor), $"seed {seed}: vertex {id} towards {d} x 2^{exponent}");
+            }
+        }
+    }
+
+    [Fact]
+    public void AComponentAcrossAFlatHullDoesNotHideTheOthers()
+    {
+        ConvexHull square = new([new(1, 0, 1), new(-1, 0, 1), new(1, 0, -1), new(-1, 0, -1)]), disc = new(LargeClouds.Disc(500));
+        foreach (double big in new[] { 1e300, 1, 1e-10, 0 })
+        {
+            Assert.Equal(new Vector3(1, 0, -1), square.GetVertex(HullSupport.Find(square, new Vector3D(1e-320, big, -1e-320), out _)));
+            HullSupport.Find(disc, new Vector3D(0, 5e-324, -big), out Vector3D point);
+            Assert.Equal(1, point.Y);
+        }
+    }
+
+    [Theory]
+    [InlineData(0, 0, 0)]
+    [InlineData(double.NaN, 1, 1)]
+    [InlineData(1, 1, double.NaN)]
+    [InlineData(double.PositiveInfinity, 1, 0)]
+    [InlineData(1, double.NegativeInfinity, double.PositiveInfinity)]
+    public void WhatIsNoDirectionGivesAVertex(double x, double y, double z)
+    {
+        for (ulong seed = 0; seed < 200; seed++)
+        {
+            ConvexHull hull = Hull(seed);
+            var d = new Vector3D(x, y, z);
+            int id = HullSupport.Find(hull, d, out Vector3D point);
+            Assert.True(id == HullSupport.Scan(hull, d) && id < hull.VertexCount, $"seed {seed}: vertex {id} towards {d}");
+            Assert.Equal((Vector3D)hull.GetVertex(id), point);
+        }
+
+        foreach (string kind in new[] { "prism", "disc", "turned disc" })
+        {
+            var hull = new ConvexHull(LargeClouds.Make(kind));
+            var d = new Vector3D(x, y, z);
+            Assert.Equal(HullSupport.Scan(hull, d), HullSupport.Find(hull, d, out _));
+        }
+    }
+
+    private static ConvexHull Hull(ulong seed)
+    {
+        var random = new FuzzRandom(seed);
+        Vector3[] cloud = MadeMeshes.Any(random);
+        float size = (float)random.Of(1, 1, 1e-38, 1e37);
+        return new ConvexHull(Array.ConvertAll(cloud, p => seed % 7 == 0 ? size * p with { Z = 1 } : size * p));
+    }
+}

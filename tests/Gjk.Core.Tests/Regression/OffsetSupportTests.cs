@@ -1,0 +1,65 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Regression;
+
+/// <summary>
+/// The support of a mesh far from its local origin compared dot products of absolute coordinates: it was wrong by 1e-16 of the offset, not of the size.
+/// </summary>
+public class OffsetSupportTests
+{
+    [Theory]
+    [InlineData(1e3)]
+    [InlineData(5.8e6)]
+    [InlineData(1e7)]
+    public void TheSupportIsRightToRoundingOfTheSize(double offset)
+    {
+        for (ulong seed = 0; seed < 100; seed++)
+        {
+            var rng = new Rng(seed);
+            Vector3 away = (float)offset * new Vector3(rng.Float(0.5, 1), -rng.Float(0.5, 1), rng.Float(0.5, 1));
+            Vector3[] cloud = Array.ConvertAll(Generators.Cloud(rng, rng.Below(2) == 0 ? 10 : 60, new Vector3(4)), p => p + away);
+            var hull = new ConvexHull(cloud);
+            for (int i = 0; i < 100; i++)
+            {
+                // Level but for a little: the two highest vertices differ by less than the rounding of absolute heights.
+                hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D p);
+                hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D q);
+                Vector3D d = Vector3D.Cross(p - q, (Vector3D)rng.Direction()) + (Vector3D)rng.Direction() * 1e-12;
+                HullSupport.Find(hull, d, out Vector3D point);
+                double behind = cloud.Max(c => Height((Vector3D)c - point, d)), reach = cloud.Max(c => ((Vector3D)c - point).Length) * d.Length;
+                Assert.True(behind <= 1e-15 * reach, $"seed {seed}: {point} towards {d} is {behind} behind, of {reach}");
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(0, 1)]
+    [InlineData(1e3, 1)]
+    [InlineData(1e7, 3)]
+    [InlineData(3, 1)]
+    [InlineData(1.5, 0.5)]
+    [InlineData(1e-38, 3e-39)]
+    [InlineData(3e38, 1e37)]
+    [InlineData(-2e30, 1e23)]
+    public void TheVerticesComeBackBitForBit(double offset, double size)
+    {
+        var rng = new Rng(5);
+        Vector3[] cloud = [.. Enumerable.Range(0, 40).Select(_ => new Vector3((float)(offset + rng.Range(-size, size)), (float)(-offset + rng.Range(-size, size)), rng.Float(-size, size)))];
+        var hull = new ConvexHull(cloud);
+        Vector3D half = ((Vector3D)hull.Bounds.Max - hull.Bounds.Min) * 0.5;
+        for (int i = 0; i < hull.VertexCount; i++)
+        {
+            Vector3 vertex = hull.GetVertex(i);
+            hull.GetVertex(i, out Vector3D wide);
+            Assert.True(vertex == cloud[hull.SourceIndex(i)] && wide == vertex, $"vertex {i}: {vertex} {wide}, given {cloud[hull.SourceIndex(i)]}");
+            Assert.True(Math.Abs(hull.X[i]) <= 4 * half.X && Math.Abs(hull.Y[i]) <= 4 * half.Y && Math.Abs(hull.Z[i]) <= 4 * half.Z, $"vertex {i} lies far from the origin {hull.Origin}");
+        }
+    }
+
+    /// <summary>In double-double: a difference of vertices is exact here, and so are its products.</summary>
+    private static double Height(in Vector3D v, in Vector3D d) =>
+        (double)(DoubleDouble.Product(v.X, d.X) + DoubleDouble.Product(v.Y, d.Y) + DoubleDouble.Product(v.Z, d.Z));
+}

@@ -1,0 +1,74 @@
+using System;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+using Gjk.Demo.Fuzz;
+using Gjk.Demo.Fuzz.Meshes;
+
+namespace Gjk.Core.Tests.Regression;
+
+/// <summary>
+/// A sphere made with sine and cosine has a ring 1e-16 wide at its pole. The climb of the look-up stopped there, and the support was the opposite pole; a ball 1 away gave InvalidShape.
+/// </summary>
+public class PoleRingSupportTests
+{
+    [Fact]
+    public void TheSupportIsNotTheOppositePole()
+    {
+        var hull = new ConvexHull(Sphere(6, 20));
+        var direction = new Vector3D(-0.17, 0.83, -0.53);
+        HullSupport.Find(hull, direction, out Vector3D point);
+        Assert.True(Vector3D.Dot(point, direction) > 0.9, $"{point}");
+    }
+
+    [Fact]
+    public void TheDistanceToABallIsTheOneFromTheNearestPoint()
+    {
+        ConvexShape sphere = ConvexShape.Mesh(Sphere(6, 20)), ball = ConvexShape.Sphere(0.5f);
+        DistanceResult r = ConvexQuery.Distance(sphere, RigidPose.Identity, ball, new RigidPose(Quaternion.Identity, new Vector3(0, 2.5f, 0)));
+        Assert.Equal(GjkStatus.Separated, r.Status);
+        Assert.Equal(1, r.Distance, 6);
+    }
+
+    [Theory]
+    [InlineData("sphere")]
+    [InlineData("egg")]
+    [InlineData("capsule")]
+    [InlineData("copies")]
+    public void TheSupportIsAsFarAsTheCloud(string kind)
+    {
+        for (ulong seed = 0; seed < 150; seed++)
+        {
+            var random = new FuzzRandom(seed);
+            Vector3[] cloud = kind switch
+            {
+                "egg" => Lathe.Egg(random),
+                "capsule" => Lathe.Capsule(random),
+                "copies" => Copies.OneFloatApart(random, Lathe.Sphere(random), 2),
+                _ => Lathe.Sphere(random),
+            };
+            var hull = new ConvexHull(cloud);
+            for (int i = 0; i < Budget.Count(100); i++)
+            {
+                Vector3D d = random.Direction();
+                HullSupport.Find(hull, d, out Vector3D point);
+                double height = Vector3D.Dot(point, d);
+                foreach (Vector3 p in cloud) Assert.True(Vector3D.Dot(p, d) <= height + 1e-14, $"{kind}, seed {seed}, towards {d}: {point}, but {p} is further");
+            }
+        }
+    }
+
+    private static Vector3[] Sphere(int rings, int perRing)
+    {
+        var points = new Vector3[(rings + 1) * (perRing + 1)];
+        for (int j = 0, n = 0; j <= rings; j++)
+        {
+            for (int i = 0; i <= perRing; i++, n++)
+            {
+                double t = Math.PI * j / rings, p = 2 * Math.PI * i / perRing;
+                points[n] = new Vector3((float)(Math.Sin(t) * Math.Cos(p)), (float)Math.Cos(t), (float)(Math.Sin(t) * Math.Sin(p)));
+            }
+        }
+
+        return points;
+    }
+}
