@@ -21,7 +21,10 @@ public sealed class BenchOptions
           --scale           no BenchmarkDotNet: which pairs intersect among 20 to 100,000 cubes, at rest and moving, for every broad phase, on one thread
                             and on all: ms per frame in the broad and in the narrow phase, candidates, pairs, memory, bytes allocated; and the report's
                             scenes, all judged by the goals. Four minutes.
-          --seconds S       with --table: how long to measure each set (default 6); with --scale: each row (default 1); from 0.01 to 600
+          --scale-worst     no BenchmarkDotNet: the broad phases alone on the worst arrangements of boxes (rods, plates, points on a line,
+                            identical, nested, ...). A minute.
+          --seconds S       with --table: how long to measure each set (default 6); with --scale: each row (default 1), with --scale-worst
+                            (default 0.5); from 0.01 to 600
           --csv             with --table: keep the figures as bench/results/MACHINE.csv and draw docs/cost.svg; with --scale: as MACHINE-scale.csv,
                             and docs/scale.svg; otherwise keep those of BenchmarkDotNet as MACHINE-benchmarkdotnet.csv (replaced whole: use it
                             with --filter '*')
@@ -49,6 +52,8 @@ public sealed class BenchOptions
     public bool Table { get; private set; }
 
     public bool Scale { get; private set; }
+
+    public bool ScaleWorst { get; private set; }
 
     /// <summary>Null where none were given.</summary>
     public double? Seconds { get; private set; }
@@ -85,6 +90,9 @@ public sealed class BenchOptions
                 case "--scale":
                     options.Scale = true;
                     break;
+                case "--scale-worst":
+                    options.ScaleWorst = true;
+                    break;
                 case "--seconds":
                     options.Seconds = i + 1 < args.Length ? SecondsOf(args[++i]) : null;
                     if (options.Seconds is not null) break;
@@ -114,7 +122,9 @@ public sealed class BenchOptions
         bool hasForeign = Factor || Quick || Remaining.Count > 0;
         if (Table && (hasForeign || Scale)) error = "--table: takes --seconds, --csv and --machine only";
         else if (Scale && hasForeign) error = "--scale: takes --seconds, --csv and --machine only";
-        else if (Seconds is not null && !Table && !Scale) error = "--seconds: goes with --table and --scale only";
+        else if (ScaleWorst && (hasForeign || Table || Scale || Csv)) error = "--scale-worst: takes --seconds only";
+        else if (Seconds is not null && !Table && !Scale && !ScaleWorst)
+            error = "--seconds: goes with --table, --scale and --scale-worst only";
         else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all")) error = "--help: takes nothing but 'all'";
         return error.Length == 0;
