@@ -23,7 +23,10 @@ public sealed class BenchOptions
                             scenes, all judged by the goals. Four minutes.
           --worst           no BenchmarkDotNet: clouds made to be slow, of 10,000 and 100,000 points: building their hulls, the slowest supports and
                             the slowest distance of each. A few minutes.
-          --seconds S       with --table: how long to measure each set (default 6); with --scale: each row (default 1); from 0.01 to 600
+          --scale-worst     no BenchmarkDotNet: the broad phases alone on the worst arrangements of boxes (rods, plates, points on a line,
+                            identical, nested, ...). A minute.
+          --seconds S       with --table: how long to measure each set (default 6); with --scale: each row (default 1), with --scale-worst
+                            (default 0.5); from 0.01 to 600
           --csv             with --table: keep the figures as bench/results/MACHINE.csv and draw docs/cost.svg; with --scale: as MACHINE-scale.csv,
                             and docs/scale.svg; with --worst: as MACHINE-worst.csv; otherwise keep those of BenchmarkDotNet as MACHINE-benchmarkdotnet.csv (replaced whole: use it
                             with --filter '*')
@@ -53,6 +56,8 @@ public sealed class BenchOptions
     public bool Scale { get; private set; }
 
     public bool Worst { get; private set; }
+
+    public bool ScaleWorst { get; private set; }
 
     /// <summary>Null where none were given.</summary>
     public double? Seconds { get; private set; }
@@ -92,6 +97,9 @@ public sealed class BenchOptions
                 case "--worst":
                     options.Worst = true;
                     break;
+                case "--scale-worst":
+                    options.ScaleWorst = true;
+                    break;
                 case "--seconds":
                     options.Seconds = i + 1 < args.Length ? SecondsOf(args[++i]) : null;
                     if (options.Seconds is not null) break;
@@ -122,7 +130,9 @@ public sealed class BenchOptions
         if (Worst && (hasForeign || Table || Scale || Seconds is not null)) error = "--worst: takes --csv and --machine only";
         else if (Table && (hasForeign || Scale)) error = "--table: takes --seconds, --csv and --machine only";
         else if (Scale && hasForeign) error = "--scale: takes --seconds, --csv and --machine only";
-        else if (Seconds is not null && !Table && !Scale) error = "--seconds: goes with --table and --scale only";
+        else if (ScaleWorst && (hasForeign || Table || Scale || Csv)) error = "--scale-worst: takes --seconds only";
+        else if (Seconds is not null && !Table && !Scale && !ScaleWorst)
+            error = "--seconds: goes with --table, --scale and --scale-worst only";
         else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all")) error = "--help: takes nothing but 'all'";
         return error.Length == 0;

@@ -30,6 +30,12 @@ public static class Program
         if (options.Help) return PrintHelp(options);
         if (options.Factor) return CheckFactors();
 
+        if (options.ScaleWorst)
+        {
+            WorstScale.Run(Console.Out, options.Seconds ?? WorstScale.DefaultSeconds);
+            return Done;
+        }
+
         string? project = options.Csv ? ProjectFolder() : null;
         if (options.Csv && project is null)
             return Complain("--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder", BadArguments);

@@ -39,7 +39,9 @@ internal struct AabbNode
     public static float LengthGrowth(in AabbNode box, in AabbNode other) =>
         Length(Vector3.Max(box.Max, other.Max) - Vector3.Min(box.Min, other.Min)) - Length(box.Max - box.Min);
 
-    private static float Length(Vector3 d) => d.X + d.Y + d.Z;
+    /// <summary>The sum of the sides.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float Length(Vector3 d) => d.X + d.Y + d.Z;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Area(Vector3 d) => d.X * d.Y + d.Y * d.Z + d.Z * d.X;

@@ -22,6 +22,12 @@ internal sealed class FatLeaves(BoundsTable table)
     private const int FramesAhead = 8;
 
     /// <summary>
+    /// Ratio of the sums of the three sides: a leaf that is larger beside its box is replaced. Twice what a new leaf has at
+    /// most: each of its sides is below 1.3 of the longest one of the box. Pinned by ShrunkenBoxTests.
+    /// </summary>
+    private const float MostLength = 8;
+
+    /// <summary>
     /// Ratio: when more of the objects need new leaves, building anew is faster. A matter of speed only.
     /// </summary>
     private const int MovedPartForBuild = 3;
@@ -67,7 +73,7 @@ internal sealed class FatLeaves(BoundsTable table)
     /// <summary>Is told before a box changes in the table.</summary>
     public void Move(int id, in Aabb from, in Aabb to)
     {
-        if (_unplaced.Has[id] || IsInside(to, Tree.Leaf(id))) return;
+        if (_unplaced.Has[id] || IsFit(to, Tree.Leaf(id))) return;
         _steps[id] = Vector3.Max(Vector3.Abs(to.Min - from.Min), Vector3.Abs(to.Max - from.Max));
         _unplaced.Add(id);
     }
@@ -114,9 +120,11 @@ internal sealed class FatLeaves(BoundsTable table)
         _unplaced.Clear();
     }
 
-    private static bool IsInside(in Aabb box, in AabbNode leaf) =>
+    /// <summary>The leaf holds the box, and the box has not become much smaller since.</summary>
+    private static bool IsFit(in Aabb box, in AabbNode leaf) =>
         box.Min.X >= leaf.Min.X && box.Min.Y >= leaf.Min.Y && box.Min.Z >= leaf.Min.Z &&
-        box.Max.X <= leaf.Max.X && box.Max.Y <= leaf.Max.Y && box.Max.Z <= leaf.Max.Z;
+        box.Max.X <= leaf.Max.X && box.Max.Y <= leaf.Max.Y && box.Max.Z <= leaf.Max.Z &&
+        AabbNode.Length(leaf.Max - leaf.Min) <= MostLength * AabbNode.Length(box.Max - box.Min);
 
     /// <summary>Moves leaves one by one; false where the tree becomes too deep, and has to be built anew.</summary>
     private bool TryInsertAll(IdSet placed)

@@ -109,15 +109,17 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
     private PairKeys FindAll(float margin)
     {
         _found.Count = 0;
-        _budget.Begin(margin, leaves.Level == FatLevel.None);
+        _budget.Begin(margin, isUnlimited: false);
         while (!leaves.Tree.TryFindPairs(margin, _found, _budget))
         {
             _isValid = false;
-            leaves.Level--;
             _questionsTight = 0;
+            if (leaves.Level > FatLevel.None) leaves.Level--;
             leaves.Build(_unpaired);
             _found.Count = 0;
-            _budget.Begin(margin, leaves.Level == FatLevel.None);
+
+            // New leaves that are not enlarged have no other pairs than the boxes.
+            _budget.Begin(margin, isUnlimited: leaves.Level == FatLevel.None);
         }
 
         _found.Sort(table.End);

@@ -1,0 +1,102 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Gjk.Bench.Scenes;
+using Gjk.Core;
+
+namespace Gjk.Bench.Scale;
+
+/// <summary>What the broad phases alone need for the worst arrangements of boxes, beside ordinary ones.</summary>
+internal static class WorstScale
+{
+    public const double DefaultSeconds = 0.5;
+
+    private const int Many = 10_000;
+
+    /// <summary>Objects where every two are a pair: two million pairs.</summary>
+    private const int Few = 2_000;
+
+    private const string Header =
+        """
+        | boxes | objects | broad phase | first, ms | at rest, ms | moving, ms | moving, most | pairs | memory, MB |
+        |---|--:|---|--:|--:|--:|--:|--:|--:|
+
+        """;
+
+    private static readonly BroadPhaseKind[] Phases =
+        [BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree];
+
+    /// <param name="output">Gets a table in Markdown.</param>
+    /// <param name="seconds">To measure a row at rest, and again moving.</param>
+    public static void Run(TextWriter output, double seconds)
+    {
+        // The first call of the first row would be that of the compiler.
+        foreach (BroadPhaseKind phase in Phases) Measure("cubes", Few, phase, seconds);
+        output.Write(Header);
+        foreach (string kind in WorstBoxes.Sparse.Concat(WorstBoxes.Dense))
+        {
+            int count = WorstBoxes.Dense.Contains(kind) ? Few : Many;
+            foreach (BroadPhaseKind phase in Phases) output.Write(Measure(kind, count, phase, seconds));
+        }
+
+        output.Write("\nMedians; memory is what the broad phase and the list of pairs hold at the end.\n");
+    }
+
+    private static string Measure(string kind, int count, BroadPhaseKind phaseKind, double seconds)
+    {
+        long before = GC.GetTotalMemory(forceFullCollection: true);
+        var boxes = new WorstBoxes(kind, count);
+        IBroadPhase phase = Create(phaseKind);
+        List<ObjectPair> pairs = [];
+        void Ask() => phase.CollectPairs(0, pairs);
+        void PlaceAndAsk()
+        {
+            boxes.Place(phase);
+            Ask();
+        }
+
+        double first = Milliseconds(PlaceAndAsk);
+        double rest = Frames(seconds, () => { }, Ask, out _);
+        double moving = Frames(seconds, boxes.Advance, PlaceAndAsk, out double most);
+        double memory = (GC.GetTotalMemory(forceFullCollection: true) - before) / 1e6;
+        GC.KeepAlive(phase);
+        CultureInfo invariant = CultureInfo.InvariantCulture;
+        string row = string.Create(invariant, $"| {kind} | {count:#,0} | {ScaleReport.PhaseName(phaseKind)} | {first:0.0} |");
+        return string.Create(
+            invariant, $"{row} {rest:0.000} | {moving:0.000} | {most:0.0} | {pairs.Count:#,0} | {memory:0.0} |\n");
+    }
+
+    /// <summary>The median of many frames, and the most that one took.</summary>
+    private static double Frames(double seconds, Action prepare, Action frame, out double most)
+    {
+        var samples = new Samples();
+        double longest = 0;
+        FrameLoop.Repeat(seconds, () =>
+        {
+            prepare();
+            double time = Milliseconds(frame);
+            samples.Add(time);
+            longest = Math.Max(longest, time);
+        });
+        most = longest;
+        return samples.Median;
+    }
+
+    private static double Milliseconds(Action work)
+    {
+        long start = Stopwatch.GetTimestamp();
+        work();
+        return FrameLoop.Milliseconds(Stopwatch.GetTimestamp() - start);
+    }
+
+    private static IBroadPhase Create(BroadPhaseKind kind) => kind switch
+    {
+        BroadPhaseKind.AllPairs => new AllPairs(),
+        BroadPhaseKind.SortAndSweep => new SortAndSweep(),
+        BroadPhaseKind.SweepAndPrune => new SweepAndPrune(),
+        _ => new DynamicAabbTree(),
+    };
+}

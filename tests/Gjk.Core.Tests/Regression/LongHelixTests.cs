@@ -1,0 +1,34 @@
+using System;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Regression;
+
+/// <summary>
+/// The support of a long helix missed its last corner in a patch of directions: a cell without a list gave its place to the list of the next one. The distance to a cluster of points came back as
+/// InvalidShape. Found by an independent attack.
+/// </summary>
+public class LongHelixTests
+{
+    [Fact]
+    public void TheLookUpFindsTheLastCorner()
+    {
+        const int Count = 100_000;
+        var points = new Vector3[Count];
+        for (int i = 0; i < Count; i++)
+        {
+            double t = 40 * Math.PI * i / Count;
+            points[i] = new Vector3((float)Math.Cos(t), (float)(i / (double)Count), (float)Math.Sin(t));
+        }
+
+        var hull = new ConvexHull(points);
+        var mesh = new ConvexMesh(hull);
+        var rng = new Rng(1);
+        for (int i = 0; i < 2000; i++)
+        {
+            double spread = i % 2 == 0 ? 1e-2 : 2;
+            Vector3D direction = new Vector3D(0.07440950995460804, 1.6945090610734834, 0.030966655724690553) + (Vector3D)rng.Vector(-1, 1) * spread;
+            Assert.Equal(HullSupport.Scan(hull, direction), mesh.Support(direction, -1, out _));
+        }
+    }
+}
