@@ -8,19 +8,29 @@ namespace Gjk.Core;
 /// its directions.
 /// </summary>
 /// <remarks>
+/// <para>
 /// The lists are made from the top down. A face of the cube starts with all vertices. All parts are cut in two again
 /// and again until they are cells. A part's list is the list of the part that it was cut from, less the vertices that
-/// are beaten everywhere in the part. Why no list can lack the vertex that the scan finds: a vertex p is dropped only
-/// if in every direction of the part some other vertex q is higher than p by more than a slack, which exceeds the
-/// rounding of two dot products. So in every direction of the part the computed dot product of some q is larger than
-/// that of p, and p is not what the scan finds. This does not depend on which q are tried or on what else was dropped,
-/// and nothing is assumed about edges or neighbours. "Everywhere" is decided in two ways. The difference between q and
-/// p is a linear function of u and v. Its least value on a rectangle is that at the centre less what it changes along
-/// half of each side. If that exceeds the slack for one q, p goes. In the end, when lists are short, the rectangle is
-/// clipped by the half planes in which each q is not higher; if nothing is left, p goes. Directions and coordinates are
-/// in stretched units: the largest component of a direction is 1, and no coordinate exceeds 4. A vertex whose cone of
-/// directions is long and thin, as on the rim of a prism, is in many lists. When the lists of a cut would take too much
-/// memory, the parts stay as they are, and their cells share a list.
+/// are beaten everywhere in the part.
+/// </para>
+/// <para>
+/// Why no list can lack the vertex that the scan finds: a vertex p is dropped only if in every direction of the part
+/// some other vertex q is higher than p by more than a slack, which exceeds the rounding of two dot products. So in
+/// every direction of the part the computed dot product of some q is larger than that of p, and p is not what the scan
+/// finds. This does not depend on which q are tried or on what else was dropped. Nothing is assumed about edges or
+/// neighbours.
+/// </para>
+/// <para>
+/// "Everywhere" is decided in two ways. The height of q above p is a linear function of u and v. Its least value on a
+/// rectangle is that at the centre less what it changes along half of each side. If that exceeds the slack for one q, p
+/// goes. In the end, when lists are short, the rectangle is clipped by the half planes in which each q is not higher.
+/// If nothing is left, p goes. All is measured in stretched units: the largest component of a direction is 1, and no
+/// coordinate exceeds 4.
+/// </para>
+/// <para>
+/// A vertex whose cone of directions is long and thin, as on the rim of a prism, is in many lists. When the lists of a
+/// cut would take too much memory, the parts stay as they are, and their cells share a list.
+/// </para>
 /// </remarks>
 internal sealed class HullCellLists
 {
@@ -45,7 +55,7 @@ internal sealed class HullCellLists
     private readonly Vector3D _stretch;
     private CellGrid _grid;
     private List<CellPart> _parts = [];
-    private int[] _lists = [], _samples = [], _begin = [0], _length = [0], _champions = [0];
+    private int[] _lists = [], _samples = [], _listOf = [0];
 
     /// <param name="hull">Its coordinates are read.</param>
     /// <param name="stretch">What directions are stretched by; along an axis where it is 0 nothing counts.</param>
@@ -62,28 +72,33 @@ internal sealed class HullCellLists
         }
     }
 
-    public int CellCount => _begin.Length;
+    /// <summary>How many cells there are. Cells can share a list.</summary>
+    public int CellCount => _listOf.Length;
 
-    /// <summary>Whether some cell has no list because it would be long.</summary>
+    /// <summary>How many lists there are.</summary>
+    public int Count => _parts.Count;
+
+    /// <summary>Whether some list is left empty because it would be long.</summary>
     public bool HasLongLists { get; private set; }
 
-    /// <summary>An entry of a cell's list; entries ascend.</summary>
-    public int this[int cell, int index] => _lists[_begin[cell] + index];
+    /// <summary>An entry of a list; entries ascend.</summary>
+    public int this[int list, int index] => _lists[_parts[list].From + index];
 
-    public int Length(int cell) => _length[cell];
+    /// <summary>The list of a cell.</summary>
+    public int ListOf(int cell) => _listOf[cell];
 
-    /// <summary>A vertex that is furthest in a direction of the cell or near it.</summary>
-    public int Champion(int cell) => _champions[cell];
+    /// <summary>How many entries a list has; 0 if it would be long.</summary>
+    public int Length(int list) => _parts[list].Count;
 
-    /// <summary>Where the list begins: cells with the same beginning share a list.</summary>
-    public int Begin(int cell) => _begin[cell];
+    /// <summary>A vertex that is furthest in a direction of the list's cells, or near them.</summary>
+    public int Champion(int list) => _samples[list * Samples + Samples / 2];
 
     /// <summary>One list of all vertices.</summary>
     public void CollectAll()
     {
         _lists = new int[_count];
         for (int i = 0; i < _count; i++) _lists[i] = i;
-        _length[0] = _count;
+        _parts.Add(new CellPart(0, 0, 1, 0, 1).WithList(0, _count));
     }
 
     /// <summary>The lists of 6 side² cells.</summary>
@@ -101,10 +116,8 @@ internal sealed class HullCellLists
         {
         }
 
-        _begin = new int[grid.Cells];
-        _length = new int[grid.Cells];
-        _champions = new int[grid.Cells];
-        for (int i = 0; i < _parts.Count; i++) Store(filter, _parts[i], i * Samples);
+        _listOf = new int[grid.Cells];
+        for (int i = 0; i < _parts.Count; i++) Finish(filter, i);
     }
 
     /// <summary>Each face is a part.</summary>
@@ -140,9 +153,9 @@ internal sealed class HullCellLists
         {
             CellPart part = _parts[i];
             if (used + 2 * part.Count > lists.Length) Array.Resize(ref lists, 2 * (used + 2 * part.Count));
-            if (part.Cells == 1 || part.Count <= ShortList || IsHopeless(part))
+            if (IsHopeless(part)) part = part.WithList(0, 0);
+            if (part.Cells == 1 || part.Count <= ShortList)
             {
-                if (IsHopeless(part)) part = part.WithList(used, 0);
                 Array.Copy(_lists, part.From, lists, used, part.Count);
                 Array.Copy(_samples, i * Samples, samples, parts.Count * Samples, Samples);
                 parts.Add(part.WithList(used, part.Count));
@@ -192,28 +205,24 @@ internal sealed class HullCellLists
         filter.FindChampions(across, along, _lists, part.From, part.Count, samples, to);
     }
 
-    /// <summary>The same list for all cells of a part, or none if it is long.</summary>
-    private void Store(CellFilter filter, in CellPart part, int firstSample)
+    /// <summary>Shortens a list for the last time, drops it if it is long, and gives it to the cells.</summary>
+    private void Finish(CellFilter filter, int list)
     {
+        CellPart part = _parts[list];
         int kept = part.Count;
         if (kept > ShortList && kept <= LongestClipped)
         {
             filter.Aim(part);
-            kept = filter.Clip(_samples, firstSample, _lists, part.From, kept);
+            kept = filter.Clip(_samples, list * Samples, _lists, part.From, kept);
         }
 
         if (kept > LongestList) kept = 0;
         HasLongLists |= kept == 0;
-
+        _parts[list] = part.WithList(part.From, kept);
         for (int row = part.Row; row < part.EndRow; row++)
         {
             for (int column = part.Column; column < part.EndColumn; column++)
-            {
-                int cell = _grid.Cell(part.Face, row, column);
-                _begin[cell] = part.From;
-                _length[cell] = kept;
-                _champions[cell] = _samples[firstSample + Samples / 2];
-            }
+                _listOf[_grid.Cell(part.Face, row, column)] = list;
         }
     }
 }

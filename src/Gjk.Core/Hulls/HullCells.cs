@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Numerics;
 
 namespace Gjk.Core;
@@ -9,15 +8,19 @@ namespace Gjk.Core;
 /// hull.
 /// </summary>
 /// <remarks>
-/// The sphere of directions is drawn on the faces of a cube. Each face is cut into Side × Side cells, and each cell has
-/// a list of the vertices that can be furthest in one of its directions (<see cref="HullCellLists"/> says how it is
-/// made and why nothing is missed). A support is one look-up and a few dot products, whatever the hull's size. A cube
-/// map of start vertices for hill climbing is known from PhysX; here nothing is left to climb. Directions are first
-/// stretched by the hull's extents, so that a needle is treated as a round hull. The lists are stored as blocks of four
-/// vertices with coordinates and ids. Ids ascend in a list, and the last block is filled up with copies of the list's
-/// first vertex. Where the list would be long, because a flat face has many corners there, the cell has none, and <see
-/// cref="Tree"/> is searched. The directions of a flat hull form a circle, which is drawn on the sides of a square. A
-/// hull that gains nothing by cells has a single list, of all vertices.
+/// <para>
+/// The sphere of directions is drawn on the faces of a cube. Each face is cut into Side × Side cells. Each cell has a
+/// list of the vertices that can be furthest in one of its directions (<see cref="HullCellLists"/> says how it is made
+/// and why nothing is missed). A support is one look-up and a few dot products, whatever the hull's size. A cube map of
+/// start vertices for hill climbing is known from PhysX; here nothing is left to climb.
+/// </para>
+/// <para>
+/// Directions are first stretched by the hull's extents, so that a needle is treated as a round hull. The lists are
+/// stored as blocks of four vertices with coordinates and ids. Ids ascend in a list, and the last block is filled up
+/// with copies of the list's first vertex. Where the list would be long, because a flat face has many corners there,
+/// the cell has none, and <see cref="Tree"/> is searched. The directions of a flat hull form a circle, which is drawn
+/// on the sides of a square. A hull that gains nothing by cells has a single list, of all vertices.
+/// </para>
 /// </remarks>
 internal sealed class HullCells
 {
@@ -85,14 +88,15 @@ internal sealed class HullCells
     public readonly byte[] BoxSlots;
 
     /// <summary>
-    /// The part of the direction's components, added up, that each of them must exceed, so that its sign decides
-    /// between a box's corners.
+    /// Ratio: each component of a direction must exceed so much of the sum of all, so that its sign decides between a
+    /// box's corners.
     /// </summary>
     public readonly double BoxTie;
 
     /// <summary>
-    /// The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Where there are none the tree
-    /// is asked, whose blocks come after all others. Cells can share blocks.
+    /// The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Cells can share blocks. Where
+    /// both numbers are the same, the cell has no list, and they are the slot where a search of the tree starts. The
+    /// blocks of the tree's leaves come after all others.
     /// </summary>
     public readonly int[] Runs;
 
@@ -125,10 +129,11 @@ internal sealed class HullCells
         HalfSide = 0.5 * Side;
         NoCell = lists.CellCount;
         Runs = new int[2 * NoCell + 2];
-        int blocks = SetRuns(lists);
+        int[] starts = LayOut(lists);
+        int blocks = starts[lists.Count];
         HullTreeBuilder? tree = lists.HasLongLists ? new HullTreeBuilder(hull, Stretch, blocks) : null;
         Ids = new int[(blocks + (tree is null ? 0 : (hull.VertexCount + Lanes - 1) / Lanes)) * Lanes];
-        for (int cell = 0; cell < NoCell; cell++) Fill(lists, cell);
+        for (int list = 0; list < lists.Count; list++) Fill(lists, list, starts);
         if (tree is not null)
         {
             Tree = new HullTree(tree.Nodes, tree.Inverse, tree.Largest);
@@ -184,37 +189,30 @@ internal sealed class HullCells
         return found == 0xFF ? slots : [];
     }
 
-    /// <summary>Lays out the lists, each once; gives the number of blocks.</summary>
-    private int SetRuns(HullCellLists lists)
+    /// <summary>
+    /// Gives each list its blocks and each cell its list; returns the first block of each list and the end.
+    /// </summary>
+    private int[] LayOut(HullCellLists lists)
     {
-        int blocks = 0;
-        var first = new Dictionary<int, int>();
+        int[] starts = new int[lists.Count + 1];
+        for (int i = 0; i < lists.Count; i++) starts[i + 1] = starts[i] + (lists.Length(i) + Lanes - 1) / Lanes;
         for (int cell = 0; cell < NoCell; cell++)
         {
-            // A cell without a list begins where some other list does, and must not be taken for its owner.
-            int length = (lists.Length(cell) + Lanes - 1) / Lanes, start = blocks;
-            if (length > 0 && !first.TryGetValue(lists.Begin(cell), out start))
-            {
-                start = blocks;
-                blocks += length;
-                first[lists.Begin(cell)] = start;
-            }
-
-            Runs[2 * cell] = start;
-            Runs[2 * cell + 1] = start + length;
+            Runs[2 * cell] = starts[lists.ListOf(cell)];
+            Runs[2 * cell + 1] = starts[lists.ListOf(cell) + 1];
         }
 
-        return blocks;
+        return starts;
     }
 
-    private void Fill(HullCellLists lists, int cell)
+    private void Fill(HullCellLists lists, int list, int[] starts)
     {
-        int first = Runs[2 * cell] * Lanes, length = lists.Length(cell), padded = Runs[2 * cell + 1] * Lanes - first;
-        for (int k = 0; k < padded; k++) Ids[first + k] = lists[cell, k < length ? k : 0];
+        int length = lists.Length(list), first = starts[list] * Lanes, padded = starts[list + 1] * Lanes - first;
+        for (int k = 0; k < padded; k++) Ids[first + k] = lists[list, k < length ? k : 0];
     }
 
     /// <summary>
-    /// The vertices in the order of the tree's leaves; in the run of each cell without a list the slot where its
+    /// Adds the vertices in the order of the tree's leaves. The run of a cell without a list gets the slot where its
     /// searches start.
     /// </summary>
     private void AppendTree(HullCellLists lists, HullTreeBuilder tree, int first)
@@ -230,7 +228,8 @@ internal sealed class HullCells
 
         for (int cell = 0; cell < NoCell; cell++)
         {
-            if (lists.Length(cell) == 0) Runs[2 * cell] = Runs[2 * cell + 1] = slots[lists.Champion(cell)];
+            int list = lists.ListOf(cell);
+            if (lists.Length(list) == 0) Runs[2 * cell] = Runs[2 * cell + 1] = slots[lists.Champion(list)];
         }
     }
 

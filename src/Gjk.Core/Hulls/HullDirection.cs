@@ -25,7 +25,7 @@ internal readonly struct HullDirection
     /// The reach of a direction is the sum of the magnitudes of its components, without those along which the hull has
     /// no extent. From 2^-700 to 2^800 it is safe: half extents are 2^-150 to 2^128 and coordinates four times that, so
     /// that nothing overflows, and underflow costs at most 2^-1073, which is 2^-220 of the largest product. Pinned by
-    /// DirectionLengthTests.
+    /// HullDirectionLengthTests.
     /// </summary>
     private const double LeastSafe = 1.9010815379079637e-211, MostSafe = 6.6680144328798543e240;
 

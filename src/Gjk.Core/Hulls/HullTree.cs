@@ -25,10 +25,10 @@ internal sealed class HullTree
 
     /// <summary>
     /// Relative to m, the sum of |d_i| times the largest coordinate on axis i: how far a turned box's bound can be
-    /// below a computed dot product inside. With u = 2^-53 it is less than 24 u: 3 u in the dot product, 3 u in that of
-    /// the vertex that bounds are relative to, 2 u in the center of the box, 2 u where that vertex is subtracted, 12 u
-    /// in the product with the direction and in the sum, 2 u where the best is subtracted. Whatever else is rounded is
-    /// in the sides of the box. This is 32 u. Pinned by HullLookupTests.
+    /// below a computed dot product inside. With u = 2^-53 it is at most 25 u: 3 u in that dot product, 3 u in that of
+    /// the vertex that bounds are relative to, 1 u in the centre of the box, 2 u where that vertex is subtracted, 12 u
+    /// in the product with the direction and in the sum, 4 u where this and the best's level are added. The sides of
+    /// the box cover whatever else is rounded. This is 32 u. Pinned by HullLookupTests.
     /// </summary>
     private const double Rounding = 1.0 / (1L << 48);
 
@@ -42,8 +42,8 @@ internal sealed class HullTree
     private readonly HullTreeNode[] _nodes;
 
     /// <param name="nodes">The root first.</param>
-    /// <param name="inverse">What the coordinates of the nodes were multiplied by: powers of two, or 0 for an axis
-    /// without extent.</param>
+    /// <param name="inverse">The factors of the nodes' coordinates: powers of two, 0 for an axis without
+    /// extent.</param>
     /// <param name="largest">The largest magnitude of such a coordinate on each axis.</param>
     public HullTree(HullTreeNode[] nodes, in Vector3D inverse, in Vector3D largest)
     {
@@ -63,8 +63,7 @@ internal sealed class HullTree
     /// <summary>The slot of the furthest vertex.</summary>
     /// <param name="cells">Holds the leaves' blocks.</param>
     /// <param name="d">The direction, prepared.</param>
-    /// <param name="start">The slot of a vertex that is furthest in a direction nearby. Bounds are relative to
-    /// it.</param>
+    /// <param name="start">The slot of a vertex that is furthest nearby. Bounds are relative to it.</param>
     public int Find(HullCells cells, in Vector3D d, int start)
     {
         var trace = default(NoTrace);

@@ -22,10 +22,10 @@ internal sealed class HullTreeBuilder
     private const double MostRoughness = 1.0 / 64;
 
     /// <summary>
-    /// Relative to the size of a node: what its box is enlarged by on each side. Fitting rounds by some forty units of
-    /// 2^-53.
+    /// Relative to the size of a node: what its box is enlarged by on each side. Fitting rounds by less than 128 u, u =
+    /// 2^-53, of that size: offsets, three axes that are not quite orthogonal, and sums. This is 256 u.
     /// </summary>
-    private const double Enlargement = 1.0 / (1L << 46);
+    private const double Enlargement = 1.0 / (1L << 45);
 
     private readonly ConvexHull _hull;
     private readonly double[] _x, _y, _z, _keys;

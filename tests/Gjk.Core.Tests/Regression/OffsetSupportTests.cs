@@ -26,14 +26,14 @@ public class OffsetSupportTests
             var hull = new ConvexHull(cloud);
             for (int i = 0; i < 100; i++)
             {
-                // Level but for a little: the two highest vertices differ by less than the rounding of absolute heights.
+                // Two vertices are level but for a little, less than the rounding of absolute heights.
                 hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D p);
                 hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D q);
                 Vector3D d = Vector3D.Cross(p - q, (Vector3D)rng.Direction()) + (Vector3D)rng.Direction() * 1e-12;
                 HullSupport.Find(hull, d, out Vector3D point);
                 double behind = cloud.Max(c => Height((Vector3D)c - point, d));
                 double reach = cloud.Max(c => ((Vector3D)c - point).Length) * d.Length;
-                Assert.True(behind <= 1e-15 * reach, $"seed {seed}: {point} towards {d} is {behind} behind, of {reach}");
+                Assert.True(behind <= 1e-15 * reach, $"seed {seed}: {point} towards {d} is {behind} behind");
             }
         }
     }
@@ -51,7 +51,8 @@ public class OffsetSupportTests
     {
         var rng = new Rng(5);
         var away = new Vector3D(offset, -offset, 0);
-        Vector3[] cloud = [.. Enumerable.Range(0, 40).Select(_ => (Vector3)(away + (Vector3D)rng.Vector(-1, 1) * size))];
+        var cloud = new Vector3[40];
+        for (int i = 0; i < cloud.Length; i++) cloud[i] = (Vector3)(away + (Vector3D)rng.Vector(-1, 1) * size);
         var hull = new ConvexHull(cloud);
         Vector3D half = ((Vector3D)hull.Bounds.Max - hull.Bounds.Min) * 0.5;
         for (int i = 0; i < hull.VertexCount; i++)
