@@ -64,7 +64,7 @@ public static class FactorCheck
             bool intersects = ReportGjk.Intersects(scene.Colliders[pair.A], scene.Colliders[pair.B]);
 
             bool known = distance.Status is GjkStatus.Separated or GjkStatus.Overlapping;
-            bool sameFlags = distance.Overlaps == overlaps && overlaps == intersects && intersects == expected.Intersects;
+            bool sameFlags = distance.IsOverlapping == overlaps && overlaps == intersects && intersects == expected.Intersects;
             if (!known || !sameFlags || !(MathF.Abs(distance.Distance - expected.Distance) <= DistanceTolerance))
             {
                 throw new FactorCheckException(FormattableString.Invariant(

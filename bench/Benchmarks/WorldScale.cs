@@ -50,7 +50,7 @@ public class WorldScale
     public int Frame()
     {
         Move();
-        _scene.Overlaps(_pairs);
+        _scene.FindOverlaps(_pairs);
         return _pairs.Count;
     }
 
@@ -58,7 +58,7 @@ public class WorldScale
     public int FrameOnAllCores()
     {
         Move();
-        _scene.Overlaps(_pairs, _workers);
+        _scene.FindOverlaps(_pairs, _workers);
         return _pairs.Count;
     }
 

@@ -50,7 +50,7 @@ internal sealed class ReportSceneClock
             samples.Add(FrameLoop.Milliseconds(Stopwatch.GetTimestamp() - start) / FramesPerSample);
         });
         double bytes = FrameLoop.BytesPerFrame(Frame, rounds * FramesPerSample);
-        _scene.Overlaps(_pairs);
+        _scene.FindOverlaps(_pairs);
         return new FrameFigures(null, null, samples.Median, null, _pairs.Count, null, bytes, null);
     }
 
@@ -58,8 +58,8 @@ internal sealed class ReportSceneClock
     {
         RigidPose[] poses = _frames[_frame++ & 1];
         for (int i = 0; _isMoving && i < poses.Length; i++) _scene.Move(i, poses[i]);
-        if (_question == Question.Distances) _scene.PairsWithin(float.PositiveInfinity, ref _sum);
-        else _scene.Overlaps(_pairs);
+        if (_question == Question.Distances) _scene.FindPairsWithin(float.PositiveInfinity, ref _sum);
+        else _scene.FindOverlaps(_pairs);
     }
 
     /// <summary>So that the distances are looked at.</summary>

@@ -68,7 +68,7 @@ internal sealed class RoomClock
         if (_isMoving) _objects.MoveAll(_scene);
         _scene.CollectCandidates(_candidates);
         long middle = Stopwatch.GetTimestamp();
-        _scene.OverlapsOf(_candidates, _pairs, _workers);
+        _scene.FindOverlapsAmong(_candidates, _pairs, _workers);
         long end = Stopwatch.GetTimestamp();
         _broadMs = FrameLoop.Milliseconds(middle - start);
         _narrowMs = FrameLoop.Milliseconds(end - middle);

@@ -55,8 +55,8 @@ public sealed class Motion
 
     private static double Extent(in ConvexShape shape, in Vector3D axis)
     {
-        shape.Support(axis, -1, out Vector3D furthest);
-        shape.Support(-axis, -1, out Vector3D nearest);
+        shape.Support(axis, out Vector3D furthest);
+        shape.Support(-axis, out Vector3D nearest);
         return Vector3D.Dot(axis, furthest - nearest) + 2 * shape.Margin;
     }
 }

@@ -89,7 +89,6 @@ internal readonly struct RecordedStep
         public ClosestFeature Feature;
         private readonly PairFrame _frame;
         private ConvexMesh _a, _b;
-        private int _idA = -1, _idB = -1;
 
         public Walk(BenchScene scene, BenchScene.Pair pair)
         {
@@ -104,8 +103,8 @@ internal readonly struct RecordedStep
         public double Push()
         {
             MinkowskiDifference.Support(
-                ref _a, ref _b, _frame, Feature.Normal, ref _idA, ref _idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
-            Simplex.Push(w, onA, onB, _idA, _idB);
+                ref _a, ref _b, _frame, Feature.Normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+            Simplex.Push(w, onA, onB, idA, idB);
             return Vector3D.Dot(Feature.Normal, w);
         }
     }

@@ -64,7 +64,7 @@ internal static class SupportClock
         for (int sample = 0; sample < Samples; sample++)
         {
             long start = Stopwatch.GetTimestamp();
-            for (int i = 0; i < Repeats; i++) ids += mesh.Support(direction, -1, out _);
+            for (int i = 0; i < Repeats; i++) ids += mesh.Support(direction, out _);
             best = Math.Min(best, Stopwatch.GetElapsedTime(start).TotalNanoseconds / Repeats);
         }
 

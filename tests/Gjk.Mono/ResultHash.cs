@@ -17,7 +17,7 @@ internal sealed class ResultHash
     {
         Word((uint)a);
         Word((uint)b);
-        Byte((byte)r.Status);
+        Byte((byte)(r.Status - 1));
         Float(r.Distance);
         Vector(r.PointA);
         Vector(r.PointB);

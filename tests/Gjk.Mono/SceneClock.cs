@@ -39,7 +39,7 @@ internal static class SceneClock
         {
             for (int j = i + 1; j < poses.Length; j++)
             {
-                if (ConvexQuery.Distance(shape, poses[i], shape, poses[j]).Overlaps) overlapping++;
+                if (ConvexQuery.Distance(shape, poses[i], shape, poses[j]).IsOverlapping) overlapping++;
             }
         }
 

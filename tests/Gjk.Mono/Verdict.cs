@@ -22,12 +22,12 @@ internal static class Verdict
     public static string? Problem(HardCase c, in DistanceResult r)
     {
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return FormattableString.Invariant($"status {r.Status} after {r.Iterations} iterations");
-        if (r.Overlaps != c.Overlap && Math.Max(c.Distance, c.Depth) > Flag * c.Scale) return FormattableString.Invariant($"overlap {r.Overlaps}, truly {c.Overlap}");
+        if (r.IsOverlapping != c.Overlap && Math.Max(c.Distance, c.Depth) > Flag * c.Scale) return FormattableString.Invariant($"overlap {r.IsOverlapping}, truly {c.Overlap}");
         double band = DistanceRatio * c.Distance + DistanceScale * c.Scale;
         if (!(Math.Abs(r.Distance - c.Distance) <= band)) return FormattableString.Invariant($"distance {r.Distance:R}, truly {c.Distance:R}");
         if (!(r.LowerBound <= c.Distance * (1 + FileRounding))) return FormattableString.Invariant($"lower bound {r.LowerBound:R}, truly {c.Distance:R}");
         if (!(r.LowerBound >= r.Distance - band)) return FormattableString.Invariant($"lower bound {r.LowerBound:R} far below the distance {r.Distance:R}");
         bool overlaps = ConvexQuery.Overlaps(c.A.Shape, c.A.Pose, c.B.Shape, c.B.Pose);
-        return overlaps == r.Overlaps ? null : FormattableString.Invariant($"Overlaps {overlaps}, Distance {r.Status}");
+        return overlaps == r.IsOverlapping ? null : FormattableString.Invariant($"Overlaps {overlaps}, Distance {r.Status}");
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using System.Text;
 
 namespace Gjk.Core;
@@ -8,8 +7,10 @@ namespace Gjk.Core;
 /// One query as one line of text, and back, to the last bit: what to paste into a bug report or a test when an answer looks wrong.
 /// </summary>
 /// <remarks>
-/// The line is <c>gjk1</c>, then each shape with its pose: a kind with its numbers, for a scaled shape <c>*</c> and three factors, then <c>@</c>, the rotation
-/// (x y z w) and the position. A mesh is written as its hull's corners. Numbers are in invariant culture and read back as the same bits. Immutable.
+/// The line is <c>gjk1</c>, then each shape with its pose: a kind with its numbers; for a scaled shape <c>*</c> and
+/// three factors, for a rounded one <c>+</c> and the radius, for a placed one <c>&gt;</c>, the rotation (x y z w) and
+/// the position, in the order in which they apply; then <c>@</c>, the pose's rotation and position. A mesh is written as
+/// its hull's corners. Numbers are in invariant culture and read back as the same bits. Immutable.
 /// </remarks>
 public readonly struct QueryRecord
 {
@@ -44,9 +45,9 @@ public readonly struct QueryRecord
         var words = new RecordReader(Guard.NotNull(text, nameof(text)));
         words.Expect(Tag);
         ConvexShape a = ShapeText.Read(words);
-        RigidPose poseA = ReadPose(words);
+        RigidPose poseA = PoseAfterAt(words);
         ConvexShape b = ShapeText.Read(words);
-        RigidPose poseB = ReadPose(words);
+        RigidPose poseB = PoseAfterAt(words);
         words.ExpectEnd();
         return new QueryRecord(a, poseA, b, poseB);
     }
@@ -80,24 +81,15 @@ public readonly struct QueryRecord
     {
         var text = new StringBuilder(Tag);
         ShapeText.Write(text, A);
-        WritePose(text, PoseA);
+        ShapeText.Add(text.Append(" @"), PoseA);
         ShapeText.Write(text, B);
-        WritePose(text, PoseB);
+        ShapeText.Add(text.Append(" @"), PoseB);
         return text.ToString();
     }
 
-    private static void WritePose(StringBuilder text, in RigidPose pose)
-    {
-        text.Append(" @");
-        foreach (float number in new[] { pose.Rotation.X, pose.Rotation.Y, pose.Rotation.Z, pose.Rotation.W, pose.Position.X, pose.Position.Y, pose.Position.Z })
-            text.Append(' ').Append(number.ToString("G9", CultureInfo.InvariantCulture));
-    }
-
-    private static RigidPose ReadPose(RecordReader words)
+    private static RigidPose PoseAfterAt(RecordReader words)
     {
         words.Expect("@");
-        var rotation = new System.Numerics.Quaternion(words.Float(), words.Float(), words.Float(), words.Float());
-        var position = new System.Numerics.Vector3(words.Float(), words.Float(), words.Float());
-        return words.Build(() => new RigidPose(rotation, position));
+        return ShapeText.ReadPose(words);
     }
 }

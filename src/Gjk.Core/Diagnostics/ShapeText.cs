@@ -4,19 +4,82 @@ using System.Text;
 
 namespace Gjk.Core;
 
-/// <summary>A <see cref="ConvexShape"/> as words of a record. Numbers that a scale was multiplied into are doubles, and are written as such.</summary>
+/// <summary>
+/// A <see cref="ConvexShape"/> as words of a record. Numbers that a scale was multiplied into are doubles, and are
+/// written as such. After the shape's own numbers come <c>*</c> with a scale, <c>+</c> with a radius that it was
+/// rounded by, and <c>&gt;</c> with a rotation and a position that it was placed at, in the order in which they apply.
+/// </summary>
 internal static class ShapeText
 {
     public static void Write(StringBuilder text, in ConvexShape shape)
     {
         ShapeParts p = shape.Parts;
+        if (p.Layer is null) WriteCore(text, p);
+        else Write(text, p.Layer.Inner);
+        if (p.Layer is PlacedLayer placed) Add(text.Append(" >"), placed.Shape.Pose);
+        if (p.Layer is ScaledLayer scaled) Add(text.Append(" *"), scaled.Shape.Factors);
+        if (p.Layer is null && p.Scale != new Vector3D(1, 1, 1)) Add(text.Append(" *"), p.Scale);
+        if (p.Rounding > 0) Add(text.Append(" +"), p.Rounding);
+    }
+
+    /// <summary>The rotation (x y z w) and the position of a pose.</summary>
+    public static void Add(StringBuilder text, in RigidPose pose)
+    {
+        Quaternion q = pose.Rotation;
+        Vector3 p = pose.Position;
+        foreach (float number in new[] { q.X, q.Y, q.Z, q.W, p.X, p.Y, p.Z }) Add(text, number);
+    }
+
+    public static RigidPose ReadPose(RecordReader words)
+    {
+        var rotation = new Quaternion(words.Float(), words.Float(), words.Float(), words.Float());
+        var position = new Vector3(words.Float(), words.Float(), words.Float());
+        return words.Build(() => new RigidPose(rotation, position));
+    }
+
+    public static ConvexShape Read(RecordReader words)
+    {
+        var shape = new ConvexShape(ReadCore(words));
+        while (words.Peek is "*" or "+" or ">")
+        {
+            string decorator = words.Word("a decorator");
+            shape = decorator == ">" ? shape.Placed(ReadPose(words))
+                : decorator == "+" ? Rounded(words, shape)
+                : Scaled(words, shape);
+        }
+
+        return shape;
+    }
+
+    private static ConvexShape Rounded(RecordReader words, in ConvexShape shape)
+    {
+        ShapeParts parts = shape.Parts;
+        parts.Rounding += words.Number();
+        if (parts.Rounding < 0) throw words.Wrong("should not be negative");
+        return new ConvexShape(parts);
+    }
+
+    /// <summary>Factors behind a shape's own numbers are kept as they are; later ones scale what was decorated.</summary>
+    private static ConvexShape Scaled(RecordReader words, in ConvexShape shape)
+    {
+        Vector3D factors = words.Vector();
+        if (factors.X == 0 || factors.Y == 0 || factors.Z == 0) throw words.Wrong("ends a scale with a factor of 0");
+        ConvexShape inner = shape;
+        if (shape.IsDecorated) return words.Build(() => inner.Scaled((Vector3)factors));
+        ShapeParts parts = shape.Parts;
+        parts.Scale = Vector3D.Multiply(parts.Scale, factors);
+        return new ConvexShape(parts);
+    }
+
+    private static void WriteCore(StringBuilder text, in ShapeParts p)
+    {
         text.Append(' ').Append(Name(p.Kind));
         switch (p.Kind)
         {
-            case ShapeKind.Point:
+            case ShapeKind.Point or ShapeKind.Sphere:
                 Add(text, p.InnerMargin);
                 break;
-            case ShapeKind.Segment:
+            case ShapeKind.Segment or ShapeKind.Capsule:
                 Add(text, p.A);
                 Add(text, p.B);
                 Add(text, p.InnerMargin);
@@ -33,21 +96,17 @@ internal static class ShapeText
                 Add(text, p.A);
                 break;
         }
-
-        if (p.Scale == new Vector3D(1, 1, 1)) return;
-        text.Append(" *");
-        Add(text, p.Scale);
     }
 
-    public static ConvexShape Read(RecordReader words)
+    private static ShapeParts ReadCore(RecordReader words)
     {
         var p = new ShapeParts { Kind = ReadKind(words), Scale = new Vector3D(1, 1, 1) };
         switch (p.Kind)
         {
-            case ShapeKind.Point:
+            case ShapeKind.Point or ShapeKind.Sphere:
                 p.InnerMargin = words.Number();
                 break;
-            case ShapeKind.Segment:
+            case ShapeKind.Segment or ShapeKind.Capsule:
                 p.A = words.Vector();
                 p.B = words.Vector();
                 p.InnerMargin = words.Number();
@@ -67,17 +126,18 @@ internal static class ShapeText
         }
 
         if (p.InnerMargin < 0) throw words.Wrong("should not be negative");
-        if (words.Peek == "*")
-        {
-            words.Expect("*");
-            p.Scale = words.Vector();
-            if (p.Scale.X == 0 || p.Scale.Y == 0 || p.Scale.Z == 0) throw words.Wrong("ends a scale with a factor of 0");
-        }
-
-        return new ConvexShape(p);
+        if (p.InnerMargin > 0 && p.Kind == ShapeKind.Point) p.Kind = ShapeKind.Sphere;
+        if (p.InnerMargin > 0 && p.Kind == ShapeKind.Segment) p.Kind = ShapeKind.Capsule;
+        return p;
     }
 
-    private static string Name(ShapeKind kind) => kind.ToString().ToLowerInvariant();
+    /// <summary>A sphere is written as a point with a radius, a capsule as a segment with one.</summary>
+    private static string Name(ShapeKind kind) => kind switch
+    {
+        ShapeKind.Sphere => Name(ShapeKind.Point),
+        ShapeKind.Capsule => Name(ShapeKind.Segment),
+        _ => kind.ToString().ToLowerInvariant(),
+    };
 
     private static ShapeKind ReadKind(RecordReader words)
     {
@@ -96,7 +156,7 @@ internal static class ShapeText
         for (int i = 0; i < hull.VertexCount; i++)
         {
             Vector3 corner = hull.GetVertex(i);
-            foreach (float x in new[] { corner.X, corner.Y, corner.Z }) text.Append(' ').Append(x.ToString("G9", CultureInfo.InvariantCulture));
+            foreach (float x in new[] { corner.X, corner.Y, corner.Z }) Add(text, x);
         }
     }
 
@@ -117,13 +177,8 @@ internal static class ShapeText
     /// <summary>Seventeen digits bring a double back.</summary>
     private static void Add(StringBuilder text, double number) =>
         text.Append(' ').Append(number.ToString("G17", CultureInfo.InvariantCulture));
-}
 
-/// <summary>What a <see cref="ConvexShape"/> is made of.</summary>
-internal struct ShapeParts
-{
-    public ShapeKind Kind;
-    public Vector3D A, B, C, Scale;
-    public double InnerMargin;
-    public ConvexHull? Hull;
+    /// <summary>Nine digits bring a float back.</summary>
+    private static void Add(StringBuilder text, float number) =>
+        text.Append(' ').Append(number.ToString("G9", CultureInfo.InvariantCulture));
 }

@@ -40,6 +40,9 @@ public readonly struct Aabb : IEquatable<Aabb>
     /// <inheritdoc/>
     public override int GetHashCode() => Min.GetHashCode() * 397 ^ Max.GetHashCode();
 
+    /// <summary>Both corners, for people to read.</summary>
+    public override string ToString() => $"{((Vector3D)Min).ToString("G9")} to {((Vector3D)Max).ToString("G9")}";
+
     /// <summary>Equality of both corners.</summary>
     public static bool operator ==(in Aabb a, in Aabb b) => a.Equals(b);
 

@@ -14,12 +14,29 @@ internal static class DirectionRange
     /// <summary>Numbers below it are raised first.</summary>
     private const double Small = 1e-150;
 
+    /// <summary>
+    /// Sums of components between which no product with a number of ordinary size has overflowed or become a denormal
+    /// number. Pinned by DirectionLengthTests.
+    /// </summary>
+    private const double LeastSize = 1e-200, MostSize = 1e200;
+
     /// <summary>Sizes between which a dot product of a direction of any length has lost nothing to the limits of double.</summary>
     private const double LeastDot = 1e-270, MostDot = 1e300;
 
     /// <summary>Whether a dot product can be trusted; false for 0, which may be what is left of a tiny one.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsSafe(double dot) => Math.Abs(dot) > LeastDot && Math.Abs(dot) < MostDot;
+
+    /// <summary>
+    /// The direction itself, or brought to unit size where its products with numbers of ordinary size could leave the
+    /// range of double.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D ToSafe(in Vector3D direction)
+    {
+        double size = Math.Abs(direction.X) + Math.Abs(direction.Y) + Math.Abs(direction.Z);
+        return size > LeastSize && size < MostSize ? direction : ToUnit(direction);
+    }
 
     /// <summary>The same direction with its largest component between 1 and 2; unchanged when it is zero, infinite or NaN.</summary>
     public static Vector3D ToUnit(in Vector3D direction)

@@ -32,6 +32,9 @@ internal static class Guard
             ? v
             : throw new ArgumentOutOfRangeException(name, v, "Every component must be finite and not zero.");
 
+    public static RigidPose Pose(in RigidPose pose, string name) =>
+        pose.IsDefault ? throw new ArgumentOutOfRangeException(name, pose, "A default RigidPose has no rotation; use RigidPose.Identity.") : pose;
+
     public static T NotNull<T>(T? value, string name) where T : class =>
         value ?? throw new ArgumentNullException(name);
 }

@@ -1,37 +1,37 @@
 namespace Gjk.Core;
 
 /// <summary>
-/// A convex shape, seen as GJK sees it: the furthest point in a direction. Implement it with a readonly struct and every query
-/// of the library works on your shape.
+/// A convex shape as GJK sees it: the furthest point in a direction. Implement it with a readonly struct, and every
+/// query of the library works on your shape.
 /// </summary>
 /// <remarks>
-/// The shape is the core (what <see cref="Support"/> describes) widened by <see cref="Margin"/>: a sphere is a point with a
-/// margin, a capsule a segment with one. All values are in the shape's local frame. A result on a shape is as exact as
-/// its support is.
+/// The shape is the core (what <see cref="Support"/> describes) widened by <see cref="Margin"/>: a sphere is a point
+/// with a margin, a capsule a segment with one. All values are in the shape's local frame, and points are measured from
+/// <see cref="Center"/>: so a shape far from its local origin loses no accuracy. A result on a shape is as exact as its
+/// support is.
 /// </remarks>
 public interface ISupportMap
 {
-    /// <summary>
-    /// A point in the middle of the core, or near it. Queries start from the difference of the centres and compute relative to them, so a shape far from
-    /// its own local origin loses no accuracy.
-    /// </summary>
+    /// <summary>A point in the middle of the core, or near it. Where it is the local origin, return that.</summary>
     Vector3D Center { get; }
 
     /// <summary>How far the shape reaches beyond the core, from 0 to 1e150, in local units.</summary>
     double Margin { get; }
 
     /// <summary>
-    /// The radius of a ball about <see cref="Center"/> that holds the whole shape, margin included. It may be generous: it only serves to reject pairs early, and no
-    /// tolerance depends on it. From 0 to 1e150, as all lengths; a negative or larger one, or NaN, gives <see cref="GjkStatus.InvalidInput"/>.
+    /// The radius of a ball about <see cref="Center"/> that holds the whole shape, margin included. It may be generous:
+    /// it only serves to reject pairs early, and no tolerance depends on it. From 0 to 1e150, as all lengths; a
+    /// negative or larger one, or NaN, gives <see cref="GjkStatus.InvalidInput"/>.
     /// </summary>
     double BoundingRadius { get; }
 
     /// <summary>The point of the core that is furthest in a direction.</summary>
     /// <param name="direction">Finite, not zero, of any length.</param>
-    /// <param name="hint">The id that the previous call of the same query returned, or -1: a place to start searching.</param>
-    /// <param name="point">The furthest point; any of them where there are several.</param>
+    /// <param name="point">
+    /// The furthest point, measured from <see cref="Center"/>; any of them where there are several.
+    /// </param>
     /// <returns>The id of the vertex, at least 0, or -1 where the shape has no vertices (a curved core).</returns>
-    int Support(in Vector3D direction, int hint, out Vector3D point);
+    int Support(in Vector3D direction, out Vector3D point);
 
     /// <summary>The core's vertex with the given id, for warm starts: false when there is none with that id.</summary>
     /// <param name="id">Any number; a stale one must be refused, not trusted.</param>

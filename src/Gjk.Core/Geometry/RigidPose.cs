@@ -72,6 +72,19 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <inheritdoc/>
     public override int GetHashCode() => Rotation.GetHashCode() * 397 ^ Position.GetHashCode();
 
+    /// <summary>The position, and the rotation (x, y, z, w) where there is one, for people to read.</summary>
+    public override string ToString()
+    {
+        string position = ((Vector3D)Position).ToString("G9");
+        return Rotation == Quaternion.Identity
+            ? position
+            : FormattableString.Invariant(
+                $"{position}, rotation ({Rotation.X:G9}, {Rotation.Y:G9}, {Rotation.Z:G9}, {Rotation.W:G9})");
+    }
+
+    /// <summary>Whether this was never constructed.</summary>
+    internal bool IsDefault => Rotation == default;
+
     /// <summary>Whether a quaternion of this squared length counts as a rotation; false for NaN.</summary>
     internal static bool IsUnit(double squaredNorm) => squaredNorm >= MinSquaredNorm && squaredNorm <= MaxSquaredNorm;
 

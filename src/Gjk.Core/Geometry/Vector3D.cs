@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 
@@ -98,7 +99,14 @@ public readonly struct Vector3D : IEquatable<Vector3D>
     /// <inheritdoc/>
     public override int GetHashCode() => (X.GetHashCode() * 397 ^ Y.GetHashCode()) * 397 ^ Z.GetHashCode();
 
-    /// <summary>The components in invariant culture, as many digits as a reader needs to get the same doubles back.</summary>
-    public override string ToString() =>
-        FormattableString.Invariant($"<{X:R}, {Y:R}, {Z:R}>");
+    /// <summary>
+    /// The components in invariant culture, as many digits as a reader needs to get the same doubles back.
+    /// </summary>
+    public override string ToString() => ToString("R");
+
+    /// <summary>The components in invariant culture, each in a numeric format.</summary>
+    internal string ToString(string format) =>
+        $"<{Text(X, format)}, {Text(Y, format)}, {Text(Z, format)}>";
+
+    private static string Text(double x, string format) => x.ToString(format, CultureInfo.InvariantCulture);
 }

@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace Gjk.Core;
 
 /// <summary>A vector of three <see cref="DoubleDouble"/>.</summary>
@@ -26,4 +28,17 @@ internal readonly struct VectorDD
 
     public static VectorDD Cross(in VectorDD a, in VectorDD b) =>
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
+
+    /// <summary>A local point in the world.</summary>
+    public static VectorDD Place(in RigidPose pose, in Vector3D v) =>
+        (VectorDD)(Vector3D)pose.Position + Rotate(pose.Rotation, v);
+
+    /// <summary>v + 2 u × (u × v + w v) / |q|², the rotation by q = (u, w) without a matrix.</summary>
+    public static VectorDD Rotate(in Quaternion q, in Vector3D v)
+    {
+        VectorDD u = new Vector3D(q.X, q.Y, q.Z), vector = v;
+        DoubleDouble w = (double)q.W;
+        DoubleDouble norm = Dot(u, u) + w * w;
+        return vector + Cross(u, Cross(u, vector) + vector * w) * (2.0 / norm);
+    }
 }

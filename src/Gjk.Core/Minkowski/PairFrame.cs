@@ -23,6 +23,13 @@ internal struct PairFrame
     private const double FarCenter = 4;
 
     /// <summary>
+    /// Ratio to the centres' distances from their local origins: 2^-90, more than double-double loses when it rotates
+    /// them (some 2^-100). Centres no further apart coincide. No shape with an extent is so small: its corners are
+    /// floats, at least 2^-25 of the offset apart. Pinned by CoincidentPointTests.
+    /// </summary>
+    private const double ExtendedError = 1.0 / (1L << 45) / (1L << 45);
+
+    /// <summary>
     /// Length: larger sizes and distances count as invalid input. It is far above every shape that is made of floats, and its square is a finite double. Pinned by
     /// InvalidInputTests.
     /// </summary>
@@ -140,8 +147,8 @@ internal struct PairFrame
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (!TightBounds<TA>.Are) RadiusA = Math.Min(RadiusA, CoreExtent.RadiusAbout(CenterA, ref a) + MarginA);
-        if (!TightBounds<TB>.Are) RadiusB = Math.Min(RadiusB, CoreExtent.RadiusAbout(CenterB, ref b) + MarginB);
+        if (!TightBounds<TA>.Are) RadiusA = Math.Min(RadiusA, CoreExtent.Radius(ref a) + MarginA);
+        if (!TightBounds<TB>.Are) RadiusB = Math.Min(RadiusB, CoreExtent.Radius(ref b) + MarginB);
         Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + SumOfSizes(Translation);
     }
 
@@ -165,18 +172,9 @@ internal struct PairFrame
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Vector3D BetweenFarCenters(in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB)
     {
-        VectorDD a = Place(poseA, centerA), b = Place(poseB, centerB);
-        return (Vector3D)(b - a);
-    }
-
-    /// <summary>position + v + 2 u × (u × v + w v) / |q|², the quaternion's rotation without a matrix, in double-double.</summary>
-    private static VectorDD Place(in RigidPose pose, in Vector3D v)
-    {
-        Quaternion q = pose.Rotation;
-        VectorDD u = new Vector3D(q.X, q.Y, q.Z), vector = v;
-        DoubleDouble w = (double)q.W;
-        DoubleDouble norm = VectorDD.Dot(u, u) + w * w;
-        VectorDD turned = VectorDD.Cross(u, VectorDD.Cross(u, vector) + vector * w) * (2.0 / norm);
-        return (VectorDD)(Vector3D)pose.Position + vector + turned;
+        VectorDD between = (VectorDD)(Vector3D)poseB.Position - (Vector3D)poseA.Position;
+        between += VectorDD.Rotate(poseB.Rotation, centerB) - VectorDD.Rotate(poseA.Rotation, centerA);
+        var rounded = (Vector3D)between;
+        return SumOfSizes(rounded) > ExtendedError * (SumOfSizes(centerA) + SumOfSizes(centerB)) ? rounded : default;
     }
 }

@@ -23,9 +23,9 @@ internal readonly struct UnitSized<T> : ISupportMap
 
     public double BoundingRadius => _inner.BoundingRadius * _factor;
 
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
-        int id = _inner.Support(direction, hint, out point);
+        int id = _inner.Support(direction, out point);
         point *= _factor;
         return id;
     }

@@ -9,25 +9,17 @@ public static partial class ConvexQuery
     /// <param name="poseA">Where it is.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Where it is.</param>
+    /// <param name="maxDistance">
+    /// In world units. When the distance, rounded to float, is larger, the query ends early with
+    /// <see cref="GjkStatus.BeyondMaxDistance"/>. Below 0 counts as 0; NaN gives <see cref="GjkStatus.InvalidInput"/>.
+    /// </param>
     /// <returns>
-    /// The true distance of the shapes as given, rounded to float; on curved cores (cylinder, cone, ellipsoid) within 1e-6 of the larger of size and distance. A
-    /// <c>default</c> pose or shape, or a NaN, gives <see cref="GjkStatus.InvalidInput"/>. See <see cref="DistanceResult"/>.
+    /// The true distance of the shapes as given, rounded to float; on curved cores (cylinder, cone, ellipsoid) within
+    /// 1e-6 of the larger of size and distance. A <c>default</c> pose or shape, or a NaN, gives
+    /// <see cref="GjkStatus.InvalidInput"/>. See <see cref="DistanceResult"/>.
     /// </returns>
-    public static DistanceResult Distance<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap =>
-        Distance(a, poseA, b, poseB, float.PositiveInfinity);
-
-    /// <summary>As the other, but ends early, with <see cref="GjkStatus.BeyondMaxDistance"/>, when the shapes are further apart than the caller cares to know: when the distance, rounded to float, is larger.</summary>
-    /// <typeparam name="TA">The first shape's type.</typeparam>
-    /// <typeparam name="TB">The second shape's type.</typeparam>
-    /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
-    /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
-    /// <param name="maxDistance">In world units; below 0 counts as 0; NaN gives <see cref="GjkStatus.InvalidInput"/>.</param>
-    /// <returns>See <see cref="DistanceResult"/>.</returns>
-    public static DistanceResult Distance<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxDistance)
+    public static DistanceResult Distance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxDistance = float.PositiveInfinity)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -48,9 +40,15 @@ public static partial class ConvexQuery
     /// <param name="poseA">Where it is.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Where it is.</param>
-    /// <param name="simplex">The support points of the nearest feature with their weights; empty when the input is invalid.</param>
+    /// <param name="simplex">
+    /// The support points of the nearest feature with their weights; empty when the input is invalid. When the shapes
+    /// are further apart than asked, the last feature.
+    /// </param>
+    /// <param name="maxDistance">As in the first overload.</param>
     /// <returns>See <see cref="DistanceResult"/>.</returns>
-    public static DistanceResult Distance<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out FinalSimplex simplex)
+    public static DistanceResult Distance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out FinalSimplex simplex,
+        float maxDistance = float.PositiveInfinity)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -59,13 +57,16 @@ public static partial class ConvexQuery
         NoTrace trace = default;
         WarmStart unused = default;
         Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, float.PositiveInfinity, ref unused, false, ref trace,
+            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref unused, false, ref trace,
             out PairFrame frame, out SolverState state);
-        simplex = state.Verdict == Verdict.Contradiction ? default : new FinalSimplex(state.Simplex, frame);
-        return Finish(state, frame, poseA, poseB, float.PositiveInfinity);
+        bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
+        simplex = isEmpty ? default : new FinalSimplex(state.Simplex, frame);
+        return Finish(state, frame, poseA, poseB, maxDistance);
     }
 
-    /// <summary>As the others, beginning where the last query of the pair ended: much faster for pairs that move little.</summary>
+    /// <summary>
+    /// As the first, beginning where the last query of the pair ended: much faster for pairs that move little.
+    /// </summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
@@ -73,10 +74,14 @@ public static partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Where it is.</param>
     /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated.</param>
-    /// <param name="maxDistance">As in the other overload.</param>
-    /// <returns>See <see cref="DistanceResult"/>. It agrees with the cold query's within the accuracy, not always to the last bit.</returns>
+    /// <param name="maxDistance">As in the first overload.</param>
+    /// <returns>
+    /// See <see cref="DistanceResult"/>. It agrees with the cold query's within the accuracy, not always to the last
+    /// bit.
+    /// </returns>
     public static DistanceResult Distance<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart, float maxDistance = float.PositiveInfinity)
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart,
+        float maxDistance = float.PositiveInfinity)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -84,8 +89,8 @@ public static partial class ConvexQuery
         TB copyB = default;
         NoTrace trace = default;
         Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref warmStart, true, ref trace,
-            out PairFrame frame, out SolverState state);
+            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref warmStart, true,
+            ref trace, out PairFrame frame, out SolverState state);
         return Finish(state, frame, poseA, poseB, maxDistance);
     }
 }

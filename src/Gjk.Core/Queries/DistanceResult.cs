@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 
 namespace Gjk.Core;
@@ -53,11 +54,24 @@ public readonly struct DistanceResult
     }
 
     /// <summary>True when the shapes share a point, touching included.</summary>
-    public bool Overlaps => Status == GjkStatus.Overlapping;
+    public bool IsOverlapping => Status == GjkStatus.Overlapping;
 
     /// <summary>The same answer with A and B exchanged.</summary>
     public DistanceResult Swapped => new(
         Status, Distance, LowerBound, PointB, PointA, -Normal, LocalPointB, LocalPointA, Iterations);
+
+    /// <summary>The status, and what is valid under it, for people to read.</summary>
+    public override string ToString()
+    {
+        if (Status is GjkStatus.Separated or GjkStatus.IterationLimit)
+            return FormattableString.Invariant($"{Status}, {Distance:G9} from {Text(PointA)} to {Text(PointB)}");
+        if (Status == GjkStatus.Overlapping) return $"{Status} at {Text(PointA)}";
+        return Status == GjkStatus.BeyondMaxDistance
+            ? FormattableString.Invariant($"{Status}, more than {LowerBound:G9} along {Text(Normal)}")
+            : Status.ToString();
+    }
+
+    private static string Text(Vector3 v) => ((Vector3D)v).ToString("G9");
 
     internal static DistanceResult Invalid(GjkStatus status, int iterations)
     {

@@ -46,8 +46,7 @@ public struct WarmStart
                 return;
             }
 
-            MinkowskiDifference.Place(frame, onA, onB, out Vector3D fromA, out Vector3D fromB, out Vector3D w);
-            simplex.Push(w, fromA, fromB, idA, idB);
+            simplex.Push(MinkowskiDifference.VertexOf(frame, onA, onB), onA, onB, idA, idB);
         }
     }
 

@@ -28,6 +28,16 @@ internal readonly struct AxisScale
 
     public double Margin(double innerMargin) => KeepsBalls ? innerMargin * Math.Abs(Factors.X) : 0;
 
+    /// <summary>Scales a shape's centre; what rounding takes from it is to be added to each support.</summary>
+    public void Place(in Vector3D innerCenter, out Vector3D center, out Vector3D error)
+    {
+        var x = DoubleDouble.Product(Factors.X, innerCenter.X);
+        var y = DoubleDouble.Product(Factors.Y, innerCenter.Y);
+        var z = DoubleDouble.Product(Factors.Z, innerCenter.Z);
+        center = new Vector3D(x.High, y.High, z.High);
+        error = new Vector3D(x.Low, y.Low, z.Low);
+    }
+
     /// <summary>The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map itself), or a multiple of it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3D Inward(in Vector3D direction)

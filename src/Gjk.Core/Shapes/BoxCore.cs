@@ -18,7 +18,7 @@ internal readonly struct BoxCore : ISupportMap
 
     public double BoundingRadius => _radius;
 
-    public int Support(in Vector3D direction, int hint, out Vector3D point) => PrimitiveSupport.Box(_half, direction, out point);
+    public int Support(in Vector3D direction, out Vector3D point) => PrimitiveSupport.Box(_half, direction, out point);
 
     public bool TryGetVertex(int id, out Vector3D point) => PrimitiveSupport.TryBoxVertex(_half, id, out point);
 }

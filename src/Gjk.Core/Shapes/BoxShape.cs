@@ -22,7 +22,7 @@ public readonly struct BoxShape : ISupportMap
     public double BoundingRadius => ((Vector3D)HalfExtents).Length;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
+    public int Support(in Vector3D direction, out Vector3D point) =>
         PrimitiveSupport.Box(HalfExtents, direction, out point);
 
     /// <inheritdoc/>

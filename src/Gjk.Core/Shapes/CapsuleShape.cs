@@ -27,7 +27,7 @@ public readonly struct CapsuleShape : ISupportMap
     public double BoundingRadius => (double)Radius + HalfHeight;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
         bool down = direction.Y < 0;
         point = new Vector3D(0, down ? -(double)HalfHeight : HalfHeight, 0);

@@ -27,7 +27,7 @@ public readonly struct ConeShape : ISupportMap
     public double BoundingRadius => new Vector3D(Radius, HalfHeight, 0).Length;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
         point = PrimitiveSupport.Cone(Radius, HalfHeight, direction);
         return -1;

@@ -30,7 +30,12 @@ public readonly struct ConvexMesh : ISupportMap
     public double BoundingRadius => _hull is null ? double.NaN : _hull.BoundingRadius;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point) => HullSupport.Find(_hull!, direction, out point);
+    public int Support(in Vector3D direction, out Vector3D point)
+    {
+        int id = HullSupport.Find(_hull!, direction, out Vector3D vertex);
+        point = vertex - _hull!.Center;
+        return id;
+    }
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)
@@ -42,6 +47,7 @@ public readonly struct ConvexMesh : ISupportMap
         }
 
         _hull.GetVertex(id, out point);
+        point -= _hull.Center;
         return true;
     }
 }

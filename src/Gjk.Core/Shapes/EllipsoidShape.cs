@@ -23,7 +23,7 @@ public readonly struct EllipsoidShape : ISupportMap
     public double BoundingRadius => Math.Max(Math.Max(Radii.X, Radii.Y), Radii.Z);
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
         point = PrimitiveSupport.Ellipsoid(Radii, direction);
         return -1;

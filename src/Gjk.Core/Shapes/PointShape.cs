@@ -13,7 +13,7 @@ public readonly struct PointShape : ISupportMap
     public double BoundingRadius => 0;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
         point = default;
         return 0;

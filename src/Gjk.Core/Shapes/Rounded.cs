@@ -32,7 +32,7 @@ public readonly struct Rounded<T> : ISupportMap
     public double BoundingRadius => _inner.BoundingRadius + _radius;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point) => _inner.Support(direction, hint, out point);
+    public int Support(in Vector3D direction, out Vector3D point) => _inner.Support(direction, out point);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);

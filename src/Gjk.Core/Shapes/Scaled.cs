@@ -3,32 +3,40 @@ using System.Numerics;
 
 namespace Gjk.Core;
 
-/// <summary>Any shape scaled along its local axes; negative factors mirror it. The products are taken in double, where they are exact for float vertices.</summary>
-/// <remarks>Uneven factors, and a shape of your own, are measured once, by six supports in the constructor.</remarks>
+/// <summary>
+/// Any shape scaled along its local axes; negative factors mirror it. The products are taken in double, where they are
+/// exact for float vertices.
+/// </summary>
+/// <remarks>
+/// Uneven factors, and a shape of your own, are measured once, by six supports in the constructor. Uneven factors turn
+/// the margin's ball into an ellipsoid, which then belongs to the core.
+/// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
 public readonly struct Scaled<T> : ISupportMap
     where T : struct, ISupportMap
 {
     private readonly T _inner;
     private readonly AxisScale _scale;
+    private readonly Vector3D _center, _centerError;
     private readonly double _boundingRadius;
 
     /// <summary>Scales a shape by one factor along every axis.</summary>
-    /// <exception cref="System.ArgumentOutOfRangeException">The factor is 0, NaN or infinite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The factor is 0, NaN or infinite.</exception>
     public Scaled(in T inner, float scale)
         : this(inner, new Vector3(scale))
     {
     }
 
     /// <summary>Scales a shape.</summary>
-    /// <exception cref="System.ArgumentOutOfRangeException">A factor is 0, NaN or infinite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A factor is 0, NaN or infinite.</exception>
     public Scaled(in T inner, Vector3 scale)
     {
         _inner = inner;
         _scale = new AxisScale(Guard.Scale(scale, nameof(scale)));
+        _scale.Place(inner.Center, out _center, out _centerError);
         _boundingRadius = inner.BoundingRadius * _scale.Largest;
         if (!(_boundingRadius >= 0) || (_scale.KeepsBalls && TightBounds<T>.Are)) return;
-        _boundingRadius = Math.Min(_boundingRadius, CoreExtent.RadiusAbout(Center, ref this) + Margin);
+        _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this) + Margin);
     }
 
     /// <summary>The shape inside.</summary>
@@ -38,29 +46,32 @@ public readonly struct Scaled<T> : ISupportMap
     public Vector3 Factors => (Vector3)_scale.Factors;
 
     /// <inheritdoc/>
-    public Vector3D Center => Vector3D.Multiply(_scale.Factors, _inner.Center);
+    public Vector3D Center => _center;
 
     /// <inheritdoc/>
     public double Margin => _scale.Margin(_inner.Margin);
 
     /// <summary>
-    /// The inner radius times the largest factor, or what the scaled core's supports along its axes show where that is less; NaN in a <c>default</c> struct, which no query accepts.
+    /// The inner radius times the largest factor, or what the scaled core's supports along its axes show where that is
+    /// less; NaN in a <c>default</c> struct, which no query accepts.
     /// </summary>
     public double BoundingRadius => _scale.Largest > 0 ? _boundingRadius : double.NaN;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
         Vector3D inward = _scale.Inward(direction);
-        int id = _inner.Support(inward, hint, out point);
-        return _scale.Outward(id, _inner.Margin, inward, ref point);
+        int id = _inner.Support(inward, out point);
+        id = _scale.Outward(id, _inner.Margin, inward, ref point);
+        point += _centerError;
+        return id;
     }
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)
     {
         bool found = _inner.TryGetVertex(id, out point) && (_scale.KeepsBalls || _inner.Margin == 0);
-        point = Vector3D.Multiply(_scale.Factors, point);
+        point = Vector3D.Multiply(_scale.Factors, point) + _centerError;
         return found;
     }
 }

@@ -29,9 +29,18 @@ public readonly struct SegmentShape : ISupportMap
     public double BoundingRadius => ((Vector3D)B - A).Length * 0.5;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
-        PrimitiveSupport.Segment(A, B, direction, out point);
+    public int Support(in Vector3D direction, out Vector3D point)
+    {
+        int id = PrimitiveSupport.Segment(A, B, direction, out point);
+        point -= Center;
+        return id;
+    }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point) => PrimitiveSupport.Two(A, B, id, out point);
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        bool found = PrimitiveSupport.Two(A, B, id, out point);
+        point -= Center;
+        return found;
+    }
 }

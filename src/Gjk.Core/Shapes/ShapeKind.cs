@@ -1,32 +1,38 @@
 namespace Gjk.Core;
 
-/// <summary>What a <see cref="ConvexShape"/> holds.</summary>
+/// <summary>What a <see cref="ConvexShape"/> is, or what it was before it was rounded, placed or scaled.</summary>
 public enum ShapeKind : byte
 {
     /// <summary>Nothing: a <c>default</c> struct, which no query accepts.</summary>
     None = 0,
 
-    /// <summary>A point, or with a margin a sphere.</summary>
-    Point,
+    /// <summary>A point.</summary>
+    Point = 1,
 
-    /// <summary>A segment, or with a margin a capsule.</summary>
-    Segment,
+    /// <summary>A segment.</summary>
+    Segment = 2,
 
     /// <summary>A triangle.</summary>
-    Triangle,
+    Triangle = 3,
 
     /// <summary>A box.</summary>
-    Box,
+    Box = 4,
 
     /// <summary>A cylinder.</summary>
-    Cylinder,
+    Cylinder = 5,
 
     /// <summary>A cone.</summary>
-    Cone,
+    Cone = 6,
 
     /// <summary>An ellipsoid.</summary>
-    Ellipsoid,
+    Ellipsoid = 7,
 
     /// <summary>A convex mesh.</summary>
-    Mesh,
+    Mesh = 8,
+
+    /// <summary>A sphere: a point with a margin.</summary>
+    Sphere = 9,
+
+    /// <summary>A capsule: a segment with a margin.</summary>
+    Capsule = 10,
 }

@@ -20,7 +20,7 @@ public readonly struct SphereShape : ISupportMap
     public double BoundingRadius => Radius;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
         point = default;
         return 0;

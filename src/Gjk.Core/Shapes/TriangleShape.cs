@@ -34,13 +34,17 @@ public readonly struct TriangleShape : ISupportMap
     public double BoundingRadius => RadiusAbout(Center, A, B, C);
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
-        PrimitiveSupport.Triangle(A, B, C, direction, out point);
+    public int Support(in Vector3D direction, out Vector3D point)
+    {
+        int id = PrimitiveSupport.Triangle(A, B, C, direction, out point);
+        point -= Center;
+        return id;
+    }
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)
     {
-        point = id == 0 ? A : id == 1 ? B : C;
+        point = (Vector3D)(id == 0 ? A : id == 1 ? B : C) - Center;
         return (uint)id < 3u;
     }
 

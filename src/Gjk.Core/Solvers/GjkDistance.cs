@@ -35,12 +35,11 @@ internal static class GjkDistance
 
         double touchSquared = state.TouchSquared, noise = state.Noise;
         bool separated = false;
-        int idA = -1, idB = -1;
         state.Verdict = Verdict.Undecided;
         while (state.Iterations < GjkTolerances.MaxIterations)
         {
             var normal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
-            MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+            MinkowskiDifference.Support(ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
             state.Iterations++;
             if (state.Matters<TA, TB>(idA | idB))
             {

@@ -33,7 +33,6 @@ internal static class GjkExtendedPrecision
         where TTrace : struct, IGjkTrace
     {
         int limit = state.Iterations + GjkTolerances.MaxIterations;
-        int idA = -1, idB = -1;
         Vector3D normal = frame.FirstNormal;
         ClosestFeature feature = default;
         Simplex simplex = default;
@@ -41,7 +40,7 @@ internal static class GjkExtendedPrecision
         state.Plane.NormalSquared = 0;
         while (true)
         {
-            MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+            MinkowskiDifference.Support(ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
             state.Iterations++;
             if (state.Matters<TA, TB>(idA | idB)) state.See(frame, onA, onB, idA | idB);
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: true));

@@ -22,11 +22,10 @@ internal static class GjkOverlap
         where TB : struct, ISupportMap
     {
         Simplex.Begin(out Simplex simplex);
-        int idA = -1, idB = -1;
         Vector3D normal = frame.FirstNormal;
         for (int round = 0; round < MaxRounds; round++)
         {
-            MinkowskiDifference.Support(ref a, ref b, frame, normal, ref idA, ref idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+            MinkowskiDifference.Support(ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
             double plane = Vector3D.Dot(normal, w);
             bool curved = (idA | idB) < 0;
             if (plane > 0)

@@ -55,7 +55,7 @@ public sealed partial class CollisionScene
     /// The two lists are the same, or there is no object with one of the ids; the message names the pair.
     /// </exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void OverlapsOf(List<ObjectPair> candidates, List<ObjectPair> results, Workers? workers = null)
+    public void FindOverlapsAmong(List<ObjectPair> candidates, List<ObjectPair> results, Workers? workers = null)
     {
         CheckNotVisiting();
         Guard.NotNull(candidates, nameof(candidates));
@@ -69,7 +69,7 @@ public sealed partial class CollisionScene
             _candidates.Add(new ObjectPair(a, b));
         }
 
-        FindOverlaps(workers);
+        DecideOverlaps(workers);
         CopyOverlaps(results);
     }
 
@@ -78,12 +78,12 @@ public sealed partial class CollisionScene
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void Overlaps(List<ObjectPair> results, Workers? workers = null)
+    public void FindOverlaps(List<ObjectPair> results, Workers? workers = null)
     {
         CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
         CollectSlots(0, _candidates);
-        FindOverlaps(workers);
+        DecideOverlaps(workers);
         CopyOverlaps(results);
     }
 
@@ -96,12 +96,12 @@ public sealed partial class CollisionScene
     /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
     /// </param>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void Overlaps<TVisitor>(ref TVisitor visitor, Workers? workers = null)
+    public void FindOverlaps<TVisitor>(ref TVisitor visitor, Workers? workers = null)
         where TVisitor : struct, IPairVisitor
     {
         CheckNotVisiting();
         CollectSlots(0, _candidates);
-        FindOverlaps(workers);
+        DecideOverlaps(workers);
         _visiting = true;
         try
         {
@@ -129,7 +129,7 @@ public sealed partial class CollisionScene
     /// <exception cref="InvalidOperationException">
     /// There are more pairs than <see cref="IBroadPhase"/> can find.
     /// </exception>
-    public void PairsWithin(float distance, List<PairDistance> results, Workers? workers = null)
+    public void FindPairsWithin(float distance, List<PairDistance> results, Workers? workers = null)
     {
         CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
@@ -153,7 +153,7 @@ public sealed partial class CollisionScene
     /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void PairsWithin<TVisitor>(float distance, ref TVisitor visitor, Workers? workers = null)
+    public void FindPairsWithin<TVisitor>(float distance, ref TVisitor visitor, Workers? workers = null)
         where TVisitor : struct, IPairDistanceVisitor
     {
         CheckNotVisiting();
@@ -179,7 +179,7 @@ public sealed partial class CollisionScene
     /// </param>
     /// <returns>False when there is no other object.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public bool Nearest(int id, out int other, out DistanceResult result)
+    public bool TryFindNearest(int id, out int other, out DistanceResult result)
     {
         CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
@@ -229,7 +229,7 @@ public sealed partial class CollisionScene
 
     private ObjectPair IdsOf(ObjectPair slots) => new(_objects.Ids[slots.A], _objects.Ids[slots.B]);
 
-    private void FindOverlaps(Workers? workers)
+    private void DecideOverlaps(Workers? workers)
     {
         if (_overlaps.Length < _candidates.Count) _overlaps = new bool[BoundsTable.Grown(_overlaps.Length, _candidates.Count)];
         Workers.Run(workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count, PairBatch.PartLength, CancellationToken.None);

@@ -63,11 +63,11 @@ public sealed partial class CollisionScene
 
     /// <summary>Where an object is.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public RigidPose PoseOf(int id) => _objects.Poses[_objects.Checked(id, nameof(id))];
+    public RigidPose GetPose(int id) => _objects.Poses[_objects.Checked(id, nameof(id))];
 
     /// <summary>An object's shape.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public ConvexShape ShapeOf(int id) => _objects.Shapes[_objects.Checked(id, nameof(id))];
+    public ConvexShape GetShape(int id) => _objects.Shapes[_objects.Checked(id, nameof(id))];
 
     /// <summary>Adds an object.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct.</param>

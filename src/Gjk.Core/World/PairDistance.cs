@@ -14,4 +14,7 @@ public readonly struct PairDistance
         Pair = pair;
         Result = result;
     }
+
+    /// <summary>The pair and its result, for people to read.</summary>
+    public override string ToString() => $"{Pair}: {Result}";
 }

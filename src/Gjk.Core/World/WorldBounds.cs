@@ -40,12 +40,13 @@ public readonly struct WorldBounds
     public WorldBounds(in ConvexShape shape)
     {
         if (shape.Kind == ShapeKind.None) throw new ArgumentException("A default ConvexShape has no extent.", nameof(shape));
-        var high = new Vector3D(Reach(shape, new Vector3D(1, 0, 0)), Reach(shape, new Vector3D(0, 1, 0)), Reach(shape, new Vector3D(0, 0, 1)));
-        var low = new Vector3D(-Reach(shape, new Vector3D(-1, 0, 0)), -Reach(shape, new Vector3D(0, -1, 0)), -Reach(shape, new Vector3D(0, 0, -1)));
-        _center = (low + high) * 0.5;
+        ConvexShape copy = shape;
+        CoreExtent.Box(ref copy, out Vector3D low, out Vector3D high);
+        Vector3D middle = (low + high) * 0.5;
+        _center = shape.Center + middle;
         _half = (high - low) * 0.5;
         _margin = shape.Margin;
-        _radius = Math.Min(_half.Length + _margin, shape.BoundingRadius + (_center - shape.Center).Length);
+        _radius = Math.Min(_half.Length + _margin, shape.BoundingRadius + middle.Length);
         _offset = _center.Length;
     }
 
@@ -81,12 +82,6 @@ public readonly struct WorldBounds
     {
         double reach = (radiusA + radiusB + distance) * (1 + FloatSlack) + DoubleSlack * (a.Length + b.Length);
         return (b - a).LengthSquared <= reach * reach;
-    }
-
-    private static double Reach(in ConvexShape shape, in Vector3D axis)
-    {
-        shape.Support(axis, -1, out Vector3D point);
-        return Vector3D.Dot(point, axis);
     }
 
     private Aabb Around(in Vector3D center, in Vector3D half)

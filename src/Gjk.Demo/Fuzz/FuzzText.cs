@@ -31,11 +31,14 @@ internal static class FuzzText
         return (a, ShapeWords.Read(words));
     }
 
-    /// <summary>False for what is no record, and for a scale that is not of floats.</summary>
+    /// <summary>
+    /// False for what is no record, for a scale that is not of floats, and for rounded or placed shapes.
+    /// </summary>
     public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
     {
         pair = null;
         if (!QueryRecord.TryParse(text, out QueryRecord record, out _)) return false;
+        if (record.A.IsDecorated || record.B.IsDecorated) return false;
         (ShapeWords a, ShapeWords b) = Split(text);
         if (!HasFloatScale(a) || !HasFloatScale(b)) return false;
         pair = new FuzzPair(Shape(record.A, a), record.PoseA, Shape(record.B, b), record.PoseB);

@@ -50,8 +50,8 @@ internal sealed class FuzzTruth
     private ExactGuess.Corner Difference(Vector3D direction)
     {
         PosedShape a = _pair.BodyA, b = _pair.BodyB;
-        _pair.A.Support(a.InverseRotate(direction), -1, out Vector3D onA);
-        _pair.B.Support(b.InverseRotate(-direction), -1, out Vector3D onB);
-        return new ExactGuess.Corner(-1, -1, a.Rotate(onA - a.Center) - b.Rotate(onB - b.Center) - _pair.Centers);
+        _pair.A.Support(a.InverseRotate(direction), out Vector3D onA);
+        _pair.B.Support(b.InverseRotate(-direction), out Vector3D onB);
+        return new ExactGuess.Corner(-1, -1, a.Rotate(_pair.A.Center - a.Center + onA) - b.Rotate(_pair.B.Center - b.Center + onB) - _pair.Centers);
     }
 }

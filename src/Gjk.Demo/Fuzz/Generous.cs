@@ -25,8 +25,8 @@ internal readonly struct Generous : ISupportMap
 
     public double BoundingRadius => _inner.BoundingRadius * _factor;
 
-    public int Support(in Vector3D direction, int hint, out Vector3D point) =>
-        _inner.Support(direction, hint, out point);
+    public int Support(in Vector3D direction, out Vector3D point) =>
+        _inner.Support(direction, out point);
 
     public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);
 }

@@ -126,7 +126,7 @@ internal sealed class PosedShape
         // Segments, boxes and the like: the library multiplies the scale in without rounding, and has at most eight of
         // them.
         var vertices = new List<Vector3D>();
-        for (int id = 0; shape.Shape.TryGetVertex(id, out Vector3D vertex); id++) vertices.Add(vertex);
+        for (int id = 0; shape.Shape.TryGetVertex(id, out Vector3D vertex); id++) vertices.Add(shape.Shape.Center + vertex);
         return [.. vertices];
     }
 }

@@ -35,7 +35,7 @@ internal sealed class CsvWriter
         Add(a);
         Add(b);
         Add(StatusName(result.Status));
-        Add(result.Overlaps ? "true" : "false");
+        Add(result.IsOverlapping ? "true" : "false");
         Add(result.Distance);
         Add(result.LowerBound);
         Add(result.PointA);

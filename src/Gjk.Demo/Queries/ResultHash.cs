@@ -24,7 +24,7 @@ internal struct ResultHash
     {
         Add((uint)a);
         Add((uint)b);
-        AddByte((byte)result.Status);
+        AddByte(StatusCode.Of(result.Status));
         Add(result.Distance);
         Add(result.PointA);
         Add(result.PointB);

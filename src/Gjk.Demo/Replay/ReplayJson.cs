@@ -92,7 +92,7 @@ internal static class ReplayJson
         json.WriteNumber("a", a);
         json.WriteNumber("b", b);
         json.WriteString("status", result.Status.ToString());
-        json.WriteBoolean("overlap", result.Overlaps);
+        json.WriteBoolean("overlap", result.IsOverlapping);
         Write(json, "distance", result.Distance);
         Write(json, "lower_bound", result.LowerBound);
         Write(json, "ax", result.PointA.X);

@@ -54,7 +54,7 @@ internal static class ReplayTable
         console.WriteLine($"{report.Name}, intersecting pairs:");
         for (int i = 0; i < report.Results.Length; i++)
         {
-            if (report.Results[i].Overlaps) console.WriteLine($"  {report.ObjectNames[report.A[i]]} - {report.ObjectNames[report.B[i]]}");
+            if (report.Results[i].IsOverlapping) console.WriteLine($"  {report.ObjectNames[report.A[i]]} - {report.ObjectNames[report.B[i]]}");
         }
     }
 

@@ -24,7 +24,7 @@ internal sealed class SceneReport
         {
             hash.Add(A[i], B[i], results[i]);
             loops += results[i].Iterations;
-            if (results[i].Overlaps) IntersectingPairs++;
+            if (results[i].IsOverlapping) IntersectingPairs++;
             if (results[i].Status == GjkStatus.IterationLimit) IterationLimits++;
         }
 

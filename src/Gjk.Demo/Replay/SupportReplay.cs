@@ -45,7 +45,7 @@ internal sealed class SupportReplay
     private void Ask(SupportCall[] calls)
     {
         long ids = 0;
-        foreach (ref readonly SupportCall call in calls.AsSpan()) ids += _meshes[call.Object].Support(call.Direction, call.Hint, out _);
+        foreach (ref readonly SupportCall call in calls.AsSpan()) ids += _meshes[call.Object].Support(call.Direction, out _);
         _ids = ids;
     }
 
@@ -53,13 +53,11 @@ internal sealed class SupportReplay
     {
         public readonly Vector3D Direction;
         public readonly int Object;
-        public readonly int Hint;
 
-        public SupportCall(int index, in Vector3D direction, int hint)
+        public SupportCall(int index, in Vector3D direction)
         {
             Object = index;
             Direction = direction;
-            Hint = hint;
         }
     }
 
@@ -83,10 +81,10 @@ internal sealed class SupportReplay
 
         public double BoundingRadius => _mesh.BoundingRadius;
 
-        public int Support(in Vector3D direction, int hint, out Vector3D point)
+        public int Support(in Vector3D direction, out Vector3D point)
         {
-            _calls.Add(new SupportCall(_object, direction, hint));
-            return _mesh.Support(direction, hint, out point);
+            _calls.Add(new SupportCall(_object, direction));
+            return _mesh.Support(direction, out point);
         }
 
         public bool TryGetVertex(int id, out Vector3D point) => _mesh.TryGetVertex(id, out point);

@@ -54,7 +54,7 @@ internal sealed class World
         for (int i = 0; _objects.IsMoving && i < poses.Length; i++) _scene.Move(i, poses[i]);
         _scene.CollectCandidates(_candidates);
         long middle = Stopwatch.GetTimestamp();
-        _scene.OverlapsOf(_candidates, _pairs, _workers);
+        _scene.FindOverlapsAmong(_candidates, _pairs, _workers);
         long end = Stopwatch.GetTimestamp();
         Bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
         BroadTicks = middle - start;

@@ -12,10 +12,8 @@ internal sealed class ObjectDraft
 
     public string? Name { get; private set; }
 
-    public ConvexShape Shape { get; private set; }
-
-    /// <summary>The name of the mesh, where the shape is one.</summary>
-    public string? Mesh { get; private set; }
+    /// <summary>Read before the object is used, or the file is refused.</summary>
+    public ShapeReader Shape { get; private set; } = null!;
 
     public Vector3 Scale { get; private set; } = Vector3.One;
 
@@ -36,8 +34,7 @@ internal sealed class ObjectDraft
                 Name = json.String("a string");
                 break;
             case "shape":
-                Shape = ShapeReader.Read(ref json, out string? mesh);
-                Mesh = mesh;
+                Shape = ShapeReader.Read(ref json);
                 break;
             case "position":
                 _position = json.Vector();
@@ -57,7 +54,8 @@ internal sealed class ObjectDraft
         }
     }
 
-    private static Quaternion Rotation(ref StrictJsonReader json)
+    /// <summary>Reads a rotation, and refuses a quaternion that is none.</summary>
+    public static Quaternion Rotation(ref StrictJsonReader json)
     {
         Quaternion q = json.Quaternion();
         try

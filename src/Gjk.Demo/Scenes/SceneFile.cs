@@ -169,7 +169,8 @@ internal sealed class SceneFile
 
     private SceneObject Resolve(in StrictJsonReader json, ObjectDraft draft)
     {
-        ConvexShape shape = draft.Mesh is null ? draft.Shape : MeshNamed(json, draft.Mesh);
+        ConvexShape mesh = draft.Shape.Mesh is null ? default : MeshNamed(json, draft.Shape.Mesh);
+        ConvexShape shape = draft.Shape.Build(mesh);
         if (draft.Scale != Vector3.One) shape = shape.Scaled(draft.Scale);
         return new SceneObject(draft.Name, shape, draft.Pose, draft.Velocity, draft.AngularVelocity);
     }

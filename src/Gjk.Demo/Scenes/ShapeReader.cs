@@ -16,7 +16,9 @@ internal sealed class ShapeReader
     private string _type = "";
     private string _mesh = "";
     private float _radius, _halfHeight;
-    private Vector3 _halfExtents, _radii, _a, _b, _c;
+    private Vector3 _halfExtents, _radii, _a, _b, _c, _position;
+    private float _rounding;
+    private Quaternion _rotation = Quaternion.Identity;
 
     private ShapeReader(ref StrictJsonReader json)
     {
@@ -34,17 +36,23 @@ internal sealed class ShapeReader
 
     /// <summary>Reads a shape.</summary>
     /// <param name="json">Stands on the shape.</param>
-    /// <param name="mesh">The name in "meshes", when it is one; else null. "meshes" may come later in the file.</param>
-    /// <returns>The shape; default when it is a mesh.</returns>
-    public static ConvexShape Read(ref StrictJsonReader json, out string? mesh)
-    {
-        var shape = new ShapeReader(ref json);
-        mesh = shape._type == "mesh" ? shape._mesh : null;
-        return shape.Build();
-    }
+    /// <returns>What was read. "meshes" may come later in the file.</returns>
+    public static ShapeReader Read(ref StrictJsonReader json) => new(ref json);
+
+    /// <summary>The name in "meshes", when the shape is a mesh; else null.</summary>
+    public string? Mesh => _type == "mesh" ? _mesh : null;
+
+    /// <summary>Makes the shape.</summary>
+    /// <param name="mesh">The mesh, when it is one.</param>
+    public ConvexShape Build(in ConvexShape mesh) =>
+        (Mesh is null ? Primitive() : mesh).Rounded(_rounding).Placed(new RigidPose(_rotation, _position));
 
     private static bool IsField(string field) =>
-        field is "type" or "mesh" or "radius" or "halfHeight" or "halfExtents" or "radii" or "a" or "b" or "c";
+        field is "type" or "mesh" or "radius" or "halfHeight" or "halfExtents" or "radii" or "a" or "b" or "c"
+        || IsDecoration(field);
+
+    /// <summary>Whether every type has this field, and may do without it.</summary>
+    private static bool IsDecoration(string field) => field is "rounding" or "position" or "rotation";
 
     private static string[]? FieldsOf(string type) => type switch
     {
@@ -82,6 +90,15 @@ internal sealed class ShapeReader
             case "radii":
                 _radii = json.Vector(NumberRule.NonNegative);
                 break;
+            case "rounding":
+                _rounding = json.NonNegative();
+                break;
+            case "position":
+                _position = json.Vector();
+                break;
+            case "rotation":
+                _rotation = ObjectDraft.Rotation(ref json);
+                break;
             case "a":
                 _a = json.Vector();
                 break;
@@ -105,7 +122,7 @@ internal sealed class ShapeReader
 
         foreach (string field in _seen)
         {
-            if (field == "type" || Array.IndexOf(wanted, field) >= 0) continue;
+            if (field == "type" || IsDecoration(field) || Array.IndexOf(wanted, field) >= 0) continue;
             json.Path.Enter(field);
             throw json.Refuse($"unknown field for the type \"{_type}\"");
         }
@@ -117,7 +134,7 @@ internal sealed class ShapeReader
         return json.Refuse("missing");
     }
 
-    private ConvexShape Build() => _type switch
+    private ConvexShape Primitive() => _type switch
     {
         "point" => ConvexShape.Point(),
         "segment" => ConvexShape.Segment(_a, _b),

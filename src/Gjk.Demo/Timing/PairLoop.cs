@@ -67,7 +67,7 @@ internal sealed class PairLoop
                 int a = _a[i], b = _b[i];
                 DistanceResult result = ConvexQuery.Distance(_shapes[a], _poses[a], _shapes[b], _poses[b]);
                 iterations += result.Iterations;
-                if (result.Overlaps) overlapping++;
+                if (result.IsOverlapping) overlapping++;
             }
         }
 

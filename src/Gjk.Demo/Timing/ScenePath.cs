@@ -60,12 +60,12 @@ internal sealed class ScenePath
     /// <summary>The longest side of the box about the shape in its own frame.</summary>
     private static double Size(in ConvexShape shape)
     {
-        shape.Support(new Vector3D(1, 0, 0), -1, out Vector3D right);
-        shape.Support(new Vector3D(-1, 0, 0), -1, out Vector3D left);
-        shape.Support(new Vector3D(0, 1, 0), -1, out Vector3D top);
-        shape.Support(new Vector3D(0, -1, 0), -1, out Vector3D bottom);
-        shape.Support(new Vector3D(0, 0, 1), -1, out Vector3D front);
-        shape.Support(new Vector3D(0, 0, -1), -1, out Vector3D back);
+        shape.Support(new Vector3D(1, 0, 0), out Vector3D right);
+        shape.Support(new Vector3D(-1, 0, 0), out Vector3D left);
+        shape.Support(new Vector3D(0, 1, 0), out Vector3D top);
+        shape.Support(new Vector3D(0, -1, 0), out Vector3D bottom);
+        shape.Support(new Vector3D(0, 0, 1), out Vector3D front);
+        shape.Support(new Vector3D(0, 0, -1), out Vector3D back);
         return Math.Max(Math.Max(right.X - left.X, top.Y - bottom.Y), front.Z - back.Z) + 2 * shape.Margin;
     }
 }

@@ -54,16 +54,16 @@ internal static class DifferenceMesh
 
     private static Vector3D Support(in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, in Vector3D direction)
     {
-        a.Support(direction, -1, out Vector3D onA);
-        b.Support(-bInA.InverseTurn(direction), -1, out Vector3D onB);
-        return onA - bInA.Place(onB);
+        a.Support(direction, out Vector3D onA);
+        b.Support(-bInA.InverseTurn(direction), out Vector3D onB);
+        return a.Center + onA - bInA.Place(b.Center + onB);
     }
 
     /// <summary>The core's vertices, or null where it has none.</summary>
     private static List<Vector3D>? Corners(in ConvexShape shape)
     {
         var corners = new List<Vector3D>();
-        for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) corners.Add(corner);
+        for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) corners.Add(shape.Center + corner);
         return corners.Count > 0 ? corners : null;
     }
 }

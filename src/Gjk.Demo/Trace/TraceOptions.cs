@@ -44,7 +44,7 @@ internal static class TraceOptions
         using var file = new AtomicFile(target, cancel);
         var steps = new List<TraceStep>();
         var recorder = new TraceRecorder(steps);
-        DistanceResult result = ConvexQuery.Trace(a.Shape, a.Pose, b.Shape, b.Pose, ref recorder);
+        DistanceResult result = ConvexQuery.Explain(a.Shape, a.Pose, b.Shape, b.Pose, ref recorder);
         TracePage.Write(file.Stream, scene, pair, steps, result);
         file.Commit();
     }

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using System.Threading;
 using Gjk.Core;
+using Gjk.Demo.Queries;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
@@ -74,7 +75,7 @@ internal sealed class SceneResults
             {
                 if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
                 DistanceResult answer = ConvexQuery.Distance(scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
-                if (answer.Overlaps) results.Overlapping[frame]++;
+                if (answer.IsOverlapping) results.Overlapping[frame]++;
                 results.Store(frame * pairs + pair++, answer);
             }
         }
@@ -92,7 +93,7 @@ internal sealed class SceneResults
 
     private void Store(int index, in DistanceResult answer)
     {
-        Status[index] = (byte)answer.Status;
+        Status[index] = StatusCode.Of(answer.Status);
         Iterations[index] = (ushort)Math.Min(answer.Iterations, ushort.MaxValue);
         Distance[index] = answer.Distance;
         answer.PointA.CopyTo(PointA.AsSpan(3 * index));

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
@@ -15,7 +14,7 @@ internal sealed class ShapeTable
 
     public ShapeTable(Scene scene)
     {
-        var known = new Dictionary<ConvexShape, int>(new SameShape());
+        var known = new Dictionary<ConvexShape, int>();
         OfObject = new int[scene.Objects.Length];
         for (int i = 0; i < OfObject.Length; i++)
         {
@@ -32,12 +31,4 @@ internal sealed class ShapeTable
 
     /// <summary>The mesh of each object.</summary>
     public int[] OfObject { get; }
-
-    /// <summary>Field by field; meshes are the same when they share a hull.</summary>
-    private sealed class SameShape : IEqualityComparer<ConvexShape>
-    {
-        public bool Equals(ConvexShape x, ConvexShape y) => x.Equals((object)y);
-
-        public int GetHashCode(ConvexShape shape) => HashCode.Combine(shape.Kind, shape.Hull, shape.Margin, shape.BoundingRadius, shape.Scale, shape.Center);
-    }
 }

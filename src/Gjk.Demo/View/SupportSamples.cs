@@ -27,7 +27,7 @@ internal static class SupportSamples
         var points = new List<Vector3>();
         if (!IsCurved(shape))
         {
-            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) points.Add((Vector3)corner);
+            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) points.Add((Vector3)(shape.Center + corner));
             return points;
         }
 
@@ -35,21 +35,23 @@ internal static class SupportSamples
         Vector3D stretch = Stretch(shape);
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, 1, 0))));
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, -1, 0))));
-        foreach (double latitude in Latitudes(shape.Kind, meridians / 2)) AddRow(shape, stretch, latitude, meridians, points);
+        foreach (double latitude in Latitudes(shape, meridians / 2)) AddRow(shape, stretch, latitude, meridians, points);
         return points;
     }
 
     /// <summary>The furthest point of the whole shape, margin included.</summary>
     public static Vector3D Support(in ConvexShape shape, in Vector3D direction)
     {
-        shape.Support(direction, -1, out Vector3D point);
+        shape.Support(direction, out Vector3D point);
+        point += shape.Center;
         return shape.Margin > 0 ? point + direction * (shape.Margin / direction.Length) : point;
     }
 
     /// <summary>The rows of a grid from pole to pole; only the rims of what has straight sides.</summary>
-    private static IEnumerable<double> Latitudes(ShapeKind kind, int parallels)
+    private static IEnumerable<double> Latitudes(ConvexShape shape, int parallels)
     {
-        bool isBall = kind is ShapeKind.Point or ShapeKind.Ellipsoid, isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
+        ShapeKind kind = shape.IsDecorated ? ShapeKind.Ellipsoid : shape.Kind;
+        bool isBall = kind is ShapeKind.Sphere or ShapeKind.Ellipsoid, isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
         for (int row = 1; row < parallels && !isDisc; row++)
         {
             if (row != parallels / 2 || isBall) yield return Math.PI * row / parallels - Math.PI / 2;
@@ -75,6 +77,7 @@ internal static class SupportSamples
     /// <summary>What turns normals that are even on a ball into normals whose support points are even on the stretched shape.</summary>
     private static Vector3D Stretch(in ConvexShape shape)
     {
+        if (shape.IsDecorated) return new Vector3D(1, 1, 1);
         if (shape.Kind != ShapeKind.Ellipsoid) return new Vector3D(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
         double x = Extent(shape, new Vector3D(1, 0, 0)), y = Extent(shape, new Vector3D(0, 1, 0)), z = Extent(shape, new Vector3D(0, 0, 1));
         double largest = Math.Max(x, Math.Max(y, z));

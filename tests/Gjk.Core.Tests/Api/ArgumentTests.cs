@@ -108,11 +108,41 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void AScaledOrDefaultShapeIsNotScaledAgain()
+    public void ADefaultShapeIsNotDecorated()
     {
-        Assert.Equal("A default ConvexShape cannot be scaled.", Assert.Throws<InvalidOperationException>(() => default(ConvexShape).Scaled(V)).Message);
-        ConvexShape scaled = ConvexShape.Mesh([Vector3.Zero, V]).Scaled(new Vector3(1, 2, 3));
-        Assert.StartsWith("The shape is scaled already", Assert.Throws<InvalidOperationException>(() => scaled.Scaled(V)).Message);
+        Action[] decorations =
+        [
+            () => default(ConvexShape).Scaled(V), () => default(ConvexShape).Rounded(1),
+            () => default(ConvexShape).Placed(new RigidPose(V)),
+        ];
+        foreach (Action decorate in decorations)
+            Assert.StartsWith("A default ConvexShape is no shape", Assert.Throws<InvalidOperationException>(decorate).Message);
+    }
+
+    [Fact]
+    public void ScalesThatLeaveTheRangeOfFloatTogether()
+    {
+        ConvexShape large = ConvexShape.Cylinder(1, 1).Scaled(new Vector3(1e30f));
+        ConvexShape small = ConvexShape.Cylinder(1, 1).Scaled(new Vector3(1e-30f));
+        Assert.Equal("scale", Assert.Throws<ArgumentOutOfRangeException>(() => large.Scaled(new Vector3(1e10f))).ParamName);
+        Assert.Equal("scale", Assert.Throws<ArgumentOutOfRangeException>(() => small.Scaled(new Vector3(1e-20f))).ParamName);
+    }
+
+    [Fact]
+    public void RadiiOfRoundedShapes()
+    {
+        foreach (float radius in new[] { -1, float.NaN, float.PositiveInfinity })
+        {
+            Assert.Equal("radius", Assert.Throws<ArgumentOutOfRangeException>(() => ConvexShape.Box(V).Rounded(radius)).ParamName);
+            Assert.Equal("radius", Assert.Throws<ArgumentOutOfRangeException>(() => new Rounded<PointShape>(default, radius)).ParamName);
+        }
+    }
+
+    [Fact]
+    public void PosesOfPlacedShapes()
+    {
+        Assert.Equal("pose", Assert.Throws<ArgumentOutOfRangeException>(() => ConvexShape.Box(V).Placed(default)).ParamName);
+        Assert.Equal("pose", Assert.Throws<ArgumentOutOfRangeException>(() => new Placed<PointShape>(default, default)).ParamName);
     }
 
     [Fact]

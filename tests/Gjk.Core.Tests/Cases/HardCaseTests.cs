@@ -43,8 +43,8 @@ public class HardCaseTests
         DistanceResult r = c.Pair.Distance();
         bool matters = Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
         return (
-            matters && r.Overlaps != c.Overlap ? double.PositiveInfinity : 0,
-            $"overlap {r.Overlaps}, status {r.Status}");
+            matters && r.IsOverlapping != c.Overlap ? double.PositiveInfinity : 0,
+            $"overlap {r.IsOverlapping}, status {r.Status}");
     });
 
     [Theory]
@@ -98,7 +98,7 @@ public class HardCaseTests
             c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, out GjkStatus status);
         DistanceResult r = c.Pair.Distance();
         return (
-            flag == r.Overlaps && status == r.Status ? 0 : double.PositiveInfinity,
+            flag == r.IsOverlapping && status == r.Status ? 0 : double.PositiveInfinity,
             $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}");
     });
 
@@ -107,7 +107,7 @@ public class HardCaseTests
     public void SwappingTheShapesMirrorsTheAnswer(string family) => Report(family, c =>
     {
         DistanceResult r = c.Pair.Distance(), s = c.Pair.Swapped.Distance();
-        bool sameFlag = r.Overlaps == s.Overlaps || Math.Max(c.Distance, c.Depth) <= Tolerance.Flag * c.Pair.Scale;
+        bool sameFlag = r.IsOverlapping == s.IsOverlapping || Math.Max(c.Distance, c.Depth) <= Tolerance.Flag * c.Pair.Scale;
         double error = Math.Abs(r.Distance - s.Distance), band = Tolerance.Band(c.Distance, c.Pair.Scale);
         return (
             sameFlag && error <= 2 * band ? 0 : double.PositiveInfinity,
@@ -127,7 +127,7 @@ public class HardCaseTests
             {
                 DistanceResult r = ConvexQuery.Distance(
                     c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, ref warm);
-                bool wrong = r.Overlaps != c.Overlap && Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
+                bool wrong = r.IsOverlapping != c.Overlap && Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
                 double error = Math.Abs(r.Distance - c.Distance);
                 double ratio = error == 0 ? 0 : error / Tolerance.Band(c.Distance, c.Pair.Scale);
                 worst = wrong || double.IsNaN(ratio) ? double.PositiveInfinity : Math.Max(worst, ratio);

@@ -26,7 +26,7 @@ public class QueryRecordTests
     {
         QueryRecord record = QueryRecord.Parse(Sphere);
         Assert.Equal(1.5f, record.Distance().Distance);
-        Assert.Equal(ShapeKind.Point, record.A.Kind);
+        Assert.Equal(ShapeKind.Sphere, record.A.Kind);
         Assert.Equal(0.5, record.B.Margin);
         Assert.Equal(new Vector3(3, 0, 0), record.PoseB.Position);
         Assert.Equal(RigidPose.Identity, record.PoseA);

@@ -80,7 +80,7 @@ public class AlgebraicLawTests
 
     [Fact]
     public void AShapeTouchesItself() => Check(from s in Hulls from q in Rotations from p in Points select (s, q, p), x =>
-        new TestPair("law", x.s, new RigidPose(x.q, x.p), x.s, new RigidPose(x.q, x.p)).Distance().Overlaps);
+        new TestPair("law", x.s, new RigidPose(x.q, x.p), x.s, new RigidPose(x.q, x.p)).Distance().IsOverlapping);
 
     [Fact]
     public void TheOracleAgrees() => Check(Pairs, pair => OracleVerdict.Problem(pair, out _) is null, 100);

@@ -18,7 +18,7 @@ public class CertifiedPairTests
     {
         DistanceResult r = pair.Distance();
         bool flag = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
-        return flag == r.Overlaps && flag == pair.Overlaps() && status == r.Status ? null : $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}";
+        return flag == r.IsOverlapping && flag == pair.Overlaps() && status == r.Status ? null : $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}";
     });
 
     [Theory]
@@ -56,7 +56,7 @@ public class CertifiedPairTests
         const int Count = 2000;
         int hits = 0;
         for (ulong i = 0; i < Count; i++)
-            if (Generators.Pair(i, Generators.AllKinds, 0.8).Distance().Overlaps) hits++;
+            if (Generators.Pair(i, Generators.AllKinds, 0.8).Distance().IsOverlapping) hits++;
         Assert.InRange(hits, 0.3 * Count, 0.7 * Count);
     }
 

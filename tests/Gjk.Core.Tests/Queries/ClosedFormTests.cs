@@ -137,7 +137,7 @@ public class ClosedFormTests
             (TestShape shape, double d) = make(rng, p);
             DistanceResult r = ConvexQuery.Distance(shape.Shape, RigidPose.Identity, new PointShape(), new RigidPose(p));
             Assert.True(Math.Abs(r.Distance - d) <= Tolerance.CurvedBand(d, shape.LongestSide), $"seed {seed * 1_000_000 + i}: {r.Status} {r.Distance:R}, truly {d:R}: {shape}, {p}");
-            Assert.True(d <= 1e-9 || !r.Overlaps, $"seed {seed * 1_000_000 + i}: overlap, truly {d:R}");
+            Assert.True(d <= 1e-9 || !r.IsOverlapping, $"seed {seed * 1_000_000 + i}: overlap, truly {d:R}");
         }
     }
 
@@ -149,8 +149,8 @@ public class ClosedFormTests
             (DistanceResult r, double d, double scale) = make(new Rng(seed * 1_000_000 + i));
             double truth = Math.Max(d, 0);
             Assert.True(Math.Abs(r.Distance - truth) <= Tolerance.Band(truth, scale), $"seed {seed * 1_000_000 + i}: {r.Status} {r.Distance:R}, truly {truth:R}");
-            Assert.True(Math.Abs(d) <= Tolerance.Flag || r.Overlaps == d <= 0, $"seed {seed * 1_000_000 + i}: {r.Status}, truly {d:R}");
-            if (!r.Overlaps) apart++;
+            Assert.True(Math.Abs(d) <= Tolerance.Flag || r.IsOverlapping == d <= 0, $"seed {seed * 1_000_000 + i}: {r.Status}, truly {d:R}");
+            if (!r.IsOverlapping) apart++;
         }
 
         Assert.True(apart > Count / 10);

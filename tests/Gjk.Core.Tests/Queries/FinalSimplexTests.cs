@@ -66,6 +66,8 @@ public class FinalSimplexTests
     {
         Assert.True(shape.Shape.TryGetVertex(id, out Vector3D vertex), $"no vertex {id} in {shape.Text}");
 
+        vertex += shape.Shape.Center;
+
         // Support points are kept relative to the centre and, for B, turned and moved: roundings of double at the reach of the pair.
         Assert.True((vertex - point).Length <= 1e-12 * (reach + point.Length), $"vertex {id} is {vertex}, the simplex has {point}");
     }

@@ -63,7 +63,7 @@ public class InvalidInputTests
     {
         DistanceResult r = ConvexQuery.Distance(a, poseA, b, poseB);
         Assert.Equal(GjkStatus.InvalidInput, r.Status);
-        Assert.False(r.Overlaps);
+        Assert.False(r.IsOverlapping);
         foreach (float x in new[] { r.Distance, r.LowerBound, r.PointA.X, r.PointB.Y, r.Normal.Z, r.LocalPointA.X, r.LocalPointB.X }) Assert.True(float.IsNaN(x));
         Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.Distance(a, poseA, b, poseB, 1f).Status);
         Assert.False(ConvexQuery.Overlaps(a, poseA, b, poseB));

@@ -44,9 +44,9 @@ public class MaxDistanceTests
         for (ulong i = 0; i < (ulong)Budget.Count(200); i++)
         {
             TestPair pair = Generators.Pair(90_000 + i, Generators.AllKinds, 0.4);
-            if (!pair.Distance().Overlaps) continue;
+            if (!pair.Distance().IsOverlapping) continue;
             foreach (float limit in new[] { 0f, -1f, float.NegativeInfinity, 1f })
-                Assert.True(pair.Distance(limit).Overlaps, $"limit {limit}: {pair.Distance(limit).Status}: {pair}");
+                Assert.True(pair.Distance(limit).IsOverlapping, $"limit {limit}: {pair.Distance(limit).Status}: {pair}");
         }
     }
 
@@ -73,7 +73,7 @@ public class MaxDistanceTests
         {
             TestPair pair = Generators.Pair(91_000 + i, Generators.AllKinds, 1.5);
             DistanceResult full = pair.Distance();
-            if (full.Overlaps || full.Distance < 1e-3f) continue;
+            if (full.IsOverlapping || full.Distance < 1e-3f) continue;
             tried++;
             string? problem = examine(pair, full);
             Assert.True(problem is null, $"{problem}\n{pair}");

@@ -107,7 +107,7 @@ public class TerminationTests
 
         public double BoundingRadius => 2;
 
-        public int Support(in Vector3D d, int hint, out Vector3D point)
+        public int Support(in Vector3D d, out Vector3D point)
         {
             int call = _calls[0]++;
             point = Corner(d.X, d.Y, d.Z);

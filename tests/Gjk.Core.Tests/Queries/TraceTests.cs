@@ -49,13 +49,13 @@ public class TraceTests
     public void SpheresAreToldAsOneRoundAndInvalidInputTellsNothing()
     {
         var spheres = new Recorder();
-        DistanceResult apart = ConvexQuery.Trace(ConvexShape.Sphere(1), RigidPose.Identity, ConvexShape.Sphere(1), new RigidPose(new(3, 0, 0)), ref spheres);
+        DistanceResult apart = ConvexQuery.Explain(ConvexShape.Sphere(1), RigidPose.Identity, ConvexShape.Sphere(1), new RigidPose(new(3, 0, 0)), ref spheres);
         Assert.Equal((GjkStatus.Separated, 1f, 1), (apart.Status, apart.Distance, apart.Iterations));
         Assert.Equal((new Vector3D(-3, 0, 0), 3.0), (Assert.Single(spheres.Supports).Vertex, spheres.Supports[0].LowerBound));
         Assert.Equal((1, 3.0), (Assert.Single(spheres.Simplices).Count, spheres.Simplices[0].UpperBound));
 
         var invalid = new Recorder();
-        Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.Trace(ConvexShape.Sphere(1), default, default(ConvexShape), default, ref invalid).Status);
+        Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.Explain(ConvexShape.Sphere(1), default, default(ConvexShape), default, ref invalid).Status);
         Assert.Empty(invalid.Supports);
     }
 
@@ -66,7 +66,7 @@ public class TraceTests
         for (int i = 0; i < 100; i++)
         {
             TestPair p = Generators.Pair((ulong)i, Generators.AllKinds);
-            Same(p, p.Distance(), ConvexQuery.Trace(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref off));
+            Same(p, p.Distance(), ConvexQuery.Explain(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref off));
         }
     }
 
@@ -75,10 +75,10 @@ public class TraceTests
     {
         TestPair[] pairs = [.. Enumerable.Range(0, 100).Select(i => Generators.Pair((ulong)i, Generators.AllKinds))];
         var counter = default(Counter);
-        foreach (TestPair p in pairs) ConvexQuery.Trace(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref counter);
+        foreach (TestPair p in pairs) ConvexQuery.Explain(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref counter);
         int once = counter.Calls;
         long before = GC.GetAllocatedBytesForCurrentThread();
-        foreach (TestPair p in pairs) ConvexQuery.Trace(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref counter);
+        foreach (TestPair p in pairs) ConvexQuery.Explain(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref counter);
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
         Assert.Equal(2 * once, counter.Calls);
         Assert.True(once > 100);
@@ -97,7 +97,7 @@ public class TraceTests
     private static (DistanceResult Result, Recorder Trace) Run(TestPair p)
     {
         var recorder = new Recorder();
-        return (ConvexQuery.Trace(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref recorder), recorder);
+        return (ConvexQuery.Explain(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref recorder), recorder);
     }
 
     private static void Check(TestPair p)
@@ -130,7 +130,7 @@ public class TraceTests
 
             Assert.Equal(1, weights, 1e-12);
             Assert.True((sum - s.Nearest).Length <= slack, $"{p}: the nearest point is not the weighted sum");
-            Assert.True(r.Overlaps || s.UpperBound - margins >= r.Distance * (1 - 1e-6) - slack, $"{p}: |v| less the margins is {s.UpperBound - margins:R}, the distance is {r.Distance:R}");
+            Assert.True(r.IsOverlapping || s.UpperBound - margins >= r.Distance * (1 - 1e-6) - slack, $"{p}: |v| less the margins is {s.UpperBound - margins:R}, the distance is {r.Distance:R}");
             Assert.True(s.UpperBound <= before + slack, $"{p}: |v| rose from {before:R} to {s.UpperBound:R}");
             before = s.UpperBound;
         }

@@ -15,7 +15,7 @@ public class UserShapeTests
         public Vector3D Center => default;
         public double Margin => 0;
         public double BoundingRadius => radius;
-        public int Support(in Vector3D d, int hint, out Vector3D point)
+        public int Support(in Vector3D d, out Vector3D point)
         {
             double x = Math.Abs(d.X), y = Math.Abs(d.Y), z = Math.Abs(d.Z);
             point = x >= y && x >= z ? new(d.X < 0 ? -radius : radius, 0, 0) : y >= z ? new(0, d.Y < 0 ? -radius : radius, 0) : new(0, 0, d.Z < 0 ? -radius : radius);
@@ -35,7 +35,7 @@ public class UserShapeTests
         public Vector3D Center => center;
         public double Margin => margin;
         public double BoundingRadius => radius;
-        public int Support(in Vector3D d, int hint, out Vector3D point)
+        public int Support(in Vector3D d, out Vector3D point)
         {
             point = support(d);
             return -1;

@@ -42,10 +42,10 @@ public class BoundKindBitsTests
         {
             Move(world, scenes);
             float asked = distance >= 0 ? distance : 0.4f * (frame % 4);
-            scenes[0].Scene.PairsWithin(asked, expected);
+            scenes[0].Scene.FindPairsWithin(asked, expected);
             foreach ((CollisionScene scene, Workers? threads) in scenes.Skip(1))
             {
-                scene.PairsWithin(asked, found, threads);
+                scene.FindPairsWithin(asked, found, threads);
                 string message = $"frame {frame}, distance {asked}, {scene.BroadPhase}, {scene.Bound}";
                 SameBits(expected, found, $"{message}, {threads?.ThreadCount ?? 1} threads");
                 candidatesBeyond += scene.WarmStartCount - found.Count;
@@ -94,8 +94,8 @@ public class BoundKindBitsTests
                 }
             }
 
-            scenes[0].PairsWithin(1, expected);
-            scenes[1].PairsWithin(1, found);
+            scenes[0].FindPairsWithin(1, expected);
+            scenes[1].FindPairsWithin(1, found);
             SameBits(expected, found, $"frame {frame}");
             reported += expected.Count;
             if (frame % 2 == 0) Assert.Equal((0, Pairs), (scenes[0].WarmStartCount, scenes[1].WarmStartCount));

@@ -17,7 +17,7 @@ public class CurvedContactTests
         QueryRecord q = QueryRecord.Parse(record);
         bool flag = ConvexQuery.Overlaps(q.A, q.PoseA, q.B, q.PoseB, out GjkStatus status);
         DistanceResult r = q.Distance();
-        Assert.True(flag == r.Overlaps && status == r.Status, $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}");
+        Assert.True(flag == r.IsOverlapping && status == r.Status, $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}");
     }
 
     [Fact]
@@ -30,7 +30,7 @@ public class CurvedContactTests
                 TestPair pair = Generators.NearPair(230_000 + seed, ["cylinder", "cone", "ellipsoid", "box", "hull"], gap);
                 bool flag = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
                 DistanceResult r = pair.Distance();
-                Assert.True(flag == r.Overlaps && status == r.Status, $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}\n{pair}");
+                Assert.True(flag == r.IsOverlapping && status == r.Status, $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}\n{pair}");
             }
         }
     }

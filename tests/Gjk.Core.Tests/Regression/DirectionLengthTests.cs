@@ -33,8 +33,8 @@ public class DirectionLengthTests
             var direction = new Vector3D(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
             if (direction == default) continue;
             ConvexShape shape = Shapes[i % Shapes.Length];
-            shape.Support(direction, -1, out Vector3D expected);
-            shape.Support(direction * factor, -1, out Vector3D point);
+            shape.Support(direction, out Vector3D expected);
+            shape.Support(direction * factor, out Vector3D point);
             Assert.True((point - expected).Length <= 1e-12 * expected.Length, $"{point}, not {expected}, towards {direction} x 2^{exponent}, shape {i % Shapes.Length}");
         }
     }
@@ -47,7 +47,7 @@ public class DirectionLengthTests
     {
         foreach (ConvexShape shape in new[] { ConvexShape.Cylinder(1, 2), ConvexShape.Cone(1, 2) })
         {
-            shape.Support(new Vector3D(radial, -1, 0), -1, out Vector3D point);
+            shape.Support(new Vector3D(radial, -1, 0), out Vector3D point);
             Assert.True((point - new Vector3D(1, -2, 0)).Length < 1e-12, $"{point}");
         }
     }

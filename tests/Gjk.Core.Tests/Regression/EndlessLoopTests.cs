@@ -49,7 +49,7 @@ public class EndlessLoopTests
         {
             TestPair pair = Generators.Pair(i, ["hull"]);
             bool flag = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
-            Assert.True(status is GjkStatus.Separated or GjkStatus.Overlapping && flag == pair.Distance().Overlaps, $"{status}\n{pair}");
+            Assert.True(status is GjkStatus.Separated or GjkStatus.Overlapping && flag == pair.Distance().IsOverlapping, $"{status}\n{pair}");
         }
     }
 
@@ -58,7 +58,7 @@ public class EndlessLoopTests
         bool flag = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
         DistanceResult r = pair.Distance();
         string? problem = OracleVerdict.Problem(pair, r, out ExactAnswer exact);
-        Assert.True(problem is null && flag == r.Overlaps && status == r.Status, $"{problem}; Overlaps {flag} ({status}), Distance {r.Status}, truly {exact}\n{pair}");
+        Assert.True(problem is null && flag == r.IsOverlapping && status == r.Status, $"{problem}; Overlaps {flag} ({status}), Distance {r.Status}, truly {exact}\n{pair}");
         Assert.InRange(r.Iterations, 1, 40);
     }
 }

@@ -24,7 +24,7 @@ public class FarFromTheOriginTests
             float x = away + 1 + i * 0.01f, gap = (float)Math.Max(0, (double)x - away - 1);
             DistanceResult r = ConvexQuery.Distance(new BoxShape(new Vector3(0.5f)), a, new BoxShape(new Vector3(0.5f)), new RigidPose(new Vector3(x, -away, away * 0.5f)));
             Assert.Equal(gap, r.Distance);
-            Assert.Equal(gap == 0, r.Overlaps);
+            Assert.Equal(gap == 0, r.IsOverlapping);
         }
     }
 

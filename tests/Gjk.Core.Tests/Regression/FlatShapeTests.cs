@@ -20,7 +20,7 @@ public class FlatShapeTests
             float x = i * 0.125f;
             DistanceResult r = ConvexQuery.Distance(square, RigidPose.Identity, square, new RigidPose(new Vector3(x, 0, 0.5f)));
             Assert.Equal(Math.Max(0, x - 2), r.Distance);
-            Assert.Equal(x <= 2, r.Overlaps);
+            Assert.Equal(x <= 2, r.IsOverlapping);
         }
     }
 
@@ -39,12 +39,12 @@ public class FlatShapeTests
     public void CrossedSegmentsInOnePlaneTouchAndCollinearOnesHaveTheirGap()
     {
         ConvexShape along = ConvexShape.Segment(new(-1, 0, 0), new(1, 0, 0)), across = ConvexShape.Segment(new(0, 0, -1), new(0, 0, 1));
-        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, across, new RigidPose(new Vector3(0.5f, 0, 0.5f))).Overlaps);
-        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, across, new RigidPose(new Vector3(1, 0, 1))).Overlaps);
+        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, across, new RigidPose(new Vector3(0.5f, 0, 0.5f))).IsOverlapping);
+        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, across, new RigidPose(new Vector3(1, 0, 1))).IsOverlapping);
         Assert.Equal(0.5f, ConvexQuery.Distance(along, RigidPose.Identity, across, new RigidPose(new Vector3(1.5f, 0, 1))).Distance);
         Assert.Equal(1f, ConvexQuery.Distance(along, RigidPose.Identity, along, new RigidPose(new Vector3(3, 0, 0))).Distance);
-        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, along, new RigidPose(new Vector3(2, 0, 0))).Overlaps);
-        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, along, RigidPose.Identity).Overlaps);
+        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, along, new RigidPose(new Vector3(2, 0, 0))).IsOverlapping);
+        Assert.True(ConvexQuery.Distance(along, RigidPose.Identity, along, RigidPose.Identity).IsOverlapping);
     }
 
     [Fact]

@@ -28,7 +28,7 @@ public class IterationCapTests
             DistanceResult r = ConvexQuery.Distance(hulls[i % 4], a, hulls[i / 4 % 4], b);
             Assert.True(r.Status is GjkStatus.Separated or GjkStatus.Overlapping, $"pair {i}: {r.Status}");
             most = Math.Max(most, r.Iterations);
-            overlaps += r.Overlaps ? 1 : 0;
+            overlaps += r.IsOverlapping ? 1 : 0;
         }
 
         Assert.InRange(most, 3, 40);

@@ -31,7 +31,7 @@ public class LatticeCubeTests
                     double dx = Excess(x), dy = Excess(y), dz = Excess(z), d = Math.Sqrt(dx * dx + dy * dy + dz * dz);
                     DistanceResult r = ConvexQuery.Distance(cube, RigidPose.Identity, cube, pose);
                     string place = $"{form} at {x} {y} {z}: {r.Status} {r.Distance}, truly {d}";
-                    Assert.True(r.Overlaps == (d == 0) && r.Distance == (float)d, place);
+                    Assert.True(r.IsOverlapping == (d == 0) && r.Distance == (float)d, place);
                     Assert.True(ConvexQuery.Overlaps(cube, RigidPose.Identity, cube, pose) == (d == 0), place);
                 }
             }

@@ -28,7 +28,7 @@ public class LongHelixTests
         {
             double spread = i % 2 == 0 ? 1e-2 : 2;
             Vector3D direction = new Vector3D(0.07440950995460804, 1.6945090610734834, 0.030966655724690553) + (Vector3D)rng.Vector(-1, 1) * spread;
-            Assert.Equal(HullSupport.Scan(hull, direction), mesh.Support(direction, -1, out _));
+            Assert.Equal(HullSupport.Scan(hull, direction), mesh.Support(direction, out _));
         }
     }
 }

@@ -13,7 +13,7 @@ public class MarginThresholdTests
     {
         QueryRecord q = QueryRecord.Parse(
             "gjk1 point 1.8613990545272827 @ 0 0 0 1 -4.88498131E-15 0 0 point 0.91314756870269775 @ 0 0 0 1 2.77454662 0 0");
-        Assert.Equal(q.Distance().Overlaps, ConvexQuery.Overlaps(q.A, q.PoseA, q.B, q.PoseB));
+        Assert.Equal(q.Distance().IsOverlapping, ConvexQuery.Overlaps(q.A, q.PoseA, q.B, q.PoseB));
     }
 
     [Fact]
@@ -31,7 +31,7 @@ public class MarginThresholdTests
             var right = new RigidPose(new Vector3((float)apart, 0, 0));
             bool overlaps = ConvexQuery.Overlaps(a, left, b, right);
             DistanceResult d = ConvexQuery.Distance(a, left, b, right);
-            Assert.True(overlaps == d.Overlaps, $"Overlaps {overlaps}, Distance {d.Status} {d.Distance:R}: {new QueryRecord(a, left, b, right)}");
+            Assert.True(overlaps == d.IsOverlapping, $"Overlaps {overlaps}, Distance {d.Status} {d.Distance:R}: {new QueryRecord(a, left, b, right)}");
             overlapping += overlaps ? 1 : 0;
         }
 

@@ -33,7 +33,7 @@ public class NearVertexTests
                 TestPair pair = Pair(seed, gap);
                 string? problem = OracleVerdict.Problem(pair, out _);
                 Assert.True(problem is null, $"{problem}\n{pair}");
-                Assert.False(pair.Distance().Overlaps, $"Distance\n{pair}");
+                Assert.False(pair.Distance().IsOverlapping, $"Distance\n{pair}");
                 Assert.False(pair.Overlaps(), $"Overlaps\n{pair}");
             }
         }

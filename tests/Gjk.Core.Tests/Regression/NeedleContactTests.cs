@@ -22,7 +22,7 @@ public class NeedleContactTests
             var pose = new RigidPose(rng.Rotation(), rng.Vector(-1, 1));
             Vector3 at = Vector3.Transform((corners[0] + corners[1] + corners[2] + corners[3]) / 4, pose.Rotation) + pose.Position;
             DistanceResult r = ConvexQuery.Distance(needle, pose, ConvexShape.Point(), new RigidPose(at));
-            if (r.Overlaps) Assert.True(r.LocalPointB.Length() <= Tolerance.Witness * 2, $"seed {seed}: {r.LocalPointB.Length():R}");
+            if (r.IsOverlapping) Assert.True(r.LocalPointB.Length() <= Tolerance.Witness * 2, $"seed {seed}: {r.LocalPointB.Length():R}");
         }
     }
 }

@@ -28,7 +28,7 @@ public class ParallelFaceTests
                 bool exact = Math.Abs(apart.Distance - (double)gap) <= Tolerance.Band(gap, 4);
                 Assert.True(apart.Status == GjkStatus.Separated && exact, $"{bodies}, gap {gap}, side {side}: {apart.Status} {apart.Distance:R}");
                 Assert.True(Math.Abs(apart.Normal.Y - 1) < 1e-6, $"{bodies}, gap {gap}: normal {apart.Normal}");
-                if (gap < Thickness(bodies)) Assert.True(within.Overlaps, $"{bodies}, depth {gap}, side {side}: {within.Status} {within.Distance:R}");
+                if (gap < Thickness(bodies)) Assert.True(within.IsOverlapping, $"{bodies}, depth {gap}, side {side}: {within.Status} {within.Distance:R}");
             }
         }
     }

@@ -36,15 +36,15 @@ public class RestingContactTests
             DistanceResult cold = ConvexQuery.Distance(a, RigidPose.Identity, b, pose);
             bool overlaps = ConvexQuery.Overlaps(a, RigidPose.Identity, b, pose);
             string pair = new QueryRecord(a, RigidPose.Identity, b, pose).ToString();
-            Assert.True(overlaps == cold.Overlaps, $"Overlaps {overlaps}, Distance {cold.Status} {cold.Distance:R}: {pair}");
+            Assert.True(overlaps == cold.IsOverlapping, $"Overlaps {overlaps}, Distance {cold.Status} {cold.Distance:R}: {pair}");
             for (int frame = 0; frame < 3; frame++)
             {
                 DistanceResult r = ConvexQuery.Distance(a, RigidPose.Identity, b, pose, ref warm, 0);
-                Assert.True(r.Overlaps == cold.Overlaps, $"frame {frame}: {r.Status}, cold {cold.Status} {cold.Distance:R}: {pair}");
+                Assert.True(r.IsOverlapping == cold.IsOverlapping, $"frame {frame}: {r.Status}, cold {cold.Status} {cold.Distance:R}: {pair}");
             }
 
             checkedPairs++;
-            touching += cold.Overlaps ? 1 : 0;
+            touching += cold.IsOverlapping ? 1 : 0;
         }
 
         Assert.InRange(touching, 0.1 * checkedPairs, 0.9 * checkedPairs);

@@ -39,7 +39,7 @@ public class SizeRatioTests
                 string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
                 Assert.True(problem is null, $"{problem}\n{pair}");
                 Assert.Equal(gap < 0, exact.Overlap);
-                Assert.Equal(gap < 0, pair.Distance().Overlaps);
+                Assert.Equal(gap < 0, pair.Distance().IsOverlapping);
             }
         }
     }

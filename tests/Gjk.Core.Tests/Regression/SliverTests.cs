@@ -53,7 +53,7 @@ public class SliverTests
     private static Vector3D[] Vertices(in ConvexShape shape)
     {
         var vertices = new List<Vector3D>();
-        for (int id = 0; shape.TryGetVertex(id, out Vector3D v); id++) vertices.Add(v);
+        for (int id = 0; shape.TryGetVertex(id, out Vector3D v); id++) vertices.Add(shape.Center + v);
         return [.. vertices];
     }
 

@@ -24,7 +24,7 @@ public class TouchingInScenesTests
         scene.Add(q.A, q.PoseA);
         scene.Add(q.B, q.PoseB);
         var pairs = new List<ObjectPair>();
-        scene.Overlaps(pairs);
+        scene.FindOverlaps(pairs);
         Assert.Single(pairs);
     }
 }

@@ -24,7 +24,7 @@ public class UnevenScaleTests
 
         public double BoundingRadius => radius;
 
-        public int Support(in Vector3D direction, int hint, out Vector3D point)
+        public int Support(in Vector3D direction, out Vector3D point)
         {
             point = new Vector3D(direction.X < 0 ? -0.5 : 0.5, direction.Y < 0 ? -0.5 : 0.5, direction.Z < 0 ? -0.5 : 0.5);
             return (direction.X < 0 ? 1 : 0) + (direction.Y < 0 ? 2 : 0) + (direction.Z < 0 ? 4 : 0);

@@ -31,7 +31,7 @@ public class UnitSizeTests
             string? problem = OracleVerdict.Problem(pair, r, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
             bool overlaps = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
-            Assert.True(overlaps == r.Overlaps && status == r.Status, $"{status}, not {r.Status}\n{pair}");
+            Assert.True(overlaps == r.IsOverlapping && status == r.Status, $"{status}, not {r.Status}\n{pair}");
             WarmStart warm = default;
             for (int i = 0; i < 2; i++)
             {

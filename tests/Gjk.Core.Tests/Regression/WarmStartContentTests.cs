@@ -49,7 +49,7 @@ public class WarmStartContentTests
 
         public double BoundingRadius => 1;
 
-        public int Support(in Vector3D direction, int hint, out Vector3D point)
+        public int Support(in Vector3D direction, out Vector3D point)
         {
             point = new Vector3D(double.NaN, 0, 0);
             return -1;

@@ -12,7 +12,7 @@ public class DecoratorTests
     {
         var scaled = new Scaled<CapsuleShape>(new CapsuleShape(0.5f, 2), 3);
         Assert.Equal(1.5, scaled.Margin);
-        Assert.Equal(0, scaled.Support(new Vector3D(0.25, 1, 0), -1, out Vector3D top));
+        Assert.Equal(0, scaled.Support(new Vector3D(0.25, 1, 0), out Vector3D top));
         Assert.Equal(new Vector3D(0, 6, 0), top);
         Assert.Equal(7.5, scaled.BoundingRadius);
         Assert.Equal(1.5, ConvexShape.Capsule(0.5f, 2).Scaled(new Vector3(3)).Margin);
@@ -24,9 +24,9 @@ public class DecoratorTests
     {
         var scaled = new Scaled<CapsuleShape>(new CapsuleShape(0.5f, 2), new Vector3(1, 2, 4));
         Assert.Equal(0, scaled.Margin);
-        Assert.Equal(-1, scaled.Support(new Vector3D(0, 0, 1), -1, out Vector3D side));
+        Assert.Equal(-1, scaled.Support(new Vector3D(0, 0, 1), out Vector3D side));
         Assert.Equal(2, side.Z, 1e-15);
-        scaled.Support(new Vector3D(0, -1, 0), -1, out Vector3D bottom);
+        scaled.Support(new Vector3D(0, -1, 0), out Vector3D bottom);
         Assert.Equal(-5, bottom.Y, 1e-15);
         Assert.False(scaled.TryGetVertex(0, out _));
         Assert.Equal(ShapeKind.Ellipsoid, ConvexShape.Sphere(1).Scaled(new Vector3(1, 2, 3)).Kind);
@@ -37,8 +37,8 @@ public class DecoratorTests
     {
         var triangle = new TriangleShape(new Vector3(1, 2, 3), new Vector3(-1, 0, 0.5f), new Vector3(0, -3, 1));
         var mirrored = new Scaled<TriangleShape>(triangle, new Vector3(-1, 1, 2));
-        mirrored.Support(new Vector3D(-1, 1, 0.25), -1, out Vector3D point);
-        Assert.Equal(new Vector3D(-1, 2, 6), point);
+        mirrored.Support(new Vector3D(-1, 1, 0.25), out Vector3D point);
+        Assert.Equal(new Vector3D(-1, 2, 6), mirrored.Center + point);
         Assert.Equal(Vector3D.Multiply(new Vector3D(-1, 1, 2), triangle.Center), mirrored.Center);
     }
 
@@ -48,7 +48,7 @@ public class DecoratorTests
         var round = new Rounded<CapsuleShape>(new CapsuleShape(0.5f, 2), 0.25f);
         Assert.Equal(0.75, round.Margin);
         Assert.Equal(2.75, round.BoundingRadius);
-        Assert.Equal(1, round.Support(new Vector3D(0, -1, 0), -1, out Vector3D point));
+        Assert.Equal(1, round.Support(new Vector3D(0, -1, 0), out Vector3D point));
         Assert.Equal(new Vector3D(0, -2, 0), point);
         Assert.Equal(0.25f, round.Radius);
         Assert.Equal(2f, round.Inner.HalfHeight);
@@ -68,11 +68,13 @@ public class DecoratorTests
                 Vector3 s = rng.Vector(0.3, 2) * new Vector3(-1, 1, 1);
                 ConvexShape scaled = inner.Scaled(s).Shape;
                 Vector3D d = rng.Direction();
-                scaled.Support(d, -1, out Vector3D best);
+                scaled.Support(d, out Vector3D best);
+                best += scaled.Center;
                 for (int i = 0; i < 50; i++)
                 {
                     Vector3D u = rng.Direction();
-                    inner.Shape.Support(u, -1, out Vector3D core);
+                    inner.Shape.Support(u, out Vector3D core);
+                    core += inner.Shape.Center;
                     Vector3D p = Vector3D.Multiply(core + u * (inner.Shape.Margin / u.Length), s);
                     Assert.True(Vector3D.Dot(p, d) <= Vector3D.Dot(best, d) + 1e-14, $"seed {seed}: {inner} scaled {s} in {d}");
                     Assert.True((p - scaled.Center).Length <= scaled.BoundingRadius * (1 + 1e-14), $"seed {seed}: {inner} scaled {s} leaves its bounding ball");
@@ -112,7 +114,7 @@ public class DecoratorTests
         for (int i = 0; i < 200; i++)
         {
             Vector3D d = rng.Direction();
-            Assert.Equal(shape.Support(d, -1, out Vector3D p), tagged.Support(d, -1, out Vector3D q));
+            Assert.Equal(shape.Support(d, out Vector3D p), tagged.Support(d, out Vector3D q));
             Assert.True(p == q, $"{typeof(T).Name} in {d}: {p}, ConvexShape {q}");
         }
 

@@ -92,7 +92,7 @@ internal sealed class Body<T>
 
     private double LocalHeight(in Vector3D direction)
     {
-        _shape.Support(direction, -1, out Vector3D point);
-        return Vector3D.Dot(direction, point - Center) + _shape.Margin;
+        _shape.Support(direction, out Vector3D point);
+        return Vector3D.Dot(direction, point) + _shape.Margin;
     }
 }

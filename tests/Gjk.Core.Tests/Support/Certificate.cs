@@ -48,7 +48,7 @@ internal static class Certificate
         var bodyB = new Body<TB>(b, poseB);
         double slack = curved ? Tolerance.Curved * Math.Max(scale, r.Distance) : Tolerance.Witness * scale;
         return Points(bodyA, bodyB, r, slack)
-            ?? (r.Overlaps ? Overlapping(bodyA, bodyB, r, scale) : Separated(bodyA, bodyB, r, scale, curved));
+            ?? (r.IsOverlapping ? Overlapping(bodyA, bodyB, r, scale) : Separated(bodyA, bodyB, r, scale, curved));
     }
 
     /// <summary>Each point lies in its shape, and the world's point is the local one, rounded.</summary>

@@ -15,7 +15,7 @@ internal static class OracleVerdict
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return $"status {r.Status} after {r.Iterations} iterations";
         if (!(Math.Abs(r.Distance - exact.Distance) <= Tolerance.Band(exact.Distance, scale) + HalfLeastFloat)) return $"distance {r.Distance:R}, truly {exact.Distance:R}";
         if (!(r.LowerBound <= exact.Distance)) return $"lower bound {r.LowerBound:R} above the true distance {exact.Distance:R}";
-        if (r.Overlaps == exact.Overlap) return null;
+        if (r.IsOverlapping == exact.Overlap) return null;
         double least = exact.Overlap ? Depth(pair) : exact.Distance;
         return least > Tolerance.Flag * scale ? $"status {r.Status}, truly overlap {exact.Overlap} by {least:R}" : null;
     }

@@ -26,7 +26,7 @@ internal struct ResultHash
     {
         Word((uint)a);
         Word((uint)b);
-        Byte((byte)r.Status);
+        Byte((byte)(r.Status - 1));
         Float(r.Distance);
         Vector(r.PointA);
         Vector(r.PointB);

@@ -9,10 +9,10 @@ internal readonly struct SupportCounter(ConvexShape shape, int[] calls) : ISuppo
 
     public double BoundingRadius => shape.BoundingRadius;
 
-    public int Support(in Vector3D direction, int hint, out Vector3D point)
+    public int Support(in Vector3D direction, out Vector3D point)
     {
         calls[0]++;
-        return shape.Support(direction, hint, out point);
+        return shape.Support(direction, out point);
     }
 
     public bool TryGetVertex(int id, out Vector3D point) => shape.TryGetVertex(id, out point);

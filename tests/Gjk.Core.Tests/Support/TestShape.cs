@@ -73,7 +73,7 @@ internal sealed class TestShape
             ? Extent(vertices!, Margin * factors.X)
             : new Vector3D(1, 1, 1) * (LongestSide * largest);
         double margin = polytope ? Margin * factors.X : Margin * (even ? factors.X : 0);
-        bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone || (Shape.Kind == ShapeKind.Segment && Margin > 0 && !even);
+        bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone || (Shape.Kind == ShapeKind.Capsule && !even);
         ConvexShape scaled = Shape.Scaled(s);
         return new(text, scaled, vertices, margin, extent) { Reach = keepsFactors ? Reach * largest : scaled.BoundingRadius };
     }

@@ -29,11 +29,11 @@ public class CollisionSceneTests
         CollisionScene scene = Row(kind, bound, 0, 2, 5, 9);
         Assert.Equal([new(0, 1)], Overlaps(scene));
         List<PairDistance> within = [];
-        scene.PairsWithin(1, within);
+        scene.FindPairsWithin(1, within);
         Assert.Equal([(new(0, 1), 0f), (new ObjectPair(1, 2), 1f)], within.Select(p => (p.Pair, p.Result.Distance)));
-        scene.PairsWithin(float.PositiveInfinity, within);
+        scene.FindPairsWithin(float.PositiveInfinity, within);
         Assert.Equal(6, within.Count);
-        Assert.True(scene.Nearest(3, out int other, out DistanceResult nearest));
+        Assert.True(scene.TryFindNearest(3, out int other, out DistanceResult nearest));
         Assert.Equal((2, 2f, At(8), At(6)), (other, nearest.Distance, nearest.PointA, nearest.PointB));
         Assert.Equal(3f, scene.Distance(0, 2).Distance);
         Assert.Equal((At(4), At(1)), (scene.Distance(2, 0).PointA, scene.Distance(2, 0).PointB));
@@ -43,7 +43,7 @@ public class CollisionSceneTests
         scene.Remove(0);
         Assert.Equal([new(2, 3)], Overlaps(scene));
         Assert.False(scene.Contains(0));
-        Assert.Equal((At(10), 1.0), (scene.PoseOf(2).Position, scene.ShapeOf(2).Margin));
+        Assert.Equal((At(10), 1.0), (scene.GetPose(2).Position, scene.GetShape(2).Margin));
     }
 
     [Fact]
@@ -51,10 +51,10 @@ public class CollisionSceneTests
     {
         CollisionScene scene = Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1, 2, 5);
         var visitor = new Recorder { Pairs = [], Distances = [] };
-        scene.Overlaps(ref visitor);
-        scene.PairsWithin(1, ref visitor);
+        scene.FindOverlaps(ref visitor);
+        scene.FindPairsWithin(1, ref visitor);
         List<PairDistance> within = [];
-        scene.PairsWithin(1, within);
+        scene.FindPairsWithin(1, within);
         Assert.Equal(Overlaps(scene), visitor.Pairs);
         Assert.Equal([new(0, 1), new(0, 2), new(1, 2), new(2, 3)], within.Select(p => p.Pair));
         Assert.Equal(within.Select(p => (p.Pair, p.Result.Distance)), visitor.Distances);
@@ -67,14 +67,14 @@ public class CollisionSceneTests
         Action[] uses =
         [
             () => scene.Add(Ball, RigidPose.Identity), () => scene.Move(0, RigidPose.Identity), () => scene.Remove(0), () => Overlaps(scene),
-            () => scene.Nearest(0, out _, out _), () => scene.Distance(0, 1), () => scene.CollectCandidates([]), () => scene.OverlapsOf([], []),
-            () => scene.PairsWithin(1, []),
+            () => scene.TryFindNearest(0, out _, out _), () => scene.Distance(0, 1), () => scene.CollectCandidates([]), () => scene.FindOverlapsAmong([], []),
+            () => scene.FindPairsWithin(1, []),
         ];
         foreach (Action use in uses)
         {
             var visitor = new User { Use = use };
-            Assert.Throws<InvalidOperationException>(() => scene.Overlaps(ref visitor));
-            Assert.Throws<InvalidOperationException>(() => scene.PairsWithin(1, ref visitor));
+            Assert.Throws<InvalidOperationException>(() => scene.FindOverlaps(ref visitor));
+            Assert.Throws<InvalidOperationException>(() => scene.FindPairsWithin(1, ref visitor));
         }
 
         // The visitor's exception ended the visit; the scene is as it was.
@@ -119,14 +119,14 @@ public class CollisionSceneTests
         for (int i = 0; i < 90; i++) scene.Add(Ball, new RigidPose(At(i)));
         List<ObjectPair> candidates = [], results = [];
         scene.CollectCandidates(candidates);
-        scene.OverlapsOf(candidates, results);
+        scene.FindOverlapsAmong(candidates, results);
         Assert.Equal(Overlaps(scene), results);
         Assert.InRange(results.Count, 90, candidates.Count - 1);
         List<ObjectPair> wider = [];
         scene.CollectCandidates(wider, 1);
         Assert.True(wider.Count > candidates.Count && !candidates.Except(wider).Any());
         candidates.Reverse();
-        scene.OverlapsOf(candidates, results);
+        scene.FindOverlapsAmong(candidates, results);
         Assert.Equal(Overlaps(scene).AsEnumerable().Reverse(), results);
     }
 
@@ -136,12 +136,12 @@ public class CollisionSceneTests
         var world = new MovingWorld(9, 100, ["hull"]);
         CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree, BoundKind.Box);
         List<PairDistance> within = [];
-        scene.PairsWithin(float.PositiveInfinity, within);
+        scene.FindPairsWithin(float.PositiveInfinity, within);
         Assert.Equal(100 * 99 / 2, scene.WarmStartCount);
-        scene.PairsWithin(0, within);
+        scene.FindPairsWithin(0, within);
         Assert.InRange(scene.WarmStartCount, 1, 1000);
         for (int id = 0; id < 100; id++) scene.Remove(id);
-        scene.PairsWithin(0, within);
+        scene.FindPairsWithin(0, within);
         Assert.Equal(0, scene.WarmStartCount);
     }
 
@@ -179,7 +179,7 @@ public class CollisionSceneTests
         Assert.Empty(Overlaps(scene));
         scene.Add(Ball, RigidPose.Identity);
         Assert.Empty(Overlaps(scene));
-        Assert.False(scene.Nearest(0, out int other, out _));
+        Assert.False(scene.TryFindNearest(0, out int other, out _));
         Assert.Equal(-1, other);
     }
 
@@ -190,14 +190,14 @@ public class CollisionSceneTests
         var scene = new CollisionScene(kind, bound);
         scene.Add(ConvexShape.Point(), new RigidPose(new Vector3(-3e38f, 0, 0)));
         scene.Add(ConvexShape.Point(), new RigidPose(new Vector3(-1e38f, 0, 0)));
-        Assert.True(scene.Nearest(0, out int other, out DistanceResult result));
+        Assert.True(scene.TryFindNearest(0, out int other, out DistanceResult result));
         Assert.Equal((1, (float)((double)3e38f - 1e38f)), (other, result.Distance));
     }
 
     private static void CheckObjects(CollisionScene scene, SortedDictionary<int, Vector3> there)
     {
         Assert.Equal(there.Count, scene.Count);
-        foreach ((int id, Vector3 position) in there) Assert.Equal(position, scene.PoseOf(id).Position);
+        foreach ((int id, Vector3 position) in there) Assert.Equal(position, scene.GetPose(id).Position);
         ObjectPair[] expected = [.. from a in there from b in there where a.Key < b.Key && ConvexQuery.Overlaps(Ball, new RigidPose(a.Value), Ball, new RigidPose(b.Value)) select new ObjectPair(a.Key, b.Key)];
         Assert.Equal(expected, Overlaps(scene));
     }
@@ -212,7 +212,7 @@ public class CollisionSceneTests
     internal static List<ObjectPair> Overlaps(CollisionScene scene)
     {
         List<ObjectPair> results = [];
-        scene.Overlaps(results);
+        scene.FindOverlaps(results);
         return results;
     }
 

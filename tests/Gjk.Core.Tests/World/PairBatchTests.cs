@@ -106,7 +106,7 @@ public class PairBatchTests
         workers.Dispose();
         Assert.Throws<ObjectDisposedException>(() => PairBatch.Overlaps([], [], [], [], workers));
         var scene = new CollisionScene();
-        Assert.Throws<ObjectDisposedException>(() => scene.Overlaps([], workers));
+        Assert.Throws<ObjectDisposedException>(() => scene.FindOverlaps([], workers));
     }
 
     [Fact]

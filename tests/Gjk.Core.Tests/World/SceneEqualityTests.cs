@@ -29,9 +29,9 @@ public class SceneEqualityTests
                 foreach (CollisionScene scene in scenes)
                 {
                     string message = $"seed {seed}, frame {frame}, {scene.BroadPhase}, {scene.Bound}";
-                    scene.Overlaps(found);
+                    scene.FindOverlaps(found);
                     Assert.True(expected.SequenceEqual(found), message);
-                    scene.Overlaps(found, workers);
+                    scene.FindOverlaps(found, workers);
                     Assert.True(expected.SequenceEqual(found), message + ", three threads");
                 }
             }
@@ -53,18 +53,18 @@ public class SceneEqualityTests
             {
                 Change(world, [.. serial, .. parallel], frame);
                 float distance = frame % 6 == 5 ? float.PositiveInfinity : 0.25f * (frame % 3);
-                serial[0].PairsWithin(distance, first);
+                serial[0].FindPairsWithin(distance, first);
                 CheckAgainstColdQueries(world, serial[0], distance, first, $"seed {seed}, frame {frame}");
                 foreach (CollisionScene scene in serial)
                 {
                     if (scene == serial[0]) continue;
-                    scene.PairsWithin(distance, found);
+                    scene.FindPairsWithin(distance, found);
                     SameBits(first, found, $"seed {seed}, frame {frame}, {scene.BroadPhase}, {scene.Bound}");
                 }
 
                 for (int i = 0; i < parallel.Length; i++)
                 {
-                    parallel[i].PairsWithin(distance, found, workers);
+                    parallel[i].FindPairsWithin(distance, found, workers);
                     SameBits(first, found, $"seed {seed}, frame {frame}, {parallel[i].BroadPhase}, {parallel[i].Bound}, two threads");
                 }
             }
@@ -92,7 +92,7 @@ public class SceneEqualityTests
                 if (a == 33) continue;
                 (float Distance, int Id) expected = Enumerable.Range(0, world.Count).Where(b => b != a && b != 33)
                     .Select(b => (ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[b], world.Poses[b]).Distance, b)).Min();
-                Assert.True(scene.Nearest(a, out int other, out DistanceResult result));
+                Assert.True(scene.TryFindNearest(a, out int other, out DistanceResult result));
                 Assert.True(expected == (result.Distance, other), $"{scene.BroadPhase}, {scene.Bound}, object {a}: {result.Distance:R} to {other}, not {expected}");
                 DistanceResult cold = ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[other], world.Poses[other]);
                 Assert.Equal(ResultHash.Of(a, other, cold), ResultHash.Of(a, other, result));

@@ -44,13 +44,13 @@ public class SceneRefusalTests
         for (int frame = 0; frame < 4; frame++)
         {
             var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
-            Assert.Throws<ObjectDisposedException>(() => scenes[0].PairsWithin(0.5f, one, workers));
-            Assert.Throws<ObjectDisposedException>(() => scenes[0].PairsWithin(10, ref visitor, workers));
-            Assert.Throws<ObjectDisposedException>(() => scenes[0].Overlaps(ref visitor, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(0.5f, one, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(10, ref visitor, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindOverlaps(ref visitor, workers));
             Assert.Equal(other.Count, one.Count);
             Assert.Empty(visitor.Pairs);
-            scenes[0].PairsWithin(0.5f, one);
-            scenes[1].PairsWithin(0.5f, other);
+            scenes[0].FindPairsWithin(0.5f, one);
+            scenes[1].FindPairsWithin(0.5f, other);
             Assert.True(one.Count > 20 && Hashes(other).SequenceEqual(Hashes(one)));
         }
     }
@@ -68,7 +68,7 @@ public class SceneRefusalTests
         {
             Action[] calls =
             [
-                () => scene.Move(id, RigidPose.Identity), () => scene.Remove(id), () => scene.PoseOf(id), () => scene.ShapeOf(id), () => scene.Nearest(id, out _, out _),
+                () => scene.Move(id, RigidPose.Identity), () => scene.Remove(id), () => scene.GetPose(id), () => scene.GetShape(id), () => scene.TryFindNearest(id, out _, out _),
             ];
             foreach (Action call in calls)
             {
@@ -78,7 +78,7 @@ public class SceneRefusalTests
 
             Assert.Equal("idA", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(id, 0)).ParamName);
             Assert.Equal("idB", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(0, id)).ParamName);
-            Assert.Contains("Pair 1, ", Assert.Throws<ArgumentException>(() => scene.OverlapsOf([new(0, 1), new(0, id)], [])).Message);
+            Assert.Contains("Pair 1, ", Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong([new(0, 1), new(0, id)], [])).Message);
             Assert.False(scene.Contains(id));
         }
 
@@ -88,17 +88,17 @@ public class SceneRefusalTests
     private static void RefusesLists(CollisionScene scene)
     {
         List<ObjectPair> pairs = [new(0, 1)];
-        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.Overlaps(null!)).ParamName);
-        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.PairsWithin(0, null!)).ParamName);
-        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.OverlapsOf(pairs, null!)).ParamName);
-        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.OverlapsOf(null!, pairs)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindOverlaps(null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindPairsWithin(0, null!)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindOverlapsAmong(pairs, null!)).ParamName);
+        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.FindOverlapsAmong(null!, pairs)).ParamName);
         Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.CollectCandidates(null!)).ParamName);
-        Assert.Equal("results", Assert.Throws<ArgumentException>(() => scene.OverlapsOf(pairs, pairs)).ParamName);
+        Assert.Equal("results", Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong(pairs, pairs)).ParamName);
         var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
         foreach (float distance in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
         {
-            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.PairsWithin(distance, [])).ParamName);
-            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.PairsWithin(distance, ref visitor)).ParamName);
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindPairsWithin(distance, [])).ParamName);
+            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindPairsWithin(distance, ref visitor)).ParamName);
             Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.CollectCandidates(pairs, distance)).ParamName);
         }
 

@@ -77,16 +77,16 @@ public class WorldAllocationTests
             RigidPose[] poses = back ? here : there;
             back = !back;
             for (int i = 0; i < Objects; i++) scene.Move(i, poses[i]);
-            scene.Overlaps(overlaps, workers);
+            scene.FindOverlaps(overlaps, workers);
             scene.CollectCandidates(candidates);
-            scene.OverlapsOf(candidates, overlaps, workers);
-            scene.PairsWithin(0.2f, within, workers);
+            scene.FindOverlapsAmong(candidates, overlaps, workers);
+            scene.FindPairsWithin(0.2f, within, workers);
             var counter = default(Counter);
-            scene.Overlaps(ref counter, workers);
-            scene.PairsWithin(0.2f, ref counter, workers);
+            scene.FindOverlaps(ref counter, workers);
+            scene.FindPairsWithin(0.2f, ref counter, workers);
             for (int i = 0; i < 50; i++)
             {
-                scene.Nearest(i, out int _, out _);
+                scene.TryFindNearest(i, out int _, out _);
                 scene.Distance(i, i + 1);
             }
 

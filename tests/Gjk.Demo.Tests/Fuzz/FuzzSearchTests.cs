@@ -43,7 +43,7 @@ public sealed class FuzzSearchTests
         const int Count = 2000;
         for (long i = 0; i < Count; i++)
         {
-            overlaps += PairFamilies.Draw(1, i, out string family).Answer.Overlaps ? 1 : 0;
+            overlaps += PairFamilies.Draw(1, i, out string family).Answer.IsOverlapping ? 1 : 0;
             families.Add(family);
         }
 

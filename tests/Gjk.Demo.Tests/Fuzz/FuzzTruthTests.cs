@@ -111,11 +111,11 @@ public sealed class FuzzTruthTests
             double highest = double.NegativeInfinity;
             foreach (Vector3D u in Directions.Many)
             {
-                pair.A.Support(u, -1, out Vector3D point);
+                pair.A.Support(u, out Vector3D point);
                 highest = Math.Max(highest, Vector3D.Dot(d, point));
             }
 
-            pair.A.Support(d, -1, out Vector3D furthest);
+            pair.A.Support(d, out Vector3D furthest);
             Assert.Equal(Vector3D.Dot(d, furthest), pair.BodyA.CoreHeight(d), 1e-14);
             Assert.True(pair.BodyA.CoreHeight(d) >= highest - 1e-14);
         }

@@ -95,7 +95,7 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
             var bytes = new List<byte>();
             bytes.AddRange(BitConverter.GetBytes(Int(pair, "a")));
             bytes.AddRange(BitConverter.GetBytes(Int(pair, "b")));
-            bytes.Add((byte)Enum.Parse<GjkStatus>(pair.GetProperty("status").GetString()!));
+            bytes.Add((byte)(Enum.Parse<GjkStatus>(pair.GetProperty("status").GetString()!) - GjkStatus.Separated));
             foreach (string field in "distance,ax,ay,az,bx,by,bz,nx,ny,nz".Split(','))
                 bytes.AddRange(BitConverter.GetBytes(pair.GetProperty(field).GetSingle() + 0f));
             foreach (byte b in bytes) hash = unchecked((hash ^ b) * 1099511628211);

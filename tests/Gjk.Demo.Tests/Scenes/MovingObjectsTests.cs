@@ -24,7 +24,7 @@ public sealed class MovingObjectsTests
         var world = new CollisionScene();
         foreach (RigidPose pose in scene.Poses) world.Add(shape, pose);
         List<ObjectPair> pairs = [];
-        world.Overlaps(pairs);
+        world.FindOverlaps(pairs);
         Assert.InRange(pairs.SelectMany(p => new[] { p.A, p.B }).Distinct().Count(), 0.4 * Count, 0.6 * Count);
     }
 

@@ -32,12 +32,12 @@ internal sealed class MaxDistanceEndsEarly : IPromise
         double reach = Math.Max(limit, 0), band = pair.Band(reach);
         if (r.Status != GjkStatus.BeyondMaxDistance)
         {
-            if (full.Distance - band > reach && !full.Overlaps)
+            if (full.Distance - band > reach && !full.IsOverlapping)
                 return Say.Line($"{r.Status}, the distance is {full.Distance:R}");
             return Same.BitProblem(full, r, "with the limit");
         }
 
-        if (full.Overlaps || full.Distance + band < reach)
+        if (full.IsOverlapping || full.Distance + band < reach)
             return Say.Line($"{r.Status}, but without it {full.Status}, {full.Distance:R}");
         if (!float.IsPositiveInfinity(r.Distance) || !float.IsNaN(r.PointA.X) || !float.IsNaN(r.PointB.X))
             return Say.Line($"a distance or points: {r.Distance}, {r.PointA}");

@@ -18,7 +18,7 @@ internal sealed class NoPlaneSeparatesAnOverlap : IPromise
 
     public string? Broken(FuzzPair pair)
     {
-        if (!pair.Answer.Overlaps) return null;
+        if (!pair.Answer.IsOverlapping) return null;
         double widest = Widest(pair), allowed = pair.Band(0) + pair.Noise;
         return widest <= allowed ? null : Say.Line($"a plane leaves {widest} between them");
     }

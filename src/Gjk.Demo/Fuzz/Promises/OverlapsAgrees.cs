@@ -11,7 +11,7 @@ internal sealed class OverlapsAgrees : IPromise
     {
         bool overlaps = ConvexQuery.Overlaps(pair.A, pair.PoseA, pair.B, pair.PoseB, out GjkStatus status);
         DistanceResult r = pair.Answer;
-        return overlaps == r.Overlaps && status == r.Status
+        return overlaps == r.IsOverlapping && status == r.Status
             ? null
             : Say.Line($"Overlaps says {overlaps} ({status}), Distance {r.Status}, {r.Distance}");
     }

@@ -17,7 +17,7 @@ internal sealed class PointsDifferByTheDistance : IPromise
     {
         DistanceResult r = pair.Answer;
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
-        if (r.Overlaps && r.PointA != r.PointB)
+        if (r.IsOverlapping && r.PointA != r.PointB)
             return Say.Line($"overlapping with the points {r.PointA} and {r.PointB}");
 
         Vector3D step = (Vector3D)r.Normal * r.Distance;

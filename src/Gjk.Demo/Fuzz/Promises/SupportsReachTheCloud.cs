@@ -27,10 +27,11 @@ internal sealed class SupportsReachTheCloud : IPromise
     public static string? Problem(in ConvexShape shape, PosedShape body, in Vector3D d, string name)
     {
         if (d == default || !d.IsFinite) return null;
-        int id = shape.Support(d, -1, out Vector3D point);
+        int id = shape.Support(d, out Vector3D fromCenter);
+        Vector3D point = shape.Center + fromCenter;
         string? problem = body.IsCurved
             ? OffTheFormula(body, d, point)
-            : OffTheCloud(body, d, point) ?? OfAnotherName(shape, body, id, point);
+            : OffTheCloud(body, d, point) ?? OfAnotherName(shape, body, id, fromCenter);
         return problem is null
             ? null
             : Say.Line(
@@ -63,11 +64,14 @@ internal sealed class SupportsReachTheCloud : IPromise
         return Math.Abs(off) <= Rounding(body, unit) ? null : Say.Line($"off the formula's height by {off}");
     }
 
-    private static string? OfAnotherName(in ConvexShape shape, PosedShape body, int id, in Vector3D point)
+    private static string? OfAnotherName(in ConvexShape shape, PosedShape body, int id, in Vector3D fromCenter)
     {
-        if (!shape.TryGetVertex(id, out Vector3D vertex) || vertex != point)
+        if (!shape.TryGetVertex(id, out Vector3D vertex) || vertex != fromCenter)
             return Say.Line($"vertex {id} is ({vertex.X:R}, {vertex.Y:R}, {vertex.Z:R})");
-        return shape.Hull is null || body.Vertices[shape.Hull.SourceIndex(id)] == point
+        if (shape.Hull is null) return null;
+        Vector3D named = Vector3D.Multiply((Vector3D)shape.Scale, shape.Hull.GetVertex(id));
+        double off = (shape.Center + fromCenter - named).Length;
+        return named == body.Vertices[shape.Hull.SourceIndex(id)] && off <= 4 * Accuracy.Rounding * body.LongestSide
             ? null
             : Say.Line($"vertex {id} is not point {shape.Hull.SourceIndex(id)} of the cloud");
     }

@@ -19,7 +19,7 @@ internal sealed class TheExactAnswer : IPromise
         ExactAnswer exact = pair.Truth.Answer;
         if (!(Math.Abs(r.Distance - exact.Distance) <= pair.Band(exact.Distance)))
             return Say.Line($"{r.Status}, distance {r.Distance:R}, truly {exact.Distance:R}");
-        return r.Overlaps || !exact.Overlap || Parts(pair)
+        return r.IsOverlapping || !exact.Overlap || Parts(pair)
             ? null
             : Say.Line($"{r.Status}, {r.Distance:R}, but they overlap by more than {Accuracy.FlagScale} of the scale");
     }

@@ -44,12 +44,12 @@ internal sealed class TypedShapesGiveTheSameBits : IPromise
     {
         switch (typed.Kind)
         {
-            case ShapeKind.Point:
+            case ShapeKind.Point or ShapeKind.Sphere:
                 return Compare(new SphereShape(n[0]), pose, other, otherPose, expected, name);
-            case ShapeKind.Segment when n[6] == 0:
+            case ShapeKind.Segment:
                 var segment = new SegmentShape(new(n[0], n[1], n[2]), new(n[3], n[4], n[5]));
                 return Compare(segment, pose, other, otherPose, expected, name);
-            case ShapeKind.Segment when n[0] == 0 && n[2] == 0 && n[3] == 0 && n[5] == 0 && n[4] == -n[1] && n[1] >= 0:
+            case ShapeKind.Capsule when n[0] == 0 && n[2] == 0 && n[3] == 0 && n[5] == 0 && n[4] == -n[1] && n[1] >= 0:
                 return Compare(new CapsuleShape(n[6], n[1]), pose, other, otherPose, expected, name);
             case ShapeKind.Triangle:
                 var triangle = new TriangleShape(new(n[0], n[1], n[2]), new(n[3], n[4], n[5]), new(n[6], n[7], n[8]));

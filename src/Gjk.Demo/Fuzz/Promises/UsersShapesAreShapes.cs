@@ -20,8 +20,8 @@ internal sealed class UsersShapesAreShapes : IPromise
             string? problem = Same.Problem(pair, r, name);
             if (problem is not null) return problem;
             if (LowerBoundHolds.Problem(pair, r) is { } bound) return Say.Line($"{name}: {bound}");
-            if (Overlaps(pair, factor) != r.Overlaps)
-                return Say.Line($"{name}: Overlaps says {!r.Overlaps}, Distance {r.Status}, {r.Distance}");
+            if (Overlaps(pair, factor) != r.IsOverlapping)
+                return Say.Line($"{name}: Overlaps says {!r.IsOverlapping}, Distance {r.Status}, {r.Distance}");
         }
 
         return null;

@@ -8,6 +8,7 @@ using System.Numerics;
 using System.Text;
 using System.Threading;
 using Gjk.Core;
+using Gjk.Demo.Queries;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
@@ -96,7 +97,7 @@ internal sealed class ScenePicture
         foreach ((int a, int b) in _results.Pairs)
         {
             float distance = _results.Distance[pair];
-            if (_results.Status[pair] == (byte)GjkStatus.Overlapping)
+            if (_results.Status[pair] == StatusCode.Of(GjkStatus.Overlapping))
             {
                 _hit[a] = _hit[b] = true;
             }

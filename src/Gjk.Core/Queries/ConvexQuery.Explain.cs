@@ -2,7 +2,10 @@ namespace Gjk.Core;
 
 public static partial class ConvexQuery
 {
-    /// <summary>The distance query, telling a trace what it does: for teaching, drawing and finding out. The result is the ordinary query's, bit for bit.</summary>
+    /// <summary>
+    /// The distance query, telling a trace what it does: for teaching, drawing and finding out. The result is the
+    /// ordinary query's, bit for bit.
+    /// </summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <typeparam name="TTrace">The trace's type.</typeparam>
@@ -10,9 +13,15 @@ public static partial class ConvexQuery
     /// <param name="poseA">Where it is.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Where it is.</param>
-    /// <param name="trace">Told of every support and reduction; two spheres, which a formula solves, are told as the one round that it stands for. Invalid input tells nothing.</param>
+    /// <param name="trace">
+    /// Told of every support and reduction. Two spheres, which a formula solves, are told as the one round that it
+    /// stands for. Invalid input tells nothing.
+    /// </param>
+    /// <param name="maxDistance">As in <c>Distance</c>.</param>
     /// <returns>See <see cref="DistanceResult"/>. What the trace throws passes through.</returns>
-    public static DistanceResult Trace<TA, TB, TTrace>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref TTrace trace)
+    public static DistanceResult Explain<TA, TB, TTrace>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref TTrace trace,
+        float maxDistance = float.PositiveInfinity)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
@@ -21,8 +30,8 @@ public static partial class ConvexQuery
         TB copyB = default;
         WarmStart unused = default;
         Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, float.PositiveInfinity, ref unused, false, ref trace,
+            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref unused, false, ref trace,
             out PairFrame frame, out SolverState state);
-        return Finish(state, frame, poseA, poseB, float.PositiveInfinity);
+        return Finish(state, frame, poseA, poseB, maxDistance);
     }
 }

@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+public readonly partial struct ConvexShape
+{
+    /// <summary>The local origin.</summary>
+    public static ConvexShape Point() => Make(ShapeKind.Point, default);
+
+    /// <summary>A segment between two points.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A coordinate is NaN or infinite.</exception>
+    public static ConvexShape Segment(Vector3 a, Vector3 b) =>
+        Make(ShapeKind.Segment, Guard.Finite(a, nameof(a)), Guard.Finite(b, nameof(b)));
+
+    /// <summary>A triangle.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A coordinate is NaN or infinite.</exception>
+    public static ConvexShape Triangle(Vector3 a, Vector3 b, Vector3 c) =>
+        Make(ShapeKind.Triangle, Guard.Finite(a, nameof(a)), Guard.Finite(b, nameof(b)), Guard.Finite(c, nameof(c)));
+
+    /// <summary>A sphere about the local origin.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The radius is negative, NaN or infinite.</exception>
+    public static ConvexShape Sphere(float radius) =>
+        Make(ShapeKind.Sphere, default, margin: Guard.NonNegative(radius, nameof(radius)));
+
+    /// <summary>A capsule along the local y axis; the half height does not include the caps.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
+    public static ConvexShape Capsule(float radius, float halfHeight)
+    {
+        double margin = Guard.NonNegative(radius, nameof(radius)), height = Guard.NonNegative(halfHeight, nameof(halfHeight));
+        return Make(ShapeKind.Capsule, new Vector3D(0, height, 0), new Vector3D(0, -height, 0), margin: margin);
+    }
+
+    /// <summary>A box about the local origin.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A half extent is negative, NaN or infinite.</exception>
+    public static ConvexShape Box(Vector3 halfExtents) =>
+        Make(ShapeKind.Box, Guard.NonNegative(halfExtents, nameof(halfExtents)));
+
+    /// <summary>A cylinder about the local y axis.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
+    public static ConvexShape Cylinder(float radius, float halfHeight) =>
+        Make(ShapeKind.Cylinder, RadiusAndHeight(radius, halfHeight));
+
+    /// <summary>A cone about the local y axis, its apex at +halfHeight.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
+    public static ConvexShape Cone(float radius, float halfHeight) =>
+        Make(ShapeKind.Cone, RadiusAndHeight(radius, halfHeight));
+
+    /// <summary>An ellipsoid about the local origin.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A radius is negative, NaN or infinite.</exception>
+    public static ConvexShape Ellipsoid(Vector3 radii) =>
+        Make(ShapeKind.Ellipsoid, Guard.NonNegative(radii, nameof(radii)));
+
+    /// <summary>A convex mesh from a hull that was built before.</summary>
+    /// <exception cref="ArgumentNullException">The hull is null.</exception>
+    public static ConvexShape Mesh(ConvexHull hull) =>
+        new(new ShapeParts { Kind = ShapeKind.Mesh, Hull = Guard.NotNull(hull, nameof(hull)), Scale = Unscaled });
+
+    /// <summary>A convex mesh; builds the hull of the vertices.</summary>
+    /// <exception cref="ArgumentNullException">The list is null.</exception>
+    /// <exception cref="ArgumentException">The list is empty, or a coordinate is NaN or infinite.</exception>
+    public static ConvexShape Mesh(IReadOnlyList<Vector3> vertices) => Mesh(new ConvexHull(vertices));
+
+    private static ConvexShape Make(
+        ShapeKind kind, in Vector3D a, in Vector3D b = default, in Vector3D c = default, double margin = 0) =>
+        new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin, Scale = Unscaled });
+
+    private static Vector3D RadiusAndHeight(float radius, float halfHeight) =>
+        new(Guard.NonNegative(radius, nameof(radius)), Guard.NonNegative(halfHeight, nameof(halfHeight)), 0);
+}

@@ -1,0 +1,71 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Any shape turned and moved inside the local frame: a capsule along x, a collider beside its object's origin.
+/// </summary>
+/// <remarks>
+/// The shape's centre is placed in double-double and its rounding error is kept, so a shape placed far from the local
+/// origin loses no accuracy.
+/// </remarks>
+/// <typeparam name="T">The shape inside.</typeparam>
+public readonly struct Placed<T> : ISupportMap
+    where T : struct, ISupportMap
+{
+    /// <summary>Ratio: 16 u, more than a rotation in double can lengthen a vector by.</summary>
+    private const double RoundingUp = 1 + 16 * GjkTolerances.UnitRoundoff;
+
+    private readonly T _inner;
+    private readonly RigidPose _pose;
+    private readonly RotationD _rotation;
+    private readonly Vector3D _center, _centerError;
+
+    /// <summary>Places a shape.</summary>
+    /// <param name="inner">The shape.</param>
+    /// <param name="pose">Where it is in the frame of the placed shape.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The pose is a <c>default</c> struct.</exception>
+    public Placed(in T inner, in RigidPose pose)
+    {
+        _inner = inner;
+        _pose = Guard.Pose(pose, nameof(pose));
+        _rotation = new RotationD(pose.Rotation);
+        VectorDD center = VectorDD.Place(pose, inner.Center);
+        _center = (Vector3D)center;
+        _centerError = (Vector3D)(center - _center);
+    }
+
+    /// <summary>The shape inside.</summary>
+    public T Inner => _inner;
+
+    /// <summary>Where it is.</summary>
+    public RigidPose Pose => _pose;
+
+    /// <inheritdoc/>
+    public Vector3D Center => _center;
+
+    /// <inheritdoc/>
+    public double Margin => _inner.Margin;
+
+    /// <summary>
+    /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
+    /// </summary>
+    public double BoundingRadius => _pose.IsDefault ? double.NaN : _inner.BoundingRadius * RoundingUp;
+
+    /// <inheritdoc/>
+    public int Support(in Vector3D direction, out Vector3D point)
+    {
+        Vector3D inward = _rotation.InverseRotate(DirectionRange.ToSafe(direction));
+        int id = _inner.Support(inward, out point);
+        point = _rotation.Rotate(point) + _centerError;
+        return id;
+    }
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        bool found = _inner.TryGetVertex(id, out point);
+        point = _rotation.Rotate(point) + _centerError;
+        return found;
+    }
+}

@@ -1,0 +1,28 @@
+namespace Gjk.Core;
+
+/// <summary>What a <see cref="ConvexShape"/> is made of; the rest of it is computed from this.</summary>
+internal struct ShapeParts
+{
+    public ShapeKind Kind;
+
+    /// <summary>
+    /// Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the radii. Cylinder
+    /// and cone: A, the radius and half the height. They are doubles, because a scale may have been multiplied in.
+    /// </summary>
+    public Vector3D A, B, C;
+
+    /// <summary>The factors that are applied to each support; 1 where they were multiplied in.</summary>
+    public Vector3D Scale;
+
+    /// <summary>The radius of a sphere or capsule, before the scale.</summary>
+    public double InnerMargin;
+
+    /// <summary>What the shape was widened by, after the scale.</summary>
+    public double Rounding;
+
+    /// <summary>A mesh's hull.</summary>
+    public ConvexHull? Hull;
+
+    /// <summary>The decorator that holds the shape, if there is one; then only the kind and the rounding are used.</summary>
+    public ShapeLayer? Layer;
+}

@@ -1,0 +1,37 @@
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Regression;
+
+/// <summary>
+/// Two meshes of one point each, turned by right angles onto the same point of the world, were 6e-33 apart: what
+/// double-double lost when it rotated them. The lower bound was above the true distance, which is 0.
+/// </summary>
+public class CoincidentPointTests
+{
+    private const string Found = "gjk1 mesh 1 0.066918917 0.651721001 0.0450020246 @ 0 0 0.707106769 -0.707106769 "
+        + "-0.75746727 0.538835108 0.514576554 mesh 1 -0.605930209 0.587796271 -0.431034595 "
+        + "@ 0.707106769 0 0 0.707106769 0.50018394 0.0408815965 -0.0282176919";
+
+    [Fact]
+    public void TurnedPointsThatCoincideTouch()
+    {
+        DistanceResult found = QueryRecord.Parse(Found).Distance();
+        Assert.True(found.IsOverlapping && found.LowerBound == 0, found.ToString());
+        int count = 0;
+        for (ulong seed = 0; seed < 200; seed++)
+        {
+            // (x, y, z) turned by a right angle about z and moved back: the positions below are exact in float.
+            var rng = new Rng(seed);
+            Vector3 at = new(rng.Below(4096) / 64f, rng.Below(4096) / 64f, rng.Below(4096) / 64f);
+            var quarter = Quaternion.Normalize(new Quaternion(0, 0, 1, 1));
+            var turned = new RigidPose(quarter, new Vector3(at.X + at.Y, at.Y - at.X, 0));
+            DistanceResult r = ConvexQuery.Distance(
+                ConvexShape.Mesh([at]), RigidPose.Identity, ConvexShape.Mesh([at]), turned);
+            Assert.True(r.IsOverlapping && r.LowerBound == 0, $"seed {seed}, {at}: {r}");
+            count++;
+        }
+
+        Assert.Equal(200, count);
+    }
+}
