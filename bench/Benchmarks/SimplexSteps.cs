@@ -65,7 +65,7 @@ public class SimplexSteps
         {
             Simplex simplex = step.Simplex;
             ClosestFeature feature = step.Feature;
-            if (feature.Reduce(ref simplex)) sum += feature.Height;
+            if (ClosestFeatureStep.Reduce(ref simplex, ref feature)) sum += feature.Height;
         }
 
         return sum;
@@ -80,7 +80,7 @@ public class SimplexSteps
         {
             Simplex simplex = step.Simplex;
             ClosestFeature feature = step.Feature;
-            if (feature.ReduceAny(ref simplex)) sum += feature.Height;
+            if (ClosestFeatureStep.ReduceAny(ref simplex, ref feature)) sum += feature.Height;
         }
 
         return sum;

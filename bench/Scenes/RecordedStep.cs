@@ -37,7 +37,7 @@ internal readonly struct RecordedStep
                 double plane = walk.Push();
                 if (i > 0 && walk.Feature.Height - plane <= LeastProgress * walk.Feature.Height) break;
                 steps.Add(new RecordedStep(walk.Simplex, walk.Feature));
-                if (!walk.Feature.Reduce(ref walk.Simplex)) break;
+                if (!ClosestFeatureStep.Reduce(ref walk.Simplex, ref walk.Feature)) break;
             }
         }
 

@@ -9,7 +9,8 @@ internal sealed class RecordReader
     private readonly string[] _words;
     private int _next;
 
-    public RecordReader(string text) => _words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
+    public RecordReader(string text) =>
+        _words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
 
     public string? Peek => _next < _words.Length ? _words[_next] : null;
 
@@ -29,23 +30,23 @@ internal sealed class RecordReader
 
     public double Number()
     {
-        if (double.TryParse(Word("a number"), NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && number - number == 0)
-            return number;
-        throw Wrong("should be a finite number");
+        string word = Word("a number");
+        bool isNumber = double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number);
+        return isNumber && Guard.IsFinite(number) ? number : throw Wrong("should be a finite number");
     }
 
     public float Float()
     {
-        if (float.TryParse(Word("a number"), NumberStyles.Float, CultureInfo.InvariantCulture, out float number) && Guard.IsFinite(number))
-            return number;
-        throw Wrong("should be a finite number");
+        string word = Word("a number");
+        bool isNumber = float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out float number);
+        return isNumber && Guard.IsFinite(number) ? number : throw Wrong("should be a finite number");
     }
 
     public int Count()
     {
-        if (int.TryParse(Word("a count"), NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count > 0 && count <= (_words.Length - _next) / 3)
-            return count;
-        throw Wrong("should be the number of points that follow");
+        bool isCount = int.TryParse(Word("a count"), NumberStyles.None, CultureInfo.InvariantCulture, out int count);
+        int most = (_words.Length - _next) / 3;
+        return isCount && count > 0 && count <= most ? count : throw Wrong("should be the number of points that follow");
     }
 
     public Vector3D Vector() => new(Number(), Number(), Number());

@@ -59,7 +59,9 @@ internal static class ShapeText
         return new ConvexShape(parts);
     }
 
-    /// <summary>Factors behind a shape's own numbers are kept as they are; later ones scale what was decorated.</summary>
+    /// <summary>
+    /// Factors behind a shape's own numbers are kept as they are; later ones scale what was decorated.
+    /// </summary>
     private static ConvexShape Scaled(RecordReader words, in ConvexShape shape)
     {
         Vector3D factors = words.Vector();

@@ -13,7 +13,9 @@ public readonly struct Aabb : IEquatable<Aabb>
     public readonly Vector3 Max;
 
     /// <summary>Makes a box.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A coordinate is NaN or infinite, or a maximum lies below its minimum.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A coordinate is NaN or infinite, or a maximum lies below its minimum.
+    /// </exception>
     public Aabb(Vector3 min, Vector3 max)
     {
         Min = Guard.Finite(min, nameof(min));
@@ -23,7 +25,8 @@ public readonly struct Aabb : IEquatable<Aabb>
     }
 
     /// <summary>The longest side, in double because the difference of two floats need not be a float.</summary>
-    public double LongestSide => Math.Max(Math.Max((double)Max.X - Min.X, (double)Max.Y - Min.Y), (double)Max.Z - Min.Z);
+    public double LongestSide =>
+        Math.Max(Math.Max((double)Max.X - Min.X, (double)Max.Y - Min.Y), (double)Max.Z - Min.Z);
 
     /// <summary>True when the boxes share a point, touching included.</summary>
     public bool Overlaps(in Aabb other) =>

@@ -4,11 +4,14 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// Directions have any length. These bring one to unit size, by a power of two that rounds nothing, before it is squared.
+/// Directions have any length. These bring one to unit size, by a power of two that rounds nothing, before it is
+/// squared.
 /// </summary>
 internal static class DirectionRange
 {
-    /// <summary>2^600 brings denormal numbers, which have no power of two of their own, into the normal range.</summary>
+    /// <summary>
+    /// 2^600 brings denormal numbers, which have no power of two of their own, into the normal range.
+    /// </summary>
     private const double Raise = 4.149515568880993e180;
 
     /// <summary>Numbers below it are raised first.</summary>
@@ -20,7 +23,9 @@ internal static class DirectionRange
     /// </summary>
     private const double LeastSize = 1e-200, MostSize = 1e200;
 
-    /// <summary>Sizes between which a dot product of a direction of any length has lost nothing to the limits of double.</summary>
+    /// <summary>
+    /// Sizes between which a dot product of a direction of any length has lost nothing to the limits of double.
+    /// </summary>
     private const double LeastDot = 1e-270, MostDot = 1e300;
 
     /// <summary>Whether a dot product can be trusted; false for 0, which may be what is left of a tiny one.</summary>
@@ -38,7 +43,9 @@ internal static class DirectionRange
         return size > LeastSize && size < MostSize ? direction : ToUnit(direction);
     }
 
-    /// <summary>The same direction with its largest component between 1 and 2; unchanged when it is zero, infinite or NaN.</summary>
+    /// <summary>
+    /// The same direction with its largest component between 1 and 2; unchanged when it is zero, infinite or NaN.
+    /// </summary>
     public static Vector3D ToUnit(in Vector3D direction)
     {
         Vector3D d = direction;
@@ -62,5 +69,6 @@ internal static class DirectionRange
         z = d.Z;
     }
 
-    private static double Largest(double x, double y, double z) => Math.Max(Math.Max(Math.Abs(x), Math.Abs(y)), Math.Abs(z));
+    private static double Largest(double x, double y, double z) =>
+        Math.Max(Math.Max(Math.Abs(x), Math.Abs(y)), Math.Abs(z));
 }

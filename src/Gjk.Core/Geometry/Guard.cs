@@ -8,6 +8,8 @@ internal static class Guard
 {
     public static bool IsFinite(float x) => x - x == 0;
 
+    public static bool IsFinite(double x) => x - x == 0;
+
     public static bool IsFinite(Vector3 v) => v.X - v.X + (v.Y - v.Y) + (v.Z - v.Z) == 0;
 
     public static Vector3 Finite(Vector3 v, string name) =>
@@ -33,7 +35,10 @@ internal static class Guard
             : throw new ArgumentOutOfRangeException(name, v, "Every component must be finite and not zero.");
 
     public static RigidPose Pose(in RigidPose pose, string name) =>
-        pose.IsDefault ? throw new ArgumentOutOfRangeException(name, pose, "A default RigidPose has no rotation; use RigidPose.Identity.") : pose;
+        pose.IsValid
+            ? pose
+            : throw new ArgumentOutOfRangeException(
+                name, pose, "A default RigidPose has no rotation; use RigidPose.Identity.");
 
     public static T NotNull<T>(T? value, string name) where T : class =>
         value ?? throw new ArgumentNullException(name);

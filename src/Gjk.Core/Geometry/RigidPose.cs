@@ -13,8 +13,8 @@ namespace Gjk.Core;
 public readonly struct RigidPose : IEquatable<RigidPose>
 {
     /// <summary>
-    /// How far |q| may be from 1 (a pure number). It admits what a chain of float products drifts to and refuses what was
-    /// never meant as a rotation. Pinned by RigidPoseTests.
+    /// How far |q| may be from 1 (a pure number). It admits what a chain of float products drifts to and refuses what
+    /// was never meant as a rotation. Pinned by RigidPoseTests.
     /// </summary>
     internal const double UnitTolerance = 1e-3;
 
@@ -25,7 +25,8 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     internal const double MaxSquaredNorm = (1 + UnitTolerance) * (1 + UnitTolerance);
 
     /// <summary>
-    /// The rotation, kept as given. It need not be of unit length to the last bit: every query divides by its squared length in double.
+    /// The rotation, kept as given. It need not be of unit length to the last bit: every query divides by its squared
+    /// length in double.
     /// </summary>
     public readonly Quaternion Rotation;
 
@@ -35,11 +36,14 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <summary>Makes a pose.</summary>
     /// <param name="rotation">A quaternion whose length is within 1e-3 of 1.</param>
     /// <param name="position">Finite.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A component is NaN or infinite, or the quaternion is not of unit length.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A component is NaN or infinite, or the quaternion is not of unit length.
+    /// </exception>
     public RigidPose(Quaternion rotation, Vector3 position)
     {
         if (!IsRotation(rotation))
-            throw new ArgumentOutOfRangeException(nameof(rotation), rotation, "The quaternion's length must be within 1e-3 of 1.");
+            throw new ArgumentOutOfRangeException(
+                nameof(rotation), rotation, "The quaternion's length must be within 1e-3 of 1.");
         Rotation = rotation;
         Position = Guard.Finite(position, nameof(position));
     }
@@ -58,7 +62,8 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     public Vector3 TransformPoint(Vector3 local) => (Vector3)(new RotationD(Rotation).Rotate(local) + Position);
 
     /// <summary>Exact equality of all seven numbers (q and -q are the same rotation but not equal here).</summary>
-    public static bool operator ==(in RigidPose a, in RigidPose b) => a.Rotation == b.Rotation && a.Position == b.Position;
+    public static bool operator ==(in RigidPose a, in RigidPose b) =>
+        a.Rotation == b.Rotation && a.Position == b.Position;
 
     /// <summary>The opposite of equality.</summary>
     public static bool operator !=(in RigidPose a, in RigidPose b) => !(a == b);
@@ -82,8 +87,10 @@ public readonly struct RigidPose : IEquatable<RigidPose>
                 $"{position}, rotation ({Rotation.X:G9}, {Rotation.Y:G9}, {Rotation.Z:G9}, {Rotation.W:G9})");
     }
 
-    /// <summary>Whether this was never constructed.</summary>
-    internal bool IsDefault => Rotation == default;
+    /// <summary>
+    /// False for what no constructor made: a <c>default</c> struct, or one whose bytes were overwritten.
+    /// </summary>
+    internal bool IsValid => IsRotation(Rotation) && Guard.IsFinite(Position);
 
     /// <summary>Whether a quaternion of this squared length counts as a rotation; false for NaN.</summary>
     internal static bool IsUnit(double squaredNorm) => squaredNorm >= MinSquaredNorm && squaredNorm <= MaxSquaredNorm;

@@ -12,9 +12,14 @@ internal struct RotationD
     public double M00, M01, M02, M10, M11, M12, M20, M21, M22;
 
     public RotationD(Quaternion q) =>
-        Set(out this, q.X, q.Y, q.Z, q.W, 2 / ((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W));
+        Set(
+            out this, q.X, q.Y, q.Z, q.W,
+            2 / ((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W));
 
-    /// <summary>The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985), written where it is to be, without a copy.</summary>
+    /// <summary>
+    /// The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985), written where it is to be,
+    /// without a copy.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Set(out RotationD matrix, double x, double y, double z, double w, double s)
     {

@@ -7,43 +7,49 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// The convex hull of a cloud of points: its corners without repeats, their neighbours, and the surface as triangles. Immutable; share one
-/// between as many shapes and threads as you like.
+/// The convex hull of a cloud of points: its corners without repeats, their neighbours, and the surface as triangles.
+/// Immutable; share one between as many shapes and threads as you like.
 /// </summary>
 /// <remarks>
-/// Exact: a point is left out only if it is inside the hull of the others, on a facet or on an edge, decided without rounding. So in no direction does the support value differ
-/// from the cloud's. Clouds that span only a point, a segment or a plane are hulls too.
+/// Exact: a point is left out only if it is inside the hull of the others, on a facet or on an edge, decided without
+/// rounding. So in no direction does the support value differ from the cloud's. Clouds that span only a point, a
+/// segment or a plane are hulls too.
 /// Time grows with n log n for usual clouds; 10^5 random points take well under a second.
 /// </remarks>
 public sealed class ConvexHull
 {
-    /// <summary>
-    /// Coordinates by axis, counted from <see cref="Origin"/>, padded to a multiple of 8 with copies of vertex 0, which
-    /// no tie can prefer to the original.
-    /// </summary>
-    internal readonly float[] X, Y, Z;
+    /// <summary>The corners.</summary>
+    internal readonly HullVertices Vertices;
+
+    /// <inheritdoc cref="HullVertices.X"/>
+    internal float[] X => Vertices.X;
+
+    /// <inheritdoc cref="HullVertices.X"/>
+    internal float[] Y => Vertices.Y;
+
+    /// <inheritdoc cref="HullVertices.X"/>
+    internal float[] Z => Vertices.Z;
+
+    /// <inheritdoc cref="HullVertices.Origin"/>
+    internal Vector3 Origin => Vertices.Origin;
 
     /// <summary>
-    /// What <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> are counted from (<see cref="HullOrigin"/>). No
-    /// coordinate exceeds four half extents, so a support is as exact far from the local origin as near it.
+    /// The neighbours of vertex i are <see cref="Neighbors"/> from NeighborStart[i] up to, not including,
+    /// NeighborStart[i + 1]; ascending.
     /// </summary>
-    internal readonly Vector3 Origin;
-
-    /// <summary>The neighbours of vertex i are <see cref="Neighbors"/> from NeighborStart[i] up to, not including, NeighborStart[i + 1]; ascending.</summary>
     /// <remarks>
-    /// The edges of the triangles. They leave no false summit: near a vertex the hull is the cone over the edges that meet there, coplanar triangles or not; where
-    /// no neighbour is higher in a direction, nothing in that cone is, and so nothing in the hull.
+    /// The edges of the triangles. They leave no false summit: near a vertex the hull is the cone over the edges that
+    /// meet there, coplanar triangles or not; where no neighbour is higher in a direction, nothing in that cone is, and
+    /// so nothing in the hull.
     /// </remarks>
     internal readonly int[] NeighborStart, Neighbors;
 
     /// <summary>Which corners can be furthest in a direction.</summary>
     internal readonly HullCells Cells;
 
-    /// <summary>A multiple of the vertices for the padding, a width that suits every vector register.</summary>
-    private const int Padding = 8;
-
     /// <summary>
-    /// Relative. A computed distance is too small by at most 4 u with u = 2^-53 (1 u for each difference, 1.5 u for squares and sum, 1 u for the root, rounded up); 8 u is more.
+    /// Relative. A computed distance is too small by at most 4 u with u = 2^-53 (1 u for each difference, 1.5 u for
+    /// squares and sum, 1 u for the root, rounded up); 8 u is more.
     /// </summary>
     private const double RadiusSlack = 8.0 / (1L << 53);
 
@@ -55,7 +61,9 @@ public sealed class ConvexHull
     /// <summary>Builds the hull of a cloud.</summary>
     /// <param name="points">At least one; repeats and points inside are fine. Copied.</param>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
-    /// <exception cref="ArgumentException">The list is empty, or a coordinate is NaN or infinite; the message names the index.</exception>
+    /// <exception cref="ArgumentException">
+    /// The list is empty, or a coordinate is NaN or infinite; the message names the index.
+    /// </exception>
     public ConvexHull(IReadOnlyList<Vector3> points)
         : this(new DistinctPoints(CheckedCopy(points)))
     {
@@ -65,38 +73,35 @@ public sealed class ConvexHull
     {
         HullMesh mesh = ConvexHullBuilder.Build(cloud.Points);
         int count = mesh.Corners.Length;
-        int padded = (count + Padding - 1) / Padding * Padding;
-        Dimension = mesh.Dimension;
-        VertexCount = count;
-        X = new float[padded];
-        Y = new float[padded];
-        Z = new float[padded];
+        var corners = new Vector3[count];
         _sources = new int[count];
         _triangles = mesh.Triangles;
-        Bounds = MeasureBounds(cloud.Points, mesh.Corners);
-        Origin = HullOrigin.Of(Bounds);
-        for (int i = 0; i < padded; i++)
+        for (int i = 0; i < count; i++)
         {
-            int corner = mesh.Corners[i < count ? i : 0];
-            if (i < count) _sources[i] = cloud.Sources[corner];
-            X[i] = cloud.Points[corner].X - Origin.X;
-            Y[i] = cloud.Points[corner].Y - Origin.Y;
-            Z[i] = cloud.Points[corner].Z - Origin.Z;
+            corners[i] = cloud.Points[mesh.Corners[i]];
+            _sources[i] = cloud.Sources[mesh.Corners[i]];
         }
 
+        Bounds = MeasureBounds(corners);
+        Vertices = new HullVertices(corners, mesh.Dimension, Bounds, HullOrigin.Of(Bounds));
         HullAdjacency.Build(mesh, out NeighborStart, out Neighbors);
         Center = ((Vector3D)Bounds.Min + Bounds.Max) * 0.5;
         BoundingRadius = MeasureRadius();
-        Cells = new HullCells(this);
+        Cells = new HullCells(Vertices);
     }
 
-    /// <summary>How many corners the hull has, at least one. They are numbered from 0 in the order in which they first occur in the cloud.</summary>
-    public int VertexCount { get; }
+    /// <summary>
+    /// How many corners the hull has, at least one. They are numbered from 0 in the order in which they first occur in
+    /// the cloud.
+    /// </summary>
+    public int VertexCount => Vertices.Count;
 
     /// <summary>What the cloud spans: 0 a point, 1 a segment, 2 a flat polygon, 3 a solid.</summary>
-    public int Dimension { get; }
+    public int Dimension => Vertices.Dimension;
 
-    /// <summary>How many triangles the surface has. A flat polygon has both sides; a segment and a point have none.</summary>
+    /// <summary>
+    /// How many triangles the surface has. A flat polygon has both sides; a segment and a point have none.
+    /// </summary>
     public int TriangleCount => _triangles.Length / 3;
 
     /// <summary>The smallest axis-aligned box around the hull.</summary>
@@ -105,7 +110,9 @@ public sealed class ConvexHull
     /// <summary>The middle of <see cref="Bounds"/>.</summary>
     public Vector3D Center { get; }
 
-    /// <summary>The largest distance of a corner from <see cref="Center"/>, rounded up: the ball around it does hold the hull.</summary>
+    /// <summary>
+    /// The largest distance of a corner from <see cref="Center"/>, rounded up: the ball around it does hold the hull.
+    /// </summary>
     public double BoundingRadius { get; }
 
     /// <summary>Builds the hull of a cloud, or says why it cannot.</summary>
@@ -113,7 +120,9 @@ public sealed class ConvexHull
     /// <param name="hull">The hull, or null.</param>
     /// <param name="reason">Null, or what is wrong with the points, in one sentence.</param>
     /// <returns>True when there is a hull.</returns>
-    public static bool TryCreate(IReadOnlyList<Vector3>? points, [NotNullWhen(true)] out ConvexHull? hull, [NotNullWhen(false)] out string? reason)
+    public static bool TryCreate(
+        IReadOnlyList<Vector3>? points, [NotNullWhen(true)] out ConvexHull? hull,
+        [NotNullWhen(false)] out string? reason)
     {
         hull = null;
         if (points is null)
@@ -135,7 +144,7 @@ public sealed class ConvexHull
     public Vector3 GetVertex(int id)
     {
         CheckVertex(id);
-        return Vertex(id);
+        return Vertices.GetVertex(id);
     }
 
     /// <summary>Where the corner first occurs in the cloud.</summary>
@@ -147,7 +156,10 @@ public sealed class ConvexHull
         return _sources[id];
     }
 
-    /// <summary>The corners of a triangle of the surface, counter-clockwise seen from outside. Facets with more than three corners are cut into several triangles.</summary>
+    /// <summary>
+    /// The corners of a triangle of the surface, counter-clockwise seen from outside. Facets with more than three
+    /// corners are cut into several triangles.
+    /// </summary>
     /// <param name="index">From 0 to <see cref="TriangleCount"/> - 1.</param>
     /// <param name="a">The first corner's id.</param>
     /// <param name="b">The second corner's id.</param>
@@ -155,13 +167,16 @@ public sealed class ConvexHull
     /// <exception cref="ArgumentOutOfRangeException">There is no such triangle.</exception>
     public void GetTriangle(int index, out int a, out int b, out int c)
     {
-        if (index < 0 || index >= TriangleCount) throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
+        if (index < 0 || index >= TriangleCount)
+            throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
         a = _triangles[3 * index];
         b = _triangles[3 * index + 1];
         c = _triangles[3 * index + 2];
     }
 
-    /// <summary>How many corners share an edge of a triangle with this one; on a segment the ends are neighbours.</summary>
+    /// <summary>
+    /// How many corners share an edge of a triangle with this one; on a segment the ends are neighbours.
+    /// </summary>
     /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
     public int NeighborCount(int id)
@@ -176,7 +191,8 @@ public sealed class ConvexHull
     /// <exception cref="ArgumentOutOfRangeException">There is no such corner or neighbour.</exception>
     public int GetNeighbor(int id, int k)
     {
-        if (k < 0 || k >= NeighborCount(id)) throw new ArgumentOutOfRangeException(nameof(k), k, "There is no such neighbour.");
+        if (k < 0 || k >= NeighborCount(id))
+            throw new ArgumentOutOfRangeException(nameof(k), k, "There is no such neighbour.");
         return Neighbors[NeighborStart[id] + k];
     }
 
@@ -211,23 +227,21 @@ public sealed class ConvexHull
 
     private void CheckVertex(int id)
     {
-        if (id < 0 || id >= VertexCount) throw new ArgumentOutOfRangeException(nameof(id), id, "There is no such vertex.");
+        if (id < 0 || id >= VertexCount)
+            throw new ArgumentOutOfRangeException(nameof(id), id, "There is no such vertex.");
     }
 
-    private static Aabb MeasureBounds(Vector3[] points, int[] corners)
+    private static Aabb MeasureBounds(Vector3[] corners)
     {
-        Vector3 min = points[corners[0]], max = min;
-        foreach (int corner in corners)
+        Vector3 min = corners[0], max = min;
+        foreach (Vector3 corner in corners)
         {
-            min = Vector3.Min(min, points[corner]);
-            max = Vector3.Max(max, points[corner]);
+            min = Vector3.Min(min, corner);
+            max = Vector3.Max(max, corner);
         }
 
         return new Aabb(min, max);
     }
-
-    /// <summary>The sum is a float again: the one that <see cref="Origin"/> was subtracted from.</summary>
-    private Vector3 Vertex(int id) => new(Origin.X + X[id], Origin.Y + Y[id], Origin.Z + Z[id]);
 
     private double MeasureRadius()
     {

@@ -3,14 +3,14 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// The support function of the Minkowski difference: the two shapes intersect exactly when A - B holds the origin, and its point
-/// nearest the origin is the vector between the closest points (Gilbert, Johnson and Keerthi 1988).
+/// The support function of the Minkowski difference: the two shapes intersect exactly when A - B holds the origin, and
+/// its point nearest the origin is the vector between the closest points (Gilbert, Johnson and Keerthi 1988).
 /// </summary>
 internal static class MinkowskiDifference
 {
     /// <summary>
-    /// The vertex of A - B that lies furthest against <paramref name="normal"/>, that is nearest the origin along it: A's furthest point against the
-    /// normal less B's furthest point along it.
+    /// The vertex of A - B that lies furthest against <paramref name="normal"/>, that is nearest the origin along it:
+    /// A's furthest point against the normal less B's furthest point along it.
     /// </summary>
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
@@ -23,7 +23,8 @@ internal static class MinkowskiDifference
     /// <param name="w">The vertex: A's support point less B's, in A's frame.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB, out Vector3D w)
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, out int idA, out int idB, out Vector3D onA,
+        out Vector3D onB, out Vector3D w)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {

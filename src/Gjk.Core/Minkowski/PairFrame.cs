@@ -5,20 +5,22 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// What a query knows about its pair before it solves: B's pose in A's frame, the margins, the sizes and whether all of it is valid. A's centre is the
-/// origin.
+/// What a query knows about its pair before it solves: B's pose in A's frame, the margins, the sizes and whether all of
+/// it is valid. A's centre is the origin.
 /// </summary>
 /// <remarks>
-/// It is composed once per query, in double, from the differences of the positions and rotations. Positions far from the world's origin cancel before anything is
-/// rounded, and shapes far from their own local origin are measured from their centres.
-/// Lengths are in solver units. One unit is <see cref="Unit"/> world units, which is 1 for all pairs of ordinary size (<see cref="IsOrdinary"/>); the
-/// others are brought to unit size by a power of two, which rounds nothing (<see cref="UnitSized{T}"/>).
+/// It is composed once per query, in double, from the differences of the positions and rotations. Positions far from
+/// the world's origin cancel before anything is rounded, and shapes far from their own local origin are measured from
+/// their centres.
+/// Lengths are in solver units. One unit is <see cref="Unit"/> world units, which is 1 for all pairs of ordinary size
+/// (<see cref="IsOrdinary"/>); the others are brought to unit size by a power of two, which rounds nothing
+/// (<see cref="UnitSized{T}"/>).
 /// </remarks>
 internal struct PairFrame
 {
     /// <summary>
-    /// Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised 1e-14 of the scale, so it is done in
-    /// double-double. Pinned by OffsetMeshTests.
+    /// Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised 1e-14 of
+    /// the scale, so it is done in double-double. Pinned by OffsetMeshTests.
     /// </summary>
     private const double FarCenter = 4;
 
@@ -30,14 +32,14 @@ internal struct PairFrame
     private const double ExtendedError = 1.0 / (1L << 45) / (1L << 45);
 
     /// <summary>
-    /// Length: larger sizes and distances count as invalid input. It is far above every shape that is made of floats, and its square is a finite double. Pinned by
-    /// InvalidInputTests.
+    /// Length: larger sizes and distances count as invalid input. It is far above every shape that is made of floats,
+    /// and its square is a finite double. Pinned by InvalidInputTests.
     /// </summary>
     private const double MaxMagnitude = 1e150;
 
     /// <summary>
-    /// Lengths: 2^-60 and 2^60. In between, the eighth power of a length, the highest that a solver forms, neither overflows nor comes near the denormal numbers. Pinned
-    /// by UnitSizeTests.
+    /// Lengths: 2^-60 and 2^60. In between, the eighth power of a length, the highest that a solver forms, neither
+    /// overflows nor comes near the denormal numbers. Pinned by UnitSizeTests.
     /// </summary>
     private const double LeastOrdinary = 1.0 / (1L << 60), MostOrdinary = 1L << 60;
 
@@ -56,19 +58,25 @@ internal struct PairFrame
     /// <summary>The shapes' margins.</summary>
     public double MarginA, MarginB;
 
-    /// <summary>The shapes' bounding radii, which may be generous: good for early rejections, not for tolerances.</summary>
+    /// <summary>
+    /// The shapes' bounding radii, which may be generous: good for early rejections, not for tolerances.
+    /// </summary>
     public double RadiusA, RadiusB;
 
     /// <summary>World units per solver unit: a power of two.</summary>
     public double Unit;
 
-    /// <summary>An upper bound of every length in the frame, at most a few times the largest; NaN for invalid input.</summary>
+    /// <summary>
+    /// An upper bound of every length in the frame, at most a few times the largest; NaN for invalid input.
+    /// </summary>
     public double Magnitude;
 
     /// <summary>Whether both poses are rotations.</summary>
     private bool _areRotations;
 
-    /// <summary>Whether both poses are rotations, and every length is finite, not negative and below the largest magnitude.</summary>
+    /// <summary>
+    /// Whether both poses are rotations, and every length is finite, not negative and below the largest magnitude.
+    /// </summary>
     public readonly bool IsValid =>
         _areRotations & Magnitude <= MaxMagnitude & MarginA >= 0 & MarginB >= 0 & RadiusA >= 0 & RadiusB >= 0;
 
@@ -95,7 +103,9 @@ internal struct PairFrame
         }
     }
 
-    /// <summary>Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the composition.</summary>
+    /// <summary>
+    /// Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the composition.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Compose<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame)
         where TA : struct, ISupportMap
@@ -142,7 +152,9 @@ internal struct PairFrame
     /// <summary>The power of two that brings the magnitude to between 1 and 2.</summary>
     public readonly double UnitFactor => Magnitude > 0 ? 1 / PowerOfTwo.AtMost(Magnitude) : 1;
 
-    /// <summary>Measures the shapes whose bounding radii may be generous, by a support in each direction of each axis.</summary>
+    /// <summary>
+    /// Measures the shapes whose bounding radii may be generous, by a support in each direction of each axis.
+    /// </summary>
     public void TightenRadii<TA, TB>(ref TA a, ref TB b)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -152,7 +164,9 @@ internal struct PairFrame
         Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + SumOfSizes(Translation);
     }
 
-    /// <summary>The frame in units in which its magnitude is between 1 and 2, for <see cref="UnitSized{T}"/> shapes.</summary>
+    /// <summary>
+    /// The frame in units in which its magnitude is between 1 and 2, for <see cref="UnitSized{T}"/> shapes.
+    /// </summary>
     public void ToUnitSize(double factor)
     {
         Translation *= factor;
@@ -170,7 +184,8 @@ internal struct PairFrame
     private static double SumOfSizes(in Vector3D v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Vector3D BetweenFarCenters(in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB)
+    private static Vector3D BetweenFarCenters(
+        in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB)
     {
         VectorDD between = (VectorDD)(Vector3D)poseB.Position - (Vector3D)poseA.Position;
         between += VectorDD.Rotate(poseB.Rotation, centerB) - VectorDD.Rotate(poseA.Rotation, centerA);

@@ -4,11 +4,13 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// The size that a pair's tolerances are fractions of: for each shape the distance of its furthest point from its centre, margin included, added.
+/// The size that a pair's tolerances are fractions of: for each shape the distance of its furthest point from its
+/// centre, margin included, added.
 /// </summary>
 /// <remarks>
-/// The library's shapes know theirs. A shape of a user may report any bounding radius that is large enough, and a tolerance must not grow with it: such a
-/// shape is measured by the support points that it gives in the course of the query, which are what its rounding errors come from.
+/// The library's shapes know theirs. A shape of a user may report any bounding radius that is large enough, and a
+/// tolerance must not grow with it: such a shape is measured by the support points that it gives in the course of the
+/// query, which are what its rounding errors come from.
 /// </remarks>
 internal struct PairSize
 {
@@ -33,21 +35,5 @@ internal struct PairSize
     {
         _a = Math.Max(_a, Math.Min(onA.Length + frame.MarginA, frame.RadiusA));
         _b = Math.Max(_b, Math.Min(onB.Length + frame.MarginB, frame.RadiusB));
-    }
-}
-
-/// <summary>Whether a type's <see cref="ISupportMap.BoundingRadius"/> is the distance of a point of the shape, or nearly so.</summary>
-internal static class TightBounds<T>
-    where T : struct, ISupportMap
-{
-    /// <summary>True for the library's own shapes, and for a rounded or a rescaled one of these; false for a user's.</summary>
-    public static readonly bool Are = IsTight(typeof(T));
-
-    private static bool IsTight(Type type)
-    {
-        if (type.Assembly != typeof(ISupportMap).Assembly) return false;
-        if (!type.IsGenericType) return true;
-        Type decorator = type.GetGenericTypeDefinition();
-        return decorator == typeof(Scaled<>) || IsTight(type.GetGenericArguments()[0]);
     }
 }

@@ -7,8 +7,9 @@ namespace Gjk.Core;
 public static partial class ConvexQuery
 {
     /// <summary>
-    /// Ratio of the distance to the pair's size and to B's offset from its local origin: further apart, a point of B that is reached from A over the distance would lie beside B by rounding alone, so it is placed from
-    /// B's own pose. Pinned by WitnessPointTests.
+    /// Ratio of the distance to the pair's size and to B's offset from its local origin: further apart, a point of B
+    /// that is reached from A over the distance would lie beside B by rounding alone, so it is placed from B's own
+    /// pose. Pinned by WitnessPointTests.
     /// </summary>
     private const double FarApart = 1 << 20;
 
@@ -28,11 +29,13 @@ public static partial class ConvexQuery
         Weights w = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
         Vector3D onA = state.Simplex.PointOnA(w), onB = state.Simplex.PointOnB(w);
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
-        Vector3D toA = state.Feature.Normal * scale, toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;
+        Vector3D toA = state.Feature.Normal * scale;
+        Vector3D toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;
         if (IsTouching(state, distance))
         {
             double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
-            return Common(state, frame, poseA, poseB, onA - toA * (core * frame.MarginA), onB + toAInB * (core * frame.MarginB));
+            return Common(
+                state, frame, poseA, poseB, onA - toA * (core * frame.MarginA), onB + toAInB * (core * frame.MarginB));
         }
 
         distance = Math.Max(distance, 0) * frame.Unit;
@@ -44,7 +47,9 @@ public static partial class ConvexQuery
         Vector3D worldB = IsFarApart(state, frame, distance) ? ToWorld(poseB, localB) : worldA + normal * distance;
 
         // The plane is the feature's but for a walk in extended precision that ended on an older, better one.
-        double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared ? scale : 1 / Math.Sqrt(state.Plane.NormalSquared);
+        double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared
+            ? scale
+            : 1 / Math.Sqrt(state.Plane.NormalSquared);
         double coreGap = Math.Min(state.Plane.Value * planeScale, state.Feature.Height * scale);
         return new DistanceResult(
             state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit,
@@ -69,21 +74,28 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsFarApart(in SolverState state, in PairFrame frame, double distance) =>
         distance > FarApart * frame.Unit * state.Size.Value
-        && distance > FarApart * frame.Unit * (Math.Abs(frame.CenterB.X) + Math.Abs(frame.CenterB.Y) + Math.Abs(frame.CenterB.Z));
+        && distance > FarApart * frame.Unit
+            * (Math.Abs(frame.CenterB.X) + Math.Abs(frame.CenterB.Y) + Math.Abs(frame.CenterB.Z));
 
     private static DistanceResult Invalid(in SolverState state) =>
-        DistanceResult.Invalid(state.Iterations == 0 ? GjkStatus.InvalidInput : GjkStatus.InvalidShape, state.Iterations);
+        DistanceResult.Invalid(
+            state.Iterations == 0 ? GjkStatus.InvalidInput : GjkStatus.InvalidShape, state.Iterations);
 
-    /// <summary>A common point, given on both cores. Where the sizes differ greatly it is placed from the smaller shape, whose frame holds it better.</summary>
+    /// <summary>
+    /// A common point, given on both cores. Where the sizes differ greatly it is placed from the smaller shape, whose
+    /// frame holds it better.
+    /// </summary>
     private static DistanceResult Common(
-        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, in Vector3D onA, in Vector3D onB)
+        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, in Vector3D onA,
+        in Vector3D onB)
     {
         Vector3D localA = (onA + frame.CenterA) * frame.Unit, localB = (onB + frame.CenterB) * frame.Unit;
         var world = (Vector3)(frame.RadiusB * FarApart < frame.RadiusA
             ? ToWorld(poseB, localB)
             : frame.RotationA.Rotate(localA) + poseA.Position);
         return new DistanceResult(
-            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)localA, (Vector3)localB, state.Iterations);
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)localA, (Vector3)localB,
+            state.Iterations);
     }
 
     private static DistanceResult Beyond(in SolverState state, in PairFrame frame)
@@ -91,32 +103,23 @@ public static partial class ConvexQuery
         double scale = 1 / Math.Sqrt(state.Plane.NormalSquared);
         Vector3D normal = state.Plane.Normal * -scale;
         return DistanceResult.Beyond(
-            LowerBound(state.Plane.Value * scale, state, frame), (Vector3)frame.RotationA.Rotate(normal), state.Iterations);
+            LowerBound(state.Plane.Value * scale, state, frame), (Vector3)frame.RotationA.Rotate(normal),
+            state.Iterations);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Vector3D ToWorld(in RigidPose pose, in Vector3D local) => new RotationD(pose.Rotation).Rotate(local) + pose.Position;
+    private static Vector3D ToWorld(in RigidPose pose, in Vector3D local) =>
+        new RotationD(pose.Rotation).Rotate(local) + pose.Position;
 
-    /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded down.</summary>
+    /// <summary>
+    /// The separating plane's gap less everything that rounding can have added to it, and then rounded down.
+    /// </summary>
     private static float LowerBound(double coreGap, in SolverState state, in PairFrame frame)
     {
-        // The centres are no further apart than the gap and both sizes, so this is at least the size and the distance of the centres.
+        // The centres are no further apart than the gap and both sizes, so this is at least the size and the distance
+        // of the centres.
         double reach = 2 * state.Size.Value + coreGap;
         double value = (coreGap - frame.Margins - GjkTolerances.LowerBoundError * reach) * frame.Unit;
-        return value > 0 ? RoundDown(value) : 0;
+        return value > 0 ? RoundOff.Down(value) : 0;
     }
-
-    /// <summary>The largest float that is not above x: a bound may be rounded in one direction only.</summary>
-    internal static float RoundDown(double x)
-    {
-        float f = (float)x;
-        if (f <= x) return f;
-        if (float.IsInfinity(f)) return float.MaxValue;
-        int bits = FloatBits(f);
-        return BitsFloat(f > 0 ? bits - 1 : f < 0 ? bits + 1 : unchecked((int)0x80000001));
-    }
-
-    private static unsafe int FloatBits(float f) => *(int*)&f;
-
-    private static unsafe float BitsFloat(int bits) => *(float*)&bits;
 }

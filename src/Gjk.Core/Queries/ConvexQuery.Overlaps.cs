@@ -4,7 +4,10 @@ namespace Gjk.Core;
 
 public static partial class ConvexQuery
 {
-    /// <summary>Whether two convex shapes share a point, touching included: exactly when <c>Distance(a, b)</c> says <see cref="GjkStatus.Overlapping"/>.</summary>
+    /// <summary>
+    /// Whether two convex shapes share a point, touching included: exactly when <c>Distance(a, b)</c> says
+    /// <see cref="GjkStatus.Overlapping"/>.
+    /// </summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
@@ -35,7 +38,8 @@ public static partial class ConvexQuery
         return OverlapsOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, out status);
     }
 
-    private static bool OverlapsOf<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out GjkStatus status)
+    private static bool OverlapsOf<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out GjkStatus status)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {

@@ -5,12 +5,16 @@ namespace Gjk.Core;
 
 /// <summary>The verbs: do two convex shapes overlap, how far apart are they, where are the closest points.</summary>
 /// <remarks>
-/// Every method is thread-safe, allocates nothing, never throws (exceptions of a shape of your own pass through) and ends on any input.
-/// One pipeline serves all of them: compose the frame, refuse invalid input, solve the cores, finish with the margins.
+/// Every method is thread-safe, allocates nothing, never throws (exceptions of a shape of your own pass through) and
+/// ends on any input. One pipeline serves all of them: compose the frame, refuse invalid input, solve the cores, finish
+/// with the margins.
 /// </remarks>
 public static partial class ConvexQuery
 {
-    /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a shape's own mistakes.</summary>
+    /// <summary>
+    /// A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a shape's
+    /// own mistakes.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ref T Inward<T>(in T shape, ref T copy)
         where T : struct
@@ -23,33 +27,40 @@ public static partial class ConvexQuery
 #endif
     }
 
-    /// <summary>The pipeline up to the margins. A verdict of Contradiction without iterations stands for invalid input.</summary>
+    /// <summary>
+    /// The pipeline up to the margins. A verdict of Contradiction without iterations stands for invalid input.
+    /// </summary>
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Where it is.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Where it is.</param>
     /// <param name="maxDistance">Ends early beyond it; NaN is invalid input.</param>
-    /// <param name="warmStart">Where a warm query begins, and what it stores; neither read nor written by a cold one.</param>
+    /// <param name="warmStart">
+    /// Where a warm query begins, and what it stores; neither read nor written by a cold one.
+    /// </param>
     /// <param name="isWarm">Whether this is a warm query.</param>
     /// <param name="trace">Told what the solvers do.</param>
     /// <param name="frame">The pair's frame.</param>
     /// <param name="state">What the solvers found.</param>
     private static void Solve<TA, TB, TTrace>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart, bool isWarm, ref TTrace trace,
-        out PairFrame frame, out SolverState state)
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
+        bool isWarm, ref TTrace trace, out PairFrame frame, out SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
         if (PairDispatch.AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
         {
-            Solve(ref meshA, poseA, ref meshB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame, out state);
+            Solve(
+                ref meshA, poseA, ref meshB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame,
+                out state);
             return;
         }
 
         if (PairDispatch.AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
         {
-            Solve(ref boxA, poseA, ref boxB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame, out state);
+            Solve(
+                ref boxA, poseA, ref boxB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame, out state);
             return;
         }
 
@@ -62,7 +73,8 @@ public static partial class ConvexQuery
     /// <summary>The pipeline from a valid frame on.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void SolveFrame<TA, TB, TTrace>(
-        ref TA a, ref TB b, ref PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm, ref SolverState state, ref TTrace trace)
+        ref TA a, ref TB b, ref PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm,
+        ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
@@ -82,9 +94,10 @@ public static partial class ConvexQuery
         }
     }
 
-    /// <summary>Solves the cores in double; what double cannot prove goes to extended precision.</summary>
+    /// <summary>Solves the cores, from the warm start if there is one.</summary>
     private static void SolveCores<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm, ref SolverState state, ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm,
+        ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
@@ -97,9 +110,7 @@ public static partial class ConvexQuery
             state.Feature.Normal = warmStart.FirstNormal(frame);
         }
 
-        GjkDistance.Solve(ref a, ref b, frame, reach, ref state, ref trace);
-        if (state.Verdict == Verdict.Undecided || (isWarm && state.Verdict == Verdict.Contradiction))
-            GjkExtendedPrecision.Solve(ref a, ref b, frame, reach, ref state, ref trace);
+        ProvedDistance.Solve(ref a, ref b, frame, reach, isWarm, ref state, ref trace);
         if (!isWarm) return;
         if (state.Verdict == Verdict.Contradiction) warmStart.Clear();
         else warmStart.Store(state.Simplex, state.Feature.Normal);
@@ -108,7 +119,8 @@ public static partial class ConvexQuery
     /// <summary>The same for pairs whose lengths would leave the range of double when they are multiplied.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void SolveInUnitSize<TA, TB, TTrace>(
-        ref TA a, ref TB b, ref PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm, ref SolverState state, ref TTrace trace)
+        ref TA a, ref TB b, ref PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm,
+        ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
@@ -122,7 +134,9 @@ public static partial class ConvexQuery
         SolveCores(ref unitA, ref unitB, frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
     }
 
-    /// <summary>How far apart the cores may be before the query may end early; the bands keep its answer that of the full query.</summary>
+    /// <summary>
+    /// How far apart the cores may be before the query may end early; the bands keep its answer that of the full query.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double CoreReach(float maxDistance, in PairFrame frame)
     {
@@ -134,7 +148,8 @@ public static partial class ConvexQuery
     private static void TellPoints<TTrace>(in PairFrame frame, in SolverState state, ref TTrace trace)
         where TTrace : struct, IGjkTrace
     {
-        trace.OnSupport(new TracedSupport(frame, frame.FirstNormal, default, -frame.Translation, 0, 0, isExtended: false));
+        trace.OnSupport(
+            new TracedSupport(frame, frame.FirstNormal, default, -frame.Translation, 0, 0, isExtended: false));
         trace.OnReduced(new TracedSimplex(state.Simplex, frame.Unit, isExtended: false));
     }
 }

@@ -4,8 +4,8 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>
-/// The answer of <see cref="ConvexQuery"/>'s distance verb. Lengths and points are in world units and the world frame unless
-/// the name says otherwise. What is valid under which status: see <see cref="GjkStatus"/>.
+/// The answer of <see cref="ConvexQuery"/>'s distance verb. Lengths and points are in world units and the world frame
+/// unless the name says otherwise. What is valid under which status: see <see cref="GjkStatus"/>.
 /// </summary>
 public readonly struct DistanceResult
 {
@@ -16,7 +16,8 @@ public readonly struct DistanceResult
     public readonly float Distance;
 
     /// <summary>
-    /// A proved lower bound of the distance: the gap between two parallel planes that separate the shapes, evaluated in double and rounded down.
+    /// A proved lower bound of the distance: the gap between two parallel planes that separate the shapes, evaluated in
+    /// double and rounded down.
     /// </summary>
     public readonly float LowerBound;
 
@@ -29,13 +30,17 @@ public readonly struct DistanceResult
     /// <summary>The unit vector from A to B, perpendicular to the separating planes; zero when overlapping.</summary>
     public readonly Vector3 Normal;
 
-    /// <summary><see cref="PointA"/> in A's own frame, where far from the world's origin a float holds it better.</summary>
+    /// <summary>
+    /// <see cref="PointA"/> in A's own frame, where far from the world's origin a float holds it better.
+    /// </summary>
     public readonly Vector3 LocalPointA;
 
     /// <summary><see cref="PointB"/> in B's own frame.</summary>
     public readonly Vector3 LocalPointB;
 
-    /// <summary>How many times both shapes were asked for a support point, the one that proved the end included.</summary>
+    /// <summary>
+    /// How many times both shapes were asked for a support point, the one that proved the end included.
+    /// </summary>
     public readonly int Iterations;
 
     internal DistanceResult(
@@ -82,6 +87,7 @@ public readonly struct DistanceResult
     internal static DistanceResult Beyond(float lowerBound, Vector3 normal, int iterations)
     {
         var nan = new Vector3(float.NaN);
-        return new(GjkStatus.BeyondMaxDistance, float.PositiveInfinity, lowerBound, nan, nan, normal, nan, nan, iterations);
+        return new(
+            GjkStatus.BeyondMaxDistance, float.PositiveInfinity, lowerBound, nan, nan, normal, nan, nan, iterations);
     }
 }

@@ -3,8 +3,8 @@ using System;
 namespace Gjk.Core;
 
 /// <summary>
-/// The simplex that a distance query ended with: up to four pairs of support points whose weighted sums are the closest points of the two cores (a
-/// common point when they overlap). Immutable.
+/// The simplex that a distance query ended with: up to four pairs of support points whose weighted sums are the closest
+/// points of the two cores (a common point when they overlap). Immutable.
 /// </summary>
 public readonly struct FinalSimplex
 {
@@ -46,5 +46,7 @@ public readonly struct FinalSimplex
     public int IdB(int index) => _simplex.IdB(_simplex[Checked(index)]);
 
     private int Checked(int index) =>
-        index >= 0 && index < Count ? index : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such pair of points.");
+        index >= 0 && index < Count
+            ? index
+            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such pair of points.");
 }

@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// Unwraps two unscaled meshes or two boxes behind <see cref="ConvexShape"/>, so that supports need not switch on the shape's kind. For all other types the answers are known to
-/// be false when the code is compiled.
+/// Unwraps two unscaled meshes or two boxes behind <see cref="ConvexShape"/>, so that supports need not switch on the
+/// shape's kind. For all other types the answers are known to be false when the code is compiled.
 /// </summary>
 internal static class PairDispatch
 {
@@ -17,7 +17,8 @@ internal static class PairDispatch
         meshB = default;
 #if NET
         if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
-            return Unsafe.As<TA, ConvexShape>(ref a).TryGetMesh(out meshA) && Unsafe.As<TB, ConvexShape>(ref b).TryGetMesh(out meshB);
+            return Unsafe.As<TA, ConvexShape>(ref a).TryGetMesh(out meshA)
+                && Unsafe.As<TB, ConvexShape>(ref b).TryGetMesh(out meshB);
 #endif
         return false;
     }
@@ -31,7 +32,8 @@ internal static class PairDispatch
         boxB = default;
 #if NET
         if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
-            return Unsafe.As<TA, ConvexShape>(ref a).TryGetBox(out boxA) && Unsafe.As<TB, ConvexShape>(ref b).TryGetBox(out boxB);
+            return Unsafe.As<TA, ConvexShape>(ref a).TryGetBox(out boxA)
+                && Unsafe.As<TB, ConvexShape>(ref b).TryGetBox(out boxB);
 #endif
         return false;
     }

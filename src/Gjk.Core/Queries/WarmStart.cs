@@ -1,12 +1,12 @@
 namespace Gjk.Core;
 
 /// <summary>
-/// What a pair remembers from one query to the next. Keep one per pair and pass it by reference; <c>default</c> is a cold start. What it holds only
-/// suggests where to begin: stale or foreign content costs time, never correctness.
+/// What a pair remembers from one query to the next. Keep one per pair and pass it by reference; <c>default</c> is a
+/// cold start. What it holds only suggests where to begin: stale or foreign content costs time, never correctness.
 /// </summary>
 /// <remarks>
-/// Mutable, 48 bytes, no references. It holds the ids of the last simplex's support vertices, which are asked from the shapes anew, and the last
-/// normal for shapes without vertices.
+/// Mutable, 48 bytes, no references. It holds the ids of the last simplex's support vertices, which are asked from the
+/// shapes anew, and the last normal for shapes without vertices.
 /// </remarks>
 public struct WarmStart
 {
@@ -18,10 +18,15 @@ public struct WarmStart
     /// <summary>Back to a cold start.</summary>
     public void Clear() => this = default;
 
-    /// <summary>Squared length: what is stored is a unit vector rounded to float; anything that is longer than this, or NaN, was not stored by a query.</summary>
+    /// <summary>
+    /// Squared length: what is stored is a unit vector rounded to float; anything that is longer than this, or NaN, was
+    /// not stored by a query.
+    /// </summary>
     private const double LongestNormal = 2;
 
-    /// <summary>The first search direction: the last normal in A's frame, or the cold query's where there is none.</summary>
+    /// <summary>
+    /// The first search direction: the last normal in A's frame, or the cold query's where there is none.
+    /// </summary>
     internal readonly Vector3D FirstNormal(in PairFrame frame)
     {
         var normal = new Vector3D(_x, _y, _z);
@@ -29,7 +34,10 @@ public struct WarmStart
         return squared > 0 && squared <= LongestNormal ? normal : frame.FirstNormal;
     }
 
-    /// <summary>Puts the remembered vertices, as they are now, into the empty simplex; leaves it empty when the shapes no longer have them.</summary>
+    /// <summary>
+    /// Puts the remembered vertices, as they are now, into the empty simplex; leaves it empty when the shapes no longer
+    /// have them.
+    /// </summary>
     internal readonly void Restore<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref Simplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -59,7 +67,8 @@ public struct WarmStart
         if (_count > 2) (_a2, _b2) = (simplex.IdA(simplex.C), simplex.IdB(simplex.C));
         if (_count > 3) (_a3, _b3) = (simplex.IdA(simplex.D), simplex.IdB(simplex.D));
 
-        // Only shapes without vertices need the normal, and a query whose first plane was further than asked; brought to unit length, it is a float for any size of shape.
+        // Only shapes without vertices need the normal, and a query whose first plane was further than asked; brought
+        // to unit length, it is a float for any size of shape.
         if ((_a0 | _b0) >= 0) return;
         double scale = 1 / System.Math.Sqrt(normal.LengthSquared);
         (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));

@@ -4,14 +4,14 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// How a scale acts on a support map. A scale of the same size along every axis (mirrored or not) maps balls to balls, so the
-/// margin stays a margin; any other one makes the margin an ellipsoid, which then belongs to the support.
+/// How a scale acts on a support map. A scale of the same size along every axis (mirrored or not) maps balls to balls,
+/// so the margin stays a margin; any other one makes the margin an ellipsoid, which then belongs to the support.
 /// </summary>
 internal readonly struct AxisScale
 {
     /// <summary>
-    /// Sums of components between which no product of a factor and a component has overflowed or become a denormal number. Outside, the direction is brought to unit size first. Pinned
-    /// by DirectionLengthTests.
+    /// Sums of components between which no product of a factor and a component has overflowed or become a denormal
+    /// number. Outside, the direction is brought to unit size first. Pinned by DirectionLengthTests.
     /// </summary>
     private const double LeastSize = 1e-200, MostSize = 1e200;
 
@@ -38,7 +38,10 @@ internal readonly struct AxisScale
         error = new Vector3D(x.Low, y.Low, z.Low);
     }
 
-    /// <summary>The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map itself), or a multiple of it.</summary>
+    /// <summary>
+    /// The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map itself), or a
+    /// multiple of it.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3D Inward(in Vector3D direction)
     {
@@ -50,7 +53,9 @@ internal readonly struct AxisScale
     [MethodImpl(MethodImplOptions.NoInlining)]
     private Vector3D FromUnit(in Vector3D direction) => Vector3D.Multiply(Factors, DirectionRange.ToUnit(direction));
 
-    /// <summary>Scales a support point outward; a margin that is an ellipsoid now is added here, and the vertex loses its id.</summary>
+    /// <summary>
+    /// Scales a support point outward; a margin that is an ellipsoid now is added here, and the vertex loses its id.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Outward(int id, double innerMargin, in Vector3D inward, ref Vector3D point)
     {

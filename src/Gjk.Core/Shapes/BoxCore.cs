@@ -1,6 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>A <see cref="ConvexShape"/> that is a box: half extents in double, since a scale may have been multiplied into them.</summary>
+/// <summary>
+/// A <see cref="ConvexShape"/> that is a box: half extents in double, since a scale may have been multiplied into them.
+/// </summary>
 internal readonly struct BoxCore : ISupportMap
 {
     private readonly Vector3D _half;

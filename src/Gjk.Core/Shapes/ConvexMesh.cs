@@ -3,7 +3,9 @@ using System.Numerics;
 
 namespace Gjk.Core;
 
-/// <summary>The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.</summary>
+/// <summary>
+/// The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.
+/// </summary>
 public readonly struct ConvexMesh : ISupportMap
 {
     private readonly ConvexHull? _hull;

@@ -28,7 +28,8 @@ public readonly partial struct ConvexShape
     /// <exception cref="ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
     public static ConvexShape Capsule(float radius, float halfHeight)
     {
-        double margin = Guard.NonNegative(radius, nameof(radius)), height = Guard.NonNegative(halfHeight, nameof(halfHeight));
+        double margin = Guard.NonNegative(radius, nameof(radius));
+        double height = Guard.NonNegative(halfHeight, nameof(halfHeight));
         return Make(ShapeKind.Capsule, new Vector3D(0, height, 0), new Vector3D(0, -height, 0), margin: margin);
     }
 

@@ -50,7 +50,9 @@ public readonly partial struct ConvexShape
         return new(parts);
     }
 
-    /// <summary>The same shape widened by a radius: its Minkowski sum with a ball. Radii of earlier calls are added.</summary>
+    /// <summary>
+    /// The same shape widened by a radius: its Minkowski sum with a ball. Radii of earlier calls are added.
+    /// </summary>
     /// <param name="radius">In local units.</param>
     /// <exception cref="ArgumentOutOfRangeException">The radius is negative, NaN or infinite.</exception>
     /// <exception cref="InvalidOperationException">This is a <c>default</c> struct.</exception>
@@ -88,7 +90,8 @@ public readonly partial struct ConvexShape
     private void CheckIsShape()
     {
         if (_parts.Kind == ShapeKind.None)
-            throw new InvalidOperationException("A default ConvexShape is no shape; make one with a method such as ConvexShape.Box.");
+            throw new InvalidOperationException(
+                "A default ConvexShape is no shape; make one with a method such as ConvexShape.Box.");
     }
 
     /// <summary>Whether the shape's own numbers can take a scale, without rounding.</summary>

@@ -27,14 +27,17 @@ public readonly partial struct ConvexShape
     /// <summary>The opposite of equality.</summary>
     public static bool operator !=(in ConvexShape a, in ConvexShape b) => !a.Equals(b);
 
-    /// <summary>The kind and its numbers, for people to read. <see cref="QueryRecord"/> writes a text that can be read back.</summary>
+    /// <summary>
+    /// The kind and its numbers, for people to read. <see cref="QueryRecord"/> writes a text that can be read back.
+    /// </summary>
     public override string ToString()
     {
         ref readonly ShapeParts p = ref _parts;
         var text = new StringBuilder(p.Layer is null ? CoreText(p) : p.Layer.Inner.ToString());
         if (p.Layer is PlacedLayer placed) text.Append(" placed at ").Append(placed.Shape.Pose);
         if (p.Layer is ScaledLayer scaled) text.Append(" scaled by ").Append(Text(scaled.Shape.Factors));
-        if (p.Layer is null && p.Kind != ShapeKind.None && p.Scale != Unscaled) text.Append(" scaled by ").Append(Text(p.Scale));
+        if (p.Layer is null && p.Kind != ShapeKind.None && p.Scale != Unscaled)
+            text.Append(" scaled by ").Append(Text(p.Scale));
         if (p.Rounding > 0) text.Append(" rounded by ").Append(Text(p.Rounding));
         return text.ToString();
     }

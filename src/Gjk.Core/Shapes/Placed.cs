@@ -14,7 +14,7 @@ public readonly struct Placed<T> : ISupportMap
     where T : struct, ISupportMap
 {
     /// <summary>Ratio: 16 u, more than a rotation in double can lengthen a vector by.</summary>
-    private const double RoundingUp = 1 + 16 * GjkTolerances.UnitRoundoff;
+    private const double RoundingUp = 1 + 16 * RoundOff.Unit;
 
     private readonly T _inner;
     private readonly RigidPose _pose;
@@ -50,7 +50,7 @@ public readonly struct Placed<T> : ISupportMap
     /// <summary>
     /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
     /// </summary>
-    public double BoundingRadius => _pose.IsDefault ? double.NaN : _inner.BoundingRadius * RoundingUp;
+    public double BoundingRadius => _pose.IsValid ? _inner.BoundingRadius * RoundingUp : double.NaN;
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -4,13 +4,16 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// The closed-form support functions, each written once for the shape struct and for <see cref="ConvexShape"/>. Ties go to the
-/// lowest id. Corners are compared by their differences, so that a shape far from its local origin is asked as exactly as one at it. Ericson, Real-Time Collision Detection (2004), section 9.5, has them all but the cone, which is in van den Bergen (2003), section 4.3.4.
+/// The closed-form support functions, each written once for the shape struct and for <see cref="ConvexShape"/>. Ties go
+/// to the lowest id. Corners are compared by their differences, so that a shape far from its local origin is asked as
+/// exactly as one at it. Ericson, Real-Time Collision Detection (2004), section 9.5, has them all but the cone, which
+/// is in van den Bergen (2003), section 4.3.4.
 /// </summary>
 internal static class PrimitiveSupport
 {
     /// <summary>
-    /// Squares of lengths between which no square has lost digits or overflowed. Outside, the direction is brought to unit size first. Pinned by DirectionLengthTests.
+    /// Squares of lengths between which no square has lost digits or overflowed. Outside, the direction is brought to
+    /// unit size first. Pinned by DirectionLengthTests.
     /// </summary>
     private const double LeastSquare = 1e-270, MostSquare = 1e300;
 
@@ -46,17 +49,22 @@ internal static class PrimitiveSupport
     public static int Box(in Vector3D half, in Vector3D direction, out Vector3D point)
     {
         double x = direction.X, y = direction.Y, z = direction.Z;
-        point = new Vector3D(BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z));
+        point = new Vector3D(
+            BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z));
         return BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
     }
 
     public static bool TryBoxVertex(in Vector3D half, int id, out Vector3D point)
     {
-        point = new Vector3D((id & 1) != 0 ? -half.X : half.X, (id & 2) != 0 ? -half.Y : half.Y, (id & 4) != 0 ? -half.Z : half.Z);
+        point = new Vector3D(
+            (id & 1) != 0 ? -half.X : half.X, (id & 2) != 0 ? -half.Y : half.Y, (id & 4) != 0 ? -half.Z : half.Z);
         return (uint)id < 8u;
     }
 
-    /// <summary>The disc of the given radius about the y axis: the rim point in the direction, the centre where the direction has no radial part.</summary>
+    /// <summary>
+    /// The disc of the given radius about the y axis: the rim point in the direction, the centre where the direction
+    /// has no radial part.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Disc(double radius, double dx, double dz, out double x, out double z)
     {
@@ -90,7 +98,9 @@ internal static class PrimitiveSupport
         return apex >= rim ? new Vector3D(0, halfHeight, 0) : new Vector3D(x, -halfHeight, z);
     }
 
-    /// <summary>The unit ball's support in the direction seen by it, mapped back: D (D d / |D d|) with D = diag(radii).</summary>
+    /// <summary>
+    /// The unit ball's support in the direction seen by it, mapped back: D (D d / |D d|) with D = diag(radii).
+    /// </summary>
     public static Vector3D Ellipsoid(in Vector3D radii, in Vector3D direction)
     {
         Vector3D scaled = Vector3D.Multiply(radii, direction);

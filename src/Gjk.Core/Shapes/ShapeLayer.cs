@@ -32,7 +32,8 @@ internal abstract class ShapeLayer
         if (a is null || b is null || !a.Inner.Equals(b.Inner)) return false;
         return a is PlacedLayer placed && b is PlacedLayer other
             ? placed.Shape.Pose == other.Shape.Pose
-            : a is ScaledLayer scaled && b is ScaledLayer otherScaled && scaled.Shape.Factors == otherScaled.Shape.Factors;
+            : a is ScaledLayer scaled && b is ScaledLayer otherScaled
+                && scaled.Shape.Factors == otherScaled.Shape.Factors;
     }
 }
 

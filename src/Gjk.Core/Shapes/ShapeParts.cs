@@ -6,8 +6,9 @@ internal struct ShapeParts
     public ShapeKind Kind;
 
     /// <summary>
-    /// Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the radii. Cylinder
-    /// and cone: A, the radius and half the height. They are doubles, because a scale may have been multiplied in.
+    /// Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the radii.
+    /// Cylinder and cone: A, the radius and half the height. They are doubles, because a scale may have been multiplied
+    /// in.
     /// </summary>
     public Vector3D A, B, C;
 
@@ -23,6 +24,8 @@ internal struct ShapeParts
     /// <summary>A mesh's hull.</summary>
     public ConvexHull? Hull;
 
-    /// <summary>The decorator that holds the shape, if there is one; then only the kind and the rounding are used.</summary>
+    /// <summary>
+    /// The decorator that holds the shape, if there is one; then only the kind and the rounding are used.
+    /// </summary>
     public ShapeLayer? Layer;
 }

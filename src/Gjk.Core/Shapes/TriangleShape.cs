@@ -51,5 +51,6 @@ public readonly struct TriangleShape : ISupportMap
     internal static Vector3D Centroid(in Vector3D a, in Vector3D b, in Vector3D c) => (a + b + c) * (1.0 / 3);
 
     internal static double RadiusAbout(in Vector3D center, in Vector3D a, in Vector3D b, in Vector3D c) =>
-        Math.Sqrt(Math.Max(Math.Max((a - center).LengthSquared, (b - center).LengthSquared), (c - center).LengthSquared));
+        Math.Sqrt(
+            Math.Max(Math.Max((a - center).LengthSquared, (b - center).LengthSquared), (c - center).LengthSquared));
 }

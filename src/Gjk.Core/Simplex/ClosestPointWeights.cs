@@ -3,24 +3,27 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// The barycentric weights of the point of a simplex nearest the origin: at least 0, with sum 1. A vertex outside the nearest feature has weight 0.
+/// The barycentric weights of the point of a simplex nearest the origin: at least 0, with sum 1. A vertex outside the
+/// nearest feature has weight 0.
 /// </summary>
 /// <remarks>
-/// Catto (GDC 2010) and Ericson (2004, section 5.1.5), with the areas taken as triple products with the face's normal, which stays accurate for needles.
-/// Total: a degenerate simplex (repeated points, collinear, flat) falls back to the best of its lower simplices, found by comparing them all. Unlike
-/// the solver's own step it assumes nothing about how the points were found.
+/// Catto (GDC 2010) and Ericson (2004, section 5.1.5), with the areas taken as triple products with the face's normal,
+/// which stays accurate for needles. Total: a degenerate simplex (repeated points, collinear, flat) falls back to the
+/// best of its lower simplices, found by comparing them all. Unlike the solver's own step it assumes nothing about how
+/// the points were found.
 /// </remarks>
 internal static class ClosestPointWeights
 {
     /// <summary>
-    /// Length, as a fraction of the vertices' distances from the origin: how far the weighted point of a tetrahedron that holds the origin may be from it. A hundredth of what
-    /// witness points are promised (1.2e-7). Pinned by ClosestPointWeightsTests.NeedleTetrahedra.
+    /// Length, as a fraction of the vertices' distances from the origin: how far the weighted point of a tetrahedron
+    /// that holds the origin may be from it. A hundredth of what witness points are promised (1.2e-7). Pinned by
+    /// ClosestPointWeightsTests.NeedleTetrahedra.
     /// </summary>
     private const double Residual = 1e-9;
 
     /// <summary>
-    /// Squared sine of the angle at a triangle's corner, 2^-40: below it the face's weights have lost half of their digits, and an edge may be the better answer. Pinned by
-    /// ClosestPointWeightsTests.NeedleTriangles.
+    /// Squared sine of the angle at a triangle's corner, 2^-40: below it the face's weights have lost half of their
+    /// digits, and an edge may be the better answer. Pinned by ClosestPointWeightsTests.NeedleTriangles.
     /// </summary>
     private const double Needle = 1.0 / (1L << 40);
 
@@ -34,8 +37,9 @@ internal static class ClosestPointWeights
     };
 
     /// <summary>
-    /// The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to rounding the same as <see cref="Of"/>. Where the feature is
-    /// far away or a needle, rounding may put the point beside the feature; then the nearest weights that are not negative are given.
+    /// The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to
+    /// rounding the same as <see cref="Of"/>. Where the feature is far away or a needle, rounding may put the point
+    /// beside the feature; then the nearest weights that are not negative are given.
     /// </summary>
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
@@ -44,11 +48,13 @@ internal static class ClosestPointWeights
         if (s.Count == 2)
         {
             double t = -Vector3D.Dot(ab, a) / ab.LengthSquared;
-            return t >= 0 & t <= 1 ? new Weights(1 - t, t, 0, 0) : t > 1 ? new Weights(0, 1, 0, 0) : new Weights(1, 0, 0, 0);
+            if (t >= 0 & t <= 1) return new Weights(1 - t, t, 0, 0);
+            return t > 1 ? new Weights(0, 1, 0, 0) : new Weights(1, 0, 0, 0);
         }
 
         Vector3D ac = s.WC - a, inPlane = Vector3D.Cross(feature.Normal, a);
-        if (!(feature.NormalSquared > Needle * (ab.LengthSquared * ac.LengthSquared))) return FaceWeightsExtended(a, s.WB, s.WC).Clamped;
+        if (!(feature.NormalSquared > Needle * (ab.LengthSquared * ac.LengthSquared)))
+            return FaceWeightsExtended(a, s.WB, s.WC).Clamped;
         double scale = 1 / feature.NormalSquared;
         double b = -Vector3D.Dot(ac, inPlane) * scale, c = Vector3D.Dot(ab, inPlane) * scale;
         var weights = new Weights(1 - b - c, b, c, 0);
@@ -97,7 +103,10 @@ internal static class ClosestPointWeights
         return best;
     }
 
-    /// <summary>The origin's projection on the plane ABC in barycentric coordinates, negative or NaN where it is not a point of the triangle.</summary>
+    /// <summary>
+    /// The origin's projection on the plane ABC in barycentric coordinates, negative or NaN where it is not a point of
+    /// the triangle.
+    /// </summary>
     private static Weights FaceWeights(in Vector3D a, in Vector3D b, in Vector3D c, out bool isNeedle)
     {
         Vector3D ab = b - a, ac = c - a, normal = Vector3D.Cross(ab, ac);
@@ -108,7 +117,9 @@ internal static class ClosestPointWeights
         return new Weights(1 - wb - wc, wb, wc, 0);
     }
 
-    /// <summary>The same in 106 bits: a needle's normal is what is left when products many times its size cancel.</summary>
+    /// <summary>
+    /// The same in 106 bits: a needle's normal is what is left when products many times its size cancel.
+    /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Weights FaceWeightsExtended(VectorDD a, VectorDD b, VectorDD c)
     {
@@ -119,7 +130,9 @@ internal static class ClosestPointWeights
         return new Weights((double)(1.0 - wb - wc), (double)wb, (double)wc, 0);
     }
 
-    /// <summary>The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum.</summary>
+    /// <summary>
+    /// The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum.
+    /// </summary>
     private static Weights VolumeWeights(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
     {
         double va = Vector3D.Dot(b, Vector3D.Cross(c, d)), vb = -Vector3D.Dot(a, Vector3D.Cross(c, d));
@@ -128,12 +141,16 @@ internal static class ClosestPointWeights
         return new Weights(va / sum, vb / sum, vc / sum, vd / sum);
     }
 
-    /// <summary>The same with the volumes in 106 bits: those of four points nearly on a line are what is left when products many times their size cancel.</summary>
+    /// <summary>
+    /// The same with the volumes in 106 bits: those of four points nearly on a line are what is left when products many
+    /// times their size cancel.
+    /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Weights VolumeWeightsExtended(VectorDD a, VectorDD b, VectorDD c, VectorDD d)
     {
         VectorDD cd = VectorDD.Cross(c, d), ab = VectorDD.Cross(a, b);
-        DoubleDouble va = VectorDD.Dot(b, cd), vb = -VectorDD.Dot(a, cd), vc = VectorDD.Dot(d, ab), vd = -VectorDD.Dot(c, ab);
+        DoubleDouble va = VectorDD.Dot(b, cd), vb = -VectorDD.Dot(a, cd);
+        DoubleDouble vc = VectorDD.Dot(d, ab), vd = -VectorDD.Dot(c, ab);
         DoubleDouble sum = va + vb + vc + vd;
         return new Weights((double)(va / sum), (double)(vb / sum), (double)(vc / sum), (double)(vd / sum));
     }
@@ -146,7 +163,8 @@ internal static class ClosestPointWeights
     }
 
     private static void Keep(
-        ref Weights best, ref double distance, in Weights candidate, in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+        ref Weights best, ref double distance, in Weights candidate, in Vector3D a, in Vector3D b, in Vector3D c,
+        in Vector3D d)
     {
         double squared = candidate.PointOf(a, b, c, d).LengthSquared;
         if (!(squared < distance)) return;
@@ -174,15 +192,21 @@ internal readonly struct Weights
     /// <summary>No weight is negative or NaN.</summary>
     public bool IsInside => A >= 0 && B >= 0 && C >= 0 && D >= 0;
 
-    /// <summary>Without negative weights, and with sum 1 again. NaN weights, which a triangle without any area has, become those of the first vertex.</summary>
+    /// <summary>
+    /// Without negative weights, and with sum 1 again. NaN weights, which a triangle without any area has, become those
+    /// of the first vertex.
+    /// </summary>
     public Weights Clamped
     {
         get
         {
             double a = A > 0 ? A : 0, b = B > 0 ? B : 0, c = C > 0 ? C : 0, d = D > 0 ? D : 0, sum = a + b + c + d;
-            return sum > 0 && sum <= double.MaxValue ? new Weights(a / sum, b / sum, c / sum, d / sum) : new Weights(1, 0, 0, 0);
+            return sum > 0 && sum <= double.MaxValue
+                ? new Weights(a / sum, b / sum, c / sum, d / sum)
+                : new Weights(1, 0, 0, 0);
         }
     }
 
-    public Vector3D PointOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) => a * A + b * B + c * C + d * D;
+    public Vector3D PointOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) =>
+        a * A + b * B + c * C + d * D;
 }

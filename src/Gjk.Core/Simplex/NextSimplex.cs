@@ -3,13 +3,14 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// Muratori's step of the boolean algorithm ("Implementing GJK", 2006): given a simplex whose newest vertex is A, keep the part of it
-/// whose region holds the origin and say where to search next.
+/// Muratori's step of the boolean algorithm ("Implementing GJK", 2006): given a simplex whose newest vertex is A, keep
+/// the part of it whose region holds the origin and say where to search next.
 /// </summary>
 /// <remarks>
-/// Beside his drawings: AO is the vector from A to the origin, -A. Regions behind the old feature are not tested, because A was found
-/// beyond it. The normal that comes back points from the origin to the kept feature, so the next support is taken against it (his D is its
-/// opposite). Which way a tetrahedron is wound is known from its triangle (see <see cref="Simplex"/>), where he flips.
+/// Beside his drawings: AO is the vector from A to the origin, -A. Regions behind the old feature are not tested,
+/// because A was found beyond it. The normal that comes back points from the origin to the kept feature, so the next
+/// support is taken against it (his D is its opposite). Which way a tetrahedron is wound is known from its triangle
+/// (see <see cref="Simplex"/>), where he flips.
 /// </remarks>
 internal static class NextSimplex
 {
@@ -85,9 +86,12 @@ internal static class NextSimplex
         return false;
     }
 
-    /// <summary>The part of the triangle case that is left when the triangle's normal already points away from the origin.</summary>
+    /// <summary>
+    /// The part of the triangle case that is left when the triangle's normal already points away from the origin.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Face(ref Simplex simplex, in Vector3D a, in Vector3D ab, in Vector3D ac, in Vector3D abc, ref Vector3D normal)
+    private static void Face(
+        ref Simplex simplex, in Vector3D a, in Vector3D ab, in Vector3D ac, in Vector3D abc, ref Vector3D normal)
     {
         bool besideAC = Vector3D.Dot(Vector3D.Cross(abc, ac), a) < 0;
         if (besideAC && Vector3D.Dot(ac, a) < 0)

@@ -3,12 +3,13 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// One to four vertices of the Minkowski difference. A is the newest, as in Muratori's drawings (2006); a triangle is kept wound so that
-/// (B - A) × (C - A) points away from the origin.
+/// One to four vertices of the Minkowski difference. A is the newest, as in Muratori's drawings (2006); a triangle is
+/// kept wound so that (B - A) × (C - A) points away from the origin.
 /// </summary>
 /// <remarks>
-/// A vertex is written once, into a slot; A, B, C and D are slot numbers, so that reordering moves four small integers. Coordinates are
-/// written and read one double at a time: a wide load of what narrow stores have just written would wait for them to leave the core.
+/// A vertex is written once, into a slot; A, B, C and D are slot numbers, so that reordering moves four small integers.
+/// Coordinates are written and read one double at a time: a wide load of what narrow stores have just written would
+/// wait for them to leave the core.
 /// </remarks>
 internal unsafe struct Simplex
 {
@@ -66,7 +67,9 @@ internal unsafe struct Simplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Clear() => A = B = C = D = Count = 0;
 
-    /// <summary>Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be room.</summary>
+    /// <summary>
+    /// Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be room.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Push(in Vector3D w, in Vector3D onA, in Vector3D onB, int idA, int idB)
     {

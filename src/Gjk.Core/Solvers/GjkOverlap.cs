@@ -1,19 +1,30 @@
 namespace Gjk.Core;
 
 /// <summary>
-/// GJK's boolean algorithm (Muratori 2006): do two cores without margins share a point? It answers only what rounding cannot change, and says so
-/// when it cannot.
+/// GJK's boolean algorithm (Muratori 2006): do two cores without margins share a point? It answers only what rounding
+/// cannot change, and leaves the rest open.
 /// </summary>
 /// <remarks>
-/// Each round asks for the vertex furthest against the last normal. If even that one lies on the far side of the origin's plane, the plane separates; otherwise the
-/// vertex joins and <see cref="NextSimplex"/> moves on. Deviation: separation is called only when the plane's gap is larger than all rounding, enclosure
-/// only when the four determinants are certain; the rest, contact within some 1e-14 of the size, is Undecided and goes to the distance solver, so that the two never
-/// disagree. Termination: Muratori's step can cycle on degenerate input (that is the endless loop of implementations that trust it); MaxRounds
+/// <para>
+/// Each round asks for the vertex that is furthest against the last normal. If even that one lies beyond the origin, the
+/// plane through it separates. Otherwise the vertex joins the simplex, and <see cref="NextSimplex"/> says where to
+/// search next.
+/// </para>
+/// <para>
+/// It differs from the textbook in what it calls certain. Cores are apart only when the plane's gap exceeds all
+/// rounding, and the origin is enclosed only when four determinants are certain. Contact within some 1e-14 of the size
+/// is Undecided and goes to the distance solver, so the two never disagree.
+/// </para>
+/// <para>
+/// Muratori's step can cycle on degenerate input, which is the endless loop of implementations that trust it. MaxRounds
 /// ends it as Undecided, which costs time and nothing else.
+/// </para>
 /// </remarks>
 internal static class GjkOverlap
 {
-    /// <summary>Count: more than hulls of thousands of vertices need; reached by cycles only. Pinned by CostGuardTests.</summary>
+    /// <summary>
+    /// Count: more than hulls of thousands of vertices need; reached by cycles only. Pinned by CostGuardTests.
+    /// </summary>
     private const int MaxRounds = 40;
 
     /// <summary>Apart, Enclosed or Undecided.</summary>
@@ -25,7 +36,9 @@ internal static class GjkOverlap
         Vector3D normal = frame.FirstNormal;
         for (int round = 0; round < MaxRounds; round++)
         {
-            MinkowskiDifference.Support(ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+            MinkowskiDifference.Support(
+                ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
+                out Vector3D w);
             double plane = Vector3D.Dot(normal, w);
             bool curved = (idA | idB) < 0;
             if (plane > 0)
@@ -39,7 +52,8 @@ internal static class GjkOverlap
                 normal = w;
             else if (NextSimplex.Advance(ref simplex, ref normal))
             {
-                // The distance solver may have ended on a curved core within its tolerance of contact, before the origin was enclosed: let it say.
+                // The distance solver may have ended on a curved core within its tolerance of contact, before the
+                // origin was enclosed: let it say.
                 return !curved && Proofs.IsCertainlyInside(simplex) ? Verdict.Enclosed : Verdict.Undecided;
             }
         }

@@ -1,83 +1,99 @@
 namespace Gjk.Core;
 
 /// <summary>
-/// The solvers' tolerances. Lengths are fractions of the pair's size (<see cref="PairSize"/>, at most 1.74 times the scale that the promises are
-/// measured by), ratios are fractions of the distance. Each is a small multiple of what rounding in double does to the quantity that it guards.
+/// The solvers' tolerances. Lengths are fractions of the pair's size (<see cref="PairSize"/>, at most 1.74 times the
+/// scale that the promises are measured by), ratios are fractions of the distance. Each is a small multiple of what
+/// rounding in double does to the quantity that it guards.
 /// </summary>
 internal static class GjkTolerances
 {
-    /// <summary>2^-53: half a unit in the last place of a double.</summary>
-    public const double UnitRoundoff = 1.0 / (1L << 53);
-
     /// <summary>
-    /// Ratio: the gap between the feature and the newest support plane is closed when it is this fraction of the distance. Far below float's 6e-8,
-    /// a few dozen units in the last place above what a double sum of three products loses. Pinned by HardCaseTests.EveryDistanceIsExactToFloatRounding.
+    /// Ratio: the gap between the feature and the newest support plane is closed when it is this fraction of the
+    /// distance. Far below float's 6e-8, a few dozen units in the last place above what a double sum of three products
+    /// loses. Pinned by HardCaseTests.EveryDistanceIsExactToFloatRounding.
     /// </summary>
-    public const double RelativeGap = 256 * UnitRoundoff;
+    public const double RelativeGap = 256 * RoundOff.Unit;
 
     /// <summary>
-    /// Ratio, for cores without vertices: a curved support never repeats, so the gap shrinks for ever. The error that it leaves is a sixtieth of float's rounding.
-    /// Pinned by ClosedFormTests.
+    /// Ratio, for cores without vertices: a curved support never repeats, so the gap shrinks for ever. The error that
+    /// it leaves is a sixtieth of float's rounding. Pinned by ClosedFormTests.
     /// </summary>
     public const double RelativeGapCurved = 1e-9;
 
     /// <summary>
-    /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's size. A gap below it cannot be told from 0. Pinned by HardCaseTests.NoFlagIsWrong.
+    /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's size. A
+    /// gap below it cannot be told from 0. Pinned by HardCaseTests.NoFlagIsWrong.
     /// </summary>
-    public const double Noise = 4 * UnitRoundoff;
+    public const double Noise = 4 * RoundOff.Unit;
 
     /// <summary>Length, for cores without vertices; the promise for these is 1e-6. Pinned by ClosedFormTests.</summary>
     public const double NoiseCurved = 1e-10;
 
     /// <summary>
-    /// Length: how far the corners of a nearest triangle may be from level. Between Noise, which well-shaped triangles keep, and the promised 1e-14 of the scale; what is
-    /// above goes to extended precision. Pinned by the regression of the nearly parallel segments.
+    /// Length: how far the corners of a nearest triangle may be from level. Between Noise, which well-shaped triangles
+    /// keep, and the promised 1e-14 of the scale; what is above goes to extended precision. Pinned by the regression of
+    /// the nearly parallel segments.
     /// </summary>
     public const double Level = 4 * Noise;
 
     /// <summary>
-    /// Length: shapes nearer than this touch. Four times the noise, so that a distance that the gap test ended cannot fall on the other side than an enclosed
-    /// origin does; below the promised 1e-14 of the scale. Pinned by OverlapsSaysWhatDistanceSays in HardCaseTests and CertifiedPairTests.
+    /// Length: shapes nearer than this touch. Four times the noise, so that a distance that the gap test ended cannot
+    /// fall on the other side than an enclosed origin does; below the promised 1e-14 of the scale. Pinned by
+    /// OverlapsSaysWhatDistanceSays in HardCaseTests and CertifiedPairTests.
     /// </summary>
     public const double Touch = 4 * Noise;
 
     /// <summary>
-    /// Length, for cores without vertices: four times the noise, as above. Cold, warm and boolean queries end at different points within the noise, and a resting pair in exact
-    /// contact must touch in all of them. Pinned by RestingContactTests.
+    /// Length, for cores without vertices: four times the noise, as above. Cold, warm and boolean queries end at
+    /// different points within the noise, and a resting pair in exact contact must touch in all of them. Pinned by
+    /// RestingContactTests.
     /// </summary>
     public const double TouchCurved = 4 * NoiseCurved;
 
     /// <summary>
-    /// Length: the boolean solver calls shapes apart only when a plane proves a gap of this much, so that the distance solver must agree; below, it asks it.
-    /// Pinned by OverlapsSaysWhatDistanceSays in HardCaseTests and CertifiedPairTests.
+    /// Length: the boolean solver calls shapes apart only when a plane proves a gap of this much, so that the distance
+    /// solver must agree; below, it asks it. Pinned by OverlapsSaysWhatDistanceSays in HardCaseTests and
+    /// CertifiedPairTests.
     /// </summary>
     public const double SeparatedBand = 16 * Touch;
 
-    /// <summary>Length: the same where a core has no vertices, and in the limit at which a query with a largest distance may end early. Pinned by RestingContactTests.</summary>
+    /// <summary>
+    /// Length: the same where a core has no vertices, and in the limit at which a query with a largest distance may end
+    /// early. Pinned by RestingContactTests.
+    /// </summary>
     public const double SeparatedBandCurved = 4 * TouchCurved;
 
     /// <summary>
-    /// Length: what rounding can do to a lower bound: to the relative pose, to the choice of the supports and to their values: 10 roundings of (size + distance of
-    /// the centres). Not more: this must fit into the promised 1e-14 of the scale. Pinned by LowerBoundTests and fuzz.
+    /// Length: what rounding can do to a lower bound: to the relative pose, to the choice of the supports and to their
+    /// values: 10 roundings of (size + distance of the centres). Not more: this must fit into the promised 1e-14 of the
+    /// scale. Pinned by LowerBoundTests and fuzz.
     /// </summary>
-    public const double LowerBoundError = 10 * UnitRoundoff;
+    public const double LowerBoundError = 10 * RoundOff.Unit;
 
     /// <summary>
-    /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3 by 3 determinant of rounded differences asks.
-    /// Below it a sign is not certain and extended precision decides. Pinned by the case families.
+    /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3 by
+    /// 3 determinant of rounded differences asks. Below it a sign is not certain and extended precision decides. Pinned
+    /// by the case families.
     /// </summary>
-    public const double DeterminantError = 16 * UnitRoundoff;
+    public const double DeterminantError = 16 * RoundOff.Unit;
 
     /// <summary>
-    /// Length: how far two answers of one support function may disagree before the shape counts as contradicting itself: room for a support that computes in
-    /// float (6e-8 a rounding) on vertices a hundred radii off. Pinned by UserShapeTests.
+    /// Length: how far two answers of one support function may disagree before the shape counts as contradicting
+    /// itself: room for a support that computes in float (6e-8 a rounding) on vertices a hundred radii off. Pinned by
+    /// UserShapeTests.
     /// </summary>
     public const double Contradiction = 1e-5;
 
-    /// <summary>Ratio: more than a rounding to float can take away (2^-24), so that a distance beyond it rounds to a larger float. Pinned by MaxDistanceTests.</summary>
+    /// <summary>
+    /// Ratio: more than a rounding to float can take away (2^-24), so that a distance beyond it rounds to a larger
+    /// float. Pinned by MaxDistanceTests.
+    /// </summary>
     public const double FloatBand = 4.0 / (1 << 24);
 
-    /// <summary>A backstop that no valid shape reaches: hulls of 4096 vertices need about 30, curved shapes about 60. Pinned by TerminationTests.</summary>
+    /// <summary>
+    /// A backstop that no valid shape reaches: hulls of 4096 vertices need about 30, curved shapes about 60. Pinned by
+    /// TerminationTests.
+    /// </summary>
     public const int MaxIterations = 256;
 
     /// <summary>The touch tolerance of a pair.</summary>

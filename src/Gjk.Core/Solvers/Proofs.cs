@@ -4,12 +4,14 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// What the solvers call proved: bounds that meet, an origin that is certainly inside, a point near enough to touch. Each is a comparison with a named
-/// tolerance of <see cref="GjkTolerances"/>.
+/// What the solvers call proved: bounds that meet, an origin that is certainly inside, a point near enough to touch.
+/// Each is a comparison with a named tolerance of <see cref="GjkTolerances"/>.
 /// </summary>
 internal static class Proofs
 {
-    /// <summary>The gap between the feature and the plane is nothing beside the distance, or beside what rounding does.</summary>
+    /// <summary>
+    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsClosed(double gap, in ClosestFeature feature, bool curved, double noise)
     {
@@ -17,25 +19,32 @@ internal static class Proofs
         return Math.Abs(gap) <= ratio * feature.Height || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
-    /// <summary>The other two corners of a triangle lie no further above the plane than the bounds may be apart.</summary>
+    /// <summary>
+    /// The other two corners of a triangle lie no further above the plane than the bounds may be apart.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsLevel(in Simplex simplex, in ClosestFeature feature, double plane, double level)
     {
-        double b = Vector3D.Dot(feature.Normal, simplex.WB) - plane, c = Vector3D.Dot(feature.Normal, simplex.WC) - plane;
+        double b = Vector3D.Dot(feature.Normal, simplex.WB) - plane;
+        double c = Vector3D.Dot(feature.Normal, simplex.WC) - plane;
         return IsClosed(b, feature, false, level) && IsClosed(c, feature, false, level);
     }
 
-    /// <summary>The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could turn; either way round.</summary>
+    /// <summary>
+    /// The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could
+    /// turn; either way round.
+    /// </summary>
     public static bool IsCertainlyInside(in Simplex simplex)
     {
         Vector3D a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;
         if (Vector3D.Dot(Vector3D.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
-        return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a) && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
+        return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a)
+            && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
     }
 
     /// <summary>
-    /// A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can still prove what a sign leaves open where the origin lies
-    /// on a face or an edge, as it does for flush boxes.
+    /// A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can still
+    /// prove what a sign leaves open where the origin lies on a face or an edge, as it does for flush boxes.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static bool HoldsPointNear(in Simplex simplex, double touchSquared)
@@ -45,24 +54,27 @@ internal static class Proofs
     }
 
     /// <summary>
-    /// The verdict on a tetrahedron that seems to hold the origin. Signs that rounding could turn decide nothing, but a point of the simplex near enough does.
+    /// The verdict on a tetrahedron that seems to hold the origin. Signs that rounding could turn decide nothing, but a
+    /// point of the simplex near enough does.
     /// </summary>
     public static Verdict Enclosed(in Simplex simplex, double touchSquared) =>
         IsCertainlyInside(simplex) || HoldsPointNear(simplex, touchSquared) ? Verdict.Enclosed : Verdict.Undecided;
 
     /// <summary>
-    /// The verdict on a feature that seems no further than rounding can tell from contact. The normal of a needle of a triangle may be rounding itself, and then its height says nothing,
-    /// so a point of the feature must prove it. A distance that is NaN for another reason than a height of 0 over 0 comes from a shape.
+    /// The verdict on a feature that seems no further than rounding can tell from contact. The normal of a needle of a
+    /// triangle may be rounding itself, and then its height says nothing, so a point of the feature must prove it. A
+    /// distance that is NaN for another reason than a height of 0 over 0 comes from a shape.
     /// </summary>
-    public static Verdict Touching(in Simplex simplex, in ClosestFeature feature, double distanceSquared, double touchSquared)
+    public static Verdict Touching(
+        in Simplex simplex, in ClosestFeature feature, double distanceSquared, double touchSquared)
     {
         if (!(feature.Height == 0 || distanceSquared >= 0)) return Verdict.Contradiction;
         return HoldsPointNear(simplex, touchSquared) ? Verdict.Enclosed : Verdict.Undecided;
     }
 
     /// <summary>
-    /// The shapes' supports disagree by the gap. A small gap is the support's own rounding (one that computes in float, say): the feature stands, and the plane says how
-    /// far to trust it. A large one, or NaN, is no convex shape.
+    /// The shapes' supports disagree by the gap. A small gap is the support's own rounding (one that computes in float,
+    /// say): the feature stands, and the plane says how far to trust it. A large one, or NaN, is no convex shape.
     /// </summary>
     public static void SettleStall(ref SolverState state, double plane, double gap)
     {
@@ -76,6 +88,7 @@ internal static class Proofs
     {
         double determinant = -Vector3D.Dot(Vector3D.Cross(e, f), a);
         double error = GjkTolerances.DeterminantError;
-        return determinant > 0 && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;
+        return determinant > 0
+            && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;
     }
 }

@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// What a solver starts from and what it found, in A's frame from A's centre, before margins and rounding to float: the common currency of the fast and the
-/// extended-precision solver.
+/// What a solver starts from and what it found, in A's frame from A's centre, before margins and rounding to float: the
+/// common currency of the fast and the extended-precision solver.
 /// </summary>
 internal struct SolverState
 {
@@ -13,10 +13,15 @@ internal struct SolverState
     /// <summary>Whether a support point had no id: a curved core, whose supports never repeat.</summary>
     public bool IsCurved;
 
-    /// <summary>The nearest feature of the cores' Minkowski difference, or the tetrahedron that holds the origin.</summary>
+    /// <summary>
+    /// The nearest feature of the cores' Minkowski difference, or the tetrahedron that holds the origin.
+    /// </summary>
     public Simplex Simplex;
 
-    /// <summary>The feature's normal: from the origin to the feature, so from B to A, of any length; zero height when overlapping.</summary>
+    /// <summary>
+    /// The feature's normal: from the origin to the feature, so from B to A, of any length; zero height when
+    /// overlapping.
+    /// </summary>
     public ClosestFeature Feature;
 
     /// <summary>The best separating plane.</summary>
@@ -39,7 +44,10 @@ internal struct SolverState
         }
     }
 
-    /// <summary>What rounding, or the end of a walk along a curved core, leaves open: a gap between two bounds below it counts as closed.</summary>
+    /// <summary>
+    /// What rounding, or the end of a walk along a curved core, leaves open: a gap between two bounds below it counts
+    /// as closed.
+    /// </summary>
     public readonly double Noise
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -65,7 +73,9 @@ internal struct SolverState
         PairSize.Begin<TA, TB>(frame, out state.Size);
     }
 
-    /// <summary>Whether a support says anything that the tolerances depend on, so that <see cref="See"/> must be told of it.</summary>
+    /// <summary>
+    /// Whether a support says anything that the tolerances depend on, so that <see cref="See"/> must be told of it.
+    /// </summary>
     /// <param name="ids">Both ids; negative where one is.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool Matters<TA, TB>(int ids)

@@ -60,12 +60,18 @@ public sealed partial class CollisionScene
         CheckNotVisiting();
         Guard.NotNull(candidates, nameof(candidates));
         Guard.NotNull(results, nameof(results));
-        if (ReferenceEquals(candidates, results)) throw new ArgumentException("The results need a list of their own.", nameof(results));
+        if (ReferenceEquals(candidates, results))
+            throw new ArgumentException("The results need a list of their own.", nameof(results));
         _candidates.Clear();
         for (int i = 0; i < candidates.Count; i++)
         {
             int a = _objects.SlotOf(candidates[i].A), b = _objects.SlotOf(candidates[i].B);
-            if (a < 0 || b < 0) throw new ArgumentException(FormattableString.Invariant($"Pair {i}, {candidates[i]}, names an object that is not there."), nameof(candidates));
+            if (a < 0 || b < 0)
+            {
+                throw new ArgumentException(
+                    FormattableString.Invariant($"Pair {i}, {candidates[i]}, names an object that is not there."),
+                    nameof(candidates));
+            }
             _candidates.Add(new ObjectPair(a, b));
         }
 
@@ -137,7 +143,8 @@ public sealed partial class CollisionScene
         FindDistances(distance, workers);
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_distances[i].Status != GjkStatus.BeyondMaxDistance) results.Add(new PairDistance(IdsOf(_candidates[i]), _distances[i]));
+            if (_distances[i].Status != GjkStatus.BeyondMaxDistance)
+                results.Add(new PairDistance(IdsOf(_candidates[i]), _distances[i]));
     }
 
     /// <summary>
@@ -163,7 +170,8 @@ public sealed partial class CollisionScene
         try
         {
             for (int i = 0; i < _candidates.Count; i++)
-                if (_distances[i].Status != GjkStatus.BeyondMaxDistance) visitor.Visit(IdsOf(_candidates[i]), _distances[i]);
+                if (_distances[i].Status != GjkStatus.BeyondMaxDistance)
+                    visitor.Visit(IdsOf(_candidates[i]), _distances[i]);
         }
         finally
         {
@@ -218,21 +226,26 @@ public sealed partial class CollisionScene
         (int first, int second) = a < b ? (a, b) : (b, a);
         ref WarmStart warmStart = ref _singleWarmStarts.Find(PairKeys.Key(idA, idB), _frame);
         DistanceResult result = ConvexQuery.Distance(
-            _objects.Shapes[first], _objects.Poses[first], _objects.Shapes[second], _objects.Poses[second], ref warmStart);
+            _objects.Shapes[first], _objects.Poses[first], _objects.Shapes[second], _objects.Poses[second],
+            ref warmStart);
         return a < b ? result : result.Swapped;
     }
 
     private static void CheckDistance(float distance)
     {
-        if (!(distance >= 0)) throw new ArgumentOutOfRangeException(nameof(distance), distance, "Must not be negative or NaN.");
+        if (!(distance >= 0))
+            throw new ArgumentOutOfRangeException(nameof(distance), distance, "Must not be negative or NaN.");
     }
 
     private ObjectPair IdsOf(ObjectPair slots) => new(_objects.Ids[slots.A], _objects.Ids[slots.B]);
 
     private void DecideOverlaps(Workers? workers)
     {
-        if (_overlaps.Length < _candidates.Count) _overlaps = new bool[BoundsTable.Grown(_overlaps.Length, _candidates.Count)];
-        Workers.Run(workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count, PairBatch.PartLength, CancellationToken.None);
+        if (_overlaps.Length < _candidates.Count)
+            _overlaps = new bool[BoundsTable.Grown(_overlaps.Length, _candidates.Count)];
+        Workers.Run(
+            workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count, PairBatch.PartLength,
+            CancellationToken.None);
     }
 
     private void CopyOverlaps(List<ObjectPair> results)
@@ -246,9 +259,12 @@ public sealed partial class CollisionScene
     {
         Workers.Check(workers);
         CollectSlots(distance, _candidates);
-        if (_distances.Length < _candidates.Count) _distances = new DistanceResult[BoundsTable.Grown(_distances.Length, _candidates.Count)];
+        if (_distances.Length < _candidates.Count)
+            _distances = new DistanceResult[BoundsTable.Grown(_distances.Length, _candidates.Count)];
         _pairWarmStarts.Begin(_candidates, _objects.Ids);
-        Workers.Run(workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance, _distances), _candidates.Count, PairBatch.PartLength, CancellationToken.None);
+        Workers.Run(
+            workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance, _distances),
+            _candidates.Count, PairBatch.PartLength, CancellationToken.None);
     }
 
     /// <summary>Improves the nearest object found so far by those whose bounds are within reach.</summary>
@@ -265,7 +281,8 @@ public sealed partial class CollisionScene
             float limit = best < 0 ? float.PositiveInfinity : result.Distance * MarginSlack + float.Epsilon;
             DistanceResult found = ConvexQuery.Distance(
                 _objects.Shapes[slot], _objects.Poses[slot], _objects.Shapes[other], _objects.Poses[other], limit);
-            bool better = best < 0 || found.Distance < result.Distance || (found.Distance == result.Distance && other < best);
+            bool better = best < 0 || found.Distance < result.Distance
+                || (found.Distance == result.Distance && other < best);
             if (!better) continue;
             best = other;
             result = found;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Numerics;
 
 namespace Gjk.Core;
 
@@ -44,7 +43,8 @@ public sealed partial class CollisionScene
             BroadPhaseKind.DynamicTree => new DynamicAabbTree(),
             _ => throw new ArgumentOutOfRangeException(nameof(broadPhase), broadPhase, "There is no such broad phase."),
         };
-        if (bound is not (BoundKind.Box or BoundKind.Ball)) throw new ArgumentOutOfRangeException(nameof(bound), bound, "There is no such bound.");
+        if (bound is not (BoundKind.Box or BoundKind.Ball))
+            throw new ArgumentOutOfRangeException(nameof(bound), bound, "There is no such bound.");
         BroadPhase = broadPhase;
         Bound = bound;
     }
@@ -121,14 +121,16 @@ public sealed partial class CollisionScene
 
     private static void CheckPose(in RigidPose pose)
     {
-        Quaternion q = pose.Rotation;
-        if (!RigidPose.IsUnit((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W) || !Guard.IsFinite(pose.Position))
-            throw new ArgumentException("The pose is no rotation with a finite position; a default RigidPose is not, RigidPose.Identity is.", nameof(pose));
+        if (pose.IsValid) return;
+        const string message = "The pose is no rotation with a finite position. A default RigidPose has no rotation; "
+            + "RigidPose.Identity has.";
+        throw new ArgumentException(message, nameof(pose));
     }
 
     private void CheckNotVisiting()
     {
-        if (_visiting) throw new InvalidOperationException("The scene cannot be used before its visitor has seen all pairs.");
+        if (_visiting)
+            throw new InvalidOperationException("The scene cannot be used before its visitor has seen all pairs.");
     }
 
     private Aabb PlaceBound(int slot, in WorldBounds bounds, in RigidPose pose)
@@ -162,7 +164,9 @@ public sealed partial class CollisionScene
         for (int i = 0; i < pairs.Count; i++)
         {
             (int a, int b) = (pairs[i].A, pairs[i].B);
-            if (WorldBounds.BallsNear(_centers[a], _objects.Bounds[a].Radius, _centers[b], _objects.Bounds[b].Radius, distance)) pairs[kept++] = pairs[i];
+            double radiusA = _objects.Bounds[a].Radius, radiusB = _objects.Bounds[b].Radius;
+            bool isNear = WorldBounds.BallsNear(_centers[a], radiusA, _centers[b], radiusB, distance);
+            if (isNear) pairs[kept++] = pairs[i];
         }
 
         pairs.RemoveRange(kept, pairs.Count - kept);

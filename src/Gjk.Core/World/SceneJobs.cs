@@ -26,7 +26,8 @@ internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> 
 /// begins cold.
 /// </remarks>
 internal readonly struct SceneDistanceJob(
-    SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance, DistanceResult[] results)
+    SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance,
+    DistanceResult[] results)
     : IPartJob
 {
     /// <summary>

@@ -83,7 +83,8 @@ internal sealed class SceneObjects
         int slot = SlotOf(id);
         if (slot >= 0) return slot;
         bool wasThere = id >= 0 && id < _nextId;
-        throw new ArgumentOutOfRangeException(name, id, wasThere ? "The object with this id was removed." : "There was never an object with this id.");
+        throw new ArgumentOutOfRangeException(
+            name, id, wasThere ? "The object with this id was removed." : "There was never an object with this id.");
     }
 
     /// <summary>Moves the objects together.</summary>

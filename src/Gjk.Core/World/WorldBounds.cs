@@ -26,7 +26,10 @@ public readonly struct WorldBounds
     /// </summary>
     private const double DoubleSlack = 64.0 / (1L << 53);
 
-    /// <summary>Ratio to the ball's radius, outward: five times how far apart curved shapes still touch. Pinned by WorldBoundsTests.</summary>
+    /// <summary>
+    /// Ratio to the ball's radius, outward: five times how far apart curved shapes still touch. Pinned by
+    /// WorldBoundsTests.
+    /// </summary>
     private const double TouchSlack = 5 * GjkTolerances.TouchCurved;
 
     private readonly Vector3D _center;
@@ -39,7 +42,8 @@ public readonly struct WorldBounds
     /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
     public WorldBounds(in ConvexShape shape)
     {
-        if (shape.Kind == ShapeKind.None) throw new ArgumentException("A default ConvexShape has no extent.", nameof(shape));
+        if (shape.Kind == ShapeKind.None)
+            throw new ArgumentException("A default ConvexShape has no extent.", nameof(shape));
         ConvexShape copy = shape;
         CoreExtent.Box(ref copy, out Vector3D low, out Vector3D high);
         Vector3D middle = (low + high) * 0.5;
@@ -61,9 +65,12 @@ public readonly struct WorldBounds
     {
         var rotation = new RotationD(pose.Rotation);
         Vector3D center = (_offset > 0 ? rotation.Rotate(_center) : default) + pose.Position;
-        double x = Math.Abs(rotation.M00) * _half.X + Math.Abs(rotation.M01) * _half.Y + Math.Abs(rotation.M02) * _half.Z + _margin;
-        double y = Math.Abs(rotation.M10) * _half.X + Math.Abs(rotation.M11) * _half.Y + Math.Abs(rotation.M12) * _half.Z + _margin;
-        double z = Math.Abs(rotation.M20) * _half.X + Math.Abs(rotation.M21) * _half.Y + Math.Abs(rotation.M22) * _half.Z + _margin;
+        double x = Math.Abs(rotation.M00) * _half.X + Math.Abs(rotation.M01) * _half.Y
+            + Math.Abs(rotation.M02) * _half.Z + _margin;
+        double y = Math.Abs(rotation.M10) * _half.X + Math.Abs(rotation.M11) * _half.Y
+            + Math.Abs(rotation.M12) * _half.Z + _margin;
+        double z = Math.Abs(rotation.M20) * _half.X + Math.Abs(rotation.M21) * _half.Y
+            + Math.Abs(rotation.M22) * _half.Z + _margin;
         return Around(center, new Vector3D(Math.Min(x, _radius), Math.Min(y, _radius), Math.Min(z, _radius)));
     }
 
@@ -74,7 +81,8 @@ public readonly struct WorldBounds
     public Aabb BallBoxAt(in RigidPose pose) => Around(CenterAt(pose), new Vector3D(_radius, _radius, _radius));
 
     /// <summary>The ball's centre.</summary>
-    internal Vector3D CenterAt(in RigidPose pose) => _offset > 0 ? new RotationD(pose.Rotation).Rotate(_center) + pose.Position : pose.Position;
+    internal Vector3D CenterAt(in RigidPose pose) =>
+        _offset > 0 ? new RotationD(pose.Rotation).Rotate(_center) + pose.Position : pose.Position;
 
     /// <summary>Whether two balls are no further apart than a distance, or perhaps by no more than rounding.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -97,5 +105,6 @@ public readonly struct WorldBounds
 
     /// <summary>To a finite float: all positions are, so what reaches beyond meets nothing there.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Clamped(double x) => x > float.MaxValue ? float.MaxValue : x < -float.MaxValue ? -float.MaxValue : (float)x;
+    private static float Clamped(double x) =>
+        x > float.MaxValue ? float.MaxValue : x < -float.MaxValue ? -float.MaxValue : (float)x;
 }

@@ -20,7 +20,7 @@ public class ClosestFeatureTests
         Simplex simplex = Wound(c.Vertices);
         if (n == 4 && !IsBeyond(simplex)) return;
         ClosestFeature feature = default;
-        Assert.Equal(subset != 15, feature.Reduce(ref simplex));
+        Assert.Equal(subset != 15, ClosestFeatureStep.Reduce(ref simplex, ref feature));
         if (subset != 15) Check(c, simplex, feature, subset);
     }
 
@@ -31,7 +31,7 @@ public class ClosestFeatureTests
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
         Simplex simplex = Filled(c.Vertices);
         ClosestFeature feature = default;
-        Assert.Equal(subset != 15, feature.ReduceAny(ref simplex));
+        Assert.Equal(subset != 15, ClosestFeatureStep.ReduceAny(ref simplex, ref feature));
         if (subset != 15) Check(c, simplex, feature, subset);
     }
 
@@ -41,7 +41,7 @@ public class ClosestFeatureTests
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
         Simplex simplex = Filled(c.Vertices);
-        Assert.Equal(subset != 15, GjkExtendedPrecision.TryReduce(ref simplex, out ClosestFeature feature, out DoubleDouble squared));
+        Assert.Equal(subset != 15, ExtendedFeatureStep.TryReduce(ref simplex, out ClosestFeature feature, out DoubleDouble squared));
         if (subset == 15) return;
         Check(c, simplex, feature, subset);
         Assert.Equal(distance, System.Math.Sqrt((double)squared), 1e-9 * distance + 1e-15);

@@ -1,0 +1,60 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>The corners of a hull as its look-up reads them. Immutable.</summary>
+internal sealed class HullVertices
+{
+    /// <summary>
+    /// Coordinates by axis, counted from <see cref="Origin"/>, padded to a multiple of 8 with copies of vertex 0, which
+    /// no tie can prefer to the original.
+    /// </summary>
+    public readonly float[] X, Y, Z;
+
+    /// <summary>
+    /// What <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> are counted from. No coordinate exceeds four half
+    /// extents, so a support is as exact far from the local origin as near it.
+    /// </summary>
+    public readonly Vector3 Origin;
+
+    /// <summary>How many there are, without the padding.</summary>
+    public readonly int Count;
+
+    /// <summary>What they span: 0 a point, 1 a segment, 2 a flat polygon, 3 a solid.</summary>
+    public readonly int Dimension;
+
+    /// <summary>The smallest axis-aligned box around them.</summary>
+    public readonly Aabb Bounds;
+
+    /// <summary>A multiple of the vertices for the padding, a width that suits every vector register.</summary>
+    private const int Padding = 8;
+
+    /// <param name="points">The corners, in the order of their ids.</param>
+    /// <param name="dimension">What they span.</param>
+    /// <param name="bounds">The box around them.</param>
+    /// <param name="origin">What to count coordinates from.</param>
+    public HullVertices(Vector3[] points, int dimension, in Aabb bounds, Vector3 origin)
+    {
+        Count = points.Length;
+        Dimension = dimension;
+        Bounds = bounds;
+        Origin = origin;
+        int padded = (Count + Padding - 1) / Padding * Padding;
+        X = new float[padded];
+        Y = new float[padded];
+        Z = new float[padded];
+        for (int i = 0; i < padded; i++)
+        {
+            Vector3 point = points[i < Count ? i : 0];
+            X[i] = point.X - origin.X;
+            Y[i] = point.Y - origin.Y;
+            Z[i] = point.Z - origin.Z;
+        }
+    }
+
+    /// <summary>
+    /// A vertex in the hull's own frame. The sum is a float again: the one that <see cref="Origin"/> was subtracted
+    /// from.
+    /// </summary>
+    public Vector3 GetVertex(int id) => new(Origin.X + X[id], Origin.Y + Y[id], Origin.Z + Z[id]);
+}

@@ -1,0 +1,49 @@
+namespace Gjk.Core;
+
+/// <summary>One support call on each of the two shapes, in A's own frame. Immutable.</summary>
+public readonly struct TracedSupport
+{
+    internal TracedSupport(
+        in PairFrame frame, in Vector3D normal, in Vector3D onA, in Vector3D w, int idA, int idB, bool isExtended)
+    {
+        Normal = normal;
+        PointOnA = (onA + frame.CenterA) * frame.Unit;
+        Vertex = w * frame.Unit;
+        IdA = idA;
+        IdB = idB;
+        IsExtended = isExtended;
+    }
+
+    /// <summary>
+    /// The nearest feature's normal, of any length: from the origin to the feature. A was asked for its furthest point
+    /// against it, B for its furthest along it.
+    /// </summary>
+    public Vector3D Normal { get; }
+
+    /// <summary>A's support point.</summary>
+    public Vector3D PointOnA { get; }
+
+    /// <summary>B's support point.</summary>
+    public Vector3D PointOnB => PointOnA - Vertex;
+
+    /// <summary>
+    /// Their difference, a vertex of the Minkowski difference A - B: of all its points, the one furthest against the
+    /// normal.
+    /// </summary>
+    public Vector3D Vertex { get; }
+
+    /// <summary>The id of A's support point, or -1 where A has no vertices.</summary>
+    public int IdA { get; }
+
+    /// <summary>The id of B's support point, or -1 where B has no vertices.</summary>
+    public int IdB { get; }
+
+    /// <summary>
+    /// What this proves: the plane through the vertex, perpendicular to the normal, keeps the cores at least so far
+    /// apart; at or below 0 it proves nothing.
+    /// </summary>
+    public double LowerBound => Vector3D.Dot(Normal, Vertex) / Normal.Length;
+
+    /// <summary>Whether the solver in extended precision asked.</summary>
+    public bool IsExtended { get; }
+}

@@ -1,0 +1,114 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Gjk.Core.Tests.Support;
+using Xunit.Abstractions;
+
+namespace Gjk.Core.Tests.Api;
+
+/// <summary>
+/// The folders of the library depend on each other as the README draws it. Solvers know nothing of shapes, shapes know
+/// nothing of solvers, and queries join them. The test reads the sources, because the compiler does not know folders.
+/// </summary>
+public class FolderTests(ITestOutputHelper output)
+{
+    /// <summary>What each folder may use; the folders below come first.</summary>
+    private static readonly (string Folder, string[] Uses)[] Allowed =
+    [
+        ("Arithmetic", []),
+        ("Geometry", ["Arithmetic"]),
+        ("Sorting", ["Geometry"]),
+        ("Threading", []),
+        ("Hulls/Building", ["Arithmetic", "Geometry"]),
+        ("Hulls/Lookup", ["Arithmetic", "Geometry"]),
+        ("Hulls", ["Arithmetic", "Geometry", "Hulls/Building", "Hulls/Lookup"]),
+        ("Shapes", ["Arithmetic", "Geometry", "Hulls"]),
+        ("Minkowski", ["Arithmetic", "Geometry"]),
+        ("Simplex", ["Arithmetic", "Geometry"]),
+        ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
+        ("Solvers", ["Arithmetic", "Geometry", "Minkowski", "Simplex", "Solvers/Trace"]),
+        ("Queries", ["Arithmetic", "Geometry", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace"]),
+        ("Diagnostics", ["Geometry", "Hulls", "Shapes", "Queries"]),
+        ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
+        ("Batch", ["Geometry", "Shapes", "Queries", "Threading", "BroadPhase"]),
+        ("World", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Batch"]),
+    ];
+
+    [Fact]
+    public void EachFolderUsesOnlyWhatLiesBelowIt()
+    {
+        string root = Path.Combine(ProjectFolder.Root, "src", "Gjk.Core");
+        Dictionary<string, string> sources = Sources(root);
+        Dictionary<string, string> folderOf = DeclaredTypes(root, sources);
+        Assert.True(folderOf.Count > 80, $"only {folderOf.Count} types were found");
+        SortedDictionary<string, SortedSet<string>> graph = [];
+        var faults = new List<string>();
+        foreach ((string file, string source) in sources)
+        {
+            string folder = FolderOf(root, file);
+            SortedSet<string> uses = graph.TryGetValue(folder, out SortedSet<string>? known) ? known : graph[folder] = [];
+            foreach (string name in Regex.Matches(source, @"\b[A-Z]\w*").Select(m => m.Value).Distinct())
+            {
+                if (!folderOf.TryGetValue(name, out string? other) || other == folder) continue;
+                uses.Add(other);
+                if (!MayUse(folder, other)) faults.Add($"{folder}/{Path.GetFileName(file)} uses {name} of {other}");
+            }
+        }
+
+        foreach ((string folder, SortedSet<string> uses) in graph) output.WriteLine($"{folder} -> {string.Join(", ", uses)}");
+        Assert.Empty(faults);
+        Assert.Equal(Allowed.Select(a => a.Folder).Order(), graph.Keys.Order());
+    }
+
+    [Fact]
+    public void TheAllowedFoldersHaveNoCycle()
+    {
+        var seen = new HashSet<string>();
+        foreach ((string folder, string[] uses) in Allowed)
+        {
+            Assert.All(uses, use => Assert.Contains(use, seen));
+            Assert.True(seen.Add(folder), folder);
+        }
+    }
+
+    [Fact]
+    public void TheReadmeNamesEveryFolder()
+    {
+        string readme = File.ReadAllText(Path.Combine(ProjectFolder.Root, "README.md"));
+        Assert.All(Allowed.Select(a => a.Folder.Split('/')[0]).Distinct(), f => Assert.Contains($"{f}/", readme));
+    }
+
+    private static bool MayUse(string folder, string other) =>
+        Allowed.Any(a => a.Folder == folder && a.Uses.Contains(other));
+
+    private static string FolderOf(string root, string file) =>
+        Path.GetRelativePath(root, Path.GetDirectoryName(file)!).Replace('\\', '/');
+
+    /// <summary>The sources without comments and strings.</summary>
+    private static Dictionary<string, string> Sources(string root)
+    {
+        var sources = new Dictionary<string, string>();
+        foreach (string folder in Directory.GetDirectories(root).Where(d => Path.GetFileName(d) is not ("bin" or "obj")))
+        {
+            foreach (string file in Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
+                sources.Add(file, Regex.Replace(File.ReadAllText(file), @"//[^\n]*|""(\\.|[^""\\\n])*""", " "));
+        }
+
+        return sources;
+    }
+
+    /// <summary>The types that begin a line; nested ones are known by the type around them.</summary>
+    private static Dictionary<string, string> DeclaredTypes(string root, Dictionary<string, string> sources)
+    {
+        const string declaration = @"^(?:public|internal)[ \w]*?\b(?:class|struct|interface|enum)\s+([A-Z]\w*)";
+        var folderOf = new Dictionary<string, string>();
+        foreach ((string file, string source) in sources)
+        {
+            foreach (Match match in Regex.Matches(source, declaration, RegexOptions.Multiline))
+                folderOf[match.Groups[1].Value] = FolderOf(root, file);
+        }
+
+        return folderOf;
+    }
+}
