@@ -23,14 +23,9 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA copyA = default;
-        TB copyB = default;
         NoTrace trace = default;
         WarmStart unused = default;
-        Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref unused, false, ref trace,
-            out PairFrame frame, out SolverState state);
-        return Finish(state, frame, poseA, poseB, maxDistance);
+        return Ask(a, poseA, b, poseB, maxDistance, ref unused, false, ref trace);
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -85,12 +80,7 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA copyA = default;
-        TB copyB = default;
         NoTrace trace = default;
-        Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref warmStart, true,
-            ref trace, out PairFrame frame, out SolverState state);
-        return Finish(state, frame, poseA, poseB, maxDistance);
+        return Ask(a, poseA, b, poseB, maxDistance, ref warmStart, true, ref trace);
     }
 }

@@ -26,12 +26,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        TA copyA = default;
-        TB copyB = default;
         WarmStart unused = default;
-        Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref unused, false, ref trace,
-            out PairFrame frame, out SolverState state);
-        return Finish(state, frame, poseA, poseB, maxDistance);
+        return Ask(a, poseA, b, poseB, maxDistance, ref unused, false, ref trace);
     }
 }

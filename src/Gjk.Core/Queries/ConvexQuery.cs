@@ -27,6 +27,23 @@ public static partial class ConvexQuery
 #endif
     }
 
+    /// <summary>The whole pipeline, for every distance but the one that gives out its simplex.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static DistanceResult Ask<TA, TB, TTrace>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
+        bool isWarm, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        TA copyA = default;
+        TB copyB = default;
+        Solve(
+            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref warmStart, isWarm,
+            ref trace, out PairFrame frame, out SolverState state);
+        return Finish(state, frame, poseA, poseB, maxDistance);
+    }
+
     /// <summary>
     /// The pipeline up to the margins. A verdict of Contradiction without iterations stands for invalid input.
     /// </summary>

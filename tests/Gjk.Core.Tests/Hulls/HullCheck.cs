@@ -12,7 +12,6 @@ internal static class HullCheck
     {
         Assert.True(HullOracle.Dimension(cloud) == hull.Dimension, $"{label}: dimension {hull.Dimension}");
         Sources(hull, cloud, label);
-        Padding(hull, label);
         Measures(hull, cloud, label);
         Adjacency(hull, label);
         if (hull.Dimension == 3) Solid(hull, cloud, label);
@@ -75,14 +74,6 @@ internal static class HullCheck
             Assert.True(source > last, $"{label}: corner {i} is out of order");
             last = source;
         }
-    }
-
-    private static void Padding(ConvexHull hull, string label)
-    {
-        Assert.True(hull.X.Length % 8 == 0 && hull.X.Length - hull.VertexCount is >= 0 and < 8, $"{label}: {hull.X.Length} slots");
-        Assert.True(hull.Y.Length == hull.X.Length && hull.Z.Length == hull.X.Length, $"{label}: lengths differ");
-        for (int i = hull.VertexCount; i < hull.X.Length; i++)
-            Assert.True(new Vector3(hull.X[i], hull.Y[i], hull.Z[i]) == hull.GetVertex(0) - hull.Origin, $"{label}: padding {i}");
     }
 
     private static void Measures(ConvexHull hull, Vector3[] cloud, string label)

@@ -5,10 +5,7 @@ namespace Gjk.Core;
 /// <summary>The corners of a hull as its look-up reads them. Immutable.</summary>
 internal sealed class HullVertices
 {
-    /// <summary>
-    /// Coordinates by axis, counted from <see cref="Origin"/>, padded to a multiple of 8 with copies of vertex 0, which
-    /// no tie can prefer to the original.
-    /// </summary>
+    /// <summary>Coordinates by axis, counted from <see cref="Origin"/>.</summary>
     public readonly float[] X, Y, Z;
 
     /// <summary>
@@ -17,7 +14,7 @@ internal sealed class HullVertices
     /// </summary>
     public readonly Vector3 Origin;
 
-    /// <summary>How many there are, without the padding.</summary>
+    /// <summary>How many there are.</summary>
     public readonly int Count;
 
     /// <summary>What they span: 0 a point, 1 a segment, 2 a flat polygon, 3 a solid.</summary>
@@ -25,9 +22,6 @@ internal sealed class HullVertices
 
     /// <summary>The smallest axis-aligned box around them.</summary>
     public readonly Aabb Bounds;
-
-    /// <summary>A multiple of the vertices for the padding, a width that suits every vector register.</summary>
-    private const int Padding = 8;
 
     /// <param name="points">The corners, in the order of their ids.</param>
     /// <param name="dimension">What they span.</param>
@@ -39,13 +33,12 @@ internal sealed class HullVertices
         Dimension = dimension;
         Bounds = bounds;
         Origin = origin;
-        int padded = (Count + Padding - 1) / Padding * Padding;
-        X = new float[padded];
-        Y = new float[padded];
-        Z = new float[padded];
-        for (int i = 0; i < padded; i++)
+        X = new float[Count];
+        Y = new float[Count];
+        Z = new float[Count];
+        for (int i = 0; i < Count; i++)
         {
-            Vector3 point = points[i < Count ? i : 0];
+            Vector3 point = points[i];
             X[i] = point.X - origin.X;
             Y[i] = point.Y - origin.Y;
             Z[i] = point.Z - origin.Z;
