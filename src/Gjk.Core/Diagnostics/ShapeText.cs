@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 using System.Numerics;
 using System.Text;
@@ -144,7 +145,7 @@ internal static class ShapeText
     private static ShapeKind ReadKind(RecordReader words)
     {
         string name = words.Word("a shape");
-        for (ShapeKind kind = ShapeKind.Point; kind <= ShapeKind.Mesh; kind++)
+        for (ShapeKind kind = ShapeKind.Point; Enum.IsDefined(typeof(ShapeKind), kind); kind++)
         {
             if (Name(kind) == name) return kind;
         }

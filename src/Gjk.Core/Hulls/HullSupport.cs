@@ -21,7 +21,7 @@ internal static class HullSupport
     {
         HullCells cells = hull.Cells;
         double dx = direction.X, dy = direction.Y, dz = direction.Z;
-        if (cells.Kind == HullCells.SupportKind.Box)
+        if (cells.Kind == HullCells.LookupKind.Box)
         {
             double x = Math.Abs(dx), y = Math.Abs(dy), z = Math.Abs(dz), tie = (x + y + z) * cells.BoxTie;
             int corner = x > tie && y > tie && z > tie
@@ -30,7 +30,7 @@ internal static class HullSupport
             return HullBlocks.Read(cells.Points, corner, out point);
         }
 
-        if (cells.Kind == HullCells.SupportKind.Scan)
+        if (cells.Kind == HullCells.LookupKind.Scan)
         {
             int id = HullDirection.IsSafe(Math.Abs(dx) + Math.Abs(dy) + Math.Abs(dz))
                 ? HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, direction)
@@ -38,7 +38,7 @@ internal static class HullSupport
             return HullBlocks.Read(cells.Points, id, out point);
         }
 
-        int cell = cells.Kind == HullCells.SupportKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
+        int cell = cells.Kind == HullCells.LookupKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
         int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
         int slot = end > start
             ? HullBlocks.Best(cells.Coordinates, start, end, direction)

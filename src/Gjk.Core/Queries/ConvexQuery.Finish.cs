@@ -31,7 +31,7 @@ public static partial class ConvexQuery
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
         Vector3D toA = state.Feature.Normal * scale;
         Vector3D toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;
-        if (IsTouching(state, distance))
+        if (Proofs.IsTouching(state, distance))
         {
             double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
             return Common(
@@ -64,11 +64,6 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
         state.Feature.Height * scale - frame.MarginA - frame.MarginB;
-
-    /// <summary>Whether shapes so far apart touch; asked by every query, so that all of them agree.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsTouching(in SolverState state, double distance) =>
-        state.Verdict == Verdict.Apart && distance <= GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
 
     /// <summary>Whether B's own pose places its point better than the distance from A does.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -86,7 +86,7 @@ public static partial class ConvexQuery
         {
             case Verdict.Apart:
                 double distance = DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
-                return IsTouching(state, distance) ? GjkStatus.Overlapping : GjkStatus.Separated;
+                return Proofs.IsTouching(state, distance) ? GjkStatus.Overlapping : GjkStatus.Separated;
             case Verdict.Enclosed:
                 return GjkStatus.Overlapping;
             case Verdict.Beyond:

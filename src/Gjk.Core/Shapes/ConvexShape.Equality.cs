@@ -53,7 +53,9 @@ public readonly partial struct ConvexShape
         ShapeKind.Box => $"box, half extents {Text(p.A)}",
         ShapeKind.Ellipsoid => $"ellipsoid, radii {Text(p.A)}",
         ShapeKind.Mesh => $"mesh of {p.Hull!.VertexCount} vertices",
-        _ => $"{(p.Kind == ShapeKind.Cone ? "cone" : "cylinder")}, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
+        ShapeKind.Cylinder => $"cylinder, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
+        ShapeKind.Cone => $"cone, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
+        _ => p.Kind.ToString(),
     };
 
     private static string Text(double number) => number.ToString("G9", CultureInfo.InvariantCulture);

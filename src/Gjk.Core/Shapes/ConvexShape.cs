@@ -140,7 +140,8 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
         ShapeKind.Box or ShapeKind.Cylinder or ShapeKind.Cone => parts.A.Length,
         ShapeKind.Ellipsoid => Math.Max(Math.Max(parts.A.X, parts.A.Y), parts.A.Z),
         ShapeKind.Mesh => parts.Hull!.BoundingRadius,
-        _ => 0,
+        ShapeKind.Point or ShapeKind.Sphere => 0,
+        _ => throw new InvalidOperationException($"There is no bounding radius for the kind {parts.Kind}."),
     };
 
     /// <summary>The support of the core before the scale, in the local frame.</summary>

@@ -84,6 +84,15 @@ internal static class Proofs
         state.Plane.Set(state.Feature, Math.Min(plane, state.Feature.Height));
     }
 
+    /// <summary>
+    /// Whether shapes that are so far apart touch. Every query asks this, so that all of them agree.
+    /// </summary>
+    /// <param name="state">With the size and the verdict.</param>
+    /// <param name="distance">The gap between the cores less the margins, in solver units.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsTouching(in SolverState state, double distance) =>
+        state.Verdict == Verdict.Apart && distance <= GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
+
     private static bool IsCertain(in Vector3D a, in Vector3D e, in Vector3D f)
     {
         double determinant = -Vector3D.Dot(Vector3D.Cross(e, f), a);

@@ -48,11 +48,11 @@ public class HullLookupTests
             if (seed % 5 == 0) cloud = Array.ConvertAll(cloud, p => p + away);
             if (seed % 5 == 1) cloud = Array.ConvertAll(cloud, p => p * factors);
             if (seed % 10 == 2) cloud = Array.ConvertAll(cloud, p => p with { Z = p.X + p.Y });
-            HullCells.SupportKind kind = Check(cloud, $"made mesh, seed {seed}", (ulong)seed, Directions).Cells.Kind;
-            boxes += kind == HullCells.SupportKind.Box ? 1 : 0;
-            cells += kind == HullCells.SupportKind.Cells ? 1 : 0;
-            flats += kind == HullCells.SupportKind.Flat ? 1 : 0;
-            scans += kind == HullCells.SupportKind.Scan ? 1 : 0;
+            HullCells.LookupKind kind = Check(cloud, $"made mesh, seed {seed}", (ulong)seed, Directions).Cells.Kind;
+            boxes += kind == HullCells.LookupKind.Box ? 1 : 0;
+            cells += kind == HullCells.LookupKind.Cells ? 1 : 0;
+            flats += kind == HullCells.LookupKind.Flat ? 1 : 0;
+            scans += kind == HullCells.LookupKind.Scan ? 1 : 0;
         }
 
         string counts = $"{boxes} boxes, {cells} with cells, {flats} flat, {scans} scanned";
@@ -65,7 +65,7 @@ public class HullLookupTests
     {
         ConvexHull hull = Check(LargeClouds.Make(kind), kind, 77, Directions / 5);
         Assert.Equal(kind is not ("turned disc" or "cluster"), hull.Cells.Tree is not null);
-        Assert.Equal(kind == "turned disc", hull.Cells.Kind == HullCells.SupportKind.Flat);
+        Assert.Equal(kind == "turned disc", hull.Cells.Kind == HullCells.LookupKind.Flat);
     }
 
     [Theory]

@@ -60,7 +60,7 @@ internal sealed class HullCells
     /// How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are not
     /// touched in vain.
     /// </summary>
-    public readonly SupportKind Kind;
+    public readonly LookupKind Kind;
 
     /// <summary>The blocks of a hull that is scanned as a whole.</summary>
     public readonly int BlockCount;
@@ -147,12 +147,12 @@ internal sealed class HullCells
         double most = Math.Max(Math.Max(Stretch.X, Stretch.Y), Stretch.Z);
         BoxTie = Tie * most / Math.Min(Math.Min(Stretch.X, Stretch.Y), Stretch.Z);
         BlockCount = Runs[1];
-        Kind = BoxSlots.Length > 0 ? SupportKind.Box
-            : !Direction.IsSpatial ? SupportKind.Flat
-            : Side > 0 ? SupportKind.Cells : SupportKind.Scan;
+        Kind = BoxSlots.Length > 0 ? LookupKind.Box
+            : !Direction.IsSpatial ? LookupKind.Flat
+            : Side > 0 ? LookupKind.Cells : LookupKind.Scan;
     }
 
-    public enum SupportKind
+    public enum LookupKind
     {
         /// <summary>All vertices are scanned; a vertex's slot is its id.</summary>
         Scan,
