@@ -25,10 +25,12 @@ internal static class CommandLine
 
     private const double DefaultSeconds = 3;
 
-    /// <summary>A day; more is a slip of the finger.</summary>
+    /// <summary>One day. A larger value is most likely a typing error.</summary>
     private const double MaxSeconds = 86_400;
 
-    /// <summary>Parses and runs; what is refused is thrown.</summary>
+    /// <summary>
+    /// Parses the arguments and runs the command. Refused arguments throw <see cref="RefusedException"/>.
+    /// </summary>
     public static int Run(string[] args, CancellationToken cancel)
     {
         var root = new RootCommand(
@@ -42,7 +44,7 @@ internal static class CommandLine
             TraceOptions.Build(cancel),
         };
 
-        // A file name may begin with @, and nothing else is to be read from it.
+        // A file name may begin with @. It must not be taken for a response file with more arguments.
         ParseResult parsed = root.Parse(WithDefault(args), new ParserConfiguration { ResponseFileTokenReplacer = null });
         string where = parsed.CommandResult.Command is RootCommand ? "" : parsed.CommandResult.Command.Name + ": ";
         if (StrayOption(parsed) is { } stray) throw new RefusedException(where + stray);
@@ -54,7 +56,9 @@ internal static class CommandLine
         return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
     }
 
-    /// <summary>Options without a command belong to the default command, but for those of the program itself.</summary>
+    /// <summary>
+    /// Options without a command belong to the default command, except for the options of the program itself.
+    /// </summary>
     private static IReadOnlyList<string> WithDefault(string[] args)
     {
         bool isDefault = args.Length == 0 || (args[0].StartsWith('-') && args[0] is not ("-h" or "--help" or "-?" or "--version"));
@@ -62,8 +66,8 @@ internal static class CommandLine
     }
 
     /// <summary>
-    /// Names what looks like an option, but not like a number, and was taken for a file or for an option's value. After
-    /// "--" everything is a file.
+    /// Finds an argument that looks like an option, but not like a number, and was parsed as a file or as an option's
+    /// value. After "--" everything is a file.
     /// </summary>
     private static string? StrayOption(ParseResult parsed)
     {
@@ -185,7 +189,7 @@ internal static class CommandLine
         string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         bool isNumber = T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out T value);
 
-        // A number that is too large is read as infinite, but only the word means that.
+        // The parser reads a number that is too large as infinity. Only the word for infinity may mean that.
         if (isNumber && (!T.IsInfinity(value) || !text.Any(char.IsAsciiDigit))) return value;
         return T.CreateChecked(0) / T.CreateChecked(0);
     }

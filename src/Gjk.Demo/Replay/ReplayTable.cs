@@ -6,7 +6,7 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>The report's Table 1 beside this machine's, and the pairs that intersect.</summary>
+/// <summary>Prints the report's Table 1 beside the figures of this machine, and the pairs that intersect.</summary>
 internal static class ReplayTable
 {
     private const string None = "-";
@@ -21,7 +21,7 @@ internal static class ReplayTable
         foreach (SceneReport report in reports) PrintPairs(console, report);
     }
 
-    /// <summary>The table as text, the heading first.</summary>
+    /// <summary>The rows of the table as text. The first row is the heading.</summary>
     private static List<string[]> Rows(IReadOnlyList<SceneReport> reports)
     {
         var rows = new List<string[]>();

@@ -6,16 +6,16 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>A table of text, its titles to the left and its figures to the right.</summary>
+/// <summary>Prints a table of text. Titles are aligned to the left, figures to the right.</summary>
 internal static class TextTable
 {
-    /// <summary>What the figures were measured on.</summary>
+    /// <summary>A description of the machine on which the figures were measured.</summary>
     public static string ThisMachine =>
         $"{RuntimeInformation.FrameworkDescription}, {RuntimeInformation.ProcessArchitecture}, {Environment.ProcessorCount} processors";
 
-    /// <param name="console">Where to.</param>
-    /// <param name="rows">The heading first.</param>
-    /// <param name="plain">As Markdown.</param>
+    /// <param name="console">Where to print.</param>
+    /// <param name="rows">The rows. The first one is the heading.</param>
+    /// <param name="plain">Prints Markdown.</param>
     public static void Print(IAnsiConsole console, IReadOnlyList<string[]> rows, bool plain)
     {
         if (plain) PrintMarkdown(console, rows);
@@ -31,7 +31,7 @@ internal static class TextTable
         return table;
     }
 
-    /// <summary>Reads well in a pipe, and can be pasted into a page.</summary>
+    /// <summary>Prints Markdown, which is readable in a pipe and can be pasted into a page.</summary>
     private static void PrintMarkdown(IAnsiConsole console, IReadOnlyList<string[]> rows)
     {
         int[] widths = [.. Enumerable.Range(0, rows[0].Length).Select(column => rows.Max(row => row[column].Length))];

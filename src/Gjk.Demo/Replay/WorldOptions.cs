@@ -6,19 +6,22 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>The options of <c>replay</c> that turn it from the report's scenes to whole worlds.</summary>
+/// <summary>The options of <c>replay</c> that select whole worlds instead of the report's scenes.</summary>
 internal sealed class WorldOptions
 {
-    /// <summary>Count. The names, poses and bounds of as many take a gigabyte.</summary>
+    /// <summary>Objects. The names, poses and bounds of this many take a gigabyte.</summary>
     private const int MostObjects = 1_000_000;
 
-    /// <summary>Count. Comparing every pair of more takes longer per frame than anybody waits, and a frame is not left half done.</summary>
+    /// <summary>
+    /// Objects. With more of them, comparing every pair takes longer per frame than a user would wait, and a frame
+    /// cannot be cancelled halfway.
+    /// </summary>
     private const int MostForAllPairs = 100_000;
 
-    /// <summary>Count; more is a slip of the finger.</summary>
+    /// <summary>Threads. A larger value is most likely a typing error.</summary>
     private const int MostThreads = 256;
 
-    /// <summary>Sizes per frame; more is a slip of the finger.</summary>
+    /// <summary>Object sizes per frame. A larger value is most likely a typing error.</summary>
     private const double MostSpeed = 1000;
 
     private readonly Option<BroadPhaseKind?> _broad;
@@ -50,7 +53,7 @@ internal sealed class WorldOptions
         command.Validators.Add(Check);
     }
 
-    /// <summary>Null when none of the options was given.</summary>
+    /// <summary>Null if none of the options was given.</summary>
     public WorldSettings? Read(ParseResult result)
     {
         BroadPhaseKind? broad = result.GetValue(_broad);
@@ -66,7 +69,7 @@ internal sealed class WorldOptions
         };
     }
 
-    /// <summary>By the words as they were given: one that is refused has no value.</summary>
+    /// <summary>Checks the words as they were given, because an option that is refused has no value.</summary>
     private void Check(CommandResult command)
     {
         bool isAll = command.GetResult(_broad) is { Tokens: [{ Value: "all" }] };

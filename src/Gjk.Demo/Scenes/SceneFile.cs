@@ -8,7 +8,10 @@ using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>Reads a scene's JSON, version 1, and refuses everything that is not exactly right, with file, JSON path and reason.</summary>
+/// <summary>
+/// Reads a scene's JSON, version 1. It refuses everything that is not exactly right, and names the file, the JSON path
+/// and the reason.
+/// </summary>
 internal sealed class SceneFile
 {
     private const int Version = 1;
@@ -28,7 +31,7 @@ internal sealed class SceneFile
     /// <summary>Reads and validates the whole file.</summary>
     /// <param name="file">Its name, or "-" for standard input.</param>
     /// <param name="cancel">Ends the wait for a pipe.</param>
-    /// <exception cref="RefusedException">It cannot be read, or is not a scene.</exception>
+    /// <exception cref="RefusedException">The file cannot be read, or it is not a scene.</exception>
     public static Scene Load(string file, CancellationToken cancel) =>
         Parse(InputFile.NameOf(file), InputFile.Read(file, cancel));
 
@@ -125,7 +128,10 @@ internal sealed class SceneFile
         throw json.Refuse("missing");
     }
 
-    /// <summary>Only the form; the indices are checked when the objects, which may follow, are counted.</summary>
+    /// <summary>
+    /// Checks only the form. The objects may come later in the file, so the indices are checked when their number is
+    /// known.
+    /// </summary>
     private void ReadPairs(ref StrictJsonReader json)
     {
         const string what = "two object indices [a, b]";
@@ -175,7 +181,9 @@ internal sealed class SceneFile
         return new SceneObject(draft.Name, shape, draft.Pose, draft.Velocity, draft.AngularVelocity);
     }
 
-    /// <summary>Hulled at its first use, and shared by all objects that name it.</summary>
+    /// <summary>
+    /// A mesh by its name. Its hull is built at the first use and shared by all objects that name it.
+    /// </summary>
     private ConvexShape MeshNamed(in StrictJsonReader json, string name)
     {
         if (_hulls.TryGetValue(name, out ConvexShape known)) return known;

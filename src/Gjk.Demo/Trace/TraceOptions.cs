@@ -9,7 +9,7 @@ using Gjk.Demo.View;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>The command line of <c>trace</c>, and its work.</summary>
+/// <summary>The command line of <c>trace</c>, and the command itself.</summary>
 internal static class TraceOptions
 {
     public static Command Build(CancellationToken cancel)

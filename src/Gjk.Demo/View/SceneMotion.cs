@@ -5,21 +5,28 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>Where the objects of a scene are in each of its frames: moved evenly, and turned evenly about the world's axes, from the poses given.</summary>
+/// <summary>
+/// The poses of a scene's objects in each frame. From the given poses, objects move and turn at constant rates. They
+/// turn about the world's axes.
+/// </summary>
 internal sealed class SceneMotion
 {
     private readonly Scene _scene;
     private readonly string _name;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="name">What the user calls it, for the refusal of a motion that leaves the range of float.</param>
+    /// <param name="name">The user's name for the scene. It is used if a motion is refused because it leaves the range
+    /// of float.</param>
     public SceneMotion(Scene scene, string name)
     {
         _scene = scene;
         _name = name;
     }
 
-    /// <summary>The poses of a frame, each worked out from the first, so that no error grows; the first has the poses as given.</summary>
+    /// <summary>
+    /// The poses of a frame. Each is computed from the first frame, so that no error accumulates. The first frame has
+    /// the poses as given.
+    /// </summary>
     /// <exception cref="RefusedException">A position is beyond the range of float.</exception>
     public void Poses(int frame, Span<RigidPose> poses)
     {

@@ -3,7 +3,9 @@ using System.Globalization;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The two colours of the page and the picture: red for what intersects, green for the rest.</summary>
+/// <summary>
+/// The two colours of the page and the picture. Red marks objects that intersect, green marks the others.
+/// </summary>
 internal static class PictureColors
 {
     public static string Of(bool isHit, double brightness)

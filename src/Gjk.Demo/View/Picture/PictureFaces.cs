@@ -4,10 +4,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The visible surfaces of a picture, one path for each colour and brightness.</summary>
+/// <summary>The visible surfaces of a picture, with one path for each colour and brightness.</summary>
 internal sealed class PictureFaces
 {
-    /// <summary>How many steps there are between the darkest and the brightest face.</summary>
+    /// <summary>How many levels of brightness there are, from the darkest to the brightest face.</summary>
     private const int Levels = 24;
 
     /// <summary>Brightness of a face turned away from the light, and of one turned towards it.</summary>
@@ -34,7 +34,10 @@ internal sealed class PictureFaces
         }
     }
 
-    /// <summary>Adds what the others leave visible of a body. Whole triangles of one level are joined, so that only their common outline is written.</summary>
+    /// <summary>
+    /// Adds the parts of a body that the other bodies leave visible. Whole triangles of one level are joined, so that
+    /// only their common outline is written.
+    /// </summary>
     public void Add(PictureBody body, bool isHit, List<PictureBody> before)
     {
         var outlines = new SortedDictionary<int, HashSet<(int From, int To)>>();
@@ -67,7 +70,9 @@ internal sealed class PictureFaces
         foreach ((int level, HashSet<(int From, int To)> sides) in outlines) Trace(body, sides, Path(isHit, level));
     }
 
-    /// <summary>A side that two triangles share is inside of their union.</summary>
+    /// <summary>
+    /// Adds a side of a triangle. A side that two triangles share lies inside their union and is removed.
+    /// </summary>
     private static void Join(HashSet<(int From, int To)> sides, int from, int to)
     {
         if (!sides.Remove((to, from))) sides.Add((from, to));

@@ -5,7 +5,7 @@ using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>Points and segments, which have no surface: drawn as dots and strokes of one thickness.</summary>
+/// <summary>Points and segments, which have no surface. They are drawn as dots and as strokes of one width.</summary>
 internal sealed class PictureThin
 {
     /// <summary>In the units of the picture.</summary>

@@ -14,21 +14,30 @@ using Gjk.Demo.Scenes;
 namespace Gjk.Demo.View;
 
 /// <summary>
-/// The still picture of a scene's first frame as SVG: what the page shows at first, as shapes and lines of which only the visible parts are written. It
-/// brings its dark ground along, so that the white lines can be read on any page.
+/// Draws the first frame of a scene as an SVG picture. It shows what the page shows at first, and contains only the
+/// visible parts of shapes and lines. The picture has a dark background of its own, so that the white lines are
+/// readable on any page.
 /// </summary>
 internal sealed class ScenePicture
 {
-    /// <summary>In the picture's own units, which are pixels where nobody scales it.</summary>
+    /// <summary>The width in the picture's own units. These are pixels if the picture is not scaled.</summary>
     private const double Width = 960;
 
-    /// <summary>With more pairs than this only the lines to nearest partners are drawn; the page begins in the same way.</summary>
+    /// <summary>
+    /// With more pairs than this, only the lines to nearest partners are drawn. The page starts in the same way.
+    /// </summary>
     private const int ManyPairs = 400;
 
-    /// <summary>The scene is drawn this large from its middle to its end, whatever its size, as on the page.</summary>
+    /// <summary>
+    /// The distance from the middle of the scene to its end as it is drawn. It does not depend on the scene's size, as
+    /// on the page.
+    /// </summary>
     private const double DrawnRadius = 10;
 
-    /// <summary>Ratio: angles that differ by no more than this count as equal, far more than the arc functions round.</summary>
+    /// <summary>
+    /// Ratio. Angles that differ by no more than this count as equal. It is far more than the rounding of the arc
+    /// functions.
+    /// </summary>
     private const double Rounding = 1 + 1e-9;
 
     private readonly Scene _scene;
@@ -90,7 +99,7 @@ internal sealed class ScenePicture
 
     private Vector3D Drawn(in Vector3D world) => (world - _middle) * _unit;
 
-    /// <summary>Which objects overlap another, and the pair of each with its nearest partner.</summary>
+    /// <summary>Finds the objects that overlap another, and the pair of each object with its nearest partner.</summary>
     private void Rank()
     {
         int pair = 0;
@@ -147,7 +156,10 @@ internal sealed class ScenePicture
         writer.WriteLine("</svg>");
     }
 
-    /// <summary>The lines between closest points: bright to each object's nearest partner, the others faint.</summary>
+    /// <summary>
+    /// Writes the lines between closest points. The line to each object's nearest partner is bright, the others are
+    /// faint.
+    /// </summary>
     private void WriteLines(StreamWriter writer, CancellationToken cancel)
     {
         SvgPath bright = new(), faint = new();
@@ -168,7 +180,9 @@ internal sealed class ScenePicture
         if (!bright.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#fff\" stroke-width=\"1.8\" d=\"{bright}\"/>");
     }
 
-    /// <summary>The bodies that hide a part of a ball; false when one of them hides it all.</summary>
+    /// <summary>
+    /// Finds the bodies that hide a part of a ball. Returns false if one of them hides the whole ball.
+    /// </summary>
     private bool TryBefore(in Vector3D center, double radius, int except, out List<PictureBody> before)
     {
         before = [];
@@ -180,12 +194,14 @@ internal sealed class ScenePicture
             before.Add(_bodies[i]);
         }
 
-        // The nearest hide the most, and what is hidden need not be cut any more.
+        // The nearest body hides the most. Hidden parts need no further cuts.
         before.Sort((x, y) => x.EyeDistance.CompareTo(y.EyeDistance));
         return true;
     }
 
-    /// <summary>A quick look at the two balls: the body's is behind, or the eye sees them apart.</summary>
+    /// <summary>
+    /// A quick test of two balls. True if the body is behind the ball, or if the eye sees them apart.
+    /// </summary>
     private bool IsAside(PictureBody body, in Vector3D center, double radius, double distance)
     {
         if (body.EyeDistance - body.Radius > distance + radius) return true;

@@ -1,4 +1,4 @@
-// The page's data: JSON whose long columns are base64 of little-endian numbers.
+// The page's data. It is JSON whose long columns are base64 of little-endian numbers.
 
 function bytes(text) {
   const raw = atob(text);

@@ -68,7 +68,7 @@ export class Stage {
     this.look = this.look ?? look;
     if (!this.renderer) return;
     this.controls.addEventListener('start', () => { this.balls = null; });
-    // Without damping an update forgets the motion that is still running out.
+    // Without damping, an update discards the motion that has not run out yet.
     this.controls.enableDamping = false;
     this.controls.update();
     this.controls.enableDamping = true;

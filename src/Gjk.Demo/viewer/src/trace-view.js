@@ -128,7 +128,7 @@ export class ShapesView {
         changing.add(dot(a, COLORS.nearest, DOT * 0.7), dot(b, COLORS.nearest, DOT * 0.7));
       }
     }
-    // The marks lie on, and often in, the shapes: they are seen through them.
+    // The marks lie on the shapes, and often inside them. So they are drawn visible through the shapes.
     changing.traverse((mark) => {
       if (!mark.material) return;
       mark.material.depthTest = false;
