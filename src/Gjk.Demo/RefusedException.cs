@@ -28,7 +28,8 @@ internal sealed class RefusedException : Exception
     /// kind, or if the disk is full.
     /// </summary>
     public static bool IsFileTrouble(Exception e) =>
-        e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException or System.Security.SecurityException;
+        e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException
+            or System.Security.SecurityException;
 
     private static string Reason(Exception cause) => cause switch
     {

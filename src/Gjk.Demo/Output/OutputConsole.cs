@@ -24,7 +24,8 @@ internal static class OutputConsole
     public static void RefuseFailures(CancellationToken cancel)
     {
         if (!IsPlain) return;
-        Console.SetOut(new StreamWriter(OpenStream(cancel), new UTF8Encoding(false)) { AutoFlush = true, NewLine = "\n" });
+        var writer = new StreamWriter(OpenStream(cancel), new UTF8Encoding(false)) { AutoFlush = true, NewLine = "\n" };
+        Console.SetOut(writer);
     }
 
     /// <summary>Opens standard output for bytes. A write that fails throws <see cref="RefusedException"/>.</summary>

@@ -28,5 +28,6 @@ internal static class RecordScene
         return new Scene("record", objects, ScenePairs.All(objects.Length), 1);
     }
 
-    private static SceneObject Object(string name, in ConvexShape shape, in RigidPose pose) => new(name, shape, pose, Vector3.Zero, Vector3.Zero);
+    private static SceneObject Object(string name, in ConvexShape shape, in RigidPose pose) =>
+        new(name, shape, pose, Vector3.Zero, Vector3.Zero);
 }

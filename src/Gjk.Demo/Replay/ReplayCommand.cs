@@ -18,7 +18,10 @@ internal static class ReplayCommand
     /// replace a file.</param>
     public static int Run(ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
         [BuiltInScenes.Cubes, BuiltInScenes.Spheres],
-        (scene, progress) => SceneReplay.Run(scene, length, progress, cancel), jsonFile, ReplayJson.Write, ReplayTable.Print);
+        (scene, progress) => SceneReplay.Run(scene, length, progress, cancel),
+        jsonFile,
+        ReplayJson.Write,
+        ReplayTable.Print);
 
     /// <summary>
     /// Replays the same scenes, or larger ones of their kind. The objects may move, and each frame finds the
@@ -29,9 +32,19 @@ internal static class ReplayCommand
     /// <param name="jsonFile">Where to write figures and pairs, or null.</param>
     /// <param name="cancel">Ends the work. Completed scenes are still printed. They are also written, unless that would
     /// replace a file.</param>
-    public static int RunWorlds(WorldSettings settings, ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
-        settings.Objects is int count ? [() => BuiltInScenes.Cubes(count), () => BuiltInScenes.Spheres(count)] : [BuiltInScenes.Cubes, BuiltInScenes.Spheres],
-        (scene, progress) => WorldReplay.Run(scene, settings, length, progress, cancel), jsonFile, ReplayJson.Write, WorldTable.Print);
+    public static int RunWorlds(
+        WorldSettings settings, ReplayLength length, string? jsonFile, CancellationToken cancel)
+    {
+        Func<BuiltInScene>[] scenes = settings.Objects is int count
+            ? [() => BuiltInScenes.Cubes(count), () => BuiltInScenes.Spheres(count)]
+            : [BuiltInScenes.Cubes, BuiltInScenes.Spheres];
+        return Run(
+            scenes,
+            (scene, progress) => WorldReplay.Run(scene, settings, length, progress, cancel),
+            jsonFile,
+            ReplayJson.Write,
+            WorldTable.Print);
+    }
 
     private static int Run<TReport>(
         Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, string? jsonFile,
@@ -50,7 +63,9 @@ internal static class ReplayCommand
     }
 
     /// <summary>False if it was cancelled before the last scene was complete.</summary>
-    private static bool RunScenes<TReport>(Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, ProgressBar bar, List<TReport> reports)
+    private static bool RunScenes<TReport>(
+        Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, ProgressBar bar,
+        List<TReport> reports)
     {
         try
         {

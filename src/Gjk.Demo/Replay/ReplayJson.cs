@@ -12,9 +12,11 @@ namespace Gjk.Demo.Replay;
 /// </summary>
 internal static class ReplayJson
 {
-    public static void Write(Stream stream, IReadOnlyList<SceneReport> reports) => WriteScenes(stream, reports, WriteScene);
+    public static void Write(Stream stream, IReadOnlyList<SceneReport> reports) =>
+        WriteScenes(stream, reports, WriteScene);
 
-    public static void Write(Stream stream, IReadOnlyList<WorldReport> reports) => WriteScenes(stream, reports, WriteWorld);
+    public static void Write(Stream stream, IReadOnlyList<WorldReport> reports) =>
+        WriteScenes(stream, reports, WriteWorld);
 
     private static void WriteScenes<T>(Stream stream, IReadOnlyList<T> reports, Action<Utf8JsonWriter, T> write)
     {

@@ -16,5 +16,6 @@ internal readonly struct ReplayLength
     public int? Frames { get; }
 
     /// <summary>The completed share, from 0 to 1.</summary>
-    public double Done(int frames, TimeSpan elapsed) => Math.Min(Frames is int n ? (double)frames / n : elapsed / Duration, 1);
+    public double Done(int frames, TimeSpan elapsed) =>
+        Math.Min(Frames is int n ? (double)frames / n : elapsed / Duration, 1);
 }

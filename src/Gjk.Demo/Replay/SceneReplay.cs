@@ -16,7 +16,8 @@ internal static class SceneReplay
     /// <param name="length">How long to measure, after the warm-up.</param>
     /// <param name="progress">Receives the completed share, from 0 to 1, between the frames.</param>
     /// <param name="cancel">Ends the work. The scene's results are thrown away.</param>
-    public static SceneReport Run(BuiltInScene scene, ReplayLength length, Action<double> progress, CancellationToken cancel)
+    public static SceneReport Run(
+        BuiltInScene scene, ReplayLength length, Action<double> progress, CancellationToken cancel)
     {
         Scene objects = Scene.From(scene);
         var pairs = new PairLoop(objects, cancel);
@@ -36,7 +37,8 @@ internal static class SceneReplay
 
     /// <summary>Times the frames. Work between the frames counts neither in the times nor in the bytes.</summary>
     private static Samples Measure(
-        PairLoop pairs, DistanceResult[] results, ReplayLength length, Action<double> progress, CancellationToken cancel, out long bytes)
+        PairLoop pairs, DistanceResult[] results, ReplayLength length, Action<double> progress,
+        CancellationToken cancel, out long bytes)
     {
         var frames = new Samples();
         bytes = 0;

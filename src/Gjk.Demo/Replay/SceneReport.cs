@@ -8,7 +8,8 @@ namespace Gjk.Demo.Replay;
 /// <summary>The result of replaying one scene: the answers, which are the same in every frame, and the times.</summary>
 internal sealed class SceneReport
 {
-    public SceneReport(BuiltInScene scene, int hullVertices, ReadOnlySpan<int> a, ReadOnlySpan<int> b, DistanceResult[] results)
+    public SceneReport(
+        BuiltInScene scene, int hullVertices, ReadOnlySpan<int> a, ReadOnlySpan<int> b, DistanceResult[] results)
     {
         Name = scene.Name;
         ObjectNames = [.. scene.ObjectNames];

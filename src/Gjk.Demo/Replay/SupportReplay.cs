@@ -47,7 +47,8 @@ internal sealed class SupportReplay
     private void Ask(SupportCall[] calls)
     {
         long ids = 0;
-        foreach (ref readonly SupportCall call in calls.AsSpan()) ids += _meshes[call.Object].Support(call.Direction, out _);
+        foreach (ref readonly SupportCall call in calls.AsSpan())
+            ids += _meshes[call.Object].Support(call.Direction, out _);
         _ids = ids;
     }
 

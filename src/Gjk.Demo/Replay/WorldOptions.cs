@@ -34,18 +34,33 @@ internal sealed class WorldOptions
     {
         _broad = new("--broad")
         {
-            Description = "Find the intersecting pairs of every frame, in place of the report's 190 distances, by comparing all pairs of bounds, by sort and sweep, by sweep and prune, or with a dynamic tree (the default with the options below).",
+            Description = "Find the intersecting pairs of every frame instead of the report's 190 distances. The broad "
+                + "phase compares all pairs of bounds, or uses sort and sweep, sweep and prune, or a dynamic tree (the "
+                + "default with the options below).",
             HelpName = string.Join('|', WorldSettings.BroadPhaseNames),
             CustomParser = BroadPhase,
         };
         _motion = new("--motion")
         {
-            Description = "Move the objects, by so many of their sizes per frame (0), and turn them; find the intersecting pairs of every frame.",
+            Description = "Move each object by this many of its sizes per frame (0) and turn it. Find the intersecting "
+                + "pairs of every frame.",
             HelpName = "SPEED",
             CustomParser = Speed,
         };
-        _objects = new("--objects") { Description = "So many objects in a room where about half of them touch another, in place of the report's 20; find the intersecting pairs.", HelpName = "N", CustomParser = r => Whole(r, 2, MostObjects) };
-        _threads = new("--threads") { Description = "Find the intersecting pairs on so many threads (1). The hash does not depend on it, nor on --broad.", HelpName = "N", CustomParser = r => Whole(r, 1, MostThreads) };
+        _objects = new("--objects")
+        {
+            Description = "Place this many objects in a room where about half of them touch another, instead of the "
+                + "report's 20. Find the intersecting pairs.",
+            HelpName = "N",
+            CustomParser = r => Whole(r, 2, MostObjects),
+        };
+        _threads = new("--threads")
+        {
+            Description = "Find the intersecting pairs on this many threads (1). The hash depends neither on this nor "
+                + "on --broad.",
+            HelpName = "N",
+            CustomParser = r => Whole(r, 1, MostThreads),
+        };
         command.Options.Add(_broad);
         command.Options.Add(_motion);
         command.Options.Add(_objects);
@@ -73,26 +88,39 @@ internal sealed class WorldOptions
     private void Check(CommandResult command)
     {
         bool isAll = command.GetResult(_broad) is { Tokens: [{ Value: "all" }] };
-        if (isAll && command.GetResult(_objects) is { Tokens: [var number] } && int.TryParse(number.Value, out int objects) && objects > MostForAllPairs)
+        if (isAll
+            && command.GetResult(_objects) is { Tokens: [var number] }
+            && int.TryParse(number.Value, out int objects)
+            && objects > MostForAllPairs)
+        {
             command.AddError($"--broad all compares every pair and takes at most {MostForAllPairs} objects.");
+        }
     }
 
     private static BroadPhaseKind? BroadPhase(ArgumentResult result)
     {
         int kind = Array.IndexOf(WorldSettings.BroadPhaseNames, Text(result));
-        return kind >= 0 ? (BroadPhaseKind)kind : Refused<BroadPhaseKind>(result, $"must be one of {string.Join(", ", WorldSettings.BroadPhaseNames)}");
+        return kind >= 0
+            ? (BroadPhaseKind)kind
+            : Refused<BroadPhaseKind>(result, $"must be one of {string.Join(", ", WorldSettings.BroadPhaseNames)}");
     }
 
     private static double? Speed(ArgumentResult result)
     {
-        bool isNumber = double.TryParse(Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double speed);
-        return isNumber && speed >= 0 && speed <= MostSpeed ? speed : Refused<double>(result, $"must be a number, at least 0, at most {MostSpeed:F0}");
+        bool isNumber = double.TryParse(
+            Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double speed);
+        return isNumber && speed >= 0 && speed <= MostSpeed
+            ? speed
+            : Refused<double>(result, $"must be a number, at least 0, at most {MostSpeed:F0}");
     }
 
     private static int? Whole(ArgumentResult result, int least, int most)
     {
-        bool isNumber = int.TryParse(Text(result), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number);
-        return isNumber && number >= least && number <= most ? number : Refused<int>(result, $"must be a whole number, at least {least}, at most {most}");
+        bool isNumber = int.TryParse(
+            Text(result), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number);
+        return isNumber && number >= least && number <= most
+            ? number
+            : Refused<int>(result, $"must be a whole number, at least {least}, at most {most}");
     }
 
     private static string Text(ArgumentResult result) => result.Tokens.Count == 0 ? "" : result.Tokens[0].Value;

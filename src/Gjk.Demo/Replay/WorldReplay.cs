@@ -25,7 +25,9 @@ internal static class WorldReplay
     /// <param name="length">How long to measure, after the warm-up. At least the counted frames are run.</param>
     /// <param name="progress">Receives the completed share, from 0 to 1, between the frames.</param>
     /// <param name="cancel">Ends the work. The scene's results are thrown away.</param>
-    public static WorldReport Run(BuiltInScene scene, WorldSettings settings, ReplayLength length, Action<double> progress, CancellationToken cancel)
+    public static WorldReport Run(
+        BuiltInScene scene, WorldSettings settings, ReplayLength length, Action<double> progress,
+        CancellationToken cancel)
     {
         using Workers? workers = settings.Threads > 1 ? new Workers(settings.Threads) : null;
         var world = new World(scene, settings, workers);
@@ -43,7 +45,8 @@ internal static class WorldReplay
         return report;
     }
 
-    private static void Measure(World world, WorldReport report, ReplayLength length, Action<double> progress, CancellationToken cancel)
+    private static void Measure(
+        World world, WorldReport report, ReplayLength length, Action<double> progress, CancellationToken cancel)
     {
         var hash = new ResultHash();
         Samples broad = new(), narrow = new(), whole = new();

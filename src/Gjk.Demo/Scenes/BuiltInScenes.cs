@@ -90,7 +90,8 @@ public static class BuiltInScenes
     private const double SphereContactVolume = 4.0 / 3 * Math.PI;
 
     /// <summary>A box around the centres of both grids, with a margin of the distance between neighbours.</summary>
-    private static readonly Aabb GridRoom = new(new Vector3(-Apart), new Vector3(Columns * Apart, UpperHeight + Apart, 2 * Apart));
+    private static readonly Aabb GridRoom =
+        new(new Vector3(-Apart), new Vector3(Columns * Apart, UpperHeight + Apart, 2 * Apart));
 
     private const ulong CubeSeed = 0x43_75_62_65_73;
     private const ulong SphereSeed = 0x53_70_68_65_72_65_73;
@@ -137,7 +138,8 @@ public static class BuiltInScenes
             {
                 // The bits of the corner. The axis of the face comes first, so that each face's four corners are
                 // neighbours in the list.
-                float along = (corner & 4) == 0 ? -Half : Half, u = (corner & 2) == 0 ? -Half : Half, v = (corner & 1) == 0 ? -Half : Half;
+                float along = (corner & 4) == 0 ? -Half : Half;
+                float u = (corner & 2) == 0 ? -Half : Half, v = (corner & 1) == 0 ? -Half : Half;
                 vertices.Add(axis switch { 0 => new(along, u, v), 1 => new(v, along, u), _ => new(u, v, along) });
             }
         }
@@ -187,7 +189,8 @@ public static class BuiltInScenes
         Vector3 middle = (room.Min + room.Max) / 2, half = (room.Max - room.Min) / 2;
         for (int i = 0; i < poses.Length; i++)
         {
-            var place = new Vector3((float)NextSigned(ref seed), (float)NextSigned(ref seed), (float)NextSigned(ref seed));
+            var place = new Vector3(
+                (float)NextSigned(ref seed), (float)NextSigned(ref seed), (float)NextSigned(ref seed));
             poses[i] = new RigidPose(NextRotation(ref seed), middle + half * place);
         }
 
@@ -222,7 +225,8 @@ public static class BuiltInScenes
     {
         while (true)
         {
-            double x = NextSigned(ref state), y = NextSigned(ref state), z = NextSigned(ref state), w = NextSigned(ref state);
+            double x = NextSigned(ref state), y = NextSigned(ref state);
+            double z = NextSigned(ref state), w = NextSigned(ref state);
             double square = x * x + y * y + z * z + w * w;
             if (square > 1 || square < 0.01) continue;
             double s = 1 / Math.Sqrt(square);

@@ -65,7 +65,8 @@ internal sealed class ObjectDraft
         catch (ArgumentOutOfRangeException)
         {
             double length = Math.Sqrt((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W);
-            throw json.Refuse(FormattableString.Invariant($"the quaternion's length must be within 1e-3 of 1, but is {length:G6}"));
+            throw json.Refuse(
+                FormattableString.Invariant($"the quaternion's length must be within 1e-3 of 1, but is {length:G6}"));
         }
     }
 }

@@ -52,7 +52,8 @@ internal sealed class SceneFile
         json.BeginObject("an object: a scene");
         while (json.NextField(seen, out string field))
         {
-            if (field is not ("version" or "name" or "meshes" or "objects" or "pairs" or "frames")) throw json.Refuse("unknown field");
+            if (field is not ("version" or "name" or "meshes" or "objects" or "pairs" or "frames"))
+                throw json.Refuse("unknown field");
             json.Value();
             ReadRootField(ref json, field);
             json.EndField();
@@ -210,7 +211,9 @@ internal sealed class SceneFile
             json.Path.Enter(i / 2);
             if (inRange) throw json.Refuse($"pairs object {pairs[i]} with itself");
             json.Path.Enter(i % 2);
-            throw json.Refuse($"there is no object {pairs[i]}: the scene has {_objects.Count} object{(_objects.Count == 1 ? "" : "s")}, counted from 0");
+            string objects = _objects.Count == 1 ? "object" : "objects";
+            throw json.Refuse(
+                $"there is no object {pairs[i]}: the scene has {_objects.Count} {objects}, counted from 0");
         }
 
         json.Path.Leave();

@@ -100,14 +100,17 @@ internal ref struct StrictJsonReader
     public readonly float Float()
     {
         Expect(JsonTokenType.Number, "a number");
-        if (!_reader.TryGetSingle(out float value) || !float.IsFinite(value)) throw Refuse("the number is too large for a float");
+        if (!_reader.TryGetSingle(out float value) || !float.IsFinite(value))
+            throw Refuse("the number is too large for a float");
         return value;
     }
 
     public readonly float NonNegative()
     {
         float value = Float();
-        return value >= 0 ? value : throw Refuse(FormattableString.Invariant($"must not be negative, but is {value:R}"));
+        return value >= 0
+            ? value
+            : throw Refuse(FormattableString.Invariant($"must not be negative, but is {value:R}"));
     }
 
     public readonly float NotZero()
@@ -121,7 +124,8 @@ internal ref struct StrictJsonReader
     {
         Expect(JsonTokenType.Number, what);
         if (_reader.TryGetInt32(out int value)) return value;
-        if (_reader.TryGetDouble(out double real) && real == Math.Floor(real) && Math.Abs(real) <= int.MaxValue) return (int)real;
+        bool isNumber = _reader.TryGetDouble(out double real);
+        if (isNumber && real == Math.Floor(real) && Math.Abs(real) <= int.MaxValue) return (int)real;
         throw Refuse($"must be {what}");
     }
 

@@ -48,7 +48,11 @@ internal sealed class ScenePath
             int step = frame - aside;
             double sin = Math.Sin(StepAngle * step / 2), cos = Math.Cos(StepAngle * step / 2);
             _frames[frame] = new RigidPose[steps.Length];
-            for (int i = 0; i < steps.Length; i++) _frames[frame][i] = PoseMotion.Moved(scene.Objects[i].Pose, steps[i] * step, axes[i] * sin, cos);
+            for (int i = 0; i < steps.Length; i++)
+            {
+                _frames[frame][i] = PoseMotion.Moved(
+                    scene.Objects[i].Pose, steps[i] * step, axes[i] * sin, cos);
+            }
         }
     }
 

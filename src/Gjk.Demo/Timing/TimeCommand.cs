@@ -33,6 +33,7 @@ internal static class TimeCommand
         Scene scene = SceneFile.Load(file, cancel);
         return scene.Pairs.Count <= MostPairs
             ? scene
-            : throw new RefusedException($"{file}: $.pairs: {scene.Pairs.Count} pairs, at most {MostPairs} can be timed");
+            : throw new RefusedException(
+                $"{file}: $.pairs: {scene.Pairs.Count} pairs, but at most {MostPairs} can be timed");
     }
 }

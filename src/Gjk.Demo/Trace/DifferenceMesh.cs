@@ -24,7 +24,8 @@ internal static class DifferenceMesh
     /// <param name="bInA">The frame of the second shape, seen from the first.</param>
     /// <param name="unit">The factor by which points are multiplied, so that they fit into floats at any size.</param>
     /// <param name="steps">The steps of the query.</param>
-    public static ShapeMesh Of(in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, List<TraceStep> steps)
+    public static ShapeMesh Of(
+        in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, List<TraceStep> steps)
     {
         List<Vector3D>? cornersA = Corners(a), cornersB = Corners(b);
         var points = new List<Vector3>();

@@ -24,11 +24,13 @@ internal static class TracePage
     /// <param name="pair">The indices of both shapes.</param>
     /// <param name="steps">The recorded steps of the query.</param>
     /// <param name="result">The answer of the query.</param>
-    public static void Write(Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result)
+    public static void Write(
+        Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result)
     {
         SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
         var bInA = new RelativeFrame(a.Pose, b.Pose);
-        double reach = (bInA.Place(b.Shape.Center) - a.Shape.Center).Length + a.Shape.BoundingRadius + b.Shape.BoundingRadius;
+        double reach = (bInA.Place(b.Shape.Center) - a.Shape.Center).Length
+            + a.Shape.BoundingRadius + b.Shape.BoundingRadius;
         double unit = reach > 0 ? DrawnRadius / reach : 1;
         string nameA = a.Name ?? $"#{pair.A}", nameB = b.Name ?? $"#{pair.B}";
         using var data = new PageData();

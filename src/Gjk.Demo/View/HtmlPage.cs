@@ -18,10 +18,12 @@ internal static class HtmlPage
     /// <param name="title">Shown as plain text.</param>
     /// <param name="attributes">Counts for the body element, where they can be read without running the script.</param>
     /// <param name="json">The data that the page shows.</param>
-    public static void Write(Stream stream, string title, ReadOnlySpan<(string Name, long Value)> attributes, ReadOnlySpan<byte> json)
+    public static void Write(
+        Stream stream, string title, ReadOnlySpan<(string Name, long Value)> attributes, ReadOnlySpan<byte> json)
     {
         var counts = new StringBuilder();
-        foreach ((string name, long value) in attributes) counts.Append(CultureInfo.InvariantCulture, $" data-{name}=\"{value}\"");
+        foreach ((string attribute, long value) in attributes)
+            counts.Append(CultureInfo.InvariantCulture, $" data-{attribute}=\"{value}\"");
         ReadOnlySpan<char> rest = Asset("page.html");
         while (true)
         {

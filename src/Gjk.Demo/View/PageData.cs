@@ -33,7 +33,8 @@ internal sealed class PageData : IDisposable
     public void Array<T>(string name, ReadOnlySpan<T> values)
         where T : unmanaged
     {
-        if (!BitConverter.IsLittleEndian) throw new PlatformNotSupportedException("The page's numbers are little-endian.");
+        if (!BitConverter.IsLittleEndian)
+            throw new PlatformNotSupportedException("The page's numbers are little-endian.");
         Json.WriteBase64String(name, MemoryMarshal.AsBytes(values));
     }
 

@@ -36,7 +36,8 @@ internal sealed class PairChoice
     }
 
     /// <exception cref="RefusedException">Even the chosen pairs are too many for a page.</exception>
-    public static ScenePairs Of(Scene scene, SceneMotion motion, string name, Action<double> progress, CancellationToken cancel)
+    public static ScenePairs Of(
+        Scene scene, SceneMotion motion, string name, Action<double> progress, CancellationToken cancel)
     {
         if (scene.Pairs.Count * (double)scene.Frames <= MostOfAll) return scene.Pairs;
         var choice = new PairChoice(scene);
@@ -47,7 +48,8 @@ internal sealed class PairChoice
             choice.AddFrame(poses, share => progress((frame + share) / scene.Frames), cancel);
             if (choice._kept.Count * (long)scene.Frames <= SceneResults.MostAnswers) continue;
             throw new RefusedException(
-                $"{name}: {scene.Pairs.Count} pairs in {scene.Frames} frames are more than a page can hold, even the intersecting and nearest ones; list fewer in $.pairs");
+                $"{name}: {scene.Pairs.Count} pairs in {scene.Frames} frames are more than a page can hold, and so are "
+                + "the intersecting and nearest ones alone; list fewer in $.pairs");
         }
 
         return choice.Listed();
@@ -65,9 +67,12 @@ internal sealed class PairChoice
                 progress((double)done / _scene.Pairs.Count);
             }
 
-            float reach = Math.Max(_nearest[a * Partners + Partners - 1].Distance, _nearest[b * Partners + Partners - 1].Distance);
-            DistanceResult answer = ConvexQuery.Distance(_scene.Objects[a].Shape, poses[a], _scene.Objects[b].Shape, poses[b], reach);
-            if (answer.Status is GjkStatus.Overlapping or GjkStatus.IterationLimit or GjkStatus.InvalidShape) _kept.Add((a, b));
+            float reach = Math.Max(
+                _nearest[a * Partners + Partners - 1].Distance, _nearest[b * Partners + Partners - 1].Distance);
+            DistanceResult answer = ConvexQuery.Distance(
+                _scene.Objects[a].Shape, poses[a], _scene.Objects[b].Shape, poses[b], reach);
+            if (answer.Status is GjkStatus.Overlapping or GjkStatus.IterationLimit or GjkStatus.InvalidShape)
+                _kept.Add((a, b));
             if (answer.Status != GjkStatus.Separated) continue;
             Rank(a, b, answer.Distance, isFirst: true);
             Rank(b, a, answer.Distance, isFirst: false);

@@ -42,11 +42,14 @@ internal sealed class SceneMotion
             Vector3D by = (Vector3D)o.Velocity * frame;
             var position = (Vector3)(o.Pose.Position + by);
             if (!float.IsFinite(position.X + position.Y + position.Z))
-                throw new RefusedException($"{_name}: $.objects[{i}].velocity: the position leaves the range of float in frame {frame}");
+                throw new RefusedException(
+                    $"{_name}: $.objects[{i}].velocity: the position leaves the range of float in frame {frame}");
             Vector3D spin = o.AngularVelocity;
             double speed = spin.Length;
             (double sin, double cos) = Math.SinCos(speed * frame / 2);
-            poses[i] = speed > 0 ? PoseMotion.Moved(o.Pose, by, spin * (sin / speed), cos) : new RigidPose(o.Pose.Rotation, position);
+            poses[i] = speed > 0
+                ? PoseMotion.Moved(o.Pose, by, spin * (sin / speed), cos)
+                : new RigidPose(o.Pose.Rotation, position);
         }
     }
 }

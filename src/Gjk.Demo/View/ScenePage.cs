@@ -35,7 +35,11 @@ internal static class ScenePage
         json.WriteEndObject();
         HtmlPage.Write(
             stream, scene.Name,
-            [("objects", scene.Objects.Length), ("pairs", scene.Pairs.Count), ("listed", results.Pairs.Count), ("frames", scene.Frames), ("overlapping", results.Overlapping[0])], data.Text);
+            [
+                ("objects", scene.Objects.Length), ("pairs", scene.Pairs.Count), ("listed", results.Pairs.Count),
+                ("frames", scene.Frames), ("overlapping", results.Overlapping[0]),
+            ],
+            data.Text);
     }
 
     /// <summary>Writes a shape's surface in the form that both pages read.</summary>

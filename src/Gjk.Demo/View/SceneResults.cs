@@ -64,7 +64,9 @@ internal sealed class SceneResults
     public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
     {
         if ((long)scene.Objects.Length * scene.Frames > MostPoses)
-            throw new RefusedException($"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses that a page can hold");
+            throw new RefusedException(
+                $"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses "
+                + "that a page can hold");
         var motion = new SceneMotion(scene, name);
         ScenePairs chosen = PairChoice.Of(scene, motion, name, progress, cancel);
         int pairs = (int)chosen.Count;
@@ -80,7 +82,8 @@ internal sealed class SceneResults
             foreach ((int a, int b) in chosen)
             {
                 if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
-                DistanceResult answer = ConvexQuery.Distance(scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
+                DistanceResult answer = ConvexQuery.Distance(
+                    scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
                 if (answer.IsOverlapping) results.Overlapping[frame]++;
                 results.Store(frame * pairs + pair++, answer);
             }

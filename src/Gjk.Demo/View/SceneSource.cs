@@ -19,16 +19,21 @@ internal sealed class SceneSource
 
     public Argument<string?> File { get; } = new("SCENE.json")
     {
-        Description = "The scene; - reads it from standard input.",
+        Description = "The scene. Use - to read it from standard input.",
         Arity = ArgumentArity.ZeroOrOne,
     };
 
-    public Option<string?> BuiltIn { get; } = new("--builtin") { Description = "Show one of the report's scenes, cubes or spheres, instead of a file.", HelpName = "NAME" };
+    public Option<string?> BuiltIn { get; } = new("--builtin")
+    {
+        Description = "Show one of the report's scenes, cubes or spheres, instead of a file.",
+        HelpName = "NAME",
+    };
 
     /// <summary>Makes the command refuse both arguments together, and neither of them.</summary>
     public void Validate(Command command) => command.Validators.Add(result =>
     {
-        bool hasFile = result.GetResult(File) is { Implicit: false }, hasBuiltIn = result.GetResult(BuiltIn) is not null;
+        bool hasFile = result.GetResult(File) is { Implicit: false };
+        bool hasBuiltIn = result.GetResult(BuiltIn) is not null;
         if (hasFile && hasBuiltIn) result.AddError("--builtin and SCENE.json exclude each other.");
         if (!hasFile && !hasBuiltIn) result.AddError("SCENE.json or --builtin is needed.");
     });

@@ -65,7 +65,8 @@ internal sealed class ShapeMesh
 
     public static ShapeMesh Of(in ConvexShape shape, bool isCoarse = false)
     {
-        if (shape.Kind == ShapeKind.Mesh && !shape.IsDecorated) return new ShapeMesh(shape.Hull!, shape.Scale, isSmooth: false);
+        if (shape.Kind == ShapeKind.Mesh && !shape.IsDecorated)
+            return new ShapeMesh(shape.Hull!, shape.Scale, isSmooth: false);
         List<Vector3> points = SupportSamples.Of(shape, isCoarse);
         return new ShapeMesh(new ConvexHull(points), Vector3.One, SupportSamples.IsCurved(shape));
     }

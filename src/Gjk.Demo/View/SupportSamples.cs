@@ -27,7 +27,8 @@ internal static class SupportSamples
 
     /// <summary>True if the surface is curved anywhere.</summary>
     public static bool IsCurved(in ConvexShape shape) =>
-        shape.Margin > 0 || shape.Kind is ShapeKind.Cylinder or ShapeKind.Cone or ShapeKind.Ellipsoid || !shape.TryGetVertex(0, out _);
+        shape.Margin > 0 || shape.Kind is ShapeKind.Cylinder or ShapeKind.Cone or ShapeKind.Ellipsoid
+            || !shape.TryGetVertex(0, out _);
 
     /// <summary>All corners if the shape has only corners, otherwise a grid of support points.</summary>
     public static List<Vector3> Of(in ConvexShape shape, bool isCoarse)
@@ -35,7 +36,8 @@ internal static class SupportSamples
         var points = new List<Vector3>();
         if (!IsCurved(shape))
         {
-            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) points.Add((Vector3)(shape.Center + corner));
+            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++)
+                points.Add((Vector3)(shape.Center + corner));
             return points;
         }
 
@@ -43,7 +45,8 @@ internal static class SupportSamples
         Vector3D stretch = Stretch(shape);
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, 1, 0))));
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, -1, 0))));
-        foreach (double latitude in Latitudes(shape, meridians / 2)) AddRow(shape, stretch, latitude, meridians, points);
+        foreach (double latitude in Latitudes(shape, meridians / 2))
+            AddRow(shape, stretch, latitude, meridians, points);
         return points;
     }
 
@@ -59,7 +62,8 @@ internal static class SupportSamples
     private static IEnumerable<double> Latitudes(ConvexShape shape, int parallels)
     {
         ShapeKind kind = shape.IsDecorated ? ShapeKind.Ellipsoid : shape.Kind;
-        bool isBall = kind is ShapeKind.Sphere or ShapeKind.Ellipsoid, isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
+        bool isBall = kind is ShapeKind.Sphere or ShapeKind.Ellipsoid;
+        bool isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
         for (int row = 1; row < parallels && !isDisc; row++)
         {
             if (row != parallels / 2 || isBall) yield return Math.PI * row / parallels - Math.PI / 2;
@@ -70,7 +74,8 @@ internal static class SupportSamples
         if (kind != ShapeKind.Cone) yield return BesideEquator;
     }
 
-    private static void AddRow(in ConvexShape shape, in Vector3D stretch, double latitude, int meridians, List<Vector3> points)
+    private static void AddRow(
+        in ConvexShape shape, in Vector3D stretch, double latitude, int meridians, List<Vector3> points)
     {
         (double up, double outward) = Math.SinCos(latitude);
         for (int i = 0; i < meridians; i++)
@@ -89,8 +94,11 @@ internal static class SupportSamples
     private static Vector3D Stretch(in ConvexShape shape)
     {
         if (shape.IsDecorated) return new Vector3D(1, 1, 1);
-        if (shape.Kind != ShapeKind.Ellipsoid) return new Vector3D(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
-        double x = Extent(shape, new Vector3D(1, 0, 0)), y = Extent(shape, new Vector3D(0, 1, 0)), z = Extent(shape, new Vector3D(0, 0, 1));
+        if (shape.Kind != ShapeKind.Ellipsoid)
+            return new Vector3D(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
+        double x = Extent(shape, new Vector3D(1, 0, 0));
+        double y = Extent(shape, new Vector3D(0, 1, 0));
+        double z = Extent(shape, new Vector3D(0, 0, 1));
         double largest = Math.Max(x, Math.Max(y, z));
         return new Vector3D(Inverse(x, largest), Inverse(y, largest), Inverse(z, largest));
     }

@@ -24,7 +24,8 @@ internal static class ViewCommand
             SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
             var shapes = new ShapeTable(scene);
             if (pageFile is not null) ScenePage.Write(pageFile.Stream, scene, shapes, results);
-            if (pictureFile is not null) ScenePicture.Write(pictureFile.Stream, scene, shapes, results, bars.Add("picture"), cancel);
+            if (pictureFile is not null)
+                ScenePicture.Write(pictureFile.Stream, scene, shapes, results, bars.Add("picture"), cancel);
         });
         // No old file is replaced before both new files are complete on the disk.
         pageFile?.Complete();

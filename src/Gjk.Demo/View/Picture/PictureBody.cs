@@ -36,7 +36,8 @@ internal sealed class PictureBody
         EyeDistance = (Center - eye).Length;
         _across = mesh.Dimension > 1 ? mesh.Neighbours() : [];
         _faces = new bool[mesh.Triangles.Length / 3];
-        for (int i = 0; i < _faces.Length; i++) _faces[i] = Vector3D.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
+        for (int i = 0; i < _faces.Length; i++)
+            _faces[i] = Vector3D.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
         Shadow = new Shadow(Planes(eye));
     }
 
@@ -74,7 +75,9 @@ internal sealed class PictureBody
     {
         if (_mesh.Dimension == 1) yield return (0, 1);
         var corners = new HashSet<(int, int)>();
-        for (int i = 0; i < _mesh.Edges.Length && _mesh.Edges.Length <= 2 * MostEdges; i += 2) corners.Add((_mesh.Edges[i], _mesh.Edges[i + 1]));
+        bool drawsEdges = _mesh.Edges.Length <= 2 * MostEdges;
+        for (int i = 0; drawsEdges && i < _mesh.Edges.Length; i += 2)
+            corners.Add((_mesh.Edges[i], _mesh.Edges[i + 1]));
         for (int i = 0; i < _across.Length; i++)
         {
             if (!_faces[i / 3]) continue;

@@ -39,7 +39,8 @@ internal sealed class PictureCamera
         foreach ((Vector3D center, double radius) in balls)
         {
             double depth = Vector3D.Dot(center, _back) + radius;
-            double aside = Math.Max(Math.Abs(Vector3D.Dot(center, _right)), Math.Abs(Vector3D.Dot(center, _up)) * Narrowest);
+            double aside = Math.Max(
+                Math.Abs(Vector3D.Dot(center, _right)), Math.Abs(Vector3D.Dot(center, _up)) * Narrowest);
             away = Math.Max(away, depth + (aside + radius) / HalfWidth);
         }
 

@@ -29,7 +29,8 @@ internal sealed class PictureFaces
         {
             foreach (((bool isHit, int level), SvgPath path) in _paths)
             {
-                if (!path.IsEmpty) yield return (isHit, Darkest + (Brightest - Darkest) * level / (Levels - 1), path.ToString());
+                if (!path.IsEmpty)
+                    yield return (isHit, Darkest + (Brightest - Darkest) * level / (Levels - 1), path.ToString());
             }
         }
     }
@@ -59,12 +60,14 @@ internal sealed class PictureFaces
 
             if (pieces.Count == 1 && pieces[0] == whole)
             {
-                if (!outlines.TryGetValue(level, out HashSet<(int From, int To)>? sides)) outlines.Add(level, sides = []);
+                if (!outlines.TryGetValue(level, out HashSet<(int From, int To)>? sides))
+                    outlines.Add(level, sides = []);
                 for (int k = 0; k < 3; k++) Join(sides, body.Corner(i, k), body.Corner(i, k == 2 ? 0 : k + 1));
                 continue;
             }
 
-            foreach (Vector3D[] piece in pieces) Path(isHit, level).Polygon(Array.ConvertAll(piece, p => _camera.Project(p)));
+            foreach (Vector3D[] piece in pieces)
+                Path(isHit, level).Polygon(Array.ConvertAll(piece, p => _camera.Project(p)));
         }
 
         foreach ((int level, HashSet<(int From, int To)> sides) in outlines) Trace(body, sides, Path(isHit, level));

@@ -69,7 +69,8 @@ internal sealed class Shadow
     }
 
     /// <summary>Adds the parts of a segment that are not hidden, as shares of its length.</summary>
-    public void Cut(in Vector3D from, in Vector3D to, (double From, double To) part, List<(double From, double To)> visible)
+    public void Cut(
+        in Vector3D from, in Vector3D to, (double From, double To) part, List<(double From, double To)> visible)
     {
         (double enter, double leave) = part;
         foreach ((Vector3D normal, double value) in _planes)
@@ -111,7 +112,8 @@ internal sealed class Shadow
         return true;
     }
 
-    private static void Split(Vector3D[] polygon, in Vector3D normal, double value, out Vector3D[] outside, out Vector3D[] inside)
+    private static void Split(
+        Vector3D[] polygon, in Vector3D normal, double value, out Vector3D[] outside, out Vector3D[] inside)
     {
         List<Vector3D> beyond = [], behind = [];
         for (int i = 0; i < polygon.Length; i++)
