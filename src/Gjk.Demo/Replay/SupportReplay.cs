@@ -8,9 +8,9 @@ using Gjk.Demo.Timing;
 namespace Gjk.Demo.Replay;
 
 /// <summary>
-/// Measures which part of a frame is the search for support points. One frame runs on meshes that record every
-/// direction they are asked for. The same directions are then put to the plain meshes, and that is timed. No stopwatch
-/// runs inside the loop, because it would cost more than the work that it measures.
+/// Measures which part of a frame is the search for support points. One frame runs on meshes that record the direction
+/// of every support call. The same calls are then repeated on the plain meshes and timed. No stopwatch runs inside the
+/// loop, because it would cost more than the work that it measures.
 /// </summary>
 internal sealed class SupportReplay
 {
