@@ -40,10 +40,8 @@ internal static class TextTable
     private static void PrintMarkdown(IAnsiConsole console, IReadOnlyList<string[]> rows)
     {
         int[] widths = [.. Enumerable.Range(0, rows[0].Length).Select(column => rows.Max(row => row[column].Length))];
-        string[] rule =
-        [
-            .. widths.Select((width, column) => column == 0 ? new string('-', width) : new string('-', width - 1) + ":"),
-        ];
+        string Rule(int width, int column) => column == 0 ? new string('-', width) : new string('-', width - 1) + ":";
+        string[] rule = [.. widths.Select(Rule)];
         foreach (string[] row in (IEnumerable<string[]>)[rows[0], rule, .. rows.Skip(1)])
         {
             IEnumerable<string> cells = row.Select((cell, column) =>
