@@ -3,43 +3,54 @@ using System.Globalization;
 
 namespace Gjk.Bench;
 
-/// <summary>This program's own options, taken out of the command line; what is left belongs to BenchmarkDotNet.</summary>
+/// <summary>
+/// This program's own options, taken from the command line. The remaining arguments belong to BenchmarkDotNet.
+/// </summary>
 public sealed class BenchOptions
 {
     public const string HelpText =
         """
-        Gjk.Bench: how fast the library is, beside the algorithm of the report it grew from.
+        Gjk.Bench measures how fast the library is, compared with the algorithm of the report that it grew from.
 
           dotnet run -c Release --project bench -- [options] [BenchmarkDotNet's options]
 
-          --filter GLOB     which benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*')
-          --quick           the report's scenes, distance cold, warm and by the baseline, three short iterations in this process: a minute.
-                            Without it every benchmark runs in a process of its own; '*' takes half an hour.
-          --table           no BenchmarkDotNet: every figure of the goals, on the report's scenes, random pairs, primitives and hulls of up to 100,000
-                            vertices, library and baseline in turn in this process; prints a table with the goals scaled to this machine.
-                            Two minutes.
-          --scale           no BenchmarkDotNet: which pairs intersect among 20 to 100,000 cubes, at rest and moving, for every broad phase, on one thread
-                            and on all: ms per frame in the broad and in the narrow phase, candidates, pairs, memory, bytes allocated; and the report's
-                            scenes, all judged by the goals. Four minutes.
-          --worst           no BenchmarkDotNet: clouds made to be slow, of 10,000 and 100,000 points: building their hulls, the slowest supports and
-                            the slowest distance of each. A few minutes.
-          --scale-worst     no BenchmarkDotNet: the broad phases alone on the worst arrangements of boxes (rods, plates, points on a line,
-                            identical, nested, ...). A minute.
-          --seconds S       with --table: how long to measure each set (default 6); with --scale: each row (default 1), with --scale-worst
-                            (default 0.5); from 0.01 to 600
-          --csv             with --table: keep the figures as bench/results/MACHINE.csv and draw docs/cost.svg; with --scale: as MACHINE-scale.csv,
-                            and docs/scale.svg; with --worst: as MACHINE-worst.csv; otherwise keep those of BenchmarkDotNet as MACHINE-benchmarkdotnet.csv (replaced whole: use it
-                            with --filter '*')
-          --machine NAME    the name for those files and their first line (default: the CPU's model)
-          --factor          no BenchmarkDotNet: check that both algorithms agree on the report's scenes, time them in turn, print the
-                            factor per scene, and exit 1 if it is below the wanted one. About ten seconds.
-          --help            this text; '--help all' adds BenchmarkDotNet's
+          --filter GLOB     Run these benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*').
+          --quick           Run only the report's scenes in this process: distance cold, warm and by the baseline, in
+                            three short iterations. This takes a minute. Without it every benchmark runs in a process
+                            of its own, and '*' takes half an hour.
+          --table           Measure every figure that has a goal: the report's scenes, random pairs, primitives and
+                            hulls of up to 100,000 vertices. Library and baseline run in turn in this process, without
+                            BenchmarkDotNet. Print a table with the goals scaled to this machine. Takes two minutes.
+          --scale           Find the intersecting pairs among 20 to 100,000 cubes, at rest and moving, with every broad
+                            phase, on one thread and on all, without BenchmarkDotNet. Print the ms per frame in the
+                            broad and in the narrow phase, candidates, pairs, memory and bytes allocated. Measure the
+                            report's scenes too. Compare all of it with the goals. Takes four minutes.
+          --worst           Measure clouds that were made to be slow, of 10,000 and 100,000 points, without
+                            BenchmarkDotNet: building their hulls, and the slowest supports and the slowest distance
+                            of each. Takes a few minutes.
+          --scale-worst     Measure only the broad phases on the worst arrangements of boxes (rods, plates, points on a
+                            line, identical, nested, ...), without BenchmarkDotNet. Takes a minute.
+          --seconds S       Measure for S seconds, from 0.01 to 600. With --table this is per set (default 6), with
+                            --scale per row (default 1), with --scale-worst per row (default 0.5).
+          --csv             Keep the figures. With --table they go to bench/results/MACHINE.csv, and docs/cost.svg is
+                            drawn. With --scale they go to MACHINE-scale.csv and docs/scale.svg. With --worst they go
+                            to MACHINE-worst.csv. Otherwise BenchmarkDotNet's figures go to
+                            MACHINE-benchmarkdotnet.csv, which is replaced as a whole, so use it with --filter '*'.
+          --machine NAME    Use this name for those files and for their first line (default: the CPU's model).
+          --factor          Check that both algorithms agree on the report's scenes, time them in turn without
+                            BenchmarkDotNet, and print the factor per scene. Exit with 1 if a factor is below the
+                            wanted one. Takes about ten seconds.
+          --help            Print this text. '--help all' adds BenchmarkDotNet's.
 
-        Every run writes its figures to BenchmarkDotNet.Artifacts/summary.csv in the current folder. The columns: benchmark; set (its
-        parameter, or the category where there is none); mean_ns and stddev_ns, per pair, per call of SupportAlone, per frame of 190 pairs
-        in ReportSceneFrames; ratio, the mean over the baseline's of the same group and set (below 1 is faster); allocated_bytes, likewise.
-        On one core (taskset), set DOTNET_TC_DelaySingleProcMultiplier=1: .NET optimises ten times later there.
-        Exit codes: 0 done, 1 a benchmark or a check failed or none was found, 2 bad arguments.
+        Every run writes its figures to BenchmarkDotNet.Artifacts/summary.csv in the current folder. The columns are
+          benchmark
+          set               its parameter, or the category if it has no parameter
+          mean_ns, stddev_ns
+                            per pair, per call of SupportAlone, or per frame of 190 pairs in ReportSceneFrames
+          ratio             the mean divided by that of the baseline of the same group and set (below 1 is faster)
+          allocated_bytes   per pair, call or frame, as above
+        On one core (taskset), set DOTNET_TC_DelaySingleProcMultiplier=1, because .NET optimises ten times later there.
+        Exit codes: 0 done, 1 a benchmark or a check failed or no benchmark was found, 2 bad arguments.
 
         """;
 
@@ -59,15 +70,15 @@ public sealed class BenchOptions
 
     public bool ScaleWorst { get; private set; }
 
-    /// <summary>Null where none were given.</summary>
+    /// <summary>Null if none were given.</summary>
     public double? Seconds { get; private set; }
 
     public string? MachineName { get; private set; }
 
-    /// <summary>What BenchmarkDotNet gets.</summary>
+    /// <summary>The arguments for BenchmarkDotNet.</summary>
     public List<string> Remaining { get; } = [];
 
-    /// <summary>Null and a one-line error for arguments that make no sense.</summary>
+    /// <summary>Parses the arguments. Invalid arguments give null and an error of one line.</summary>
     public static BenchOptions? Parse(string[] args, out string error)
     {
         var options = new BenchOptions();
@@ -121,20 +132,29 @@ public sealed class BenchOptions
     }
 
     private static double? SecondsOf(string text) =>
-        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double seconds) && seconds is >= 0.01 and <= 600 ? seconds : null;
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double seconds)
+            && seconds is >= 0.01 and <= 600
+            ? seconds
+            : null;
 
     private bool IsConsistent(out string error)
     {
         error = "";
         bool hasForeign = Factor || Quick || Remaining.Count > 0;
-        if (Worst && (hasForeign || Table || Scale || Seconds is not null)) error = "--worst: takes --csv and --machine only";
-        else if (Table && (hasForeign || Scale)) error = "--table: takes --seconds, --csv and --machine only";
-        else if (Scale && hasForeign) error = "--scale: takes --seconds, --csv and --machine only";
-        else if (ScaleWorst && (hasForeign || Table || Scale || Csv)) error = "--scale-worst: takes --seconds only";
+        if (Worst && (hasForeign || Table || Scale || Seconds is not null))
+            error = "--worst: takes --csv and --machine only";
+        else if (Table && (hasForeign || Scale))
+            error = "--table: takes --seconds, --csv and --machine only";
+        else if (Scale && hasForeign)
+            error = "--scale: takes --seconds, --csv and --machine only";
+        else if (ScaleWorst && (hasForeign || Table || Scale || Csv))
+            error = "--scale-worst: takes --seconds only";
         else if (Seconds is not null && !Table && !Scale && !ScaleWorst)
             error = "--seconds: goes with --table, --scale and --scale-worst only";
-        else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0)) error = "--factor: takes no other option";
-        else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all")) error = "--help: takes nothing but 'all'";
+        else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0))
+            error = "--factor: takes no other option";
+        else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all"))
+            error = "--help: takes nothing but 'all'";
         return error.Length == 0;
     }
 }

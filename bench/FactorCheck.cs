@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using System.Globalization;
 using System.IO;
 using Gjk.Bench.Baseline;
 using Gjk.Bench.Benchmarks;
@@ -9,39 +10,49 @@ using Gjk.Core;
 namespace Gjk.Bench;
 
 /// <summary>
-/// The library against the baseline in one process, in turn, so that a busy or a slow machine slows both. The factor is that of the two
-/// fastest samples: a disturbance only ever adds time.
+/// Compares the library with the baseline in one process. They run in turn, so that a busy or slow machine slows both.
+/// The factor is that of the two fastest samples, because a disturbance can only add time.
 /// </summary>
 public static class FactorCheck
 {
     /// <summary>
-    /// Times faster than the baseline, cubes of 24 vertices. A guard, not a goal: what the library reaches and should reach is what --table prints. A busy
-    /// machine moves the factor by a third, so this is well below it; an allocation, or a simplex copied in the loop, still falls through.
+    /// How many times faster than the baseline the library must be on cubes of 24 vertices. This is a guard and not a
+    /// goal. The goals and the reached factors are printed by --table. A busy machine changes the factor by a third, so
+    /// the guard is well below it. An allocation, or a simplex copied in the loop, still fails the check.
     /// </summary>
     private const double MinFactorCubes = 1.8;
 
     /// <summary>
-    /// Times faster than the baseline, spheres of 515 vertices; as wide a margin. Nearly all of the baseline's time is the linear search; below this, the
-    /// library has fallen back to one.
+    /// How many times faster than the baseline the library must be on spheres of 515 vertices. The margin is as wide.
+    /// Nearly all of the baseline's time is the linear search. Below this factor the library has fallen back to a
+    /// linear search too.
     /// </summary>
     private const double MinFactorSpheres = 6;
 
-    /// <summary>In units, on objects of size 1. The baseline stops while up to its <see cref="ReportGjk.ProgressEpsilon"/> over the distance is left to gain.</summary>
+    /// <summary>
+    /// Units, on objects of size 1. The baseline stops while it can still gain up to its
+    /// <see cref="ReportGjk.ProgressEpsilon"/> divided by the distance.
+    /// </summary>
     private const float DistanceTolerance = 1e-3f;
 
     /// <summary>Both scenes have five pairs that overlap by construction.</summary>
     private const int OverlappingPairs = 5;
 
-    /// <summary>Seconds per algorithm and scene: until the runtime has optimised both with what it saw.</summary>
+    /// <summary>
+    /// Seconds per algorithm and scene. After this time the runtime has optimised both with the profile it collected.
+    /// </summary>
     private const double WarmUpSeconds = 1.0;
 
     /// <summary>Seconds per scene for both algorithms.</summary>
     private const double MeasureSeconds = 3.0;
 
-    /// <summary>Milliseconds per sample: long against the clock's resolution, short against a time slice of the scheduler.</summary>
+    /// <summary>
+    /// Milliseconds per sample. This is long compared with the clock's resolution, and short compared with a time slice
+    /// of the scheduler.
+    /// </summary>
     private const double SampleMilliseconds = 1.0;
 
-    /// <summary>Prints a line per scene; false if a factor is below the wanted one.</summary>
+    /// <summary>Prints a line per scene. Returns false if a factor is below its minimum.</summary>
     /// <exception cref="FactorCheckException">The answers differ.</exception>
     public static bool Run(TextWriter output)
     {
@@ -50,7 +61,7 @@ public static class FactorCheck
         return cubes && spheres;
     }
 
-    /// <summary>The same flags from all four queries, and the same distances.</summary>
+    /// <summary>Checks that all four queries give the same flags, and that the distances agree.</summary>
     /// <exception cref="FactorCheckException">The answers differ.</exception>
     public static void CheckAgreement(string name, BenchScene scene)
     {
@@ -64,18 +75,26 @@ public static class FactorCheck
             bool intersects = ReportGjk.Intersects(scene.Colliders[pair.A], scene.Colliders[pair.B]);
 
             bool known = distance.Status is GjkStatus.Separated or GjkStatus.Overlapping;
-            bool sameFlags = distance.IsOverlapping == overlaps && overlaps == intersects && intersects == expected.Intersects;
+            bool sameFlags = distance.IsOverlapping == overlaps
+                && overlaps == intersects
+                && intersects == expected.Intersects;
             if (!known || !sameFlags || !(MathF.Abs(distance.Distance - expected.Distance) <= DistanceTolerance))
             {
-                throw new FactorCheckException(FormattableString.Invariant(
-                    $"{name}, pair {pair.A}-{pair.B}: library {distance.Status}, {distance.Distance}, overlaps {overlaps}; baseline {expected.Intersects}, {expected.Distance}, intersects {intersects}"));
+                throw new FactorCheckException(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{name}, pair {pair.A}-{pair.B}: library {distance.Status}, {distance.Distance}, "
+                    + $"overlaps {overlaps}; baseline {expected.Intersects}, {expected.Distance}, "
+                    + $"intersects {intersects}"));
             }
 
             if (overlaps) overlapping++;
         }
 
         if (overlapping != OverlappingPairs)
-            throw new FactorCheckException(FormattableString.Invariant($"{name}: {overlapping} pairs overlap; the scene should have {OverlappingPairs}"));
+        {
+            throw new FactorCheckException(FormattableString.Invariant(
+                $"{name}: {overlapping} pairs overlap; the scene should have {OverlappingPairs}"));
+        }
     }
 
     private static bool RunScene(TextWriter output, string name, double minFactor)
@@ -95,15 +114,18 @@ public static class FactorCheck
 
         double factor = baselineSamples.Minimum / librarySamples.Minimum;
         bool passed = factor >= minFactor;
-        output.WriteLine(FormattableString.Invariant(
-            $"{name,-8} ns per pair: baseline {baselineSamples}, library {librarySamples}; factor {factor:0.00}, wanted {minFactor:0.0}: {(passed ? "passed" : "FAILED")}"));
+        output.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{name,-8} ns per pair: baseline {baselineSamples}, library {librarySamples}; "
+            + $"factor {factor:0.00}, wanted {minFactor:0.0}: {(passed ? "passed" : "FAILED")}"));
         return passed;
     }
 
-    /// <summary>Returns how many frames fill a sample.</summary>
+    /// <summary>Warms up, and returns how many frames fill a sample.</summary>
     private static int WarmUp(Func<BenchScene, float> frame, BenchScene scene)
     {
-        for (var clock = Stopwatch.StartNew(); clock.Elapsed.TotalSeconds < WarmUpSeconds;) NanosecondsPerFrame(frame, scene, 1);
+        for (var clock = Stopwatch.StartNew(); clock.Elapsed.TotalSeconds < WarmUpSeconds;)
+            NanosecondsPerFrame(frame, scene, 1);
         double milliseconds = NanosecondsPerFrame(frame, scene, 10) * 1e-6;
         return Math.Max(1, (int)Math.Ceiling(SampleMilliseconds / milliseconds));
     }

@@ -2,5 +2,7 @@ using System;
 
 namespace Gjk.Bench;
 
-/// <summary>The library and the baseline answer differently, so that timing them would compare nothing.</summary>
+/// <summary>
+/// The library and the baseline give different answers, so comparing their times would be meaningless.
+/// </summary>
 public sealed class FactorCheckException(string message) : Exception(message);

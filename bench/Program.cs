@@ -20,7 +20,7 @@ public static class Program
     private const int Failed = 1;
     private const int BadArguments = 2;
 
-    /// <summary>Options of BenchmarkDotNet that print something and measure nothing.</summary>
+    /// <summary>Options of BenchmarkDotNet that print something but measure nothing.</summary>
     private static readonly string[] PrintOnly = ["--list", "--info", "--version"];
 
     public static int Main(string[] args)
@@ -38,7 +38,9 @@ public static class Program
 
         string? project = options.Csv ? ProjectFolder() : null;
         if (options.Csv && project is null)
-            return Complain("--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder", BadArguments);
+            return Complain(
+                "--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder",
+                BadArguments);
         if (options.Table) return PrintTable(options, project);
         if (options.Worst) return PrintWorst(options, project);
         return options.Scale ? PrintScale(options, project) : Measure(options, project);
@@ -63,8 +65,8 @@ public static class Program
         }
     }
 
-    /// <param name="options">With --table.</param>
-    /// <param name="project">Where to keep the figures, or null.</param>
+    /// <param name="options">The options that were given with --table.</param>
+    /// <param name="project">The folder for the figures, or null.</param>
     private static int PrintTable(BenchOptions options, string? project)
     {
         List<TableRow> rows;
@@ -80,17 +82,20 @@ public static class Program
 
         Console.Write(TableReport.Markdown(rows, meanSlowness));
         if (project is null) return Done;
-        Keep(ResultFile(options, project, ""), TableReport.Csv(rows, MachineLine(options)), Figure(project, "cost"), CostFigure.Draw(rows, MachineName(options)));
+        string csv = TableReport.Csv(rows, MachineLine(options)), figure = CostFigure.Draw(rows, MachineName(options));
+        Keep(ResultFile(options, project, ""), csv, Figure(project, "cost"), figure);
         return Done;
     }
 
     /// <inheritdoc cref="PrintTable"/>
     private static int PrintScale(BenchOptions options, string? project)
     {
-        List<ScaleRow> rows = ScaleRun.Run(Console.Error, options.Seconds ?? ScaleRun.DefaultSeconds, out double slowness);
+        double seconds = options.Seconds ?? ScaleRun.DefaultSeconds;
+        List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out double slowness);
         Console.Write(ScaleReport.Markdown(rows, slowness));
         if (project is null) return Done;
-        Keep(ResultFile(options, project, "-scale"), ScaleReport.Csv(rows, MachineLine(options)), Figure(project, "scale"), ScaleFigure.Draw(rows, MachineName(options)));
+        string csv = ScaleReport.Csv(rows, MachineLine(options)), figure = ScaleFigure.Draw(rows, MachineName(options));
+        Keep(ResultFile(options, project, "-scale"), csv, Figure(project, "scale"), figure);
         return Done;
     }
 
@@ -117,10 +122,11 @@ public static class Program
     {
         string[] args = [.. options.Remaining];
         bool printOnly = args.Any(a => PrintOnly.Contains(a));
-        // Without a filter BenchmarkDotNet asks on the console, which a script cannot answer.
+        // Without a filter BenchmarkDotNet asks a question on the console, which a script cannot answer.
         if (!printOnly && !args.Any(a => a is "--filter" or "-f")) args = [.. args, "--filter", "*"];
 
-        Summary[] summaries = [.. BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args, Config(options.Quick))];
+        BenchmarkSwitcher benchmarks = BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly);
+        Summary[] summaries = [.. benchmarks.Run(args, Config(options.Quick))];
         if (summaries.Length == 0) return printOnly ? Done : Failed;
 
         string text = SummaryCsv.Format(summaries, MachineLine(options) + (options.Quick ? ", quick run" : ""));
@@ -132,7 +138,10 @@ public static class Program
             Console.WriteLine($"Figures kept in {file}");
         }
 
-        bool complete = summaries.All(s => !s.HasCriticalValidationErrors && s.Reports.Length == s.BenchmarksCases.Length && s.Reports.All(r => r.Success));
+        bool complete = summaries.All(s =>
+            !s.HasCriticalValidationErrors
+            && s.Reports.Length == s.BenchmarksCases.Length
+            && s.Reports.All(r => r.Success));
         return complete ? Done : Failed;
     }
 
@@ -145,17 +154,20 @@ public static class Program
     private static string MachineLine(BenchOptions options) =>
         (options.MachineName is null ? "" : options.MachineName.ReplaceLineEndings(" ") + ": ") + Machine.Description;
 
-    private static string MachineName(BenchOptions options) => (options.MachineName ?? Machine.CpuModel).ReplaceLineEndings(" ");
+    private static string MachineName(BenchOptions options) =>
+        (options.MachineName ?? Machine.CpuModel).ReplaceLineEndings(" ");
 
-    private static string Figure(string project, string name) => Path.GetFullPath(Path.Combine(project, "..", "docs", name + ".svg"));
+    private static string Figure(string project, string name) =>
+        Path.GetFullPath(Path.Combine(project, "..", "docs", name + ".svg"));
 
     private static string ResultFile(BenchOptions options, string project, string suffix) =>
         Path.Combine(project, "results", Machine.FileName(options.MachineName ?? Machine.CpuModel) + suffix + ".csv");
 
-    /// <summary>The folder bench, found from where the program was built or is run.</summary>
+    /// <summary>The folder bench. It is found from the place where the program was built or is run.</summary>
     private static string? ProjectFolder()
     {
-        foreach (string start in new[] { AppContext.BaseDirectory, Environment.CurrentDirectory, Path.Combine(Environment.CurrentDirectory, "bench") })
+        string current = Environment.CurrentDirectory;
+        foreach (string start in new[] { AppContext.BaseDirectory, current, Path.Combine(current, "bench") })
         {
             for (DirectoryInfo? folder = new(start); folder is not null; folder = folder.Parent)
                 if (File.Exists(Path.Combine(folder.FullName, "Gjk.Bench.csproj"))) return folder.FullName;

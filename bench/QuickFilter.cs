@@ -4,9 +4,13 @@ using Gjk.Bench.Benchmarks;
 
 namespace Gjk.Bench;
 
-/// <summary>What <c>--quick</c> leaves: the report's experiment, distance by the library (cold, warm) and the baseline.</summary>
+/// <summary>
+/// Selects the benchmarks of <c>--quick</c>. These are the report's experiment with the library's distance (cold and
+/// warm), and the baseline.
+/// </summary>
 public sealed class QuickFilter : IFilter
 {
     public bool Predicate(BenchmarkCase benchmarkCase) =>
-        benchmarkCase.Descriptor.Type == typeof(ReportSceneFrames) && benchmarkCase.Descriptor.HasCategory(Categories.Distance);
+        benchmarkCase.Descriptor.Type == typeof(ReportSceneFrames)
+            && benchmarkCase.Descriptor.HasCategory(Categories.Distance);
 }

@@ -5,8 +5,8 @@ using System.Numerics;
 namespace Gjk.Bench.Baseline;
 
 /// <summary>
-/// The point of a vertex, line or triangle that is closest to the origin, by barycentric weights (Catto 2010; Ericson 2004,
-/// 5.1.5), and with the same weights the points of both colliders.
+/// Finds the point of a vertex, line or triangle that is closest to the origin, by barycentric weights (Catto 2010;
+/// Ericson 2004, 5.1.5). The same weights give the points of both colliders.
 /// </summary>
 public static class ClosestPoint
 {

@@ -3,8 +3,8 @@ using System.Numerics;
 namespace Gjk.Bench.Baseline;
 
 /// <summary>
-/// A mesh as the renderer has it, repeated corners included. The direction is brought into the mesh's frame and the winner back
-/// into the world, so that moving the object costs nothing between calls.
+/// A mesh as the renderer has it, including repeated corners. A query rotates the direction into the mesh's frame and
+/// the winning vertex back into the world. So moving the object costs nothing between calls.
 /// </summary>
 public sealed class MeshSupportCollider : SupportCollider
 {

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace Gjk.Bench.Baseline;
 
-/// <summary>A vertex of the Minkowski difference with the two points it came from.</summary>
+/// <summary>A vertex of the Minkowski difference, with the two points that it comes from.</summary>
 public readonly struct MinkowskiPoint
 {
     public readonly Vector3 W;

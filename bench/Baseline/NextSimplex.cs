@@ -4,8 +4,8 @@ using System.Numerics;
 namespace Gjk.Bench.Baseline;
 
 /// <summary>
-/// Muratori's cases (2006). The newest vertex, A, is the last of the list; the origin cannot lie behind the older ones. Each case
-/// leaves the part of the simplex that faces the origin and a direction from it to the origin.
+/// Muratori's cases (2006). The newest vertex, A, is the last of the list. The origin cannot lie behind the older ones.
+/// Each case leaves the part of the simplex that faces the origin, and a direction from that part to the origin.
 /// </summary>
 public static class NextSimplex
 {
@@ -72,7 +72,8 @@ public static class NextSimplex
         return Triangle(simplex, ref direction);
     }
 
-    private static bool Edge(List<MinkowskiPoint> simplex, in MinkowskiPoint a, in MinkowskiPoint b, ref Vector3 direction)
+    private static bool Edge(
+        List<MinkowskiPoint> simplex, in MinkowskiPoint a, in MinkowskiPoint b, ref Vector3 direction)
     {
         Keep(simplex, b, a);
         return Line(simplex, ref direction);
@@ -93,7 +94,8 @@ public static class NextSimplex
         simplex.Add(newest);
     }
 
-    private static void Keep(List<MinkowskiPoint> simplex, in MinkowskiPoint oldest, in MinkowskiPoint older, in MinkowskiPoint newest)
+    private static void Keep(
+        List<MinkowskiPoint> simplex, in MinkowskiPoint oldest, in MinkowskiPoint older, in MinkowskiPoint newest)
     {
         simplex.Clear();
         simplex.Add(oldest);

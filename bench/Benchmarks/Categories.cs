@@ -1,6 +1,8 @@
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>What a group of benchmarks asks for; each group has its own baseline. For <c>--anyCategories</c>.</summary>
+/// <summary>
+/// The question that a group of benchmarks asks, for <c>--anyCategories</c>. Each group has its own baseline.
+/// </summary>
 public static class Categories
 {
     public const string Distance = "Distance";

@@ -38,7 +38,7 @@ public class RandomPairQueries
     [Benchmark(OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.Distance)]
     public float WarmDistance() => SceneQueries.WarmDistance(_scene, _scene.Poses, _warmStarts);
 
-    /// <summary>Every object turns by a degree and moves by a hundredth of its size between the calls.</summary>
+    /// <summary>Every object turns by one degree and moves by a hundredth of its size between the calls.</summary>
     [Benchmark(OperationsPerInvoke = RandomPairs.Count), BenchmarkCategory(Categories.Distance)]
     public float MovingDistance() => SceneQueries.WarmDistance(_scene, _motion.Next(), _warmStarts);
 

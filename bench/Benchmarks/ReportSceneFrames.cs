@@ -6,7 +6,9 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>The report's experiment: one frame of 190 calls on each of its scenes. The figures are per frame.</summary>
+/// <summary>
+/// The report's experiment. A frame makes 190 calls on each of its scenes. The figures are per frame.
+/// </summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory, BenchmarkLogicalGroupRule.ByParams)]
 public class ReportSceneFrames

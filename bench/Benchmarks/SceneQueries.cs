@@ -5,8 +5,8 @@ using Gjk.Core;
 namespace Gjk.Bench.Benchmarks;
 
 /// <summary>
-/// Each measured loop once, so that BenchmarkDotNet, the factor check and whatever comes later time the same code. Every loop runs over the whole list
-/// of pairs and returns a sum, without which the compiler might drop the work.
+/// Has each measured loop once, so that BenchmarkDotNet and the factor check time the same code. Every loop runs over
+/// the whole list of pairs. It returns a sum, because the compiler might remove the work otherwise.
 /// </summary>
 public static class SceneQueries
 {
@@ -20,7 +20,9 @@ public static class SceneQueries
         return sum;
     }
 
-    /// <summary>With what each pair remembers from the call before; the poses may have moved since.</summary>
+    /// <summary>
+    /// Distance with the warm start that each pair kept from its last call. The poses may have changed since then.
+    /// </summary>
     public static float WarmDistance(BenchScene scene, RigidPose[] poses, WarmStart[] warmStarts)
     {
         ConvexShape[] shapes = scene.Shapes;
@@ -49,7 +51,8 @@ public static class SceneQueries
     {
         SupportCollider[] colliders = scene.Colliders;
         float sum = 0;
-        foreach (BenchScene.Pair pair in scene.Pairs) sum += ReportGjk.Distance(colliders[pair.A], colliders[pair.B]).Distance;
+        foreach (BenchScene.Pair pair in scene.Pairs)
+            sum += ReportGjk.Distance(colliders[pair.A], colliders[pair.B]).Distance;
         return sum;
     }
 

@@ -12,15 +12,19 @@ using Gjk.Core;
 namespace Gjk.Bench.Benchmarks;
 
 /// <summary>
-/// The step from one simplex to the next, without the supports: on simplices recorded from walks over random hulls, by how many vertices they had. The figures
-/// are per step. A step changes its simplex, so each gets a copy; what the copy costs is a benchmark of its own, to be taken off.
+/// The step from one simplex to the next, without the support calls. The simplices are recorded from walks over random
+/// hulls and grouped by their number of vertices. The figures are per step. A step changes its simplex, so each step
+/// gets a copy. The copy has a benchmark of its own, whose time must be subtracted.
 /// </summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory, BenchmarkLogicalGroupRule.ByParams)]
 [BenchmarkCategory(Categories.Simplex)]
 public class SimplexSteps
 {
-    /// <summary>Too many for a branch predictor to learn, few enough to stay in a second-level cache.</summary>
+    /// <summary>
+    /// The number of recorded steps. It is too large for a branch predictor to learn, and small enough for a
+    /// second-level cache.
+    /// </summary>
     private const int StepCount = 1024;
 
     private const string Set = "hull32";
@@ -41,7 +45,7 @@ public class SimplexSteps
         _report = [.. _overlap.Select(s => s.ForReport())];
     }
 
-    /// <summary>The report's step: a list filled with the simplex, and the same cases.</summary>
+    /// <summary>The report's step. It fills a list with the simplex and uses the same cases.</summary>
     [Benchmark(Baseline = true, OperationsPerInvoke = StepCount)]
     public float ReportStep()
     {
@@ -56,7 +60,7 @@ public class SimplexSteps
         return sum;
     }
 
-    /// <summary>The step of the distance query: to the nearest feature, with its normal.</summary>
+    /// <summary>The step of the distance query. It finds the nearest feature and its normal.</summary>
     [Benchmark(OperationsPerInvoke = StepCount)]
     public double Reduce()
     {
@@ -71,7 +75,7 @@ public class SimplexSteps
         return sum;
     }
 
-    /// <summary>The step of a warm start: the same about a simplex of which nothing is known.</summary>
+    /// <summary>The step of a warm start. It does the same for a simplex of which nothing is known.</summary>
     [Benchmark(OperationsPerInvoke = StepCount)]
     public double ReduceAny()
     {
@@ -86,7 +90,7 @@ public class SimplexSteps
         return sum;
     }
 
-    /// <summary>Muratori's step, that of the boolean query.</summary>
+    /// <summary>Muratori's step, which the boolean query uses.</summary>
     [Benchmark(OperationsPerInvoke = StepCount)]
     public double Advance()
     {
@@ -101,7 +105,7 @@ public class SimplexSteps
         return sum;
     }
 
-    /// <summary>What <see cref="Reduce"/> spends on the copies that the solver does not make.</summary>
+    /// <summary>The time that <see cref="Reduce"/> spends on copies. The solver does not make these copies.</summary>
     [Benchmark(OperationsPerInvoke = StepCount)]
     public double Copy()
     {
@@ -116,7 +120,7 @@ public class SimplexSteps
         return sum;
     }
 
-    /// <summary>Not inlined, so that the copies are made.</summary>
+    /// <summary>Not inlined, so that the copies are really made.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static double Touch(ref Simplex simplex, ref ClosestFeature feature) => feature.Height + simplex.Count;
 

@@ -9,8 +9,9 @@ using Gjk.Core;
 namespace Gjk.Bench.Benchmarks;
 
 /// <summary>
-/// The furthest vertex in a random direction, by the library's look-up, by the plain scan that defines it, and by the report's FindFurthestPoint (which
-/// turns the direction too, as it must). The figures are per call.
+/// The furthest vertex in a random direction, found in three ways: by the library's look-up, by the plain scan that
+/// defines it, and by the report's FindFurthestPoint. The last one also has to turn the direction. The figures are per
+/// call.
 /// </summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory, BenchmarkLogicalGroupRule.ByParams)]

@@ -6,17 +6,21 @@ using System.Linq;
 namespace Gjk.Bench.Reporting;
 
 /// <summary>A line of a chart.</summary>
-/// <param name="Name">For the legend.</param>
-/// <param name="Colour">As CSS has it.</param>
-/// <param name="Points">Left to right, all coordinates above 0.</param>
+/// <param name="Name">The name in the legend.</param>
+/// <param name="Colour">The colour in CSS notation.</param>
+/// <param name="Points">The points from left to right. All coordinates are above 0.</param>
 internal sealed record ChartLine(string Name, string Colour, IReadOnlyList<(double X, double Y)> Points);
 
-/// <summary>Lines over two logarithmic axes, on a background of its own, so that it reads the same on a light page and on a dark one.</summary>
+/// <summary>
+/// Draws lines over two logarithmic axes. The chart has its own background, so that it is readable on a light page and
+/// on a dark one.
+/// </summary>
 internal sealed class LogLogChart
 {
     private const int Width = 760, Height = 470;
     private const double Left = 84, Right = 712, Top = 84, Bottom = 404;
-    private const string Paper = "#ffffff", Frame = "#d0d7de", Grid = "#e6e9ed", Axis = "#8c959f", Ink = "#1f2328", Soft = "#57606a";
+    private const string Paper = "#ffffff", Frame = "#d0d7de", Grid = "#e6e9ed";
+    private const string Axis = "#8c959f", Ink = "#1f2328", Soft = "#57606a";
 
     private readonly ChartLine[] _lines;
     private readonly double[] _ticks;
@@ -27,7 +31,8 @@ internal sealed class LogLogChart
     {
         _lines = [.. lines];
         _ticks = [.. _lines.SelectMany(l => l.Points).Select(p => p.X).Distinct().Order()];
-        if (_ticks.Length < 2) throw new ArgumentException("A chart needs points at two places or more.", nameof(lines));
+        if (_ticks.Length < 2)
+            throw new ArgumentException("A chart needs points at two places or more.", nameof(lines));
         (_minX, _maxX) = (_ticks[0], _ticks[^1]);
         double[] values = [.. _lines.SelectMany(l => l.Points).Select(p => p.Y)];
         _minDecade = (int)Math.Floor(Math.Log10(values.Min()));
@@ -42,7 +47,7 @@ internal sealed class LogLogChart
 
     public required string AxisY { get; init; }
 
-    /// <summary>How to write a decade of the upright axis, and a point.</summary>
+    /// <summary>Formats a decade of the vertical axis, or a point.</summary>
     public required Func<double, string> Unit { get; init; }
 
     public string Draw()
@@ -71,7 +76,8 @@ internal sealed class LogLogChart
             double x = PlaceX(tick);
             svg.Line(x, Top, x, Bottom, Grid, 1);
             svg.Line(x, Bottom, x, Bottom + 5, Axis, 1);
-            svg.Text(x, Bottom + 20, tick.ToString("#,0", CultureInfo.InvariantCulture), 12, Soft, SvgWriter.Anchor.Middle);
+            string label = tick.ToString("#,0", CultureInfo.InvariantCulture);
+            svg.Text(x, Bottom + 20, label, 12, Soft, SvgWriter.Anchor.Middle);
         }
 
         svg.Text((Left + Right) / 2, Bottom + 46, AxisX, 13, Ink, SvgWriter.Anchor.Middle);
@@ -82,10 +88,13 @@ internal sealed class LogLogChart
     {
         svg.Polyline(line.Points.Select(p => (PlaceX(p.X), PlaceY(p.Y))), line.Colour, 2.4);
         foreach ((double x, double y) in line.Points)
-            svg.Dot(PlaceX(x), PlaceY(y), 3.6, line.Colour, string.Create(CultureInfo.InvariantCulture, $"{line.Name}, {x:#,0}: {Unit(y)}"));
+        {
+            string tip = string.Create(CultureInfo.InvariantCulture, $"{line.Name}, {x:#,0}: {Unit(y)}");
+            svg.Dot(PlaceX(x), PlaceY(y), 3.6, line.Colour, tip);
+        }
     }
 
-    /// <summary>In the upper left corner, which costs that grow leave free.</summary>
+    /// <summary>Draws the legend in the upper left corner. Growing costs leave that corner free.</summary>
     private void DrawLegend(SvgWriter svg)
     {
         const double RowHeight = 22, LineLength = 26, Padding = 12;
@@ -102,5 +111,6 @@ internal sealed class LogLogChart
 
     private double PlaceX(double x) => Left + (Right - Left) * Math.Log(x / _minX) / Math.Log(_maxX / _minX);
 
-    private double PlaceY(double y) => Bottom - (Bottom - Top) * (Math.Log10(y) - _minDecade) / (_maxDecade - _minDecade);
+    private double PlaceY(double y) =>
+        Bottom - (Bottom - Top) * (Math.Log10(y) - _minDecade) / (_maxDecade - _minDecade);
 }

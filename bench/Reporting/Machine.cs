@@ -5,18 +5,20 @@ using System.Text;
 
 namespace Gjk.Bench.Reporting;
 
-/// <summary>What the figures were measured on.</summary>
+/// <summary>Describes the machine on which the figures were measured.</summary>
 public static class Machine
 {
     private const string Unknown = "unknown-cpu";
 
     /// <summary>The CPU, the number of cores, the system and the runtime, in one line.</summary>
     public static string Description =>
-        $"{CpuModel}, {Environment.ProcessorCount} logical cores, {RuntimeInformation.ProcessArchitecture}, {RuntimeInformation.OSDescription.Trim()}, {RuntimeInformation.FrameworkDescription}";
+        $"{CpuModel}, {Environment.ProcessorCount} logical cores, {RuntimeInformation.ProcessArchitecture}, "
+        + $"{RuntimeInformation.OSDescription.Trim()}, {RuntimeInformation.FrameworkDescription}";
 
-    public static string CpuModel => FromProc() ?? Environment.GetEnvironmentVariable("PROCESSOR_IDENTIFIER") ?? Unknown;
+    public static string CpuModel =>
+        FromProc() ?? Environment.GetEnvironmentVariable("PROCESSOR_IDENTIFIER") ?? Unknown;
 
-    /// <summary>A name that every file system takes: lower case letters, digits and single hyphens.</summary>
+    /// <summary>A name that every file system accepts. It has lower case letters, digits and single hyphens.</summary>
     public static string FileName(string name)
     {
         var text = new StringBuilder();

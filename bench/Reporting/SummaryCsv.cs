@@ -9,25 +9,31 @@ using BenchmarkDotNet.Running;
 
 namespace Gjk.Bench.Reporting;
 
-/// <summary>The figures of a whole run as one small table, to be kept beside the code.</summary>
+/// <summary>The figures of a whole run as one small table, which can be kept beside the code.</summary>
 public static class SummaryCsv
 {
     public const string Header = "benchmark,set,mean_ns,stddev_ns,ratio,allocated_bytes";
 
-    /// <summary>Text with one row per benchmark that gave a figure; ratio is its mean over that of its group's baseline.</summary>
+    /// <summary>
+    /// The text has one row per benchmark that gave a figure. The ratio is its mean divided by the mean of its group's
+    /// baseline.
+    /// </summary>
     public static string Format(IEnumerable<Summary> summaries, string comment)
     {
         var text = new StringBuilder();
         text.Append("# ").Append(comment).Append('\n').Append(Header).Append('\n');
         foreach (Summary summary in summaries)
         {
-            foreach (BenchmarkReport report in summary.Reports.Where(r => r.ResultStatistics is not null)) AppendRow(text, summary, report);
+            foreach (BenchmarkReport report in summary.Reports.Where(r => r.ResultStatistics is not null))
+                AppendRow(text, summary, report);
         }
 
         return text.ToString();
     }
 
-    /// <summary>Writes beside the target first, so that a run that dies leaves the old file whole.</summary>
+    /// <summary>
+    /// Writes a file beside the target first, so that a run that ends early leaves the old file complete.
+    /// </summary>
     public static void Write(string path, string text)
     {
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
@@ -56,13 +62,15 @@ public static class SummaryCsv
     private static double? BaselineMean(Summary summary, BenchmarkCase benchmark)
     {
         string? group = summary.GetLogicalGroupKey(benchmark);
-        BenchmarkCase? baseline = summary.BenchmarksCases.FirstOrDefault(c => summary.IsBaseline(c) && summary.GetLogicalGroupKey(c) == group);
+        BenchmarkCase? baseline = summary.BenchmarksCases.FirstOrDefault(c =>
+            summary.IsBaseline(c) && summary.GetLogicalGroupKey(c) == group);
         return baseline is null ? null : summary[baseline]?.ResultStatistics?.Mean;
     }
 
-    /// <summary>The parameters, or the category of a benchmark that has none.</summary>
+    /// <summary>The parameters of a benchmark. If it has none, its category.</summary>
     private static string SetOf(BenchmarkCase benchmark) => benchmark.HasParameters
-        ? string.Join(' ', benchmark.Parameters.Items.Select(p => Convert.ToString(p.Value, CultureInfo.InvariantCulture)))
+        ? string.Join(
+            ' ', benchmark.Parameters.Items.Select(p => Convert.ToString(p.Value, CultureInfo.InvariantCulture)))
         : string.Join(' ', benchmark.Descriptor.Categories);
 
     private static string Number(double value, string format) => value.ToString(format, CultureInfo.InvariantCulture);

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
@@ -7,18 +6,19 @@ using System.Text;
 
 namespace Gjk.Bench.Reporting;
 
-/// <summary>The few elements of SVG that a line chart needs. Coordinates are in pixels, y downwards, written with one decimal.</summary>
+/// <summary>
+/// Writes the few SVG elements that a line chart needs. Coordinates are in pixels with y downwards, and are written
+/// with one decimal.
+/// </summary>
 internal sealed class SvgWriter
 {
     private readonly StringBuilder _text = new();
 
     public SvgWriter(int width, int height, string title) => _text.Append(
         CultureInfo.InvariantCulture,
-        $"""
-        <svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif" role="img">
-        <title>{WebUtility.HtmlEncode(title)}</title>
-
-        """);
+        $"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" "
+        + $"viewBox=\"0 0 {width} {height}\" font-family=\"system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, "
+        + $"sans-serif\" role=\"img\">\n<title>{WebUtility.HtmlEncode(title)}</title>\n");
 
     public enum Anchor
     {
@@ -27,25 +27,36 @@ internal sealed class SvgWriter
         End,
     }
 
-    public void Rectangle(double x, double y, double width, double height, double radius, string fill, string stroke) => Element(
-        $"<rect x=\"{N(x)}\" y=\"{N(y)}\" width=\"{N(width)}\" height=\"{N(height)}\" rx=\"{N(radius)}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
+    public void Rectangle(
+        double x, double y, double width, double height, double radius, string fill, string stroke) => Element(
+        $"<rect x=\"{N(x)}\" y=\"{N(y)}\" width=\"{N(width)}\" height=\"{N(height)}\" rx=\"{N(radius)}\" "
+        + $"fill=\"{fill}\" stroke=\"{stroke}\"/>");
 
     public void Line(double x1, double y1, double x2, double y2, string stroke, double width) => Element(
-        $"<line x1=\"{N(x1)}\" y1=\"{N(y1)}\" x2=\"{N(x2)}\" y2=\"{N(y2)}\" stroke=\"{stroke}\" stroke-width=\"{N(width)}\"/>");
+        $"<line x1=\"{N(x1)}\" y1=\"{N(y1)}\" x2=\"{N(x2)}\" y2=\"{N(y2)}\" "
+        + $"stroke=\"{stroke}\" stroke-width=\"{N(width)}\"/>");
 
     public void Polyline(IEnumerable<(double X, double Y)> points, string stroke, double width) => Element(
-        $"<polyline points=\"{string.Join(' ', points.Select(p => $"{N(p.X)},{N(p.Y)}"))}\" fill=\"none\" stroke=\"{stroke}\" stroke-width=\"{N(width)}\" stroke-linejoin=\"round\"/>");
+        $"<polyline points=\"{string.Join(' ', points.Select(p => $"{N(p.X)},{N(p.Y)}"))}\" fill=\"none\" "
+        + $"stroke=\"{stroke}\" stroke-width=\"{N(width)}\" stroke-linejoin=\"round\"/>");
 
-    /// <summary>A dot with a text that shows where the pointer rests on it.</summary>
+    /// <summary>Adds a dot. Its text appears when the pointer rests on the dot.</summary>
     public void Dot(double x, double y, double radius, string fill, string tip) => Element(
-        $"<circle cx=\"{N(x)}\" cy=\"{N(y)}\" r=\"{N(radius)}\" fill=\"{fill}\"><title>{WebUtility.HtmlEncode(tip)}</title></circle>");
+        $"<circle cx=\"{N(x)}\" cy=\"{N(y)}\" r=\"{N(radius)}\" fill=\"{fill}\">"
+        + $"<title>{WebUtility.HtmlEncode(tip)}</title></circle>");
 
-    public void Text(double x, double y, string text, int size, string fill, Anchor anchor, bool bold = false) => Element(
-        $"<text x=\"{N(x)}\" y=\"{N(y)}\" font-size=\"{size}\" fill=\"{fill}\"{AnchorOf(anchor)}{(bold ? " font-weight=\"600\"" : "")}>{WebUtility.HtmlEncode(text)}</text>");
+    public void Text(double x, double y, string text, int size, string fill, Anchor anchor, bool bold = false)
+    {
+        string weight = bold ? " font-weight=\"600\"" : "";
+        Element(
+            $"<text x=\"{N(x)}\" y=\"{N(y)}\" font-size=\"{size}\" fill=\"{fill}\"{AnchorOf(anchor)}{weight}>"
+            + $"{WebUtility.HtmlEncode(text)}</text>");
+    }
 
-    /// <summary>Text that reads upwards, centred on the point.</summary>
+    /// <summary>Adds text that reads upwards, centred on the point.</summary>
     public void TextUpwards(double x, double y, string text, int size, string fill) => Element(
-        $"<text transform=\"translate({N(x)} {N(y)}) rotate(-90)\" font-size=\"{size}\" fill=\"{fill}\"{AnchorOf(Anchor.Middle)}>{WebUtility.HtmlEncode(text)}</text>");
+        $"<text transform=\"translate({N(x)} {N(y)}) rotate(-90)\" font-size=\"{size}\" fill=\"{fill}\""
+        + $"{AnchorOf(Anchor.Middle)}>{WebUtility.HtmlEncode(text)}</text>");
 
     public string Finish() => _text + "</svg>\n";
 
@@ -58,5 +69,5 @@ internal sealed class SvgWriter
         _ => "",
     };
 
-    private void Element(FormattableString element) => _text.Append(element.ToString(CultureInfo.InvariantCulture)).Append('\n');
+    private void Element(string element) => _text.Append(element).Append('\n');
 }

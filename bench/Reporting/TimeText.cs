@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Gjk.Bench.Reporting;
 
-/// <summary>Times as a reader likes them.</summary>
+/// <summary>Writes times in a unit that is easy to read.</summary>
 internal static class TimeText
 {
     public static string Of(double nanoseconds) => nanoseconds switch

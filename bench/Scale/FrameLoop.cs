@@ -6,25 +6,32 @@ namespace Gjk.Bench.Scale;
 /// <summary>Repeats frames.</summary>
 internal static class FrameLoop
 {
-    /// <summary>Seconds: the goal is that nothing is allocated after the first one. By then the runtime has optimised the code with what it saw, too.</summary>
+    /// <summary>
+    /// Seconds. The goal is that nothing is allocated after the first second. By then the runtime has also optimised
+    /// the code with the profile it collected.
+    /// </summary>
     private const double WarmUpSeconds = 1;
 
-    /// <summary>Frames, where one takes longer than the seconds allow.</summary>
+    /// <summary>Frames. The least number to run if a frame is so slow that the seconds do not allow more.</summary>
     private const int LeastFrames = 5;
 
     public static void WarmUp(Action frame) => Repeat(WarmUpSeconds, frame);
 
-    /// <summary>How often it ran.</summary>
+    /// <summary>Repeats a frame and returns how often it ran.</summary>
     public static int Repeat(double seconds, Action frame)
     {
         int runs = 0;
-        for (var clock = Stopwatch.StartNew(); runs < LeastFrames || clock.Elapsed.TotalSeconds < seconds; runs++) frame();
+        for (var clock = Stopwatch.StartNew(); runs < LeastFrames || clock.Elapsed.TotalSeconds < seconds; runs++)
+            frame();
         return runs;
     }
 
-    /// <summary>What frames allocate, on all threads together; apart from the timed ones, as an exact count stops all threads.</summary>
+    /// <summary>
+    /// The bytes that frames allocate, on all threads together. These are not the timed frames, because an exact count
+    /// stops all threads.
+    /// </summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="timed">How many were timed; a tenth of them is run again.</param>
+    /// <param name="timed">How many frames were timed. A tenth of that number is run again.</param>
     public static double BytesPerFrame(Action frame, int timed)
     {
         int count = Math.Max(timed / 10, LeastFrames);
@@ -33,6 +40,8 @@ internal static class FrameLoop
         return (double)(GC.GetTotalAllocatedBytes(precise: true) - before) / count;
     }
 
-    /// <summary>In double: a TimeSpan counts in steps of 100 ns, a good part of the smallest frames.</summary>
+    /// <summary>
+    /// Converts ticks in double. A TimeSpan counts in steps of 100 ns, which is a large part of the smallest frames.
+    /// </summary>
     public static double Milliseconds(long ticks) => ticks * 1e3 / Stopwatch.Frequency;
 }

@@ -10,10 +10,12 @@ namespace Gjk.Bench.Scale;
 /// <summary>Measures the frames of the report's scenes of 20 objects.</summary>
 internal sealed class ReportSceneClock
 {
-    /// <summary>Frames between two looks at the clock: one takes little longer than that look.</summary>
+    /// <summary>Frames between two readings of the clock. A single frame takes little longer than a reading.</summary>
     private const int FramesPerSample = 50;
 
-    /// <summary>In units, there and back every frame: a percent of the size, along two axes.</summary>
+    /// <summary>
+    /// Units per frame. The step is one percent of the size along two axes, forward in one frame and back in the next.
+    /// </summary>
     private static readonly Vector3 Step = new(0.01f, 0, 0.01f);
 
     private readonly CollisionScene _scene = new(BroadPhaseKind.AllPairs);
@@ -62,7 +64,7 @@ internal sealed class ReportSceneClock
         else _scene.FindOverlaps(_pairs);
     }
 
-    /// <summary>So that the distances are looked at.</summary>
+    /// <summary>Uses the distances, so that the compiler cannot remove them.</summary>
     private struct Sum : IPairDistanceVisitor
     {
         public float Total { get; private set; }

@@ -26,11 +26,11 @@ internal sealed class RoomClock
         _workers = workers;
     }
 
-    /// <param name="count">How many cubes.</param>
-    /// <param name="isMoving">All of them, or none.</param>
+    /// <param name="count">How many cubes there are.</param>
+    /// <param name="isMoving">True if all of them move, false if none does.</param>
     /// <param name="phase">How pairs are found.</param>
     /// <param name="workers">The threads of the narrow phase, or null.</param>
-    /// <param name="seconds">How long to measure, after the warm-up.</param>
+    /// <param name="seconds">How many seconds to measure after the warm-up.</param>
     public static FrameFigures Measure(int count, bool isMoving, BroadPhaseKind phase, Workers? workers, double seconds)
     {
         var objects = new WorldScenes(count);
@@ -56,11 +56,12 @@ internal sealed class RoomClock
         });
         int touching = _pairs.SelectMany(p => new[] { p.A, p.B }).Distinct().Count();
         return new FrameFigures(
-            broad.Median, narrow.Median, whole.Median, (double)candidates / frames, (double)pairs / frames, (double)touching / _scene.Count,
+            broad.Median, narrow.Median, whole.Median, (double)candidates / frames, (double)pairs / frames,
+            (double)touching / _scene.Count,
             FrameLoop.BytesPerFrame(Frame, frames), memory);
     }
 
-    /// <summary>One frame; where the objects go is worked out before its clock starts.</summary>
+    /// <summary>Runs one frame. The new poses are computed before its clock starts.</summary>
     private void Frame()
     {
         if (_isMoving) _objects.Advance();

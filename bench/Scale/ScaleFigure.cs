@@ -6,14 +6,15 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Scale;
 
-/// <summary>How the frames of moving objects grow with their number.</summary>
+/// <summary>A figure of how the time of a frame grows with the number of moving objects.</summary>
 internal static class ScaleFigure
 {
     private const double NsPerMs = 1e6;
 
     private static readonly (BroadPhaseKind Phase, string Colour)[] Phases =
     [
-        (BroadPhaseKind.AllPairs, "#6e7781"), (BroadPhaseKind.SortAndSweep, "#8250df"), (BroadPhaseKind.SweepAndPrune, "#1a7f37"), (BroadPhaseKind.DynamicTree, "#0969da"),
+        (BroadPhaseKind.AllPairs, "#6e7781"), (BroadPhaseKind.SortAndSweep, "#8250df"),
+        (BroadPhaseKind.SweepAndPrune, "#1a7f37"), (BroadPhaseKind.DynamicTree, "#0969da"),
     ];
 
     public static string Draw(IReadOnlyCollection<ScaleRow> rows, string machine)
@@ -22,7 +23,9 @@ internal static class ScaleFigure
         ScaleRow[] narrow = [.. moving.Where(r => r.Phase == BroadPhaseKind.DynamicTree)];
         return new LogLogChart(
         [
-            .. Phases.Select(p => Line(ScaleReport.PhaseName(p.Phase), p.Colour, moving.Where(r => r.Phase == p.Phase), r => r.Figures.BroadMs)),
+            .. Phases.Select(p => Line(
+                ScaleReport.PhaseName(p.Phase), p.Colour, moving.Where(r => r.Phase == p.Phase),
+                r => r.Figures.BroadMs)),
             Line("narrow phase", "#bf5b04", narrow, r => r.Figures.NarrowMs),
         ])
         {
@@ -34,6 +37,7 @@ internal static class ScaleFigure
         }.Draw();
     }
 
-    private static ChartLine Line(string name, string colour, IEnumerable<ScaleRow> rows, Func<ScaleRow, double?> milliseconds) =>
+    private static ChartLine Line(
+        string name, string colour, IEnumerable<ScaleRow> rows, Func<ScaleRow, double?> milliseconds) =>
         new(name, colour, [.. rows.Select(r => ((double)r.Objects, milliseconds(r)!.Value * NsPerMs))]);
 }

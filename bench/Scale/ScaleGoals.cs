@@ -4,13 +4,16 @@ using Gjk.Bench.Table;
 
 namespace Gjk.Bench.Scale;
 
-/// <summary>What frames are to need, in milliseconds on two cores of the machine that the peers were measured on; scaled to this one as <see cref="Goals"/> are.</summary>
+/// <summary>
+/// The goals for frames, in milliseconds on two cores of the machine on which the other engines were measured. They are
+/// scaled to this machine as <see cref="Goals"/> are.
+/// </summary>
 internal static class ScaleGoals
 {
-    /// <summary>Seconds to measure how slow this machine is.</summary>
+    /// <summary>How many seconds are used to measure how slow this machine is.</summary>
     private const double BaselineSeconds = 1;
 
-    /// <summary>Null where no goal was set.</summary>
+    /// <summary>The goal of a row. Null if none was set.</summary>
     public static double? For(ScaleRow row, int cores) => row switch
     {
         { Question: Question.Distances, Scene: ReportScenes.Cubes } => 0.010,
@@ -26,7 +29,10 @@ internal static class ScaleGoals
         _ => null,
     };
 
-    /// <summary>How many times slower than the goals' machine this one is, by what the report's algorithm needs for the report's scenes.</summary>
+    /// <summary>
+    /// How many times slower this machine is than the goals' machine. It is measured by the time that the report's
+    /// algorithm needs for the report's scenes.
+    /// </summary>
     public static double Slowness()
     {
         TableSet[] scenes = [.. ReportScenes.Names.Select(TableSet.OfReportScene)];

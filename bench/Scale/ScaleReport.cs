@@ -10,19 +10,23 @@ namespace Gjk.Bench.Scale;
 internal static class ScaleReport
 {
     private const string CsvHeader =
-        "scene,question,objects,motion,broad_phase,threads,broad_ms,narrow_ms,frame_ms,candidates,pairs,touching_share,bytes_per_frame,memory_mb,goal_ms,goal_here_ms,met";
+        "scene,question,objects,motion,broad_phase,threads,broad_ms,narrow_ms,frame_ms,candidates,pairs,touching_share,"
+        + "bytes_per_frame,memory_mb,goal_ms,goal_here_ms,met";
 
     public static string Markdown(IReadOnlyCollection<ScaleRow> rows, double slowness)
     {
         var text = new StringBuilder();
-        text.Append("| objects | | broad phase | threads | move + broad, ms | narrow, ms | frame, ms | candidates | pairs | touching | bytes per frame | memory, MB |\n");
+        text.Append("| objects | | broad phase | threads | move + broad, ms | narrow, ms | frame, ms | candidates ");
+        text.Append("| pairs | touching | bytes per frame | memory, MB |\n");
         text.Append("|--:|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
         foreach (ScaleRow r in rows.Where(r => r.Scene == ScaleRun.Room))
         {
             FrameFigures f = r.Figures;
             text.Append(
                 CultureInfo.InvariantCulture,
-                $"| {r.Objects:#,0} | {Motion(r)} | {PhaseName(r.Phase)} | {r.Threads} | {Ms(f.BroadMs)} | {Ms(f.NarrowMs)} | {Ms(f.FrameMs)} | {f.Candidates:#,0} | {f.Pairs:#,0} | {f.TouchingShare:0 %} | {f.BytesPerFrame:0.##} | {f.MemoryMb:0.0} |\n");
+                $"| {r.Objects:#,0} | {Motion(r)} | {PhaseName(r.Phase)} | {r.Threads} | {Ms(f.BroadMs)} "
+                + $"| {Ms(f.NarrowMs)} | {Ms(f.FrameMs)} | {f.Candidates:#,0} | {f.Pairs:#,0} "
+                + $"| {f.TouchingShare:0 %} | {f.BytesPerFrame:0.##} | {f.MemoryMb:0.0} |\n");
         }
 
         text.Append("\n| goal | ms | here | frame, ms | |\n|---|--:|--:|--:|---|\n");
@@ -30,21 +34,23 @@ internal static class ScaleReport
         {
             text.Append(
                 CultureInfo.InvariantCulture,
-                $"| {Name(r)} | {r.Goal:0.0##} | {Ms(r.GoalHere)} | {Ms(r.Figures.FrameMs)} | {(r.Met == true ? "met" : "missed")} |\n");
+                $"| {Name(r)} | {r.Goal:0.0##} | {Ms(r.GoalHere)} | {Ms(r.Figures.FrameMs)} "
+                + $"| {(r.Met == true ? "met" : "missed")} |\n");
         }
 
         text.Append(CultureInfo.InvariantCulture, $"\n{Growth(rows)}\n");
         text.Append(
             CultureInfo.InvariantCulture,
             $"""
-            Medians over a second of frames, after a second of warm-up; the narrow phase on all threads, the broad phase on one.
-            Here: the goal times what the report's algorithm needs here over what it needed where the goals were set, {slowness:0.00}.
+            The figures are medians over a second of frames, after a second of warm-up. The narrow phase runs on all
+            threads, the broad phase on one. "Here" is the goal times the slowness of this machine, {slowness:0.00}. The
+            slowness is the time of the report's algorithm here, divided by its time where the goals were set.
 
             """);
         return text.ToString();
     }
 
-    /// <summary>One line per row, under a first line that describes the machine.</summary>
+    /// <summary>One line per row. The first line describes the machine.</summary>
     public static string Csv(IEnumerable<ScaleRow> rows, string machine)
     {
         var text = new StringBuilder();
@@ -55,10 +61,13 @@ internal static class ScaleReport
             string met = r.Met switch { true => "true", false => "false", null => "" };
             text.Append(
                 CultureInfo.InvariantCulture,
-                $"{r.Scene},{r.Question.ToString().ToLowerInvariant()},{r.Objects},{Motion(r)},{PhaseName(r.Phase).Replace(' ', '-')},{r.Threads},");
+                $"{r.Scene},{r.Question.ToString().ToLowerInvariant()},{r.Objects},{Motion(r)},"
+                + $"{PhaseName(r.Phase).Replace(' ', '-')},{r.Threads},");
             text.Append(
                 CultureInfo.InvariantCulture,
-                $"{f.BroadMs:0.######},{f.NarrowMs:0.######},{f.FrameMs:0.######},{f.Candidates:0.#},{f.Pairs:0.#},{f.TouchingShare:0.###},{f.BytesPerFrame:0.##},{f.MemoryMb:0.##},{r.Goal},{r.GoalHere:0.####},{met}\n");
+                $"{f.BroadMs:0.######},{f.NarrowMs:0.######},{f.FrameMs:0.######},{f.Candidates:0.#},{f.Pairs:0.#},"
+                + $"{f.TouchingShare:0.###},{f.BytesPerFrame:0.##},{f.MemoryMb:0.##},"
+                + $"{r.Goal},{r.GoalHere:0.####},{met}\n");
         }
 
         return text.ToString();
@@ -73,24 +82,36 @@ internal static class ScaleReport
         _ => throw new ArgumentOutOfRangeException(nameof(phase)),
     };
 
-    /// <summary>How the moving frames of the tree grow over the largest goals, beside n log n.</summary>
+    /// <summary>How the time of the tree's moving frames grows over the largest goals, compared with n log n.</summary>
     private static string Growth(IEnumerable<ScaleRow> rows)
     {
-        ScaleRow[] judged = [.. rows.Where(r => r.Scene == ScaleRun.Room && r.Goal is not null).OrderBy(r => r.Objects)];
+        ScaleRow[] judged =
+        [
+            .. rows.Where(r => r.Scene == ScaleRun.Room && r.Goal is not null).OrderBy(r => r.Objects),
+        ];
         ScaleRow first = judged[0], last = judged[^1];
         double expected = last.Objects * Math.Log(last.Objects) / (first.Objects * Math.Log(first.Objects));
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"From {first.Objects:#,0} to {last.Objects:#,0} moving objects a frame takes {last.Figures.FrameMs / first.Figures.FrameMs:0} times as long; n log n grows by {expected:0}.");
+            $"From {first.Objects:#,0} to {last.Objects:#,0} moving objects a frame takes "
+            + $"{last.Figures.FrameMs / first.Figures.FrameMs:0} times as long; n log n grows by {expected:0}.");
     }
 
-    private static string Name(ScaleRow r) => r.Scene == ScaleRun.Room
-        ? string.Create(CultureInfo.InvariantCulture, $"{r.Objects:#,0} {Motion(r)} cubes, intersecting pairs")
-        : $"the report's {r.Scene}, {Motion(r)}, {(r.Question == Question.Distances ? "190 distances, warm" : "intersecting pairs")}";
+    private static string Name(ScaleRow r)
+    {
+        if (r.Scene == ScaleRun.Room)
+        {
+            return string.Create(
+                CultureInfo.InvariantCulture, $"{r.Objects:#,0} {Motion(r)} cubes, intersecting pairs");
+        }
+
+        string question = r.Question == Question.Distances ? "190 distances, warm" : "intersecting pairs";
+        return $"the report's {r.Scene}, {Motion(r)}, {question}";
+    }
 
     private static string Motion(ScaleRow r) => r.IsMoving ? "moving" : "static";
 
-    /// <summary>Three digits at least.</summary>
+    /// <summary>Writes a time with at least three digits.</summary>
     private static string Ms(double? milliseconds) => milliseconds switch
     {
         null => "",

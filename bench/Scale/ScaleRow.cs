@@ -1,39 +1,41 @@
 namespace Gjk.Bench.Scale;
 
-/// <summary>What a frame of a scene costs. Times are in milliseconds.</summary>
-/// <param name="Scene">The report's "cubes" or "spheres", or "room" for any number of cubes.</param>
-/// <param name="Question">What is asked of the scene.</param>
-/// <param name="Objects">How many.</param>
-/// <param name="IsMoving">Whether all of them move from frame to frame.</param>
+/// <summary>The cost of a frame of a scene. Times are in milliseconds.</summary>
+/// <param name="Scene">"cubes" or "spheres" for the report's scenes, or "room" for any number of cubes.</param>
+/// <param name="Question">The question that each frame asks.</param>
+/// <param name="Objects">How many objects there are.</param>
+/// <param name="IsMoving">True if all objects move from frame to frame.</param>
 /// <param name="Phase">How pairs are found.</param>
-/// <param name="Threads">How many share the narrow phase.</param>
+/// <param name="Threads">How many threads share the narrow phase.</param>
 /// <param name="Figures">What was measured.</param>
-/// <param name="Goal">On the goals' machine; null where none was set.</param>
+/// <param name="Goal">The goal on the goals' machine. Null if none was set.</param>
 /// <param name="GoalHere">The goal scaled to this machine.</param>
 internal sealed record ScaleRow(
-    string Scene, Question Question, int Objects, bool IsMoving, Core.BroadPhaseKind Phase, int Threads, FrameFigures Figures, double? Goal = null, double? GoalHere = null)
+    string Scene, Question Question, int Objects, bool IsMoving, Core.BroadPhaseKind Phase, int Threads,
+    FrameFigures Figures, double? Goal = null, double? GoalHere = null)
 {
     public bool? Met => GoalHere is double goal ? Figures.FrameMs <= goal : null;
 }
 
-/// <summary>What is asked in each frame.</summary>
+/// <summary>The question that each frame asks.</summary>
 internal enum Question
 {
     /// <summary>Which pairs intersect.</summary>
     Overlaps,
 
-    /// <summary>All distances, from where the last frame ended.</summary>
+    /// <summary>All distances, with warm starts from the last frame.</summary>
     Distances,
 }
 
-/// <summary>The medians over many frames; null where it was not measured apart.</summary>
-/// <param name="BroadMs">Moving the objects and finding candidates.</param>
-/// <param name="NarrowMs">Asking the candidates.</param>
-/// <param name="FrameMs">Both.</param>
-/// <param name="Candidates">How many pairs are left to the narrow phase; the mean.</param>
-/// <param name="Pairs">How many intersect; the mean.</param>
-/// <param name="TouchingShare">Of the objects.</param>
-/// <param name="BytesPerFrame">Allocated after the warm-up, on all threads; the mean.</param>
-/// <param name="MemoryMb">What the scene holds, its lists included and the shape excluded.</param>
+/// <summary>The medians over many frames. A value is null if it was not measured separately.</summary>
+/// <param name="BroadMs">The time to move the objects and to find candidates.</param>
+/// <param name="NarrowMs">The time to test the candidates.</param>
+/// <param name="FrameMs">The time of both.</param>
+/// <param name="Candidates">The mean number of pairs that are left for the narrow phase.</param>
+/// <param name="Pairs">The mean number of pairs that intersect.</param>
+/// <param name="TouchingShare">The share of objects that touch another one.</param>
+/// <param name="BytesPerFrame">The mean number of bytes allocated per frame after the warm-up, on all threads.</param>
+/// <param name="MemoryMb">The memory of the scene, including its lists and excluding the shape.</param>
 internal sealed record FrameFigures(
-    double? BroadMs, double? NarrowMs, double FrameMs, double? Candidates, double Pairs, double? TouchingShare, double BytesPerFrame, double? MemoryMb);
+    double? BroadMs, double? NarrowMs, double FrameMs, double? Candidates, double Pairs, double? TouchingShare,
+    double BytesPerFrame, double? MemoryMb);

@@ -7,26 +7,33 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Scale;
 
-/// <summary>How a frame grows with the number of objects: every broad phase, at rest and moving, on one thread and on all; and the report's scenes.</summary>
+/// <summary>
+/// Measures how the time of a frame grows with the number of objects. It measures every broad phase, at rest and
+/// moving, on one thread and on all, and the report's scenes.
+/// </summary>
 internal static class ScaleRun
 {
-    /// <summary>The name of the scenes of any number of cubes.</summary>
+    /// <summary>The name of the scenes with any number of cubes.</summary>
     public const string Room = "room";
 
-    /// <summary>Seconds to measure a row; with them the whole run takes some four minutes.</summary>
+    /// <summary>How many seconds a row is measured. With this value the whole run takes about four minutes.</summary>
     public const double DefaultSeconds = 1;
 
-    /// <summary>Count: above it, comparing all pairs takes several seconds per frame and shows nothing new.</summary>
+    /// <summary>
+    /// Objects. Above this number, comparing all pairs takes several seconds per frame and shows nothing new.
+    /// </summary>
     private const int MostForAllPairs = 20_000;
 
     private static readonly int[] Sizes = [20, 200, 2_000, 20_000, 100_000];
 
     private static readonly BroadPhaseKind[] Phases =
-        [BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree];
+    [
+        BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree,
+    ];
 
-    /// <param name="progress">Gets a line per size.</param>
-    /// <param name="seconds">To measure a row, after a second of warm-up.</param>
-    /// <param name="slowness">How many times slower than the goals' machine this one is.</param>
+    /// <param name="progress">Receives a line per size.</param>
+    /// <param name="seconds">How many seconds to measure a row, after a warm-up of one second.</param>
+    /// <param name="slowness">How many times slower this machine is than the goals' machine.</param>
     public static List<ScaleRow> Run(TextWriter progress, double seconds, out double slowness)
     {
         progress.WriteLine("the baseline");
@@ -64,7 +71,8 @@ internal static class ScaleRun
             progress.WriteLine(FormattableString.Invariant($"{count} objects"));
             foreach (bool isMoving in new[] { false, true })
             {
-                foreach (BroadPhaseKind phase in Phases.Where(p => p != BroadPhaseKind.AllPairs || count <= MostForAllPairs))
+                bool comparesAll = count <= MostForAllPairs;
+                foreach (BroadPhaseKind phase in Phases.Where(p => p != BroadPhaseKind.AllPairs || comparesAll))
                 {
                     yield return Row(count, isMoving, phase, null, seconds);
                     if (workers.ThreadCount > 1) yield return Row(count, isMoving, phase, workers, seconds);
@@ -74,5 +82,7 @@ internal static class ScaleRun
     }
 
     private static ScaleRow Row(int count, bool isMoving, BroadPhaseKind phase, Workers? workers, double seconds) =>
-        new(Room, Question.Overlaps, count, isMoving, phase, workers?.ThreadCount ?? 1, RoomClock.Measure(count, isMoving, phase, workers, seconds));
+        new(
+            Room, Question.Overlaps, count, isMoving, phase, workers?.ThreadCount ?? 1,
+            RoomClock.Measure(count, isMoving, phase, workers, seconds));
 }

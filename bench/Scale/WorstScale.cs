@@ -9,14 +9,14 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Scale;
 
-/// <summary>What the broad phases alone need for the worst arrangements of boxes, beside ordinary ones.</summary>
+/// <summary>Measures only the broad phases, on the worst arrangements of boxes and on ordinary ones.</summary>
 internal static class WorstScale
 {
     public const double DefaultSeconds = 0.5;
 
     private const int Many = 10_000;
 
-    /// <summary>Objects where every two are a pair: two million pairs.</summary>
+    /// <summary>The number of objects if every two of them are a pair. This gives two million pairs.</summary>
     private const int Few = 2_000;
 
     private const string Header =
@@ -27,13 +27,15 @@ internal static class WorstScale
         """;
 
     private static readonly BroadPhaseKind[] Phases =
-        [BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree];
+    [
+        BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree,
+    ];
 
-    /// <param name="output">Gets a table in Markdown.</param>
-    /// <param name="seconds">To measure a row at rest, and again moving.</param>
+    /// <param name="output">Receives a table in Markdown.</param>
+    /// <param name="seconds">How many seconds to measure a row at rest, and as many again while it moves.</param>
     public static void Run(TextWriter output, double seconds)
     {
-        // The first call of the first row would be that of the compiler.
+        // This warm-up keeps the compiler's work out of the first row.
         foreach (BroadPhaseKind phase in Phases) Measure("cubes", Few, phase, seconds);
         output.Write(Header);
         foreach (string kind in WorstBoxes.Sparse.Concat(WorstBoxes.Dense))
@@ -64,12 +66,13 @@ internal static class WorstScale
         double memory = (GC.GetTotalMemory(forceFullCollection: true) - before) / 1e6;
         GC.KeepAlive(phase);
         CultureInfo invariant = CultureInfo.InvariantCulture;
-        string row = string.Create(invariant, $"| {kind} | {count:#,0} | {ScaleReport.PhaseName(phaseKind)} | {first:0.0} |");
+        string name = ScaleReport.PhaseName(phaseKind);
+        string row = string.Create(invariant, $"| {kind} | {count:#,0} | {name} | {first:0.0} |");
         return string.Create(
             invariant, $"{row} {rest:0.000} | {moving:0.000} | {most:0.0} | {pairs.Count:#,0} | {memory:0.0} |\n");
     }
 
-    /// <summary>The median of many frames, and the most that one took.</summary>
+    /// <summary>Returns the median time of many frames, and the longest time of one frame.</summary>
     private static double Frames(double seconds, Action prepare, Action frame, out double most)
     {
         var samples = new Samples();

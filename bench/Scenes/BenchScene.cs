@@ -5,7 +5,9 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>The same objects twice, as the library and as the report's algorithm see them, and the pairs to ask for.</summary>
+/// <summary>
+/// The same objects in two forms, for the library and for the report's algorithm, and the pairs to query.
+/// </summary>
 public sealed class BenchScene
 {
     private readonly List<ConvexShape> _shapes = [];
@@ -13,7 +15,9 @@ public sealed class BenchScene
     private readonly List<SupportCollider> _colliders = [];
     private readonly List<Pair> _pairs = [];
 
-    /// <summary>The library's shapes; arrays, so that a query takes them by reference without a copy.</summary>
+    /// <summary>
+    /// The library's shapes. They are in an array, so that a query takes them by reference and without a copy.
+    /// </summary>
     public ConvexShape[] Shapes { get; private set; } = [];
 
     public RigidPose[] Poses { get; private set; } = [];
@@ -22,7 +26,9 @@ public sealed class BenchScene
 
     public Pair[] Pairs { get; private set; } = [];
 
-    /// <summary>Adds an object; the baseline scans all the vertices, the library has made of them what it likes.</summary>
+    /// <summary>
+    /// Adds an object. The baseline scans all the vertices. The library has built its own shape from them.
+    /// </summary>
     public int Add(in ConvexShape shape, Vector3[] vertices, in RigidPose pose)
     {
         _shapes.Add(shape);
@@ -50,8 +56,9 @@ public sealed class BenchScene
         return this;
     }
 
-    /// <summary>The same objects with the beginning of the list of pairs.</summary>
-    public BenchScene WithFirstPairs(int count) => new() { Shapes = Shapes, Poses = Poses, Colliders = Colliders, Pairs = Pairs[..count] };
+    /// <summary>A scene with the same objects and the first pairs of the list.</summary>
+    public BenchScene WithFirstPairs(int count) =>
+        new() { Shapes = Shapes, Poses = Poses, Colliders = Colliders, Pairs = Pairs[..count] };
 
     public readonly record struct Pair(int A, int B);
 }

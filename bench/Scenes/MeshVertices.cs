@@ -3,7 +3,7 @@ using System.Numerics;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>Vertex lists as a game engine's built-in meshes have them.</summary>
+/// <summary>Vertex lists like those of a game engine's built-in meshes.</summary>
 public static class MeshVertices
 {
     /// <summary>The eight corners of a box.</summary>
@@ -15,7 +15,7 @@ public static class MeshVertices
         return vertices;
     }
 
-    /// <summary>24 vertices: each corner three times, once per face that meets there.</summary>
+    /// <summary>24 vertices. Each corner appears three times, once per face that meets there.</summary>
     public static Vector3[] Cube(float half)
     {
         Vector3[] corners = Box(new Vector3(half));
@@ -27,10 +27,15 @@ public static class MeshVertices
         return vertices;
     }
 
-    /// <summary>Two poles and rings between them, about the y axis: 19 rings of 27 are the report's 515.</summary>
-    public static Vector3[] Sphere(float radius, int rings = 19, int perRing = 27) => Capsule(radius, 0, rings, perRing);
+    /// <summary>
+    /// Two poles and rings between them, about the y axis. The report's 515 vertices are 19 rings of 27.
+    /// </summary>
+    public static Vector3[] Sphere(float radius, int rings = 19, int perRing = 27) =>
+        Capsule(radius, 0, rings, perRing);
 
-    /// <summary>A sphere whose halves are moved apart along y; an even number of rings leaves none at the equator.</summary>
+    /// <summary>
+    /// A sphere whose halves are moved apart along y. With an even number of rings, no ring lies on the equator.
+    /// </summary>
     public static Vector3[] Capsule(float radius, float halfHeight, int rings = 20, int perRing = 27)
     {
         var vertices = new Vector3[rings * perRing + 2];
@@ -51,7 +56,7 @@ public static class MeshVertices
         return vertices;
     }
 
-    /// <summary>Random points on an ellipsoid: every one of them is a corner of the hull.</summary>
+    /// <summary>Random points on an ellipsoid. Every one of them is a corner of the hull.</summary>
     public static Vector3[] OnEllipsoid(Prng prng, int count, Vector3 radii)
     {
         var vertices = new Vector3[count];

@@ -5,12 +5,16 @@ using Gjk.Core;
 namespace Gjk.Bench.Scenes;
 
 /// <summary>
-/// Poses of a scene over a few frames, walked to and fro so that they never run out: every object turns by a degree about an axis of its own and moves by one
-/// percent of its size per frame, from one side of its place to the other, as in the demo's <c>time</c>.
+/// Poses of a scene over a few frames. They run forward and backward, so that they never end. In each frame every
+/// object turns by one degree about an axis of its own and moves by one percent of its size, from one side of its place
+/// to the other. The demo's <c>time</c> moves objects in the same way.
 /// </summary>
 public sealed class Motion
 {
-    /// <summary>Frames to either side of the given place; few enough that the scene's overlaps and gaps stay what they were, by and large.</summary>
+    /// <summary>
+    /// Frames to either side of the given place. Their number is small, so that most overlaps and gaps of the scene
+    /// stay as they were.
+    /// </summary>
     private const int StepsAside = 16;
 
     private const float RadiansPerFrame = MathF.PI / 180;
@@ -33,7 +37,8 @@ public sealed class Motion
             {
                 int step = frame - StepsAside;
                 Quaternion turn = Quaternion.CreateFromAxisAngle(axis, step * RadiansPerFrame);
-                _frames[frame][i] = new RigidPose(Quaternion.Normalize(turn * middle.Rotation), middle.Position + step * course);
+                Quaternion rotation = Quaternion.Normalize(turn * middle.Rotation);
+                _frames[frame][i] = new RigidPose(rotation, middle.Position + step * course);
             }
         }
     }
@@ -41,7 +46,7 @@ public sealed class Motion
     /// <summary>Frames from one end to the other and back.</summary>
     public static int FramesPerRound => 4 * StepsAside;
 
-    /// <summary>One frame on from the last.</summary>
+    /// <summary>The poses of the next frame.</summary>
     public RigidPose[] Next()
     {
         if (_frame + _step < 0 || _frame + _step >= _frames.Length) _step = -_step;
@@ -49,7 +54,7 @@ public sealed class Motion
         return _frames[_frame];
     }
 
-    /// <summary>The longest side of the box about the shape in its own frame.</summary>
+    /// <summary>The longest side of the shape's bounding box in its own frame.</summary>
     private static double Size(in ConvexShape shape) =>
         Math.Max(Math.Max(Extent(shape, new(1, 0, 0)), Extent(shape, new(0, 1, 0))), Extent(shape, new(0, 0, 1)));
 

@@ -3,12 +3,13 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>The random pairs of primitives that every measurement of the generic path uses.</summary>
+/// <summary>Random pairs of primitives. Every measurement of the generic path uses them.</summary>
 public sealed class PrimitivePairs
 {
     public PrimitivePairs()
     {
-        Vector3[] sphere = MeshVertices.Sphere(0.3f), capsule = MeshVertices.Capsule(0.2f, 0.3f), cube = MeshVertices.Cube(0.35f);
+        Vector3[] sphere = MeshVertices.Sphere(0.3f), capsule = MeshVertices.Capsule(0.2f, 0.3f);
+        Vector3[] cube = MeshVertices.Cube(0.35f);
         Spheres = new(21, _ => (new SphereShape(0.3f), sphere));
         Capsules = new(22, _ => (new CapsuleShape(0.2f, 0.3f), capsule));
         Cubes = new(23, _ => (new BoxShape(new Vector3(0.35f)), cube));
@@ -23,9 +24,9 @@ public sealed class PrimitivePairs
 
     public TypedPairs<CapsuleShape> Capsules { get; }
 
-    /// <summary>Boxes of equal sides.</summary>
+    /// <summary>Boxes with equal sides.</summary>
     public TypedPairs<BoxShape> Cubes { get; }
 
-    /// <summary>Boxes of random sides.</summary>
+    /// <summary>Boxes with random sides.</summary>
     public TypedPairs<BoxShape> Boxes { get; }
 }

@@ -3,7 +3,9 @@ using System.Numerics;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>SplitMix64: the same numbers on every machine and every runtime, which System.Random does not promise.</summary>
+/// <summary>
+/// SplitMix64. It gives the same numbers on every machine and every runtime. System.Random does not promise that.
+/// </summary>
 public sealed class Prng
 {
     private ulong _state;
@@ -16,7 +18,10 @@ public sealed class Prng
     /// <summary>Uniform in 0 .. count - 1.</summary>
     public int Index(int count) => (int)(count * Unit());
 
-    /// <summary>Uniform on the unit sphere, by rejection: no trigonometry that could differ between machines.</summary>
+    /// <summary>
+    /// Uniform on the unit sphere, by rejection. Trigonometry is avoided because its results could differ between
+    /// machines.
+    /// </summary>
     public Vector3 Direction()
     {
         while (true)
@@ -29,7 +34,7 @@ public sealed class Prng
         }
     }
 
-    /// <summary>Uniform over all rotations: a direction in four dimensions.</summary>
+    /// <summary>Uniform over all rotations. It is a direction in four dimensions.</summary>
     public Quaternion Rotation()
     {
         while (true)

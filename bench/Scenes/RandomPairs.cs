@@ -8,18 +8,20 @@ using Gjk.Core;
 namespace Gjk.Bench.Scenes;
 
 /// <summary>
-/// A thousand pairs per set in random orientations, their centres 0.2 to 1.6 apart. The sizes are chosen so that 20 to 40 % overlap: a set that
-/// only ever answers one way would measure half of the algorithm.
+/// Sets of a thousand pairs each, in random orientations, with their centres 0.2 to 1.6 apart. The sizes are chosen so
+/// that 20 to 40 % of the pairs overlap. A set with only one answer would measure half of the algorithm.
 /// </summary>
 public static class RandomPairs
 {
-    /// <summary>Pairs in every set: few enough to be visited often, too many for a branch predictor to learn.</summary>
+    /// <summary>
+    /// Pairs in every set. They are few enough to be visited often, and too many for a branch predictor to learn.
+    /// </summary>
     public const int Count = 1000;
 
-    /// <summary>The largest hull of <see cref="Names"/>.</summary>
+    /// <summary>Vertices. The largest hull of <see cref="Names"/>.</summary>
     private const int LargestUsual = 2048;
 
-    /// <summary>How many pairs of a large set the baseline is asked for.</summary>
+    /// <summary>How many pairs of a large set the baseline is measured on.</summary>
     public const int LargeBaselinePairs = 100;
 
     private const float MinDistance = 0.2f;
@@ -28,18 +30,21 @@ public static class RandomPairs
     private const double MaxOverlapRate = 0.4;
 
     /// <summary>
-    /// How many different hulls a set draws from. Together they are larger than a first-level cache from 512 vertices on, as in a game level; a hull
-    /// for each of the 2000 objects would measure the memory.
+    /// How many different hulls a set draws from. From 512 vertices on, they are together larger than a first-level
+    /// cache, as in a game level. A separate hull for each of the 2000 objects would measure the memory instead.
     /// </summary>
     private const int HullPool = 64;
 
     /// <summary>
-    /// Vertices in the hulls that a large set draws from, and the least number of hulls: twice those of the largest usual set, so that the caches do not get a
-    /// larger part of them; more would take long to build.
+    /// The total number of vertices of the hulls that a large set draws from, and the least number of hulls. The total
+    /// is twice that of the largest usual set, so that the caches do not hold a larger part of it. More vertices would
+    /// take long to build.
     /// </summary>
     private const int LargePoolVertices = 2 * HullPool * LargestUsual, LeastHulls = 4;
 
-    /// <summary>The set, its vertices (0: boxes), the mean radius or half extent, and the seed.</summary>
+    /// <summary>
+    /// The name of the set, its vertices (0 means boxes), the mean radius or half extent, and the seed.
+    /// </summary>
     private static readonly (string Name, int Vertices, float Size, ulong Seed)[] Sets =
     [
         ("box", 0, 0.24f, 11),
@@ -57,10 +62,13 @@ public static class RandomPairs
     /// <summary>The usual sets.</summary>
     public static IReadOnlyList<string> Names { get; } = [.. Sets.Where(s => !IsLarge(s.Vertices)).Select(s => s.Name)];
 
-    /// <summary>The sets of larger hulls, smallest first; the baseline takes seconds for one of these lists.</summary>
-    public static IReadOnlyList<string> LargeNames { get; } = [.. Sets.Where(s => IsLarge(s.Vertices)).Select(s => s.Name)];
+    /// <summary>
+    /// The sets of larger hulls, smallest first. The baseline takes seconds for the list of one of them.
+    /// </summary>
+    public static IReadOnlyList<string> LargeNames { get; } =
+        [.. Sets.Where(s => IsLarge(s.Vertices)).Select(s => s.Name)];
 
-    /// <summary>The corners of an object of the set.</summary>
+    /// <summary>How many corners an object of the set has.</summary>
     public static int VerticesOf(string name) => Math.Max(Sets.Single(s => s.Name == name).Vertices, 8);
 
     public static BenchScene Create(string name)
@@ -72,21 +80,27 @@ public static class RandomPairs
         for (int i = 0; i < Count; i++)
         {
             int a = AddObject(scene, prng, set.Name, set.Size, pool, Vector3.Zero);
-            int b = AddObject(scene, prng, set.Name, set.Size, pool, prng.Direction() * prng.Range(MinDistance, MaxDistance));
+            Vector3 position = prng.Direction() * prng.Range(MinDistance, MaxDistance);
+            int b = AddObject(scene, prng, set.Name, set.Size, pool, position);
             scene.AddPair(a, b);
         }
 
         return CheckOverlapRate(name, scene.Build(), IsLarge(set.Vertices) ? LargeBaselinePairs : Count);
     }
 
-    /// <summary>The share of pairs that overlap, by the baseline: the check must not depend on what is measured.</summary>
+    /// <summary>
+    /// The share of pairs that overlap, computed by the baseline. This check must not depend on the code that is
+    /// measured.
+    /// </summary>
     public static double OverlapRate(BenchScene scene) =>
-        scene.Pairs.Count(p => ReportGjk.Intersects(scene.Colliders[p.A], scene.Colliders[p.B])) / (double)scene.Pairs.Length;
+        scene.Pairs.Count(p => ReportGjk.Intersects(scene.Colliders[p.A], scene.Colliders[p.B]))
+            / (double)scene.Pairs.Length;
 
     private static bool IsLarge(int vertices) => vertices > LargestUsual;
 
     private static int AddObject(
-        BenchScene scene, Prng prng, string name, float size, (Vector3[] Vertices, ConvexShape Shape)[] pool, Vector3 position)
+        BenchScene scene, Prng prng, string name, float size, (Vector3[] Vertices, ConvexShape Shape)[] pool,
+        Vector3 position)
     {
         var pose = new RigidPose(prng.Rotation(), position);
         if (pool.Length > 0)
@@ -102,7 +116,8 @@ public static class RandomPairs
 
     private static (Vector3[] Vertices, ConvexShape Shape)[] HullsOf(Prng prng, int count, float size)
     {
-        var pool = new (Vector3[] Vertices, ConvexShape Shape)[IsLarge(count) ? Math.Max(LeastHulls, LargePoolVertices / count) : HullPool];
+        int hulls = IsLarge(count) ? Math.Max(LeastHulls, LargePoolVertices / count) : HullPool;
+        var pool = new (Vector3[] Vertices, ConvexShape Shape)[hulls];
         for (int i = 0; i < pool.Length; i++)
         {
             Vector3[] vertices = MeshVertices.OnEllipsoid(prng, count, RandomRadii(prng, size));
@@ -121,6 +136,7 @@ public static class RandomPairs
         return rate is >= MinOverlapRate and <= MaxOverlapRate
             ? scene
             : throw new InvalidOperationException(
-                FormattableString.Invariant($"Set {name}: {rate:P1} of the pairs overlap; 20 to 40 % are wanted. Change its size."));
+                FormattableString.Invariant(
+                    $"Set {name}: {rate:P1} of the pairs overlap, but 20 to 40 % should. Change its size."));
     }
 }

@@ -5,18 +5,22 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>A simplex as a query's step gets it: what the last step left, and the vertex that was found beyond it.</summary>
+/// <summary>
+/// A simplex as the step of a query receives it: what the last step left, and the vertex that was found beyond it.
+/// </summary>
 internal readonly struct RecordedStep
 {
-    /// <summary>Steps after which a walk is given up; a pair that touches may make many.</summary>
+    /// <summary>The most steps of a walk. A pair that touches may need many.</summary>
     private const int MostSteps = 32;
 
-    /// <summary>The least share of the feature's height that a vertex must be nearer the origin, or the walk is at its end.</summary>
+    /// <summary>
+    /// A walk ends when a vertex is not nearer the origin by at least this share of the feature's height.
+    /// </summary>
     private const double LeastProgress = 1e-10;
 
     public readonly Simplex Simplex;
 
-    /// <summary>What the last step found; of the boolean walk its normal only.</summary>
+    /// <summary>The feature that the last step found. For the boolean walk only its normal is set.</summary>
     public readonly ClosestFeature Feature;
 
     private RecordedStep(in Simplex simplex, in ClosestFeature feature)
@@ -68,7 +72,7 @@ internal readonly struct RecordedStep
         return steps;
     }
 
-    /// <summary>As the report's step wants it: the newest vertex last.</summary>
+    /// <summary>The simplex in the order of the report's step, with the newest vertex last.</summary>
     public MinkowskiPoint[] ForReport()
     {
         var points = new MinkowskiPoint[Simplex.Count];
@@ -82,7 +86,7 @@ internal readonly struct RecordedStep
         return points;
     }
 
-    /// <summary>A query under way.</summary>
+    /// <summary>The state of a query between two steps.</summary>
     private struct Walk
     {
         public Simplex Simplex;
@@ -103,7 +107,8 @@ internal readonly struct RecordedStep
         public double Push()
         {
             MinkowskiDifference.Support(
-                ref _a, ref _b, _frame, Feature.Normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB, out Vector3D w);
+                ref _a, ref _b, _frame, Feature.Normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
+                out Vector3D w);
             Simplex.Push(w, onA, onB, idA, idB);
             return Vector3D.Dot(Feature.Normal, w);
         }

@@ -7,7 +7,7 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>The report's two scenes, those that the demo replays, with a baseline collider for every object.</summary>
+/// <summary>The report's two scenes, as the demo replays them, with a baseline collider for every object.</summary>
 public static class ReportScenes
 {
     public const string Cubes = "cubes";

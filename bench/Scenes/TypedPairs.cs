@@ -6,8 +6,8 @@ using Gjk.Core;
 namespace Gjk.Bench.Scenes;
 
 /// <summary>
-/// Random pairs of one primitive for the generic path, where the compiler knows both types. The baseline knows meshes only and gets the mesh that a game
-/// engine has for the shape.
+/// Random pairs of one primitive for the generic path, where the compiler knows both types. The baseline knows only
+/// meshes. It gets the mesh that a game engine has for the shape.
 /// </summary>
 public sealed class TypedPairs<TShape>
     where TShape : struct, ISupportMap
@@ -42,7 +42,8 @@ public sealed class TypedPairs<TShape>
     public float BaselineDistance()
     {
         float sum = 0;
-        for (int i = 0; i < _colliders.Length; i += 2) sum += ReportGjk.Distance(_colliders[i], _colliders[i + 1]).Distance;
+        for (int i = 0; i < _colliders.Length; i += 2)
+            sum += ReportGjk.Distance(_colliders[i], _colliders[i + 1]).Distance;
         return sum;
     }
 }

@@ -3,7 +3,10 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>The demo's room with any number of cubes of size 1, of which about half touch another. Moving, each goes one percent of its size per frame and turns by a degree.</summary>
+/// <summary>
+/// The demo's room with any number of cubes of size 1, of which about half touch another. If they move, each one moves
+/// by one percent of its size per frame and turns by one degree.
+/// </summary>
 public sealed class WorldScenes
 {
     private const double SizesPerFrame = 0.01;
@@ -17,16 +20,16 @@ public sealed class WorldScenes
         _objects = new MovingObjects(scene, SizesPerFrame);
     }
 
-    /// <summary>The one shape of all objects: the report's cube of 24 vertices.</summary>
+    /// <summary>The shape of all objects, which is the report's cube of 24 vertices.</summary>
     public ConvexShape Shape { get; }
 
-    /// <summary>Where the objects are in this frame.</summary>
+    /// <summary>The poses of the objects in this frame.</summary>
     public RigidPose[] Poses => _objects.Poses;
 
-    /// <summary>One frame on.</summary>
+    /// <summary>Moves the objects on by one frame.</summary>
     public void Advance() => _objects.Advance();
 
-    /// <summary>A scene of the objects where they are now; ids are indices.</summary>
+    /// <summary>Creates a scene of the objects in their current poses. The ids are indices.</summary>
     public CollisionScene CreateScene(BroadPhaseKind kind)
     {
         var scene = new CollisionScene(kind);
@@ -34,7 +37,7 @@ public sealed class WorldScenes
         return scene;
     }
 
-    /// <summary>Tells a scene where the objects are now.</summary>
+    /// <summary>Gives a scene the current poses of the objects.</summary>
     public void MoveAll(CollisionScene scene)
     {
         RigidPose[] poses = Poses;

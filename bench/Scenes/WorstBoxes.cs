@@ -4,17 +4,17 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>Boxes as they are worst for one broad phase or another, and how they move.</summary>
+/// <summary>Arrangements of boxes that are the worst case for some broad phase, and their motion.</summary>
 internal sealed class WorstBoxes
 {
-    /// <summary>Few of their boxes overlap.</summary>
+    /// <summary>Arrangements in which few boxes overlap.</summary>
     public static readonly string[] Sparse =
         ["cubes", "rods", "plates", "line", "points", "one far off", "sizes 1e-9 to 1e9"];
 
-    /// <summary>Every two of their boxes overlap.</summary>
+    /// <summary>Arrangements in which every two boxes overlap.</summary>
     public static readonly string[] Dense = ["identical", "nested"];
 
-    /// <summary>Frames in one direction, and then as many back.</summary>
+    /// <summary>Frames in one direction. As many frames lead back.</summary>
     private const int FramesThere = 64;
 
     private readonly Vector3[] _centers;
@@ -42,7 +42,7 @@ internal sealed class WorstBoxes
         }
     }
 
-    /// <summary>One frame on.</summary>
+    /// <summary>Moves the boxes on by one frame.</summary>
     public void Advance()
     {
         bool isBack = (_frame++ / FramesThere & 1) != 0;

@@ -6,14 +6,15 @@ using System.Numerics;
 namespace Gjk.Bench.Scenes;
 
 /// <summary>
-/// Clouds of points that make an incremental hull slow: long thin order, vertices with many edges, coplanar and
-/// nearly coplanar points, repeats, magnitudes far apart. Each is made again by its name and its count.
+/// Clouds of points that make an incremental hull slow. They have long thin orders, vertices with many edges, coplanar
+/// and nearly coplanar points, repeats, and very different magnitudes. Each cloud is reproduced by its name and its
+/// number of points.
 /// </summary>
 internal static class WorstClouds
 {
     private const double Turn = 2 * Math.PI;
 
-    /// <summary>The generators by name; the first two are ordinary clouds, to compare with.</summary>
+    /// <summary>The generators by name. The first two are ordinary clouds for comparison.</summary>
     private static readonly (string Name, Func<int, Vector3[]> Create)[] Families =
     [
         ("ball", count => Random(count, prng => MathF.Cbrt(prng.Range(0, 1)) * prng.Direction())),
@@ -96,14 +97,16 @@ internal static class WorstClouds
 
     private static (double X, double Y, double Z) Moments(double t) => (t, t * t, t * t * t);
 
-    /// <summary>Points of two parabolas in planes at right angles, which shrink towards a common vertex.</summary>
+    /// <summary>
+    /// Points of two parabolas in perpendicular planes. The parabolas shrink towards a common vertex.
+    /// </summary>
     private static Vector3 ShrinkingArc(double t, int which)
     {
         float r = (float)Math.Exp(-60 * t);
         return which == 0 ? new Vector3(r, r * r, 0) : new Vector3(0, -r, r * r);
     }
 
-    /// <summary>Points of two arcs at right angles: every point of one is joined to the ends of the other.</summary>
+    /// <summary>Points of two perpendicular arcs. Every point of one arc is joined to the ends of the other.</summary>
     private static Vector3 CrossedArc(double t, int which)
     {
         float x = (float)(0.5 * (t - 0.5)), z = (float)(1 - 0.25 * (t - 0.5) * (t - 0.5));
@@ -125,7 +128,8 @@ internal static class WorstClouds
     private static float AnyExponent(Prng prng) => (float)(prng.Range(-1, 1) * Math.Pow(2, -prng.Index(120)));
 
     /// <summary>
-    /// A parabola in the plane z = x, exactly, whose points halve their distance from its vertex seventy times.
+    /// Points of a parabola that lies exactly in the plane z = x. They halve their distance from its vertex seventy
+    /// times.
     /// </summary>
     private static Vector3 InDeepPlane(double t)
     {
@@ -148,7 +152,7 @@ internal static class WorstClouds
         return Array.ConvertAll(points, p => Vector3.Transform(p, turn));
     }
 
-    /// <summary>Point i of an evenly dense spiral from pole to pole.</summary>
+    /// <summary>Point i of a spiral from pole to pole with even density.</summary>
     private static Vector3 Fibonacci(int i, int count, double jitter = 0)
     {
         const double GoldenAngle = 2.399963229728653;
@@ -162,7 +166,9 @@ internal static class WorstClouds
         return Index(count, i => Fibonacci(i, count, prng.Range(-1e-7f, 1e-7f)));
     }
 
-    /// <summary>Whole numbers with one sum of squares: exactly on a sphere, and many on one circle.</summary>
+    /// <summary>
+    /// Integer points with the same sum of squares. They lie exactly on a sphere, and many of them on one circle.
+    /// </summary>
     private static Vector3[] LatticeSphere(int count)
     {
         // 5 * 13 * 17 * 29 has many representations as a sum of squares.
@@ -232,10 +238,14 @@ internal static class WorstClouds
     private static Vector3 LiftedCircleOrLine(int i, int count) =>
         i % 2 == 0 ? Lifted(Fraction(i, count), 0) : Lifted(Math.Cos(i), Math.Sin(i));
 
-    /// <summary>A point of the paraboloid above (x, y): the hull of such points is a Delaunay triangulation.</summary>
+    /// <summary>
+    /// The point of the paraboloid above (x, y). The hull of such points is a Delaunay triangulation.
+    /// </summary>
     private static Vector3 Lifted(double x, double y) => new((float)x, (float)y, (float)(x * x + y * y));
 
-    /// <summary>Points with one value of the hash of DistinctPoints, or one of two: y undoes what x did.</summary>
+    /// <summary>
+    /// Points with one or two values of the hash of DistinctPoints. In the hash, y cancels the effect of x.
+    /// </summary>
     private static Vector3[] HashCollisions(int count) => Index(count, i =>
     {
         uint x = 0x3F000000u + (uint)i * 7, h = x * 0x9E3779B1u, y = (h ^ h >> 15) & 0xBFFFFFFFu;

@@ -1,17 +1,19 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using SetGoals = (double Baseline, double Cold, double Warm, double Moving, double Boolean);
 
 namespace Gjk.Bench.Table;
 
 /// <summary>
-/// What the library is to need, in nanoseconds per pair on the machine that the peers were measured on: about half of the best engine. On another machine the
-/// same factor over the baseline counts, so a goal is scaled by what the baseline needs here and needed there.
+/// The goals for the library, in nanoseconds per pair on the machine on which the other engines were measured. They are
+/// about half the time of the best engine. On another machine the same factor over the baseline counts. So a goal is
+/// scaled by the baseline's time here, divided by its time there.
 /// </summary>
 internal static class Goals
 {
     /// <summary>The set, the baseline's cold distance on the goals' machine, and the goals there.</summary>
-    private static readonly Dictionary<string, (double Baseline, double Cold, double Warm, double Moving, double Boolean)> Of = new()
+    private static readonly Dictionary<string, SetGoals> Of = new()
     {
         ["cubes"] = (507, 90, 40, 70, 25),
         ["spheres"] = (5443, 300, 60, 110, 120),
@@ -24,7 +26,10 @@ internal static class Goals
         ["hull2048"] = (46706, 1600, 80, 180, 600),
     };
 
-    /// <summary>Cold distance through the generic path; no baseline of theirs is known, so the machine is compared by the sets.</summary>
+    /// <summary>
+    /// Cold distance through the generic path. No baseline figure from that machine is known, so the machine is
+    /// compared by the sets.
+    /// </summary>
     private static readonly Dictionary<string, double> OfPrimitives = new()
     {
         ["sphere-sphere"] = 12,
@@ -33,11 +38,11 @@ internal static class Goals
         ["box-box random"] = 80,
     };
 
-    /// <summary>Null where no goal was set.</summary>
+    /// <summary>The goal of a query. Null if none was set.</summary>
     public static double? For(string set, Query query)
     {
         if (OfPrimitives.TryGetValue(set, out double primitive)) return primitive;
-        if (!Of.TryGetValue(set, out (double Baseline, double Cold, double Warm, double Moving, double Boolean) goals)) return null;
+        if (!Of.TryGetValue(set, out SetGoals goals)) return null;
         return query switch
         {
             Query.Cold => goals.Cold,
@@ -48,9 +53,12 @@ internal static class Goals
         };
     }
 
-    /// <summary>How many times slower this machine is by one set's baseline; null where the goals' machine has no figure.</summary>
+    /// <summary>
+    /// How many times slower this machine is, by the baseline of one set. Null if there is no figure for the goals'
+    /// machine.
+    /// </summary>
     public static double? Slowness(string set, double baselineHere) =>
-        Of.TryGetValue(set, out (double Baseline, double Cold, double Warm, double Moving, double Boolean) goals) ? baselineHere / goals.Baseline : null;
+        Of.TryGetValue(set, out SetGoals goals) ? baselineHere / goals.Baseline : null;
 
     /// <summary>The geometric mean over the sets.</summary>
     public static double MeanSlowness(IEnumerable<double> slownesses) => Math.Exp(slownesses.Average(Math.Log));

@@ -1,17 +1,19 @@
 namespace Gjk.Bench.Table;
 
-/// <summary>What a row of the table asks for.</summary>
+/// <summary>The query that a row of the table measures.</summary>
 internal enum Query
 {
-    /// <summary>Distance with closest points, nothing kept between the calls.</summary>
+    /// <summary>Distance with closest points. Nothing is kept between the calls.</summary>
     Cold,
 
-    /// <summary>Distance with a warm start per pair; nothing moves.</summary>
+    /// <summary>Distance with a warm start per pair. Nothing moves.</summary>
     Warm,
 
-    /// <summary>The same; every object turns by a degree and moves by a hundredth of its size between the calls.</summary>
+    /// <summary>
+    /// The same, but every object turns by one degree and moves by a hundredth of its size between the calls.
+    /// </summary>
     Moving,
 
-    /// <summary>Whether the shapes overlap, nothing kept between the calls.</summary>
+    /// <summary>Whether the shapes overlap. Nothing is kept between the calls.</summary>
     Boolean,
 }

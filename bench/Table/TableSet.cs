@@ -32,7 +32,9 @@ internal sealed class TableSet
     /// <summary>The report's distance.</summary>
     public TimedLoop Baseline => _baseline;
 
-    /// <summary>How many times slower this machine is than the goals'; null where that has no figure.</summary>
+    /// <summary>
+    /// How many times slower this machine is than the goals' machine. Null if there is no figure for that machine.
+    /// </summary>
     public double? Slowness => Goals.Slowness(Name, _baseline.Nanoseconds);
 
     public static TableSet OfReportScene(string name)
@@ -47,14 +49,14 @@ internal sealed class TableSet
         return OfScene(name, RandomPairs.VerticesOf(name), scene, scene);
     }
 
-    /// <summary>A set on which the baseline is so slow that it gets the first pairs only.</summary>
+    /// <summary>A set on which the baseline is slow. The baseline gets only the first pairs.</summary>
     public static TableSet OfLargePairs(string name)
     {
         BenchScene scene = RandomPairs.Create(name);
         return OfScene(name, RandomPairs.VerticesOf(name), scene, scene.WithFirstPairs(RandomPairs.LargeBaselinePairs));
     }
 
-    /// <summary>The primitives through the generic path, cold only.</summary>
+    /// <summary>The primitives through the generic path, without warm starts.</summary>
     public static IEnumerable<TableSet> OfPrimitives()
     {
         var pairs = new PrimitivePairs();
@@ -64,7 +66,7 @@ internal sealed class TableSet
         yield return OfTyped("box-box random", pairs.Boxes);
     }
 
-    /// <param name="meanSlowness">For goals of sets that have no slowness of their own.</param>
+    /// <param name="meanSlowness">The slowness for goals of sets that have none of their own.</param>
     public IEnumerable<TableRow> Rows(double meanSlowness)
     {
         foreach ((Query query, TimedLoop loop) in _library)
@@ -72,7 +74,8 @@ internal sealed class TableSet
             TimedLoop baseline = query == Query.Boolean && _baselineBoolean is not null ? _baselineBoolean : _baseline;
             double? goal = Goals.For(Name, query);
             yield return new TableRow(
-                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline.Nanoseconds, goal, goal * (Slowness ?? meanSlowness));
+                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline.Nanoseconds, goal,
+                goal * (Slowness ?? meanSlowness));
         }
     }
 
@@ -99,11 +102,12 @@ internal sealed class TableSet
         return set;
     }
 
-    /// <summary>All frames, there and back: every sample does the same work.</summary>
+    /// <summary>Runs all frames forward and back, so that every sample does the same work.</summary>
     private static float Round(BenchScene scene, Motion motion, WarmStart[] warmStarts)
     {
         float sum = 0;
-        for (int i = 0; i < Motion.FramesPerRound; i++) sum += SceneQueries.WarmDistance(scene, motion.Next(), warmStarts);
+        for (int i = 0; i < Motion.FramesPerRound; i++)
+            sum += SceneQueries.WarmDistance(scene, motion.Next(), warmStarts);
         return sum;
     }
 

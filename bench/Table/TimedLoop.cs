@@ -3,20 +3,29 @@ using System.Diagnostics;
 
 namespace Gjk.Bench.Table;
 
-/// <summary>One measured loop over a list of pairs. Its figure is that of the fastest sample: a disturbance only ever adds time.</summary>
+/// <summary>
+/// One measured loop over a list of pairs. Its figure is that of the fastest sample, because a disturbance can only add
+/// time.
+/// </summary>
 internal sealed class TimedLoop
 {
-    /// <summary>A sample takes at least this many milliseconds: some thousand times the clock's own cost, and short against a scheduler's time slice.</summary>
+    /// <summary>
+    /// The least milliseconds of a sample. This is about a thousand times the cost of reading the clock, and short
+    /// compared with a time slice of the scheduler.
+    /// </summary>
     private const double LeastSampleMilliseconds = 0.1;
 
     /// <summary>
-    /// A turn has at least this many samples, of which the first brings the loop's own data back into the caches, and lasts at least this many milliseconds:
-    /// little enough that many turns fit into a second.
+    /// The least number of samples in a turn, and its least milliseconds. The first sample brings the loop's own data
+    /// back into the caches. A turn is so short that many turns fit into a second.
     /// </summary>
     private const int LeastSamples = 3;
     private const double TurnMilliseconds = 4;
 
-    /// <summary>Milliseconds after which one sample is enough: reloading the caches is nothing beside it.</summary>
+    /// <summary>
+    /// Milliseconds. For a longer sample one is enough, because reloading the caches takes almost no time in
+    /// comparison.
+    /// </summary>
     private const double LongSampleMilliseconds = 40;
 
     private readonly Func<float> _pass;
@@ -24,21 +33,21 @@ internal sealed class TimedLoop
     private int _repeats = 1;
 
     /// <param name="queries">How many queries a pass makes.</param>
-    /// <param name="pass">Makes them, and returns a sum that the compiler cannot leave out.</param>
+    /// <param name="pass">Makes the queries. It returns a sum, so that the compiler cannot remove them.</param>
     public TimedLoop(int queries, Func<float> pass)
     {
         _queries = queries;
         _pass = pass;
     }
 
-    /// <summary>Nanoseconds per query of the fastest sample.</summary>
+    /// <summary>Nanoseconds per query, from the fastest sample.</summary>
     public double Nanoseconds { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>Forgets the samples: they were the warm-up.</summary>
+    /// <summary>Forgets the samples of the warm-up.</summary>
     public void Reset() => Nanoseconds = double.PositiveInfinity;
 
-    /// <summary>Takes samples for a moment.</summary>
-    /// <returns>Whether the figure fell by more than the given share.</returns>
+    /// <summary>Takes samples for a short time.</summary>
+    /// <returns>True if the figure fell by more than the given share.</returns>
     public bool Turn(double share)
     {
         double before = Nanoseconds;
@@ -49,7 +58,8 @@ internal sealed class TimedLoop
     }
 
     private static bool IsOver(int samples, double milliseconds) =>
-        (samples >= LeastSamples && milliseconds >= TurnMilliseconds) || (samples > 0 && milliseconds >= samples * LongSampleMilliseconds);
+        (samples >= LeastSamples && milliseconds >= TurnMilliseconds)
+            || (samples > 0 && milliseconds >= samples * LongSampleMilliseconds);
 
     private double Sample()
     {

@@ -4,19 +4,28 @@ using System.Diagnostics;
 
 namespace Gjk.Bench.Table;
 
-/// <summary>Runs loops in turn, the library's between the baseline's, so that whatever slows the machine down for a while slows all of them.</summary>
+/// <summary>
+/// Runs loops in turn, with the library's loops between those of the baseline. A temporary slowdown of the machine then
+/// slows all of them.
+/// </summary>
 internal static class TurnTaking
 {
-    /// <summary>By how much, as a share, a loop must become faster to count as still warming up; less is noise.</summary>
+    /// <summary>
+    /// The share by which a loop must become faster to count as still warming up. A smaller gain is noise.
+    /// </summary>
     private const double Improvement = 0.02;
 
     /// <summary>
-    /// For how many seconds nothing may improve before the loops count as warm: three times the tenth of a second that the runtime waits before it compiles
-    /// the next tier. With a single processor it waits ten times longer.
+    /// For how many seconds nothing may improve before the loops count as warm. The value is three times the tenth of a
+    /// second that the runtime waits before it compiles the next tier. With a single processor the runtime waits ten
+    /// times longer.
     /// </summary>
     private static double QuietSeconds => Environment.ProcessorCount == 1 ? 3 : 0.3;
 
-    /// <summary>Runs the loops for a span of time, at least a turn each, or until they are stable, and forgets what was measured.</summary>
+    /// <summary>
+    /// Runs the loops for a time span or until they are stable, with at least one turn each. The measurements are
+    /// forgotten.
+    /// </summary>
     public static void WarmUp(IReadOnlyCollection<TimedLoop> loops, double mostSeconds)
     {
         var clock = Stopwatch.StartNew();
@@ -31,7 +40,7 @@ internal static class TurnTaking
         foreach (TimedLoop loop in loops) loop.Reset();
     }
 
-    /// <summary>Measures for a span of time, at least two turns each.</summary>
+    /// <summary>Measures for a time span, with at least two turns for each loop.</summary>
     public static void Measure(IReadOnlyCollection<TimedLoop> loops, double seconds)
     {
         var clock = Stopwatch.StartNew();

@@ -7,12 +7,12 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Worst;
 
-/// <summary>Measures distances between two copies of a hull, and finds the slowest.</summary>
+/// <summary>Measures distances between two copies of a hull, and finds the slowest query.</summary>
 internal static class QueryClock
 {
     private const ulong Seed = 43;
 
-    /// <summary>Samples per placement, of which the fastest counts.</summary>
+    /// <summary>Samples per placement. The fastest one counts.</summary>
     private const int Samples = 5;
 
     private const int RandomPlacements = 30;
@@ -67,7 +67,7 @@ internal static class QueryClock
         }
     }
 
-    /// <summary>Half a turn about another axis, so that the same end of both hulls faces the other.</summary>
+    /// <summary>A half turn about another axis, so that the same end of each hull faces the other hull.</summary>
     private static Quaternion Half(Vector3 axis) =>
         axis.Z == 0 ? new Quaternion(0, 0, 1, 0) : new Quaternion(1, 0, 0, 0);
 }

@@ -5,20 +5,22 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Worst;
 
-/// <summary>Measures the supports of a hull, each direction on its own.</summary>
+/// <summary>Measures the supports of a hull, separately for each direction.</summary>
 internal static class SupportClock
 {
     private const int Directions = 500;
 
-    /// <summary>Supports per sample: some microseconds, long against the clock's own cost.</summary>
+    /// <summary>
+    /// Supports per sample. They take some microseconds, which is long compared with the cost of reading the clock.
+    /// </summary>
     private const int Repeats = 32;
 
-    /// <summary>Samples per direction, of which the fastest counts: a disturbance only ever adds time.</summary>
+    /// <summary>Samples per direction. The fastest one counts, because a disturbance can only add time.</summary>
     private const int Samples = 5;
 
     private const ulong Seed = 41;
 
-    /// <summary>Powers of ten by which a direction is off a normal: from this one up to -1.</summary>
+    /// <summary>The least power of ten by which a direction differs from a normal. The powers go up to -1.</summary>
     private const int LeastOffset = -18;
 
     public static SupportCost AlongRandom(ConvexHull hull)
@@ -71,7 +73,7 @@ internal static class SupportClock
         return ids < 0 ? throw new FactorCheckException("A support had no id") : best;
     }
 
-    /// <summary>The normal of a random triangle, in double; a random direction for hulls without triangles.</summary>
+    /// <summary>The normal of a random triangle in double. A hull without triangles gets a random direction.</summary>
     private static Vector3D Normal(ConvexHull hull, Prng prng)
     {
         if (hull.TriangleCount == 0) return prng.Direction();

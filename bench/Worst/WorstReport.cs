@@ -9,7 +9,9 @@ namespace Gjk.Bench.Worst;
 /// <summary>The rows as text.</summary>
 internal static class WorstReport
 {
-    /// <summary>Design goals for any cloud of 100,000 points: milliseconds, nanoseconds, microseconds.</summary>
+    /// <summary>
+    /// The design goals for any cloud of 100,000 points, in milliseconds, nanoseconds and microseconds.
+    /// </summary>
     private const double BuildGoalMs = 5000, SupportGoalNs = 2000, QueryGoalUs = 1000;
 
     private const string CsvHeader =
@@ -17,18 +19,17 @@ internal static class WorstReport
         + "normal_mean_ns,normal_worst_ns,near_mean_ns,near_worst_ns,query_us,placement,iterations";
 
     private const string Header =
-        """
-        | cloud | points | distinct | corners | build, ms | surface, ms | random | normals | near | query, µs | placement | steps |
-        |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|--:|
-
-        """;
+        "| cloud | points | distinct | corners | build, ms | surface, ms | random | normals | near | query, µs "
+        + "| placement | steps |\n"
+        + "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|--:|\n";
 
     private const string Legend =
         """
 
-        Surface: the part of the build that finds corners and triangles. Random, normals, near: ns per support in
-        random directions, along the normals of facets, and 1e-18 to 1e-1 off these; the mean over 500 directions / the
-        slowest direction. Query: the distance of two copies, placed where it takes longest.
+        "Surface" is the part of the build that finds corners and triangles. "Random", "normals" and "near" are ns per
+        support in random directions, along the normals of facets, and 1e-18 to 1e-1 off these normals. Each has the
+        mean over 500 directions / the slowest direction. "Query" is the distance of two copies, placed where it takes
+        longest.
 
         | worst | cloud | figure | goal | |
         |---|---|--:|--:|---|
@@ -69,7 +70,7 @@ internal static class WorstReport
         return text.ToString();
     }
 
-    /// <summary>One line per row, under a first line that describes the machine.</summary>
+    /// <summary>One line per row. The first line describes the machine.</summary>
     public static string Csv(IEnumerable<WorstRow> rows, string machine)
     {
         var text = new StringBuilder();

@@ -9,19 +9,19 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Worst;
 
-/// <summary>What the worst clouds cost: to build their hulls, to ask for supports, to ask for distances.</summary>
+/// <summary>Measures the worst clouds: building their hulls, supports and distances.</summary>
 internal static class WorstRun
 {
-    /// <summary>Points of a cloud; the goals are for the last one.</summary>
+    /// <summary>The numbers of points of a cloud. The goals are for the last one.</summary>
     public static readonly int[] Sizes = [10_000, 100_000];
 
-    /// <summary>Times that a hull is built, of which the fastest counts; large ones are built once.</summary>
+    /// <summary>How often a small hull is built. The fastest time counts. Large hulls are built once.</summary>
     private const int SmallBuilds = 3;
 
-    /// <summary>Points of the clouds on which the runtime optimises the code first.</summary>
+    /// <summary>Points of the clouds that are used first, while the runtime optimises the code.</summary>
     private const int WarmUpPoints = 1_000;
 
-    /// <param name="progress">Gets a line per family.</param>
+    /// <param name="progress">Receives a line per family.</param>
     public static List<WorstRow> Run(TextWriter progress)
     {
         progress.WriteLine("warming up");

@@ -25,14 +25,17 @@ internal static class CommandLine
 
     private const double DefaultSeconds = 3;
 
-    /// <summary>A day; more is a slip of the finger.</summary>
+    /// <summary>One day. A larger value is most likely a typing error.</summary>
     private const double MaxSeconds = 86_400;
 
-    /// <summary>Parses and runs; what is refused is thrown.</summary>
+    /// <summary>
+    /// Parses the arguments and runs the command. Refused arguments throw <see cref="RefusedException"/>.
+    /// </summary>
     public static int Run(string[] args, CancellationToken cancel)
     {
         var root = new RootCommand(
-            "Exact GJK for convex shapes: do they intersect, how far apart are they, where are the closest points. Without a command: replay.")
+            "Answers exact GJK queries on convex shapes: do they intersect, how far apart are they, and where are the "
+            + "closest points? Without a command it runs replay.")
         {
             BuildReplay(cancel),
             BuildQuery(cancel),
@@ -42,8 +45,9 @@ internal static class CommandLine
             TraceOptions.Build(cancel),
         };
 
-        // A file name may begin with @, and nothing else is to be read from it.
-        ParseResult parsed = root.Parse(WithDefault(args), new ParserConfiguration { ResponseFileTokenReplacer = null });
+        // A file name may begin with @. It must not be taken for a response file with more arguments.
+        ParseResult parsed = root.Parse(
+            WithDefault(args), new ParserConfiguration { ResponseFileTokenReplacer = null });
         string where = parsed.CommandResult.Command is RootCommand ? "" : parsed.CommandResult.Command.Name + ": ";
         if (StrayOption(parsed) is { } stray) throw new RefusedException(where + stray);
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction)
@@ -51,19 +55,26 @@ internal static class CommandLine
             throw new RefusedException(where + string.Join(" ", parsed.Errors.Select(e => e.Message)));
         }
 
-        return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
+        return parsed.Invoke(new InvocationConfiguration
+        {
+            EnableDefaultExceptionHandler = false,
+            ProcessTerminationTimeout = null,
+        });
     }
 
-    /// <summary>Options without a command belong to the default command, but for those of the program itself.</summary>
+    /// <summary>
+    /// Options without a command belong to the default command, except for the options of the program itself.
+    /// </summary>
     private static IReadOnlyList<string> WithDefault(string[] args)
     {
-        bool isDefault = args.Length == 0 || (args[0].StartsWith('-') && args[0] is not ("-h" or "--help" or "-?" or "--version"));
+        bool isOwn = args is ["-h" or "--help" or "-?" or "--version", ..];
+        bool isDefault = args.Length == 0 || (args[0].StartsWith('-') && !isOwn);
         return isDefault ? [Default, .. args] : args;
     }
 
     /// <summary>
-    /// Names what looks like an option, but not like a number, and was taken for a file or for an option's value. After
-    /// "--" everything is a file.
+    /// Finds an argument that looks like an option, but not like a number, and was parsed as a file or as an option's
+    /// value. After "--" everything is a file.
     /// </summary>
     private static string? StrayOption(ParseResult parsed)
     {
@@ -89,13 +100,26 @@ internal static class CommandLine
         Option<double> seconds = Seconds();
         var frames = new Option<int?>("--frames")
         {
-            Description = "How many frames to measure per scene, instead of --seconds.",
+            Description = "How many frames to measure for each scene, instead of --seconds.",
             HelpName = "N",
-            CustomParser = result => int.TryParse(result.Tokens[0].Value, NumberStyles.Integer, CultureInfo.InvariantCulture, out int n) ? n : 0,
+            CustomParser = result =>
+            {
+                string text = result.Tokens[0].Value;
+                return int.TryParse(text, NumberStyles.Integer, CultureInfo.InvariantCulture, out int n) ? n : 0;
+            },
         };
-        frames.Validators.Add(result => Check(result, frames, n => n >= 1, $"must be a whole number, at least 1, at most {int.MaxValue}"));
-        var json = new Option<string?>("--json") { Description = "Also write the figures and all results to this file. An interrupted replay writes the scenes that it completed, but leaves an existing file as it is.", HelpName = "FILE" };
-        var command = new Command(Default, "Replay the report's two scenes, 20 objects and 190 pairs per frame, and print its table beside this machine's.")
+        frames.Validators.Add(result => Check(
+            result, frames, n => n >= 1, $"must be a whole number, at least 1, at most {int.MaxValue}"));
+        var json = new Option<string?>("--json")
+        {
+            Description = "Also write the figures and all results to this file. An interrupted replay writes the "
+                + "scenes that it completed, but it leaves an existing file unchanged.",
+            HelpName = "FILE",
+        };
+        var command = new Command(
+            Default,
+            "Replay the report's two scenes, with 20 objects and 190 pairs per frame, and print the report's table "
+            + "beside the figures of this machine.")
         {
             seconds, frames, json,
         };
@@ -119,18 +143,23 @@ internal static class CommandLine
     {
         var scene = new Argument<string?>("SCENE.json")
         {
-            Description = "The scene; - reads it from standard input.",
+            Description = "The scene. Use - to read it from standard input.",
             Arity = ArgumentArity.ZeroOrOne,
         };
         var record = new Option<string?>("--record")
         {
-            Description = "Answer one query, written as the library's QueryRecord has it, instead of a scene; - reads it from standard input.",
+            Description = "Answer one query instead of a scene. The text has the form of the library's QueryRecord. "
+                + "Use - to read it from standard input.",
             HelpName = "TEXT",
         };
-        var output = new Option<string?>("--out") { Description = "Write the CSV to this file instead of standard output.", HelpName = "FILE.csv" };
+        var output = new Option<string?>("--out")
+        {
+            Description = "Write the CSV to this file instead of standard output.",
+            HelpName = "FILE.csv",
+        };
         var max = new Option<float>("--max-distance")
         {
-            Description = "Only tell of pairs further apart than this that they are.",
+            Description = "Report pairs further apart than this as such, without a distance.",
             HelpName = "D",
             DefaultValueFactory = _ => float.PositiveInfinity,
             CustomParser = Number<float>,
@@ -139,10 +168,14 @@ internal static class CommandLine
         {
             if (!result.Implicit) Check(result, max, d => d >= 0, "must be a number, at least 0, or Infinity");
         });
-        var command = new Command("query", "The distance and the closest points of every pair of a scene, as CSV.") { scene, output, max, record };
+        var command = new Command("query", "Write the distance and the closest points of every pair of a scene as CSV.")
+        {
+            scene, output, max, record,
+        };
         command.Validators.Add(result =>
         {
-            bool hasRecord = result.GetResult(record) is not null, hasScene = result.GetResult(scene) is { Implicit: false };
+            bool hasRecord = result.GetResult(record) is not null;
+            bool hasScene = result.GetResult(scene) is { Implicit: false };
             if (hasRecord && hasScene) result.AddError("--record and SCENE.json exclude each other.");
             if (!hasRecord && !hasScene) result.AddError("SCENE.json or --record is needed.");
         });
@@ -159,9 +192,17 @@ internal static class CommandLine
 
     private static Command BuildTime(CancellationToken cancel)
     {
-        var scenes = new Argument<string[]>("SCENE.json") { Description = "The scenes.", Arity = ArgumentArity.OneOrMore };
+        var scenes = new Argument<string[]>("SCENE.json")
+        {
+            Description = "The scenes.",
+            Arity = ArgumentArity.OneOrMore,
+        };
         Option<double> seconds = Seconds();
-        var command = new Command("time", "Nanoseconds per pair of each scene: cold, warm, moving and boolean, as one line of JSON.") { scenes, seconds };
+        var command = new Command(
+            "time", "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving and boolean.")
+        {
+            scenes, seconds,
+        };
         command.SetAction(r => TimeCommand.Run(r.GetValue(scenes)!, TimeSpan.FromSeconds(r.GetValue(seconds)), cancel));
         return command;
     }
@@ -170,12 +211,13 @@ internal static class CommandLine
     {
         var seconds = new Option<double>("--seconds")
         {
-            Description = "How long to measure per scene, in seconds.",
+            Description = "How many seconds to measure each scene.",
             HelpName = "S",
             DefaultValueFactory = _ => DefaultSeconds,
             CustomParser = Number<double>,
         };
-        seconds.Validators.Add(result => Check(result, seconds, s => s > 0 && s <= MaxSeconds, $"must be a number above 0, at most {MaxSeconds:F0}"));
+        seconds.Validators.Add(result => Check(
+            result, seconds, s => s > 0 && s <= MaxSeconds, $"must be a number above 0, at most {MaxSeconds:F0}"));
         return seconds;
     }
 
@@ -185,7 +227,7 @@ internal static class CommandLine
         string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         bool isNumber = T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out T value);
 
-        // A number that is too large is read as infinite, but only the word means that.
+        // The parser reads a number that is too large as infinity. Only the word for infinity may mean that.
         if (isNumber && (!T.IsInfinity(value) || !text.Any(char.IsAsciiDigit))) return value;
         return T.CreateChecked(0) / T.CreateChecked(0);
     }
@@ -193,6 +235,8 @@ internal static class CommandLine
     private static void Check<T>(OptionResult result, Option<T> option, Func<T, bool> isGood, string reason)
     {
         if (result.Errors.Any()) return;
-        if (!isGood(result.GetValueOrDefault<T>()!)) result.AddError($"{option.Name} {string.Join(" ", result.Tokens.Select(t => t.Value))}: {reason}.");
+        if (isGood(result.GetValueOrDefault<T>()!)) return;
+        string given = string.Join(" ", result.Tokens.Select(t => t.Value));
+        result.AddError($"{option.Name} {given}: {reason}.");
     }
 }

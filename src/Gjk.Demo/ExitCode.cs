@@ -1,6 +1,6 @@
 namespace Gjk.Demo;
 
-/// <summary>What the process says when it ends.</summary>
+/// <summary>The exit codes of the process.</summary>
 internal static class ExitCode
 {
     public const int Done = 0;
@@ -8,9 +8,9 @@ internal static class ExitCode
     /// <summary>A check failed, or an internal error.</summary>
     public const int Failed = 1;
 
-    /// <summary>Bad arguments, bad input, an unreadable or unwritable file.</summary>
+    /// <summary>Bad arguments, bad input, or a file that cannot be read or written.</summary>
     public const int Refused = 2;
 
-    /// <summary>Ctrl-C, with the number that shells use for it.</summary>
+    /// <summary>Ended by Ctrl-C. Shells use the same number.</summary>
     public const int Cancelled = 130;
 }

@@ -5,8 +5,8 @@ using System.Threading;
 namespace Gjk.Demo;
 
 /// <summary>
-/// Ctrl-C, a polite kill, and a terminal that closes: the first one asks the command to stop, finish its output and end with <see cref="ExitCode.Cancelled"/>;
-/// a second one ends the process at once.
+/// Handles Ctrl-C, a request to terminate, and a terminal that closes. The first signal asks the command to stop, to
+/// finish its output and to end with <see cref="ExitCode.Cancelled"/>. A second signal ends the process at once.
 /// </summary>
 internal sealed class Interrupt : IDisposable
 {
@@ -41,7 +41,7 @@ internal sealed class Interrupt : IDisposable
     {
         lock (_source)
         {
-            // After the work the process ends at once anyway, with the exit code of what it did.
+            // Once the work is done, the process ends at once anyway, with the exit code of the work.
             context.Cancel = _isDisposed || !_source.IsCancellationRequested;
             if (!_isDisposed) _source.Cancel();
         }

@@ -18,7 +18,9 @@ public sealed class RecordTests
         CsvRow row = Assert.Single(CsvRow.Parse(run.Out));
         DistanceResult expected = QueryRecord.Parse(Spheres).Distance();
         Assert.Equal((0, 1, "Separated", false, 1.5f), (row.A, row.B, row.Status, row.Overlap, row.Distance));
-        Assert.Equal((expected.PointA, expected.PointB, expected.Normal, expected.LowerBound), (row.PointA, row.PointB, row.Normal, row.LowerBound));
+        Assert.Equal(
+            (expected.PointA, expected.PointB, expected.Normal, expected.LowerBound),
+            (row.PointA, row.PointB, row.Normal, row.LowerBound));
     }
 
     [Fact]
@@ -36,9 +38,11 @@ public sealed class RecordTests
     [InlineData("", "--record: The record ends where 'gjk1' should be.")]
     [InlineData("hello", "--record: Word 1, 'hello', should be 'gjk1'.")]
     [InlineData("gjk1 point 1 @ 0 0 0 1 0 0 0", "--record: The record ends where a shape should be.")]
-    [InlineData("gjk1 point 1 @ 0 0 0 2 0 0 0 point 1 @ 0 0 0 1 0 0 0", "--record: Before word 12: The quaternion's length")]
+    [InlineData(
+        "gjk1 point 1 @ 0 0 0 2 0 0 0 point 1 @ 0 0 0 1 0 0 0", "--record: Before word 12: The quaternion's length")]
     [InlineData(Spheres + "\nmore", "--record: Word 22, 'more', comes after the end")]
-    public void WhatIsNoRecordIsRefused(string text, string message) => DemoProcess.Run("query", "--record", text).AssertRefused(message);
+    public void WhatIsNoRecordIsRefused(string text, string message) =>
+        DemoProcess.Run("query", "--record", text).AssertRefused(message);
 
     [Fact]
     public void NothingIsWrittenForABadRecord()
@@ -58,5 +62,6 @@ public sealed class RecordTests
 
     /// <summary>The process has an empty standard input here.</summary>
     [Fact]
-    public void ADashReadsStandardInput() => DemoProcess.Run("query", "--record", "-").AssertRefused("--record: The record ends where 'gjk1' should be.");
+    public void ADashReadsStandardInput() =>
+        DemoProcess.Run("query", "--record", "-").AssertRefused("--record: The record ends where 'gjk1' should be.");
 }

@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Gjk.Demo.Tests;
 
-/// <summary>Arguments: help ends well, everything wrong is one line and exit code 2.</summary>
+/// <summary>Arguments. Help ends successfully. Every wrong argument gives one line and exit code 2.</summary>
 public sealed class UsageTests
 {
     [Theory]
@@ -53,13 +53,15 @@ public sealed class UsageTests
     [InlineData("replay --frames 2 --seconds 1", "exclude")]
     [InlineData("replay extra", "extra")]
     [InlineData("@file", "@file")]
-    public void WrongArgumentsAreOneLine(string args, string part) => DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+    public void WrongArgumentsAreOneLine(string args, string part) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
 
     [Fact]
     public void FilesThatCannotBeReadAreNamed()
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("query", directory.File("none.json")).AssertRefused(directory.File("none.json"), "no such file");
+        DemoProcess.Run("query", directory.File("none.json"))
+            .AssertRefused(directory.File("none.json"), "no such file");
         DemoProcess.Run("query", directory.Path).AssertRefused(directory.Path, "cannot be read");
         DemoProcess.Run("time", directory.File("none.json")).AssertRefused(directory.File("none.json"));
         DemoProcess.Run("query", "").AssertRefused("cannot be read");

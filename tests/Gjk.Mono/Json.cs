@@ -6,8 +6,9 @@ using System.Text;
 namespace Gjk.Mono;
 
 /// <summary>
-/// Reads JSON into dictionaries, lists, strings and the text of numbers; .NET Framework has no reader that needs no further assembly. Only for the project's own case files, which are well
-/// formed and hold no escapes.
+/// Reads JSON into dictionaries, lists, strings and the text of numbers. .NET Framework has no reader that works
+/// without a further assembly. This reader is only for the project's own case files, which are well formed and contain
+/// no escapes.
 /// </summary>
 internal sealed class Json
 {
@@ -16,9 +17,11 @@ internal sealed class Json
 
     private Json(string text) => _text = text;
 
-    public static Dictionary<string, object> ReadObject(string text) => (Dictionary<string, object>)new Json(text).Value();
+    public static Dictionary<string, object> ReadObject(string text) =>
+        (Dictionary<string, object>)new Json(text).Value();
 
-    public static float Float(object number) => float.Parse((string)number, NumberStyles.Float, CultureInfo.InvariantCulture);
+    public static float Float(object number) =>
+        float.Parse((string)number, NumberStyles.Float, CultureInfo.InvariantCulture);
 
     private object Value() => Peek() switch
     {

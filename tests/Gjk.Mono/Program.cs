@@ -8,7 +8,9 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Mono;
 
-/// <summary>The hard cases, the golden hash and the time per pair, on the runtime that this is started with.</summary>
+/// <summary>
+/// Runs the hard cases, the golden hash and the time per pair on the runtime that started this program.
+/// </summary>
 internal static class Program
 {
     private const int FailuresShown = 5;
@@ -32,7 +34,8 @@ internal static class Program
         bool same = all.ToString() == golden;
         Console.WriteLine($"hash of the cases: {all}, {(same ? "the same as" : "not that of")} .NET ({golden})");
         foreach (BuiltInScene scene in new[] { BuiltInScenes.Cubes(), BuiltInScenes.Spheres() })
-            Console.WriteLine(FormattableString.Invariant($"{scene.Name}: {SceneClock.NanosecondsPerPair(scene):F0} ns per pair"));
+            Console.WriteLine(
+                FormattableString.Invariant($"{scene.Name}: {SceneClock.NanosecondsPerPair(scene):F0} ns per pair"));
         Console.WriteLine($"{passed} passed, {failed} failed");
         return failed == 0 ? 0 : 1;
     }
@@ -51,10 +54,11 @@ internal static class Program
         return wrong;
     }
 
-    /// <summary>Mono names itself in a type that nothing else has.</summary>
+    /// <summary>The name of the runtime. Mono names itself in a type that no other runtime has.</summary>
     private static string Runtime()
     {
-        MethodInfo? name = Type.GetType("Mono.Runtime")?.GetMethod("GetDisplayName", BindingFlags.NonPublic | BindingFlags.Static);
+        const BindingFlags hidden = BindingFlags.NonPublic | BindingFlags.Static;
+        MethodInfo? name = Type.GetType("Mono.Runtime")?.GetMethod("GetDisplayName", hidden);
         return name is null ? Environment.Version.ToString() : $"Mono {name.Invoke(null, null)}";
     }
 }

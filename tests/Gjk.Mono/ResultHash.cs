@@ -4,7 +4,8 @@ using Gjk.Core;
 namespace Gjk.Mono;
 
 /// <summary>
-/// FNV-1a, 64 bits, as the tests and the demo have it: a, b (int32), status (byte), the IEEE bits of distance, both points and the normal, -0 as +0, little-endian.
+/// FNV-1a, 64 bits, the same as in the tests and the demo. For each pair it takes a, b (int32), the status (byte), and
+/// the IEEE bits of the distance, both points and the normal. All are little-endian, and -0 counts as +0.
 /// </summary>
 internal sealed class ResultHash
 {

@@ -7,7 +7,10 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Mono;
 
-/// <summary>Nanoseconds per pair of one of the report's scenes, cold: the whole list of pairs each time, the least of many.</summary>
+/// <summary>
+/// Measures nanoseconds per pair of one of the report's scenes, without warm starts. Each pass goes through the whole
+/// list of pairs, and the fastest of many passes counts.
+/// </summary>
 internal static class SceneClock
 {
     private static readonly TimeSpan Duration = TimeSpan.FromSeconds(2);
@@ -28,7 +31,8 @@ internal static class SceneClock
             least = Math.Min(least, Stopwatch.GetTimestamp() - start);
         }
 
-        if (overlapping != BuiltInScenes.OverlappingPairs) throw new InvalidOperationException($"{scene.Name}: {overlapping} pairs overlap.");
+        if (overlapping != BuiltInScenes.OverlappingPairs)
+            throw new InvalidOperationException($"{scene.Name}: {overlapping} pairs overlap.");
         return least * 1e9 / Stopwatch.Frequency / pairs;
     }
 

@@ -3,31 +3,38 @@ using Gjk.Core;
 
 namespace Gjk.Mono;
 
-/// <summary>Holds an answer to the promised accuracy.</summary>
+/// <summary>Checks that an answer has the promised accuracy.</summary>
 internal static class Verdict
 {
-    /// <summary>Ratio to the distance: its rounding to float.</summary>
+    /// <summary>Ratio to the distance. It covers the rounding of the distance to float.</summary>
     private const double DistanceRatio = 1.2e-7;
 
     /// <summary>Length, as a fraction of the scale.</summary>
     private const double DistanceScale = 1e-14;
 
-    /// <summary>Length, as a fraction of the scale: distances and depths above it must get the right flag.</summary>
+    /// <summary>Length, as a fraction of the scale. Above it, distances and depths must get the right flag.</summary>
     private const double Flag = 1e-9;
 
-    /// <summary>Ratio: the file's answers have 20 digits, a double 16.</summary>
+    /// <summary>Ratio. The file's answers have 20 digits, a double has 16.</summary>
     private const double FileRounding = 2.3e-16;
 
-    /// <summary>What is wrong with the answer, or null.</summary>
+    /// <summary>What is wrong with the answer. Null if nothing is wrong.</summary>
     public static string? Problem(HardCase c, in DistanceResult r)
     {
-        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return FormattableString.Invariant($"status {r.Status} after {r.Iterations} iterations");
-        if (r.IsOverlapping != c.Overlap && Math.Max(c.Distance, c.Depth) > Flag * c.Scale) return FormattableString.Invariant($"overlap {r.IsOverlapping}, truly {c.Overlap}");
+        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping))
+            return FormattableString.Invariant($"status {r.Status} after {r.Iterations} iterations");
+        if (r.IsOverlapping != c.Overlap && Math.Max(c.Distance, c.Depth) > Flag * c.Scale)
+            return FormattableString.Invariant($"overlap {r.IsOverlapping}, truly {c.Overlap}");
         double band = DistanceRatio * c.Distance + DistanceScale * c.Scale;
-        if (!(Math.Abs(r.Distance - c.Distance) <= band)) return FormattableString.Invariant($"distance {r.Distance:R}, truly {c.Distance:R}");
-        if (!(r.LowerBound <= c.Distance * (1 + FileRounding))) return FormattableString.Invariant($"lower bound {r.LowerBound:R}, truly {c.Distance:R}");
-        if (!(r.LowerBound >= r.Distance - band)) return FormattableString.Invariant($"lower bound {r.LowerBound:R} far below the distance {r.Distance:R}");
+        if (!(Math.Abs(r.Distance - c.Distance) <= band))
+            return FormattableString.Invariant($"distance {r.Distance:R}, truly {c.Distance:R}");
+        if (!(r.LowerBound <= c.Distance * (1 + FileRounding)))
+            return FormattableString.Invariant($"lower bound {r.LowerBound:R}, truly {c.Distance:R}");
+        if (!(r.LowerBound >= r.Distance - band))
+            return FormattableString.Invariant($"lower bound {r.LowerBound:R} far below the distance {r.Distance:R}");
         bool overlaps = ConvexQuery.Overlaps(c.A.Shape, c.A.Pose, c.B.Shape, c.B.Pose);
-        return overlaps == r.IsOverlapping ? null : FormattableString.Invariant($"Overlaps {overlaps}, Distance {r.Status}");
+        return overlaps == r.IsOverlapping
+            ? null
+            : FormattableString.Invariant($"Overlaps {overlaps}, Distance {r.Status}");
     }
 }

@@ -1,9 +1,10 @@
-// A page in headless Chromium, watched: whatever it complains of, or fetches, is remembered.
+// A page in headless Chromium. Everything that the page complains about or fetches is recorded.
 import { chromium } from 'playwright-core';
 import { pathToFileURL } from 'node:url';
 
 const FLAGS = [
-  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync',
   '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
 ];
 
@@ -20,7 +21,9 @@ export async function openPage(context, file) {
   page.complaints = [];
   page.on('console', (message) => { if (message.type() === 'error') page.complaints.push(message.text()); });
   page.on('pageerror', (error) => page.complaints.push(String(error)));
-  page.on('request', (request) => { if (request.url() !== url && !request.url().startsWith('data:')) page.complaints.push(`fetched ${request.url()}`); });
+  page.on('request', (request) => {
+    if (request.url() !== url && !request.url().startsWith('data:')) page.complaints.push(`fetched ${request.url()}`);
+  });
   await page.goto(url);
   await until(page, () => Boolean(window.__gjk));
   return page;
@@ -49,7 +52,11 @@ export async function colorsAt(context, page, points) {
     context2d.drawImage(image, 0, 0);
     return places.map(({ x, y }) => {
       const { data } = context2d.getImageData(Math.round(x) - 1, Math.round(y) - 1, 3, 3);
-      return [0, 1, 2].map((channel) => { let sum = 0; for (let i = channel; i < 36; i += 4) sum += data[i]; return sum / 9; });
+      return [0, 1, 2].map((channel) => {
+        let sum = 0;
+        for (let i = channel; i < 36; i += 4) sum += data[i];
+        return sum / 9;
+      });
     });
   }, [picture, points]);
   await blank.close();

@@ -1,4 +1,4 @@
-// The smallest test runner: named checks that run in order, and the line that counts them.
+// A minimal test runner. It runs named checks in order and prints a line with their counts.
 let passed = 0, failed = 0;
 
 export async function check(name, body) {

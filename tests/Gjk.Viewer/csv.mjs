@@ -4,5 +4,6 @@ import { readFileSync } from 'node:fs';
 export function readCsv(file) {
   const [head, ...lines] = readFileSync(file, 'utf8').trimEnd().split('\n');
   const names = head.split(',');
-  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], cell !== '' && !Number.isNaN(Number(cell)) ? Number(cell) : cell])));
+  const value = (cell) => (cell !== '' && !Number.isNaN(Number(cell)) ? Number(cell) : cell);
+  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], value(cell)])));
 }

@@ -1,4 +1,5 @@
-// What a user does with the pages, done by a script: read the counts, look at colours, hover, click, sort, drag, zoom, and play the frames.
+// Does with the pages what a user does: reads the counts, looks at colours, hovers, clicks, sorts, drags, zooms, and
+// plays the frames.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +10,8 @@ import { readCsv } from './csv.mjs';
 const folder = process.argv[2];
 const bundle = join(folder, 'viewer.js');
 if (existsSync(bundle)) {
-  await check('the bundle is what its sources make', async () => assert.ok(readFileSync(bundle).equals(readFileSync('../../src/Gjk.Demo/viewer/dist/viewer.js'))));
+  const checkedIn = readFileSync('../../src/Gjk.Demo/viewer/dist/viewer.js');
+  await check('the bundle is what its sources make', async () => assert.ok(readFileSync(bundle).equals(checkedIn)));
 }
 
 const { browser, context } = await startBrowser();
@@ -17,7 +19,8 @@ const open = (name) => openPage(context, join(folder, `${name}.html`));
 const keep = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
 const counts = (page) => page.evaluate(() => window.__gjk.counts());
 const text = (page, selector) => page.locator(selector).innerText();
-const rows = (page) => page.locator('.rows .row').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+const rows = (page) => page.locator('.rows .row')
+  .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
 
 async function builtIn(name, intersecting, free) {
   const page = await open(name);
@@ -29,10 +32,14 @@ async function builtIn(name, intersecting, free) {
   });
   await check(`${name}: what intersects is red on the screen, and the rest green`, async () => {
     await page.locator('button', { hasText: 'none' }).click();
-    const places = await page.evaluate((objects) => objects.map((o) => window.__gjk.positionOf(o)), [...intersecting, ...free]);
+    const asked = [...intersecting, ...free];
+    const places = await page.evaluate((objects) => objects.map((o) => window.__gjk.positionOf(o)), asked);
     const colors = await colorsAt(context, page, places);
     intersecting.forEach((object, i) => assert.ok(isRed(colors[i]), `object ${object} is ${colors[i]}`));
-    free.forEach((object, i) => assert.ok(isGreen(colors[intersecting.length + i]), `object ${object} is ${colors[intersecting.length + i]}`));
+    free.forEach((object, i) => {
+      const color = colors[intersecting.length + i];
+      assert.ok(isGreen(color), `object ${object} is ${color}`);
+    });
     assert.equal((await counts(page)).lines, 0);
     await page.locator('button', { hasText: 'all' }).first().click();
   });
@@ -80,7 +87,10 @@ await check('a click on a body lists its pairs', async () => {
 });
 
 await check('dragging turns the view, the wheel zooms, reset brings it back', async () => {
-  const where = () => cubes.evaluate(() => { window.__gjk.drawNow(); return [0, 19].map((o) => window.__gjk.positionOf(o)); });
+  const where = () => cubes.evaluate(() => {
+    window.__gjk.drawNow();
+    return [0, 19].map((o) => window.__gjk.positionOf(o));
+  });
   const span = ([a, b]) => Math.hypot(a.x - b.x, a.y - b.y);
   const first = await where();
   await cubes.mouse.move(450, 60);
@@ -106,10 +116,12 @@ await check('moving: hovering over a line shows distance, normal and iterations 
   const at = await moving.evaluate((p) => { window.__gjk.drawNow(); return window.__gjk.lineAt(p, 0.5); }, pair);
   await moving.mouse.move(at.x, at.y);
   const tip = await text(moving, '.tip');
-  const shown = Object.fromEntries([...tip.matchAll(/(distance|normal|iterations)\s+(.*)/g)].map((m) => [m[1], m[2].replaceAll('−', '-')]));
+  const entries = [...tip.matchAll(/(distance|normal|iterations)\s+(.*)/g)];
+  const shown = Object.fromEntries(entries.map((m) => [m[1], m[2].replaceAll('−', '-')]));
   assert.match(tip, /^cylinder – cone/);
   assert.ok(Math.abs(Number(shown.distance) - distance) <= 1e-5 * distance, `${shown.distance} for ${distance}`);
-  assert.deepEqual(shown.normal.match(/-?[\d.]+/g).map(Number), [nx, ny, nz].map((n) => Number((Math.abs(n) < 5e-5 ? 0 : n).toFixed(4))));
+  const rounded = [nx, ny, nz].map((n) => Number((Math.abs(n) < 5e-5 ? 0 : n).toFixed(4)));
+  assert.deepEqual(shown.normal.match(/-?[\d.]+/g).map(Number), rounded);
   assert.equal(Number(shown.iterations), iterations);
   await keep(moving, 'moving-hover');
 });
@@ -117,7 +129,11 @@ await check('moving: hovering over a line shows distance, normal and iterations 
 await check('moving: the slider replays the frames, and what meets turns red', async () => {
   const show = async (frame) => {
     await moving.locator('input[type=range]').fill(String(frame));
-    return { ...(await counts(moving)), colors: await moving.evaluate(() => [0, 1].map((o) => window.__gjk.colorOf(o))), at: await moving.evaluate(() => window.__gjk.positionOf(1)) };
+    return {
+      ...(await counts(moving)),
+      colors: await moving.evaluate(() => [0, 1].map((o) => window.__gjk.colorOf(o))),
+      at: await moving.evaluate(() => window.__gjk.positionOf(1)),
+    };
   };
   const first = await show(0), before = await show(7), met = await show(8);
   assert.deepEqual([first.frame, before.frame, met.frame], [0, 7, 8]);
@@ -180,8 +196,11 @@ async function traced(name, status) {
 
 const apart = await traced('trace-apart', 'Separated');
 await check('trace: the bounds close in from both sides, and meet at the distance', async () => {
-  const table = await apart.locator('tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => Number(cell.textContent))));
-  for (let i = 1; i < table.length; i++) assert.ok(table[i][1] >= table[i - 1][1] && table[i][2] <= table[i - 1][2], JSON.stringify(table));
+  const table = await apart.locator('tbody tr')
+    .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => Number(cell.textContent))));
+  for (let i = 1; i < table.length; i++) {
+    assert.ok(table[i][1] >= table[i - 1][1] && table[i][2] <= table[i - 1][2], JSON.stringify(table));
+  }
   assert.equal(table.at(-1)[1], table.at(-1)[2]);
   assert.ok((await text(apart, '.story')).includes(`distance ${table.at(-1)[1]}`));
 });
@@ -192,7 +211,9 @@ await check('trace: the origin is a white ball on the screen', async () => {
 });
 await apart.close();
 const hit = await traced('trace-hit', 'Overlapping');
-await check('trace: the last simplex holds the origin', async () => assert.match(await text(hit, '.story'), /the origin is inside the tetrahedron/));
+await check('trace: the last simplex holds the origin', async () => {
+  assert.match(await text(hit, '.story'), /the origin is inside the tetrahedron/);
+});
 await hit.close();
 await (await traced('trace-round', 'Separated')).close();
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Opens the pages that the demo writes in headless Chromium and uses them. Installs what that needs where it can, else says so and ends well.
-# Screenshots are kept in TestResults/ beside this script.
+# Opens the pages that the demo writes in headless Chromium and uses them. It installs what it needs if it can.
+# Otherwise it prints that it was skipped and exits with 0. Screenshots are kept in TestResults/ beside this script.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -20,10 +20,14 @@ find_browser() {
   [ -n "$CHROMIUM" ]
 }
 
-command -v node > /dev/null && command -v npm > /dev/null || install_packages nodejs npm || skip "Node.js is not installed and cannot be installed here"
-[ "$(node -p 'process.versions.node.split(".")[0]')" -ge 18 ] || skip "Node.js here is older than playwright-core needs (18)"
-find_browser || { install_packages chromium && find_browser; } || skip "no Chromium is installed and none can be installed here"
-[ -d node_modules/playwright-core ] || npm ci --silent > /dev/null 2>&1 || skip "playwright-core cannot be installed from npm here"
+command -v node > /dev/null && command -v npm > /dev/null || install_packages nodejs npm \
+  || skip "Node.js is not installed and cannot be installed here"
+[ "$(node -p 'process.versions.node.split(".")[0]')" -ge 18 ] \
+  || skip "Node.js here is older than playwright-core needs (18)"
+find_browser || { install_packages chromium && find_browser; } \
+  || skip "Chromium is not installed and cannot be installed here"
+[ -d node_modules/playwright-core ] || npm ci --silent > /dev/null 2>&1 \
+  || skip "playwright-core cannot be installed from npm here"
 export CHROMIUM
 
 dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj
@@ -32,7 +36,7 @@ demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 rm -rf TestResults
 mkdir TestResults
 
-# The bundle that the demo embeds is checked in; it must be what its sources make.
+# The bundle that the demo embeds is checked in. It must equal the bundle that its sources make.
 viewer=../../src/Gjk.Demo/viewer
 if [ -d $viewer/node_modules/esbuild ] || (cd $viewer && npm ci --silent > /dev/null 2>&1); then
   (cd $viewer && node build.mjs "$OLDPWD/TestResults/viewer.js") > /dev/null

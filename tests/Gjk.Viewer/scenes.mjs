@@ -1,4 +1,5 @@
-// Writes the scenes that the built-in ones do not cover: one that moves, with every kind of shape, and one of many objects.
+// Writes the scenes that the built-in ones do not cover. One moves and has every kind of shape, the other has many
+// objects.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -9,13 +10,22 @@ const moving = {
   objects: [
     { name: 'still box', shape: { type: 'box', halfExtents: [1, 1, 1] } },
     { name: 'coming sphere', shape: { type: 'sphere', radius: 0.5 }, position: [5.5, 0, 0], velocity: [-0.5, 0, 0] },
-    { name: 'turning capsule', shape: { type: 'capsule', radius: 0.4, halfHeight: 1 }, position: [0, 4, 0], angularVelocity: [0, 0, 0.2] },
+    {
+      name: 'turning capsule',
+      shape: { type: 'capsule', radius: 0.4, halfHeight: 1 },
+      position: [0, 4, 0],
+      angularVelocity: [0, 0, 0.2],
+    },
     { name: 'cylinder', shape: { type: 'cylinder', radius: 0.5, halfHeight: 0.8 }, position: [-4, 0, 0] },
     { name: 'cone', shape: { type: 'cone', radius: 0.7, halfHeight: 0.8 }, position: [-4, 3, 0] },
     { name: 'ellipsoid', shape: { type: 'ellipsoid', radii: [0.9, 0.4, 0.5] }, position: [4, 3, 0] },
     { name: 'point', shape: { type: 'point' }, position: [-4, -3, 0] },
     { name: 'segment', shape: { type: 'segment', a: [-0.5, 0, 0], b: [0.5, 0.5, 0] }, position: [0, -3, 0] },
-    { name: 'triangle', shape: { type: 'triangle', a: [0, 0, 0], b: [1.5, 0, 0], c: [0, 1.5, 0] }, position: [4, -3, 0] },
+    {
+      name: 'triangle',
+      shape: { type: 'triangle', a: [0, 0, 0], b: [1.5, 0, 0], c: [0, 1.5, 0] },
+      position: [4, -3, 0],
+    },
   ],
 };
 writeFileSync(join(folder, 'moving.json'), JSON.stringify(moving));
@@ -24,6 +34,11 @@ writeFileSync(join(folder, 'moving.json'), JSON.stringify(moving));
 let state = 12345;
 const random = () => (state = (state * 1103515245 + 12345) % 2147483648) / 2147483648;
 const place = () => [random() * 24, random() * 24, random() * 24];
-const shapes = [{ type: 'sphere', radius: 0.5 }, { type: 'box', halfExtents: [0.4, 0.5, 0.3] }, { type: 'capsule', radius: 0.3, halfHeight: 0.4 }];
-const many = { version: 1, name: 'many', objects: Array.from({ length: 2000 }, (_, i) => ({ shape: shapes[i % shapes.length], position: place() })) };
+const shapes = [
+  { type: 'sphere', radius: 0.5 },
+  { type: 'box', halfExtents: [0.4, 0.5, 0.3] },
+  { type: 'capsule', radius: 0.3, halfHeight: 0.4 },
+];
+const objects = Array.from({ length: 2000 }, (_, i) => ({ shape: shapes[i % shapes.length], position: place() }));
+const many = { version: 1, name: 'many', objects };
 writeFileSync(join(folder, 'many.json'), JSON.stringify(many));

@@ -6,10 +6,10 @@ using System.Threading.Tasks;
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// A file that appears whole or not at all. It is written beside its target under another name, and renamed at the end;
-/// so a command that is refused, interrupted or killed leaves the old file as it was. A link to the target stays. The
-/// new file keeps the old one's permissions, and its owner where the system allows it. A device or a pipe has no
-/// contents to protect: it is written to directly.
+/// A file that appears as a whole or not at all. It is written under another name beside its target and renamed at the
+/// end, so a command that is refused, interrupted or killed leaves the old file as it was. A link to the target stays a
+/// link. The new file keeps the permissions of the old one, and its owner where the system allows it. A device or a
+/// pipe has no contents to protect, so it is written to directly.
 /// </summary>
 internal sealed class AtomicFile : IDisposable
 {
@@ -30,13 +30,14 @@ internal sealed class AtomicFile : IDisposable
     private bool _isCommitted;
 
     /// <summary>
-    /// Opens the temporary file before the work starts, so that a target that cannot be written is refused then.
+    /// Opens the temporary file. This happens before the work starts, so that a target that cannot be written is
+    /// refused early.
     /// </summary>
     /// <param name="name">The target as the user named it.</param>
-    /// <param name="cancel">Removes the temporary file at once, on whatever the command is busy with; it cannot be
+    /// <param name="cancel">Removes the temporary file at once, whatever the command is doing. The file cannot be
     /// committed after that.</param>
-    /// <exception cref="RefusedException">It cannot be written there.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled while nobody read the pipe.</exception>
+    /// <exception cref="RefusedException">The target cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled while the pipe had no reader.</exception>
     public AtomicFile(string name, CancellationToken cancel)
     {
         _name = name;
@@ -56,7 +57,8 @@ internal sealed class AtomicFile : IDisposable
             {
                 if (_target.Status.Kind == FileKind.Regular) CheckWritable(_target);
 
-                // Its name does not grow with the target's, which may be as long as the file system allows.
+                // The length of this name is fixed, because the target's name may already be as long as the file system
+                // allows.
                 _temporary = Path.Combine(Path.GetDirectoryName(_target.Path)!, $".gjk-demo.{Guid.NewGuid():N}.tmp");
                 _stream = new RefusingStream(name, CreateLike(_target.Status, _temporary), CancellationToken.None);
             }
@@ -71,27 +73,27 @@ internal sealed class AtomicFile : IDisposable
     }
 
     /// <summary>
-    /// Refuses a target that could not be written now, and leaves everything as it is. A pipe is not opened: its reader
-    /// would see an end.
+    /// Refuses a target that could not be written now, and changes nothing. A pipe is not opened, because its reader
+    /// would see an end of file.
     /// </summary>
-    /// <exception cref="RefusedException">It cannot be written there.</exception>
+    /// <exception cref="RefusedException">The target cannot be written.</exception>
     public static void Check(string name)
     {
         if (!IsStream(name)) new AtomicFile(name, CancellationToken.None).Dispose();
     }
 
-    /// <summary>True if there is a file now that <see cref="Commit"/> would replace.</summary>
+    /// <summary>True if <see cref="Commit"/> would replace a file that exists now.</summary>
     public bool ReplacesAFile => _target is { Status.Kind: FileKind.Regular, IsStandardOutput: false };
 
-    /// <summary>For the content; a write that fails throws <see cref="RefusedException"/>.</summary>
+    /// <summary>Takes the content. A write that fails throws <see cref="RefusedException"/>.</summary>
     public Stream Stream => _stream;
 
     /// <summary>
-    /// Brings everything to the disk, where a lack of room shows, and keeps it from here on, cancelled or not.
-    /// <see cref="Commit"/> does so itself; who commits several files completes them all first.
+    /// Writes everything to the disk, where a lack of space shows. From here on a cancellation no longer removes the
+    /// file. <see cref="Commit"/> calls this itself. A caller that commits several files completes all of them first.
     /// </summary>
     /// <exception cref="RefusedException">The last bytes could not be written.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled before.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before the call.</exception>
     public void Complete()
     {
         if (_isComplete) return;
@@ -104,9 +106,11 @@ internal sealed class AtomicFile : IDisposable
         }
     }
 
-    /// <summary>Makes what was written the target.</summary>
-    /// <exception cref="RefusedException">The last bytes or the rename failed; the old file stays.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled before it was complete; the old file stays.</exception>
+    /// <summary>Puts the written file in the target's place.</summary>
+    /// <exception cref="RefusedException">The last bytes could not be written, or the rename failed. The old file
+    /// stays.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before the file was complete. The old file
+    /// stays.</exception>
     public void Commit()
     {
         Complete();
@@ -137,7 +141,7 @@ internal sealed class AtomicFile : IDisposable
         }
         catch (RefusedException)
         {
-            // The bytes are to be thrown away, so it does not matter that they cannot be flushed.
+            // These bytes are thrown away anyway, so it does not matter that they cannot be flushed.
         }
     }
 
@@ -155,8 +159,8 @@ internal sealed class AtomicFile : IDisposable
     }
 
     /// <summary>
-    /// A rename needs no permission to write the file that it replaces, so this is asked here. Root may write
-    /// everything; a file that nobody may write is refused to root as well.
+    /// Checks the write permission here, because a rename does not need permission to write the file that it replaces.
+    /// Root may write everything, but a file that nobody may write is refused to root as well.
     /// </summary>
     private static void CheckWritable(in OutputTarget target)
     {
@@ -175,13 +179,13 @@ internal sealed class AtomicFile : IDisposable
         };
         if (OperatingSystem.IsWindows() || old.Kind != FileKind.Regular) return new FileStream(file, options);
 
-        // Nobody may look into the new file who could not look into the old one, not even while it is written.
+        // A user who could not read the old file must not be able to read the new one, not even while it is written.
         options.UnixCreateMode = OwnerOnly;
         var stream = new FileStream(file, options);
         try
         {
-            // Changing the owner clears special bits, so the permissions come after it; a file of another owner does
-            // not get them back.
+            // Changing the owner clears the special bits, so the permissions are set afterwards. A file that belongs to
+            // another owner does not get the special bits back.
             bool keepsOwner = NativeFileStatus.TryChangeOwner(stream.SafeFileHandle, old.Owner, old.Group);
             File.SetUnixFileMode(stream.SafeFileHandle, keepsOwner ? old.Mode : old.Mode & ~SpecialBits);
             return stream;
@@ -194,8 +198,8 @@ internal sealed class AtomicFile : IDisposable
     }
 
     /// <summary>
-    /// Opening a pipe waits for its reader, and no signal ends that; so another thread waits. Without a buffer, closing
-    /// the pipe writes nothing, and so cannot wait either.
+    /// Opens the target on another thread, because opening a pipe waits for its reader and no signal ends that wait.
+    /// The stream has no buffer. Closing it therefore writes nothing and cannot wait either.
     /// </summary>
     private static FileStream OpenStream(string path, CancellationToken cancel)
     {
@@ -213,11 +217,11 @@ internal sealed class AtomicFile : IDisposable
         }
         catch (Exception e) when (RefusedException.IsFileTrouble(e))
         {
-            // Its directory may be gone, and the file with it.
+            // The directory may be gone, and the file with it.
         }
     }
 
-    /// <summary>On the signal's thread.</summary>
+    /// <summary>Runs on the signal's thread.</summary>
     private void OnCancel()
     {
         lock (_ending)

@@ -3,10 +3,10 @@ using System.IO;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>What there is at a path, after all links.</summary>
+/// <summary>The kinds of things that a path can lead to after all links are followed.</summary>
 internal enum FileKind
 {
-    /// <summary>Nothing, or nothing that can be reached.</summary>
+    /// <summary>Nothing is there, or it cannot be reached.</summary>
     Missing,
 
     /// <summary>A file with contents of its own, which can be replaced.</summary>
@@ -14,29 +14,30 @@ internal enum FileKind
 
     Directory,
 
-    /// <summary>A character device such as /dev/null, a pipe or a socket: it passes bytes on and keeps none.</summary>
+    /// <summary>A character device such as /dev/null, a pipe or a socket. It passes bytes on and keeps none.</summary>
     Stream,
 
-    /// <summary>A disk, for example: nothing to write results to.</summary>
+    /// <summary>Anything else, a disk for example. Results cannot be written to it.</summary>
     Other,
 }
 
-/// <summary>What a path leads to.</summary>
+/// <summary>Describes what a path leads to.</summary>
 /// <param name="Kind">Its kind.</param>
-/// <param name="Device">The device that holds it; with <paramref name="Inode"/> the identity of the file.</param>
-/// <param name="Inode">Its number there, or 0 where the operating system cannot be asked.</param>
-/// <param name="Owner">The user's number, on Unix.</param>
-/// <param name="Group">The group's number, on Unix.</param>
-/// <param name="Mode">The permissions, on Unix.</param>
+/// <param name="Device">The device that holds it. Together with <paramref name="Inode"/> it identifies the
+/// file.</param>
+/// <param name="Inode">Its number on the device, or 0 where the operating system cannot be asked.</param>
+/// <param name="Owner">The user's number. Unix only.</param>
+/// <param name="Group">The group's number. Unix only.</param>
+/// <param name="Mode">The permissions. Unix only.</param>
 internal readonly record struct FileStatus(
     FileKind Kind, ulong Device, ulong Inode, uint Owner, uint Group, UnixFileMode Mode)
 {
     /// <summary>
-    /// Starts the path of every device on Windows, as <see cref="Path.GetFullPath(string)"/> writes it.
+    /// The beginning of every device path on Windows, as <see cref="Path.GetFullPath(string)"/> writes it.
     /// </summary>
     private const string WindowsDevice = @"\\.\";
 
-    /// <summary>Follows links, as opening the path does.</summary>
+    /// <summary>Looks up a path. Links are followed, as they are when the path is opened.</summary>
     public static FileStatus Of(string path)
     {
         if (NativeFileStatus.TryGet(path, out FileStatus status)) return status;
@@ -50,7 +51,9 @@ internal readonly record struct FileStatus(
         return new FileStatus(kind, 0, 0, 0, 0, mode);
     }
 
-    /// <summary>True if both paths lead to one file, or would create one; false if either is empty.</summary>
+    /// <summary>
+    /// True if both paths lead to the same file, or would create the same one. False if either path is empty.
+    /// </summary>
     public static bool IsSame(string a, string b)
     {
         if (a.Length == 0 || b.Length == 0) return false;
@@ -62,7 +65,7 @@ internal readonly record struct FileStatus(
         StringComparison comparison = ignoresCase ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
         if (string.Equals(a, b, comparison)) return true;
 
-        // Neither exists, or nothing is known but paths. The same name in the same directory will be the same file.
+        // Neither file exists, or only the paths are known. The same name in the same directory will be the same file.
         string? parentA = Path.GetDirectoryName(a), parentB = Path.GetDirectoryName(b);
         bool hasSameName = string.Equals(Path.GetFileName(a), Path.GetFileName(b), comparison);
         return hasSameName && parentA is not null && parentB is not null && IsSame(parentA, parentB);

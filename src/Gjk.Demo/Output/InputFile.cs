@@ -5,20 +5,18 @@ using System.Threading.Tasks;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>The bytes of an input: a file, a pipe, or standard input if its name is "-".</summary>
+/// <summary>Reads the bytes of an input: a file, a pipe, or standard input if the name is "-".</summary>
 internal static class InputFile
 {
-    /// <summary>Instead of a file's name: standard input.</summary>
+    /// <summary>The name that stands for standard input.</summary>
     public const string StandardInput = "-";
 
-    /// <summary>What messages call it.</summary>
+    /// <summary>The name of the input in messages.</summary>
     public static string NameOf(string file) => file == StandardInput ? "standard input" : file;
 
-    /// <summary>
-    /// Reads to the end. Whoever writes into a pipe may take for ever, so another thread waits for it.
-    /// </summary>
-    /// <exception cref="RefusedException">It cannot be read.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled before the end came.</exception>
+    /// <summary>Reads to the end. The writer of a pipe may never finish, so another thread waits for it.</summary>
+    /// <exception cref="RefusedException">The input cannot be read.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before the end was reached.</exception>
     public static byte[] Read(string file, CancellationToken cancel)
     {
         byte[] ReadAll() => file == StandardInput ? ReadStandardInput() : File.ReadAllBytes(file);

@@ -4,21 +4,21 @@ using System.Runtime.InteropServices;
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// Asks the operating system what a path leads to. .NET does not say whether two paths are hard links to one file, nor
-/// whether a path is a pipe or a device. Only calls with a layout that is documented and fixed are used: <c>statx</c>
-/// on Linux, which has the same fields on every processor, and <c>stat</c> with 64-bit inodes on macOS. Elsewhere, and
+/// Asks the operating system what a path leads to. .NET does not tell whether two paths are hard links to one file, or
+/// whether a path is a pipe or a device. Only calls with a documented and fixed layout are used: <c>statx</c> on Linux,
+/// which has the same fields on every processor, and <c>stat</c> with 64-bit inodes on macOS. On other systems, and
 /// where the call is missing, nothing is known and the caller compares resolved paths.
 /// </summary>
 internal static class NativeFileStatus
 {
-    /// <summary>AT_FDCWD: relative paths start at the working directory.</summary>
+    /// <summary>AT_FDCWD. Relative paths start at the working directory.</summary>
     private const int AtWorkingDirectory = -100;
 
     /// <summary>STATX_TYPE, STATX_MODE, STATX_UID, STATX_GID and STATX_INO.</summary>
     private const uint WantedFields = 0x1 | 0x2 | 0x8 | 0x10 | 0x100;
 
-    /// <returns>False if this system cannot be asked; a file that cannot be reached is <see
-    /// cref="FileKind.Missing"/>.</returns>
+    /// <returns>False if this system cannot be asked. A file that cannot be reached is
+    /// <see cref="FileKind.Missing"/>.</returns>
     public static bool TryGet(string path, out FileStatus status)
     {
         status = default;
@@ -85,7 +85,7 @@ internal static class NativeFileStatus
     [DllImport("libc", EntryPoint = "fchown")]
     private static extern int ChangeOwner(SafeHandle file, uint owner, uint group);
 
-    /// <summary>struct statx: 256 bytes.</summary>
+    /// <summary>struct statx, 256 bytes.</summary>
     [StructLayout(LayoutKind.Explicit, Size = 256)]
     private struct LinuxStatus
     {
@@ -108,7 +108,7 @@ internal static class NativeFileStatus
         public uint DeviceMinor;
     }
 
-    /// <summary>struct stat with 64-bit inodes: 144 bytes.</summary>
+    /// <summary>struct stat with 64-bit inodes, 144 bytes.</summary>
     [StructLayout(LayoutKind.Explicit, Size = 144)]
     private struct MacStatus
     {

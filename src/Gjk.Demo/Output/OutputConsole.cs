@@ -7,31 +7,33 @@ using Spectre.Console;
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// Standard output as the user sees it: colours and bars on a terminal, plain text of any width when it is piped.
+/// Standard output as the user sees it. A terminal shows colours and progress bars. A pipe gets plain text of any
+/// width.
 /// </summary>
 internal static class OutputConsole
 {
-    /// <summary>No table is wider; there is no edge to wrap at in a pipe.</summary>
+    /// <summary>Characters. No table is wider than this, and a pipe has no edge at which lines must wrap.</summary>
     private const int PlainWidth = 1000;
 
-    /// <summary>What Unix calls standard output.</summary>
+    /// <summary>The file descriptor of standard output on Unix.</summary>
     private const int StandardOutput = 1;
 
     public static bool IsPlain => Console.IsOutputRedirected;
 
-    /// <summary>Makes a failed write to <see cref="Console.Out"/> a refusal, unless it is a terminal.</summary>
+    /// <summary>Turns a failed write to <see cref="Console.Out"/> into a refusal, unless it is a terminal.</summary>
     public static void RefuseFailures(CancellationToken cancel)
     {
         if (!IsPlain) return;
-        Console.SetOut(new StreamWriter(OpenStream(cancel), new UTF8Encoding(false)) { AutoFlush = true, NewLine = "\n" });
+        var writer = new StreamWriter(OpenStream(cancel), new UTF8Encoding(false)) { AutoFlush = true, NewLine = "\n" };
+        Console.SetOut(writer);
     }
 
-    /// <summary>Standard output as bytes; a write that fails throws <see cref="RefusedException"/>.</summary>
+    /// <summary>Opens standard output for bytes. A write that fails throws <see cref="RefusedException"/>.</summary>
     /// <param name="cancel">Ends the wait for a reader that does not read.</param>
     public static RefusingStream OpenStream(CancellationToken cancel)
     {
-        // Only a regular file has a position, which the console's stream shares with the other processes that write to
-        // it.
+        // Only a regular file has a position. The console's stream shares it with the other processes that write to
+        // that file.
         bool isPipe = IsPlain && !OperatingSystem.IsWindows() && FileStatus.Of("/dev/stdout").Kind == FileKind.Stream;
         Stream stream = isPipe ? new PipeStream(StandardOutput) : Console.OpenStandardOutput();
 

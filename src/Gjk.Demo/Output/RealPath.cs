@@ -5,17 +5,19 @@ using System.IO;
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// A path without links, as the operating system walks it: each link is replaced by where it points before ".." is
-/// applied.
+/// Resolves all links of a path in the order of the operating system. Each link is replaced by its destination before a
+/// following ".." is applied.
 /// </summary>
 internal static class RealPath
 {
-    /// <summary>Links. Linux follows as many before it gives up.</summary>
+    /// <summary>The most links that are followed. Linux has the same limit.</summary>
     private const int MostLinks = 40;
 
-    /// <summary>The path of the file that opening <paramref name="path"/> for writing reaches or creates.</summary>
-    /// <param name="path">Absolute, or relative to the working directory. Parts that do not exist are kept as they
-    /// are.</param>
+    /// <summary>
+    /// The path of the file that is reached or created when <paramref name="path"/> is opened for writing.
+    /// </summary>
+    /// <param name="path">Absolute, or relative to the working directory. Parts that do not exist are kept
+    /// unchanged.</param>
     /// <exception cref="IOException">The links form a circle.</exception>
     public static string Of(string path)
     {

@@ -6,21 +6,21 @@ using System.Threading.Tasks;
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// An output whose failures are refusals that name it, and so cannot be taken for an error of the code that writes. If
-/// its reader is slow, a cancelled command does not wait for it.
+/// An output whose failures are refusals that name the output. They cannot be mistaken for an error in the code that
+/// writes. A cancelled command does not wait for a slow reader.
 /// </summary>
 internal sealed class RefusingStream : WriteOnlyStream
 {
-    /// <summary>A reader that is there has this long to take what a cancelled command still has to say.</summary>
+    /// <summary>How long a reader may take to accept the last output of a cancelled command.</summary>
     private static readonly TimeSpan Grace = TimeSpan.FromSeconds(1);
 
     private readonly string _name;
     private readonly Stream _inner;
     private readonly CancellationToken _cancel;
 
-    /// <param name="name">What the user calls it.</param>
-    /// <param name="inner">Is closed with this stream.</param>
-    /// <param name="cancel">Ends the wait for a reader; none for a file, which has no reader to wait for.</param>
+    /// <param name="name">The name that the user knows it by.</param>
+    /// <param name="inner">The stream to write to. It is closed with this stream.</param>
+    /// <param name="cancel">Ends the wait for a reader. A file has no reader and needs none.</param>
     public RefusingStream(string name, Stream inner, CancellationToken cancel)
     {
         _name = name;
@@ -28,7 +28,7 @@ internal sealed class RefusingStream : WriteOnlyStream
         _cancel = cancel;
     }
 
-    /// <exception cref="OperationCanceledException">Cancelled, and the reader did not take it.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before the reader took the bytes.</exception>
     public override void Write(ReadOnlySpan<byte> buffer)
     {
         try
@@ -44,14 +44,14 @@ internal sealed class RefusingStream : WriteOnlyStream
 
     public override void Flush() => Try(_inner.Flush);
 
-    /// <summary>Brings what was written to a file to its disk, where a lack of room may show only now.</summary>
+    /// <summary>Writes the contents of a file to its disk. A lack of space may only show at this point.</summary>
     public void FlushToDisk()
     {
         if (_inner is FileStream file) Try(() => file.Flush(flushToDisk: true));
         else Flush();
     }
 
-    /// <summary>Writes what is still in a buffer; <see cref="RefusedException"/> if that fails.</summary>
+    /// <summary>Writes what is left in a buffer. If that fails, it throws <see cref="RefusedException"/>.</summary>
     protected override void Dispose(bool disposing)
     {
         if (disposing) Try(_inner.Dispose);
@@ -59,7 +59,8 @@ internal sealed class RefusingStream : WriteOnlyStream
     }
 
     /// <summary>
-    /// No signal ends a blocked write; so another thread is blocked, and the process ends without it.
+    /// Writes on another thread, because no signal ends a blocked write. The process can then end while that thread is
+    /// still blocked.
     /// </summary>
     private void WriteWhileNotCancelled(byte[] bytes)
     {

@@ -6,7 +6,7 @@ namespace Gjk.Demo.Output;
 
 internal static class StandardError
 {
-    /// <summary>Writes one line: a control character in a file name or a field name may not break it in two.</summary>
+    /// <summary>Writes one line. Control characters in a file name or a field name must not break it in two.</summary>
     public static void Line(string message)
     {
         var line = new StringBuilder();
@@ -15,8 +15,8 @@ internal static class StandardError
     }
 
     /// <summary>
-    /// Writes as it is. If standard error is closed or its disk is full, nobody can be told, and the exit code has to
-    /// do.
+    /// Writes the text unchanged. If standard error is closed or its disk is full, nobody can be told. The exit code is
+    /// then the only signal.
     /// </summary>
     public static void Text(string message)
     {
@@ -26,7 +26,7 @@ internal static class StandardError
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            // See above.
+            // See the summary of this method.
         }
     }
 }

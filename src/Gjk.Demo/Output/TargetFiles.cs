@@ -4,18 +4,19 @@ using System.IO;
 namespace Gjk.Demo.Output;
 
 /// <summary>
-/// The files to be written must be neither the command's input nor each other. Files are compared, not paths: links,
-/// hard links and other spellings of a name lead to the same file. Where the operating system does not tell (see <see
-/// cref="NativeFileStatus"/>), paths without links are compared; a hard link that goes unnoticed then does no harm,
-/// because a file is replaced by renaming, which leaves its other names as they are.
+/// Checks that the files to be written are neither the command's input nor each other. Files are compared instead of
+/// paths, because links, hard links and other spellings of a name lead to the same file. Paths without links are
+/// compared where the operating system cannot be asked (see <see cref="NativeFileStatus"/>). A hard link that goes
+/// unnoticed then does no harm. A file is replaced by a rename, which leaves its other names unchanged.
 /// </summary>
 internal static class TargetFiles
 {
     private const string StandardInputFile = "/dev/stdin", StandardOutputFile = "/dev/stdout";
 
     /// <param name="input">The file that is read, <see cref="InputFile.StandardInput"/>, or null.</param>
-    /// <param name="outputs">The options and the files that they name; null where one was not given.</param>
-    /// <exception cref="RefusedException">Two are the same file, or a file to be written cannot be.</exception>
+    /// <param name="outputs">The options and the files that they name. A file is null if its option was not
+    /// given.</param>
+    /// <exception cref="RefusedException">Two of them are the same file, or an output cannot be written.</exception>
     public static void Check(string? input, params (string Option, string? File)[] outputs)
     {
         string? source = input == InputFile.StandardInput ? StandardInputFile : input;
@@ -26,7 +27,7 @@ internal static class TargetFiles
             if (file is null) continue;
             OutputTarget target = Resolve(file);
 
-            // A device or a pipe can be read and written at once: a terminal is both.
+            // A device or a pipe can be read and written at the same time. A terminal is one example.
             if (source is not null && target.Status.Kind != FileKind.Stream && FileStatus.IsSame(source, target.Path))
                 throw new RefusedException($"{file}: {option} would overwrite the scene");
             bool isFile = !target.IsStandardOutput && target.Status.Kind == FileKind.Regular;

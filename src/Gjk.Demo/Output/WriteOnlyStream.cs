@@ -3,7 +3,7 @@ using System.IO;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>A stream that can be written from front to back, and nothing else.</summary>
+/// <summary>A stream that can only be written, from front to back.</summary>
 internal abstract class WriteOnlyStream : Stream
 {
     public override bool CanRead => false;

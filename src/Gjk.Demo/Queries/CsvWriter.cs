@@ -7,7 +7,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>Results as CSV, row by row through one buffer of fixed size. Floats have as many digits as bring the same bits back.</summary>
+/// <summary>
+/// Writes results as CSV, row by row, through one buffer of fixed size. Floats have enough digits to give the same bits
+/// back.
+/// </summary>
 internal sealed class CsvWriter
 {
     /// <summary>The columns, in order.</summary>
@@ -15,7 +18,9 @@ internal sealed class CsvWriter
 
     private const int BufferBytes = 1 << 16;
 
-    /// <summary>More than the longest row: 13 numbers of at most 16 characters, the indices and the words.</summary>
+    /// <summary>
+    /// Bytes. More than the longest row, which has 13 numbers of at most 16 characters, the indices and the words.
+    /// </summary>
     private const int RowBytes = 512;
 
     private readonly Stream _stream;
@@ -45,7 +50,7 @@ internal sealed class CsvWriter
         EndRow();
     }
 
-    /// <summary>Hands everything to the stream.</summary>
+    /// <summary>Writes the buffer to the stream.</summary>
     public void Flush()
     {
         _stream.Write(_buffer, 0, _used);
@@ -53,7 +58,7 @@ internal sealed class CsvWriter
         _used = 0;
     }
 
-    /// <summary>As <see cref="GjkStatus"/> has it, without a search through its metadata for each row.</summary>
+    /// <summary>The name as <see cref="GjkStatus"/> has it. The switch avoids a metadata search for each row.</summary>
     private static string StatusName(GjkStatus status) => status switch
     {
         GjkStatus.Separated => nameof(GjkStatus.Separated),
@@ -90,6 +95,6 @@ internal sealed class CsvWriter
         _buffer[_used++] = (byte)',';
     }
 
-    /// <summary>The comma after the last column becomes the line's end.</summary>
+    /// <summary>Turns the comma after the last column into the end of the line.</summary>
     private void EndRow() => _buffer[_used - 1] = (byte)'\n';
 }

@@ -7,17 +7,18 @@ using Gjk.Demo.Scenes;
 namespace Gjk.Demo.Queries;
 
 /// <summary>
-/// Asks for the distance of every pair of a scene, in the poses of its first frame, and writes the answers as CSV.
+/// Computes the distance of every pair of a scene in the poses of its first frame, and writes the answers as CSV.
 /// </summary>
 internal static class QueryCommand
 {
-    /// <summary>How many pairs are answered between two looks at Ctrl-C.</summary>
+    /// <summary>How many pairs are answered between two checks for Ctrl-C.</summary>
     private const int PairsPerLook = 256;
 
-    /// <param name="scene">What to ask about.</param>
+    /// <param name="scene">The scene.</param>
     /// <param name="output">The file to write, or null for standard output.</param>
-    /// <param name="maxDistance">Pairs further apart are only known to be so; +infinity asks for all distances.</param>
-    /// <param name="cancel">Ends the work; no file is left then.</param>
+    /// <param name="maxDistance">Pairs further apart are reported as such, without a distance. +infinity asks for all
+    /// distances.</param>
+    /// <param name="cancel">Ends the work. No file is left then.</param>
     public static void Run(Scene scene, string? output, float maxDistance, CancellationToken cancel)
     {
         if (output is null)

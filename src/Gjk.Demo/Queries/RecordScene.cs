@@ -8,17 +8,17 @@ using Gjk.Demo.Scenes;
 namespace Gjk.Demo.Queries;
 
 /// <summary>
-/// One query as text, as the library's <see cref="QueryRecord"/> writes it, as a scene of two objects.
+/// Reads one query in the text form of the library's <see cref="QueryRecord"/> as a scene of two objects.
 /// </summary>
 internal static class RecordScene
 {
     /// <summary>
-    /// What is read for the text: standard input if it is "-", where a record may be longer than a command line;
-    /// otherwise no file.
+    /// The input that is read for the text. "-" means standard input, where a record may be longer than a command line.
+    /// Any other text needs no file.
     /// </summary>
     public static string? InputOf(string text) => text == InputFile.StandardInput ? text : null;
 
-    /// <exception cref="RefusedException">The text is no record.</exception>
+    /// <exception cref="RefusedException">The text is not a record.</exception>
     public static Scene Read(string text, CancellationToken cancel)
     {
         if (text == InputFile.StandardInput) text = Encoding.UTF8.GetString(InputFile.Read(text, cancel));
@@ -28,5 +28,6 @@ internal static class RecordScene
         return new Scene("record", objects, ScenePairs.All(objects.Length), 1);
     }
 
-    private static SceneObject Object(string name, in ConvexShape shape, in RigidPose pose) => new(name, shape, pose, Vector3.Zero, Vector3.Zero);
+    private static SceneObject Object(string name, in ConvexShape shape, in RigidPose pose) =>
+        new(name, shape, pose, Vector3.Zero, Vector3.Zero);
 }

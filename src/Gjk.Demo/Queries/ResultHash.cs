@@ -6,8 +6,9 @@ using Gjk.Core;
 namespace Gjk.Demo.Queries;
 
 /// <summary>
-/// FNV-1a, 64 bits, over each pair in order: a, b (int32), status (byte), the IEEE bits of distance, both points and normal, little-endian, -0
-/// as +0. The same hash means the same answers to the last bit.
+/// A hash of results: FNV-1a, 64 bits. For each pair in order it takes a, b (int32), the status (byte), and the IEEE
+/// bits of the distance, both points and the normal. All are little-endian, and -0 counts as +0. Equal hashes mean
+/// equal answers to the last bit.
 /// </summary>
 internal struct ResultHash
 {
@@ -31,7 +32,7 @@ internal struct ResultHash
         Add(result.Normal);
     }
 
-    /// <summary>The pairs that a frame found intersecting: how many, then a and b of each.</summary>
+    /// <summary>Adds the pairs that a frame found intersecting: their number, then a and b of each.</summary>
     public void Add(ReadOnlySpan<ObjectPair> pairs)
     {
         Add((uint)pairs.Length);

@@ -4,7 +4,10 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>A bar per scene on a terminal, nothing elsewhere. It draws only between frames, on the measuring thread, so that it disturbs no time.</summary>
+/// <summary>
+/// Shows one bar per scene on a terminal, and nothing elsewhere. It draws between frames, on the measuring thread, so
+/// that it does not disturb the measured times.
+/// </summary>
 internal sealed class ProgressBar
 {
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.1);
@@ -21,7 +24,7 @@ internal sealed class ProgressBar
         else console.Progress().AutoRefresh(false).Start(context => work(new ProgressBar(context)));
     }
 
-    /// <summary>Adds a bar; what it returns takes how much is done, from 0 to 1.</summary>
+    /// <summary>Adds a bar. The returned action takes the completed share, from 0 to 1.</summary>
     public Action<double> Add(string title)
     {
         if (_context is null) return _ => { };

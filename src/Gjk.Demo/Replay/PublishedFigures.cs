@@ -3,7 +3,8 @@ using System;
 namespace Gjk.Demo.Replay;
 
 /// <summary>
-/// Table 1 of the report "Implementing GJK as a plugin for Unity" (2022), measured in Unity 2020.3 on Mono with the deep profiler, on an Intel i5-6600K.
+/// Table 1 of the report "Implementing GJK as a plugin for Unity" (2022). It was measured in Unity 2020.3 on Mono with
+/// the deep profiler, on an Intel i5-6600K.
 /// </summary>
 internal sealed class PublishedFigures
 {

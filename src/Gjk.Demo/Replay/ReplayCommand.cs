@@ -8,30 +8,43 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>The report's experiment on this machine, or a whole world of its objects.</summary>
+/// <summary>Repeats the report's experiment on this machine, or replays a whole world of its objects.</summary>
 internal static class ReplayCommand
 {
-    /// <summary>The report's scenes, all pairs and their closest points in each frame.</summary>
+    /// <summary>Replays the report's scenes. Each frame asks for the closest points of all pairs.</summary>
     /// <param name="length">How long to measure each scene.</param>
     /// <param name="jsonFile">Where to write figures and results, or null.</param>
-    /// <param name="cancel">Ends the work; the scenes that were completed are printed, and written where no file would
-    /// be replaced.</param>
+    /// <param name="cancel">Ends the work. Completed scenes are still printed. They are also written, unless that would
+    /// replace a file.</param>
     public static int Run(ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
         [BuiltInScenes.Cubes, BuiltInScenes.Spheres],
-        (scene, progress) => SceneReplay.Run(scene, length, progress, cancel), jsonFile, ReplayJson.Write, ReplayTable.Print);
+        (scene, progress) => SceneReplay.Run(scene, length, progress, cancel),
+        jsonFile,
+        ReplayJson.Write,
+        ReplayTable.Print);
 
     /// <summary>
-    /// The same scenes, or larger ones of their kind, moving if they are to; and their intersecting pairs in each
-    /// frame.
+    /// Replays the same scenes, or larger ones of their kind. The objects may move, and each frame finds the
+    /// intersecting pairs.
     /// </summary>
-    /// <param name="settings">How many objects, and how they move and are found.</param>
+    /// <param name="settings">How many objects there are, how they move and how pairs are found.</param>
     /// <param name="length">How long to measure each scene.</param>
     /// <param name="jsonFile">Where to write figures and pairs, or null.</param>
-    /// <param name="cancel">Ends the work; the scenes that were completed are printed, and written where no file would
-    /// be replaced.</param>
-    public static int RunWorlds(WorldSettings settings, ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
-        settings.Objects is int count ? [() => BuiltInScenes.Cubes(count), () => BuiltInScenes.Spheres(count)] : [BuiltInScenes.Cubes, BuiltInScenes.Spheres],
-        (scene, progress) => WorldReplay.Run(scene, settings, length, progress, cancel), jsonFile, ReplayJson.Write, WorldTable.Print);
+    /// <param name="cancel">Ends the work. Completed scenes are still printed. They are also written, unless that would
+    /// replace a file.</param>
+    public static int RunWorlds(
+        WorldSettings settings, ReplayLength length, string? jsonFile, CancellationToken cancel)
+    {
+        Func<BuiltInScene>[] scenes = settings.Objects is int count
+            ? [() => BuiltInScenes.Cubes(count), () => BuiltInScenes.Spheres(count)]
+            : [BuiltInScenes.Cubes, BuiltInScenes.Spheres];
+        return Run(
+            scenes,
+            (scene, progress) => WorldReplay.Run(scene, settings, length, progress, cancel),
+            jsonFile,
+            ReplayJson.Write,
+            WorldTable.Print);
+    }
 
     private static int Run<TReport>(
         Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, string? jsonFile,
@@ -49,8 +62,10 @@ internal static class ReplayCommand
         return cancelled ? ExitCode.Cancelled : ExitCode.Done;
     }
 
-    /// <summary>False when it was cancelled before the last scene was complete.</summary>
-    private static bool RunScenes<TReport>(Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, ProgressBar bar, List<TReport> reports)
+    /// <summary>False if it was cancelled before the last scene was complete.</summary>
+    private static bool RunScenes<TReport>(
+        Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, ProgressBar bar,
+        List<TReport> reports)
     {
         try
         {
@@ -69,8 +84,8 @@ internal static class ReplayCommand
     }
 
     /// <summary>
-    /// Before the table, so that a full disk leaves nothing on standard output. A cancelled replay has only a part of
-    /// the scenes, or none: that makes a new file, but takes no complete one's place.
+    /// Writes the file before the table is printed, so that a full disk leaves nothing on standard output. A cancelled
+    /// replay has only some of the scenes, or none. It may create a new file, but it must not replace a complete one.
     /// </summary>
     private static void WriteJson(string name, bool isComplete, Action<Stream> write)
     {

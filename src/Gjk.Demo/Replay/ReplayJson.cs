@@ -6,12 +6,17 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>The replay's figures and results as JSON; numbers that are not finite become null, which is all that JSON has for them.</summary>
+/// <summary>
+/// Writes the replay's figures and results as JSON. Numbers that are not finite become null, because JSON cannot
+/// express them.
+/// </summary>
 internal static class ReplayJson
 {
-    public static void Write(Stream stream, IReadOnlyList<SceneReport> reports) => WriteScenes(stream, reports, WriteScene);
+    public static void Write(Stream stream, IReadOnlyList<SceneReport> reports) =>
+        WriteScenes(stream, reports, WriteScene);
 
-    public static void Write(Stream stream, IReadOnlyList<WorldReport> reports) => WriteScenes(stream, reports, WriteWorld);
+    public static void Write(Stream stream, IReadOnlyList<WorldReport> reports) =>
+        WriteScenes(stream, reports, WriteWorld);
 
     private static void WriteScenes<T>(Stream stream, IReadOnlyList<T> reports, Action<Utf8JsonWriter, T> write)
     {
@@ -85,7 +90,7 @@ internal static class ReplayJson
         json.WriteEndObject();
     }
 
-    /// <summary>The columns of the CSV as fields.</summary>
+    /// <summary>Writes the columns of the CSV as fields.</summary>
     private static void WritePair(Utf8JsonWriter json, int a, int b, in DistanceResult result)
     {
         json.WriteStartObject();

@@ -2,7 +2,7 @@ using System;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>How long to measure a scene: a number of frames, or without one a span of time.</summary>
+/// <summary>How long a scene is measured: a number of frames or, if none is given, a time span.</summary>
 internal readonly struct ReplayLength
 {
     public ReplayLength(TimeSpan duration, int? frames)
@@ -15,6 +15,7 @@ internal readonly struct ReplayLength
 
     public int? Frames { get; }
 
-    /// <summary>How much of it is done, from 0 to 1.</summary>
-    public double Done(int frames, TimeSpan elapsed) => Math.Min(Frames is int n ? (double)frames / n : elapsed / Duration, 1);
+    /// <summary>The completed share, from 0 to 1.</summary>
+    public double Done(int frames, TimeSpan elapsed) =>
+        Math.Min(Frames is int n ? (double)frames / n : elapsed / Duration, 1);
 }

@@ -6,7 +6,7 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>The report's Table 1 beside this machine's, and the pairs that intersect.</summary>
+/// <summary>Prints the report's Table 1 beside the figures of this machine, and the pairs that intersect.</summary>
 internal static class ReplayTable
 {
     private const string None = "-";
@@ -21,15 +21,18 @@ internal static class ReplayTable
         foreach (SceneReport report in reports) PrintPairs(console, report);
     }
 
-    /// <summary>The table as text, the heading first.</summary>
+    /// <summary>The rows of the table as text. The first row is the heading.</summary>
     private static List<string[]> Rows(IReadOnlyList<SceneReport> reports)
     {
         var rows = new List<string[]>();
-        void Add(string title, Func<PublishedFigures, string> published, Func<SceneReport, string> here) => rows.Add(Row(reports, title, published, here));
+        void Add(string title, Func<PublishedFigures, string> published, Func<SceneReport, string> here) =>
+            rows.Add(Row(reports, title, published, here));
 
         rows.Add(["per scene", .. reports.SelectMany(r => new[] { $"{r.Name}, report", $"{r.Name}, here" })]);
         Add("objects", p => Text(p.Objects), r => Text(r.ObjectNames.Length));
-        Add("vertices (of the hull)", p => Text(p.Vertices), r => $"{Text(r.VerticesPerObject)} ({Text(r.HullVertices)})");
+        Add(
+            "vertices (of the hull)", p => Text(p.Vertices),
+            r => $"{Text(r.VerticesPerObject)} ({Text(r.HullVertices)})");
         Add("calls per frame", p => Text(p.CallsPerFrame), r => Text(r.Results.Length));
         Add("intersecting pairs", _ => None, r => Text(r.IntersectingPairs));
         Add("loops per call", p => Text(p.LoopsPerCall, "F2"), r => Text(r.LoopsPerCall, "F2"));
@@ -45,7 +48,8 @@ internal static class ReplayTable
     }
 
     private static string[] Row(
-        IReadOnlyList<SceneReport> reports, string title, Func<PublishedFigures, string> published, Func<SceneReport, string> here) =>
+        IReadOnlyList<SceneReport> reports, string title, Func<PublishedFigures, string> published,
+        Func<SceneReport, string> here) =>
         [title, .. reports.SelectMany(r => new[] { published(PublishedFigures.Of(r.Name)), here(r) })];
 
     private static void PrintPairs(IAnsiConsole console, SceneReport report)
@@ -54,7 +58,8 @@ internal static class ReplayTable
         console.WriteLine($"{report.Name}, intersecting pairs:");
         for (int i = 0; i < report.Results.Length; i++)
         {
-            if (report.Results[i].IsOverlapping) console.WriteLine($"  {report.ObjectNames[report.A[i]]} - {report.ObjectNames[report.B[i]]}");
+            if (!report.Results[i].IsOverlapping) continue;
+            console.WriteLine($"  {report.ObjectNames[report.A[i]]} - {report.ObjectNames[report.B[i]]}");
         }
     }
 

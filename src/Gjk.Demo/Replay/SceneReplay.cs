@@ -7,16 +7,17 @@ using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>Runs one of the built-in scenes frame by frame: all its pairs each time, as the report did.</summary>
+/// <summary>Runs one of the built-in scenes frame by frame. Each frame asks for all pairs, as the report did.</summary>
 internal static class SceneReplay
 {
     private const double NsPerMs = 1e6;
 
-    /// <param name="scene">Which one.</param>
+    /// <param name="scene">The scene.</param>
     /// <param name="length">How long to measure, after the warm-up.</param>
-    /// <param name="progress">Is told how much is done, from 0 to 1, between the frames.</param>
-    /// <param name="cancel">Throws the scene away.</param>
-    public static SceneReport Run(BuiltInScene scene, ReplayLength length, Action<double> progress, CancellationToken cancel)
+    /// <param name="progress">Receives the completed share, from 0 to 1, between the frames.</param>
+    /// <param name="cancel">Ends the work. The scene's results are thrown away.</param>
+    public static SceneReport Run(
+        BuiltInScene scene, ReplayLength length, Action<double> progress, CancellationToken cancel)
     {
         Scene objects = Scene.From(scene);
         var pairs = new PairLoop(objects, cancel);
@@ -34,9 +35,10 @@ internal static class SceneReplay
         };
     }
 
-    /// <summary>Times the frames; what happens between them is neither in the times nor in the bytes.</summary>
+    /// <summary>Times the frames. Work between the frames counts neither in the times nor in the bytes.</summary>
     private static Samples Measure(
-        PairLoop pairs, DistanceResult[] results, ReplayLength length, Action<double> progress, CancellationToken cancel, out long bytes)
+        PairLoop pairs, DistanceResult[] results, ReplayLength length, Action<double> progress,
+        CancellationToken cancel, out long bytes)
     {
         var frames = new Samples();
         bytes = 0;

@@ -5,10 +5,11 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>What the replay of one scene found: the answers, which are the same in every frame, and the times.</summary>
+/// <summary>The result of replaying one scene: the answers, which are the same in every frame, and the times.</summary>
 internal sealed class SceneReport
 {
-    public SceneReport(BuiltInScene scene, int hullVertices, ReadOnlySpan<int> a, ReadOnlySpan<int> b, DistanceResult[] results)
+    public SceneReport(
+        BuiltInScene scene, int hullVertices, ReadOnlySpan<int> a, ReadOnlySpan<int> b, DistanceResult[] results)
     {
         Name = scene.Name;
         ObjectNames = [.. scene.ObjectNames];
@@ -36,10 +37,10 @@ internal sealed class SceneReport
 
     public string[] ObjectNames { get; }
 
-    /// <summary>As given.</summary>
+    /// <summary>Vertices in the mesh as given.</summary>
     public int VerticesPerObject { get; }
 
-    /// <summary>After deduplication.</summary>
+    /// <summary>Vertices after deduplication.</summary>
     public int HullVertices { get; }
 
     /// <summary>The first member of each pair.</summary>
@@ -62,10 +63,10 @@ internal sealed class SceneReport
 
     public double MedianMs { get; init; }
 
-    /// <summary>The 99th percentile.</summary>
+    /// <summary>The 99th percentile of the frame times.</summary>
     public double P99Ms { get; init; }
 
-    /// <summary>Time to replay the recorded support calls, over the time of the queries.</summary>
+    /// <summary>The time to replay the recorded support calls, divided by the time of the queries.</summary>
     public double SupportShare { get; init; }
 
     public double BytesPerCall { get; init; }

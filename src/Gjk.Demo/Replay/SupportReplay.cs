@@ -8,8 +8,9 @@ using Gjk.Demo.Timing;
 namespace Gjk.Demo.Replay;
 
 /// <summary>
-/// How much of a frame is the search for support points: one frame runs on meshes that write down what they are asked, then the same
-/// questions are put to the meshes alone, and timed. No stopwatch runs inside the loop, where it would cost more than what it measures.
+/// Measures which part of a frame is the search for support points. One frame runs on meshes that record the direction
+/// of every support call. The same calls are then repeated on the plain meshes and timed. No stopwatch runs inside the
+/// loop, because it would cost more than the work that it measures.
 /// </summary>
 internal sealed class SupportReplay
 {
@@ -20,7 +21,8 @@ internal sealed class SupportReplay
     private readonly CancellationToken _cancel;
     private long _ids;
 
-    /// <param name="scene">Its shapes are unscaled meshes, which the queries ask directly, whatever type holds them.</param>
+    /// <param name="scene">Its shapes are unscaled meshes. The queries ask them directly, whatever type holds
+    /// them.</param>
     /// <param name="cancel">Ends the measuring.</param>
     public SupportReplay(Scene scene, CancellationToken cancel)
     {
@@ -34,7 +36,7 @@ internal sealed class SupportReplay
         }
     }
 
-    /// <summary>The time of all support calls of a frame.</summary>
+    /// <summary>The median time of all support calls of a frame, in nanoseconds.</summary>
     public double MedianNs()
     {
         SupportCall[] calls = [.. _calls];
@@ -45,7 +47,8 @@ internal sealed class SupportReplay
     private void Ask(SupportCall[] calls)
     {
         long ids = 0;
-        foreach (ref readonly SupportCall call in calls.AsSpan()) ids += _meshes[call.Object].Support(call.Direction, out _);
+        foreach (ref readonly SupportCall call in calls.AsSpan())
+            ids += _meshes[call.Object].Support(call.Direction, out _);
         _ids = ids;
     }
 
@@ -61,7 +64,7 @@ internal sealed class SupportReplay
         }
     }
 
-    /// <summary>A mesh that notes each question before it answers it.</summary>
+    /// <summary>A mesh that records each direction before it answers.</summary>
     private readonly struct RecordingMesh : ISupportMap
     {
         private readonly ConvexMesh _mesh;

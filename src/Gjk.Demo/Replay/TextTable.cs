@@ -6,16 +6,17 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>A table of text, its titles to the left and its figures to the right.</summary>
+/// <summary>Prints a table of text. Titles are aligned to the left, figures to the right.</summary>
 internal static class TextTable
 {
-    /// <summary>What the figures were measured on.</summary>
+    /// <summary>A description of the machine on which the figures were measured.</summary>
     public static string ThisMachine =>
-        $"{RuntimeInformation.FrameworkDescription}, {RuntimeInformation.ProcessArchitecture}, {Environment.ProcessorCount} processors";
+        $"{RuntimeInformation.FrameworkDescription}, {RuntimeInformation.ProcessArchitecture}, "
+        + $"{Environment.ProcessorCount} processors";
 
-    /// <param name="console">Where to.</param>
-    /// <param name="rows">The heading first.</param>
-    /// <param name="plain">As Markdown.</param>
+    /// <param name="console">Where to print.</param>
+    /// <param name="rows">The rows. The first one is the heading.</param>
+    /// <param name="plain">Prints Markdown.</param>
     public static void Print(IAnsiConsole console, IReadOnlyList<string[]> rows, bool plain)
     {
         if (plain) PrintMarkdown(console, rows);
@@ -26,19 +27,25 @@ internal static class TextTable
     {
         var table = new Table { Border = TableBorder.Rounded };
         for (int column = 0; column < rows[0].Length; column++)
-            table.AddColumn(new TableColumn(new Text(rows[0][column])) { Alignment = column == 0 ? Justify.Left : Justify.Right });
+        {
+            Justify side = column == 0 ? Justify.Left : Justify.Right;
+            table.AddColumn(new TableColumn(new Text(rows[0][column])) { Alignment = side });
+        }
+
         foreach (string[] row in rows.Skip(1)) table.AddRow(row.Select(cell => new Text(cell)));
         return table;
     }
 
-    /// <summary>Reads well in a pipe, and can be pasted into a page.</summary>
+    /// <summary>Prints Markdown, which is readable in a pipe and can be pasted into a page.</summary>
     private static void PrintMarkdown(IAnsiConsole console, IReadOnlyList<string[]> rows)
     {
         int[] widths = [.. Enumerable.Range(0, rows[0].Length).Select(column => rows.Max(row => row[column].Length))];
-        string[] rule = [.. widths.Select((width, column) => column == 0 ? new string('-', width) : new string('-', width - 1) + ":")];
+        string Rule(int width, int column) => column == 0 ? new string('-', width) : new string('-', width - 1) + ":";
+        string[] rule = [.. widths.Select(Rule)];
         foreach (string[] row in (IEnumerable<string[]>)[rows[0], rule, .. rows.Skip(1)])
         {
-            IEnumerable<string> cells = row.Select((cell, column) => column == 0 ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column]));
+            IEnumerable<string> cells = row.Select((cell, column) =>
+                column == 0 ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column]));
             console.WriteLine($"| {string.Join(" | ", cells)} |");
         }
     }

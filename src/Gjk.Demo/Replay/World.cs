@@ -7,7 +7,7 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>A scene whose objects move, and what its last frame found.</summary>
+/// <summary>A scene whose objects move, and the results of its last frame.</summary>
 internal sealed class World
 {
     private readonly MovingObjects _objects;
@@ -16,8 +16,8 @@ internal sealed class World
     private readonly List<ObjectPair> _candidates = [];
     private readonly List<ObjectPair> _pairs = [];
 
-    /// <param name="scene">The objects; an id is an index.</param>
-    /// <param name="settings">How to move them and to find pairs.</param>
+    /// <param name="scene">The objects. An object's id is its index.</param>
+    /// <param name="settings">How the objects move and how pairs are found.</param>
     /// <param name="workers">The threads, or null.</param>
     public World(BuiltInScene scene, WorldSettings settings, Workers? workers)
     {
@@ -31,21 +31,23 @@ internal sealed class World
 
     public int HullVertices { get; }
 
-    /// <summary>Pairs that the broad phase left to the narrow one: the calls made.</summary>
+    /// <summary>
+    /// How many pairs the broad phase passed on to the narrow phase. This is the number of calls made.
+    /// </summary>
     public int Calls => _candidates.Count;
 
     public ReadOnlySpan<ObjectPair> IntersectingPairs => CollectionsMarshal.AsSpan(_pairs);
 
-    /// <summary>Ticks that the last frame took to move the objects and find candidates.</summary>
+    /// <summary>Ticks that the last frame took to move the objects and to find candidates.</summary>
     public long BroadTicks { get; private set; }
 
-    /// <summary>Ticks that the last frame took to ask which candidates intersect.</summary>
+    /// <summary>Ticks that the last frame took to test which candidates intersect.</summary>
     public long NarrowTicks { get; private set; }
 
     /// <summary>Bytes that the last frame allocated on this thread.</summary>
     public long Bytes { get; private set; }
 
-    /// <summary>Finds the pairs of this frame. Where the objects go was worked out before.</summary>
+    /// <summary>Finds the pairs of this frame. The new poses of the objects were computed before.</summary>
     public void Run()
     {
         long bytes = GC.GetAllocatedBytesForCurrentThread();
@@ -61,10 +63,10 @@ internal sealed class World
         NarrowTicks = end - middle;
     }
 
-    /// <summary>One frame on.</summary>
+    /// <summary>Moves the objects on by one frame.</summary>
     public void Advance() => _objects.Advance();
 
-    /// <summary>Back to the first frame, and its pairs.</summary>
+    /// <summary>Goes back to the first frame and its pairs.</summary>
     public void Rewind()
     {
         _objects.Rewind();

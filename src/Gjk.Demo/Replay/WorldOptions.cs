@@ -6,19 +6,22 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>The options of <c>replay</c> that turn it from the report's scenes to whole worlds.</summary>
+/// <summary>The options of <c>replay</c> that select whole worlds instead of the report's scenes.</summary>
 internal sealed class WorldOptions
 {
-    /// <summary>Count. The names, poses and bounds of as many take a gigabyte.</summary>
+    /// <summary>Objects. The names, poses and bounds of this many take a gigabyte.</summary>
     private const int MostObjects = 1_000_000;
 
-    /// <summary>Count. Comparing every pair of more takes longer per frame than anybody waits, and a frame is not left half done.</summary>
+    /// <summary>
+    /// Objects. With more of them, comparing every pair takes longer per frame than a user would wait, and a frame
+    /// cannot be cancelled halfway.
+    /// </summary>
     private const int MostForAllPairs = 100_000;
 
-    /// <summary>Count; more is a slip of the finger.</summary>
+    /// <summary>Threads. A larger value is most likely a typing error.</summary>
     private const int MostThreads = 256;
 
-    /// <summary>Sizes per frame; more is a slip of the finger.</summary>
+    /// <summary>Object sizes per frame. A larger value is most likely a typing error.</summary>
     private const double MostSpeed = 1000;
 
     private readonly Option<BroadPhaseKind?> _broad;
@@ -31,18 +34,33 @@ internal sealed class WorldOptions
     {
         _broad = new("--broad")
         {
-            Description = "Find the intersecting pairs of every frame, in place of the report's 190 distances, by comparing all pairs of bounds, by sort and sweep, by sweep and prune, or with a dynamic tree (the default with the options below).",
+            Description = "Find the intersecting pairs of every frame instead of the report's 190 distances. The broad "
+                + "phase compares all pairs of bounds, or uses sort and sweep, sweep and prune, or a dynamic tree (the "
+                + "default with the options below).",
             HelpName = string.Join('|', WorldSettings.BroadPhaseNames),
             CustomParser = BroadPhase,
         };
         _motion = new("--motion")
         {
-            Description = "Move the objects, by so many of their sizes per frame (0), and turn them; find the intersecting pairs of every frame.",
+            Description = "Move each object by this many of its sizes per frame (0) and turn it. Find the intersecting "
+                + "pairs of every frame.",
             HelpName = "SPEED",
             CustomParser = Speed,
         };
-        _objects = new("--objects") { Description = "So many objects in a room where about half of them touch another, in place of the report's 20; find the intersecting pairs.", HelpName = "N", CustomParser = r => Whole(r, 2, MostObjects) };
-        _threads = new("--threads") { Description = "Find the intersecting pairs on so many threads (1). The hash does not depend on it, nor on --broad.", HelpName = "N", CustomParser = r => Whole(r, 1, MostThreads) };
+        _objects = new("--objects")
+        {
+            Description = "Place this many objects in a room where about half of them touch another, instead of the "
+                + "report's 20. Find the intersecting pairs.",
+            HelpName = "N",
+            CustomParser = r => Whole(r, 2, MostObjects),
+        };
+        _threads = new("--threads")
+        {
+            Description = "Find the intersecting pairs on this many threads (1). The hash depends neither on this nor "
+                + "on --broad.",
+            HelpName = "N",
+            CustomParser = r => Whole(r, 1, MostThreads),
+        };
         command.Options.Add(_broad);
         command.Options.Add(_motion);
         command.Options.Add(_objects);
@@ -50,7 +68,7 @@ internal sealed class WorldOptions
         command.Validators.Add(Check);
     }
 
-    /// <summary>Null when none of the options was given.</summary>
+    /// <summary>Null if none of the options was given.</summary>
     public WorldSettings? Read(ParseResult result)
     {
         BroadPhaseKind? broad = result.GetValue(_broad);
@@ -66,30 +84,43 @@ internal sealed class WorldOptions
         };
     }
 
-    /// <summary>By the words as they were given: one that is refused has no value.</summary>
+    /// <summary>Checks the words as they were given, because an option that is refused has no value.</summary>
     private void Check(CommandResult command)
     {
         bool isAll = command.GetResult(_broad) is { Tokens: [{ Value: "all" }] };
-        if (isAll && command.GetResult(_objects) is { Tokens: [var number] } && int.TryParse(number.Value, out int objects) && objects > MostForAllPairs)
+        if (isAll
+            && command.GetResult(_objects) is { Tokens: [var number] }
+            && int.TryParse(number.Value, out int objects)
+            && objects > MostForAllPairs)
+        {
             command.AddError($"--broad all compares every pair and takes at most {MostForAllPairs} objects.");
+        }
     }
 
     private static BroadPhaseKind? BroadPhase(ArgumentResult result)
     {
         int kind = Array.IndexOf(WorldSettings.BroadPhaseNames, Text(result));
-        return kind >= 0 ? (BroadPhaseKind)kind : Refused<BroadPhaseKind>(result, $"must be one of {string.Join(", ", WorldSettings.BroadPhaseNames)}");
+        return kind >= 0
+            ? (BroadPhaseKind)kind
+            : Refused<BroadPhaseKind>(result, $"must be one of {string.Join(", ", WorldSettings.BroadPhaseNames)}");
     }
 
     private static double? Speed(ArgumentResult result)
     {
-        bool isNumber = double.TryParse(Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double speed);
-        return isNumber && speed >= 0 && speed <= MostSpeed ? speed : Refused<double>(result, $"must be a number, at least 0, at most {MostSpeed:F0}");
+        bool isNumber = double.TryParse(
+            Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double speed);
+        return isNumber && speed >= 0 && speed <= MostSpeed
+            ? speed
+            : Refused<double>(result, $"must be a number, at least 0, at most {MostSpeed:F0}");
     }
 
     private static int? Whole(ArgumentResult result, int least, int most)
     {
-        bool isNumber = int.TryParse(Text(result), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number);
-        return isNumber && number >= least && number <= most ? number : Refused<int>(result, $"must be a whole number, at least {least}, at most {most}");
+        bool isNumber = int.TryParse(
+            Text(result), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number);
+        return isNumber && number >= least && number <= most
+            ? number
+            : Refused<int>(result, $"must be a whole number, at least {least}, at most {most}");
     }
 
     private static string Text(ArgumentResult result) => result.Tokens.Count == 0 ? "" : result.Tokens[0].Value;

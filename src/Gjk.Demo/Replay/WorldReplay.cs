@@ -8,23 +8,26 @@ using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>Replays a scene as a world: in each frame the objects move, and the intersecting pairs are found.</summary>
+/// <summary>Replays a scene as a world. In each frame the objects move, and the intersecting pairs are found.</summary>
 internal static class WorldReplay
 {
     /// <summary>
-    /// Frames whose pairs are counted and hashed where the frames are not counted by the user: always as many, so that what does not depend on the machine's speed does not
-    /// depend on it here; few, so that comparing all pairs of many objects can be waited for.
+    /// How many frames are counted and hashed if the user does not set the number of frames. The number is fixed, so
+    /// that results which do not depend on the machine's speed stay the same on every machine. It is small, so that the
+    /// user can wait for the comparison of all pairs of many objects.
     /// </summary>
     private const int CountedFrames = 10;
 
     private const double NsPerMs = 1e6;
 
-    /// <param name="scene">Which one.</param>
-    /// <param name="settings">How.</param>
-    /// <param name="length">How long to measure, after the warm-up; at least the counted frames.</param>
-    /// <param name="progress">Is told how much is done, from 0 to 1, between the frames.</param>
-    /// <param name="cancel">Throws the scene away.</param>
-    public static WorldReport Run(BuiltInScene scene, WorldSettings settings, ReplayLength length, Action<double> progress, CancellationToken cancel)
+    /// <param name="scene">The scene.</param>
+    /// <param name="settings">How the objects move and how pairs are found.</param>
+    /// <param name="length">How long to measure, after the warm-up. At least the counted frames are run.</param>
+    /// <param name="progress">Receives the completed share, from 0 to 1, between the frames.</param>
+    /// <param name="cancel">Ends the work. The scene's results are thrown away.</param>
+    public static WorldReport Run(
+        BuiltInScene scene, WorldSettings settings, ReplayLength length, Action<double> progress,
+        CancellationToken cancel)
     {
         using Workers? workers = settings.Threads > 1 ? new Workers(settings.Threads) : null;
         var world = new World(scene, settings, workers);
@@ -42,7 +45,8 @@ internal static class WorldReplay
         return report;
     }
 
-    private static void Measure(World world, WorldReport report, ReplayLength length, Action<double> progress, CancellationToken cancel)
+    private static void Measure(
+        World world, WorldReport report, ReplayLength length, Action<double> progress, CancellationToken cancel)
     {
         var hash = new ResultHash();
         Samples broad = new(), narrow = new(), whole = new();

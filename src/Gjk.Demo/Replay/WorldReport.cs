@@ -3,7 +3,9 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>What the replay of a world found: counts and hash, which are those of the first frames, and times, which are those of all.</summary>
+/// <summary>
+/// The result of replaying a world. Counts and hash are those of the first frames, times are those of all frames.
+/// </summary>
 internal sealed class WorldReport
 {
     private long _calls;
@@ -22,48 +24,48 @@ internal sealed class WorldReport
 
     public int Objects { get; }
 
-    /// <summary>As given.</summary>
+    /// <summary>Vertices in the mesh as given.</summary>
     public int VerticesPerObject { get; }
 
-    /// <summary>After deduplication.</summary>
+    /// <summary>Vertices after deduplication.</summary>
     public int HullVertices { get; }
 
     public WorldSettings Settings { get; }
 
-    /// <summary>All pairs: the calls of a frame without a broad phase.</summary>
+    /// <summary>The number of all pairs. A frame without a broad phase makes this many calls.</summary>
     public long PairsPerFrame => (long)Objects * (Objects - 1) / 2;
 
-    /// <summary>Of how many frames the counts are the means, and the hash covers the pairs.</summary>
+    /// <summary>How many frames the counts are averaged over. The hash covers the pairs of the same frames.</summary>
     public int CountedFrames { get; private set; }
 
     public double CallsPerFrame => (double)_calls / CountedFrames;
 
     public double CallsSavedPerFrame => ((double)PairsPerFrame * CountedFrames - _calls) / CountedFrames;
 
-    /// <summary>The mean number.</summary>
+    /// <summary>The mean number per frame.</summary>
     public double IntersectingPairs => (double)_intersecting / CountedFrames;
 
-    /// <summary>Those of the first frame.</summary>
+    /// <summary>The pairs of the first frame.</summary>
     public ObjectPair[] FirstPairs { get; private set; } = [];
 
     public string Hash { get; set; } = "";
 
     public int Frames { get; set; }
 
-    /// <summary>Moving the objects and finding candidates; the median.</summary>
+    /// <summary>The median time to move the objects and to find candidates.</summary>
     public double BroadMs { get; set; }
 
-    /// <summary>Asking which candidates intersect; the median.</summary>
+    /// <summary>The median time to test which candidates intersect.</summary>
     public double NarrowMs { get; set; }
 
     public double MedianMs { get; set; }
 
-    /// <summary>The 99th percentile.</summary>
+    /// <summary>The 99th percentile of the frame times.</summary>
     public double P99Ms { get; set; }
 
     public double BytesPerFrame { get; set; }
 
-    /// <summary>Takes the counts of the frame that was just run.</summary>
+    /// <summary>Adds the counts of the frame that was just run.</summary>
     public void Count(World world)
     {
         if (CountedFrames++ == 0) FirstPairs = world.IntersectingPairs.ToArray();

@@ -13,10 +13,10 @@ internal sealed class WorldSettings
     /// <summary>Null for the report's own scenes.</summary>
     public int? Objects { get; init; }
 
-    /// <summary>How many work at once, the one that asks included.</summary>
+    /// <summary>How many threads work at once. This includes the calling thread.</summary>
     public int Threads { get; init; } = 1;
 
-    /// <summary>The words of the command line, in the order of <see cref="BroadPhaseKind"/>.</summary>
+    /// <summary>The words on the command line, in the order of <see cref="BroadPhaseKind"/>.</summary>
     public static string[] BroadPhaseNames { get; } = ["all", "sort", "sweep", "tree"];
 
     public string BroadPhaseName => BroadPhaseNames[(int)BroadPhase];

@@ -6,7 +6,7 @@ using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>What a world's frame costs, a column per scene.</summary>
+/// <summary>Prints the cost of a world's frame, with one column per scene.</summary>
 internal static class WorldTable
 {
     public static void Print(IAnsiConsole console, IReadOnlyList<WorldReport> reports, bool plain)
@@ -17,7 +17,7 @@ internal static class WorldTable
         console.WriteLine($"here: {TextTable.ThisMachine}");
     }
 
-    /// <summary>The table as text, the heading first.</summary>
+    /// <summary>The rows of the table as text. The first row is the heading.</summary>
     private static List<string[]> Rows(IReadOnlyList<WorldReport> reports)
     {
         var rows = new List<string[]>();

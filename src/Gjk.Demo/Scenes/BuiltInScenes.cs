@@ -5,7 +5,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>One of the two scenes of the report, or one of the same kind: copies of one mesh of unit size, each with its own pose.</summary>
+/// <summary>
+/// One of the report's two scenes, or a scene of the same kind. The objects are copies of one mesh of unit size, each
+/// with its own pose.
+/// </summary>
 public sealed class BuiltInScene
 {
     internal BuiltInScene(string name, string objectName, Vector3[] vertices, RigidPose[] poses, in Aabb room)
@@ -22,87 +25,100 @@ public sealed class BuiltInScene
     /// <summary>"cubes" or "spheres".</summary>
     public string Name { get; }
 
-    /// <summary>The mesh as given, before any deduplication.</summary>
+    /// <summary>The mesh as given, before deduplication.</summary>
     public IReadOnlyList<Vector3> Vertices { get; }
 
-    /// <summary>Where the objects are.</summary>
+    /// <summary>The positions and rotations of the objects.</summary>
     public IReadOnlyList<RigidPose> Poses { get; }
 
-    /// <summary>Where the objects' centres stay when they move.</summary>
+    /// <summary>The box that the objects' centres do not leave when they move.</summary>
     public Aabb Room { get; }
 
-    /// <summary>What the objects are called, in the order of <see cref="Poses"/>.</summary>
+    /// <summary>The names of the objects, in the order of <see cref="Poses"/>.</summary>
     public IReadOnlyList<string> ObjectNames { get; }
 }
 
 /// <summary>
-/// The report's experiment, generated: 20 objects of unit size in pseudo-random orientations, of which exactly five pairs overlap; and the same kind of scene with any number of
-/// objects, anywhere in a cubic room where about half of them touch another, as in the report's. Only additions, multiplications, divisions and square roots are used, which
-/// IEEE 754 rounds in one way: the same bits on every machine.
+/// Generates the report's experiment: 20 objects of unit size in pseudo-random orientations, of which exactly five
+/// pairs overlap. It also generates the same kind of scene with any number of objects, placed anywhere in a cubic room
+/// where about half of them touch another, as in the report's. It only uses additions, multiplications, divisions and
+/// square roots, whose rounding IEEE 754 defines. So the bits are the same on every machine.
 /// </summary>
 public static class BuiltInScenes
 {
-    /// <summary>Objects in a scene of the report, half of them in each grid.</summary>
+    /// <summary>Objects in a scene of the report. Each grid has half of them.</summary>
     public const int ObjectCount = Columns * 2 * 2;
 
-    /// <summary>How many pairs of it overlap: one per column of the upper grid.</summary>
+    /// <summary>How many pairs of a report scene overlap: one per column of the upper grid.</summary>
     public const int OverlappingPairs = Columns;
 
     private const int Columns = 5;
 
-    /// <summary>Between neighbours that must not touch, in units: more than twice the 0.866 from a unit cube's centre to its corner.</summary>
+    /// <summary>
+    /// Units. The distance between neighbours that must not touch. It is more than twice the 0.866 from a unit cube's
+    /// centre to its corner.
+    /// </summary>
     private const float Apart = 2f;
 
     /// <summary>
-    /// Between the two objects of a column of the upper grid, in units: less than twice the 0.49 that fits as a ball into the coarsest of the
-    /// shapes, so they overlap in any orientation.
+    /// Units. The distance between the two objects of a column of the upper grid. It is less than twice 0.49, the
+    /// radius of a ball that fits into the coarsest of the shapes. So the two overlap in any orientation.
     /// </summary>
     private const float Close = 0.75f;
 
-    /// <summary>The height of the upper grid, in units: clear of the lower one by the same reason as <see cref="Apart"/>.</summary>
+    /// <summary>
+    /// Units. The height of the upper grid. It keeps clear of the lower grid for the same reason as
+    /// <see cref="Apart"/>.
+    /// </summary>
     private const float UpperHeight = 2.25f;
 
-    /// <summary>The radius of the spheres and half the side of the cubes, in units.</summary>
+    /// <summary>Units. The radius of the spheres, and half the side of the cubes.</summary>
     private const float Half = 0.5f;
 
     private const int SphereVertices = 515;
 
     /// <summary>
-    /// In cubic units: where one unit cube's centre is when it touches another, both turned at random: the mean volume of their Minkowski sum, which is V + V' + (S M' + S' M) / 4 pi,
-    /// with the volume 1, the surface 6 and the mean curvature 3 pi (Schneider and Weil 2008, section 6.1).
+    /// Cubic units. The volume in which one unit cube's centre lies when it touches another cube and both are turned at
+    /// random. This is the mean volume of their Minkowski sum, V + V' + (S M' + S' M) / 4 pi, with the volume 1, the
+    /// surface 6 and the mean curvature 3 pi (Schneider and Weil 2008, section 6.1).
     /// </summary>
     private const double CubeContactVolume = 11;
 
-    /// <summary>In cubic units: a ball of twice the radius; the polyhedron's is less by a percent.</summary>
+    /// <summary>
+    /// Cubic units. The volume of a ball of twice the radius. The polyhedron's volume is one percent less.
+    /// </summary>
     private const double SphereContactVolume = 4.0 / 3 * Math.PI;
 
-    /// <summary>Around the centres of both grids, as far as neighbours are apart.</summary>
-    private static readonly Aabb GridRoom = new(new Vector3(-Apart), new Vector3(Columns * Apart, UpperHeight + Apart, 2 * Apart));
+    /// <summary>A box around the centres of both grids, with a margin of the distance between neighbours.</summary>
+    private static readonly Aabb GridRoom =
+        new(new Vector3(-Apart), new Vector3(Columns * Apart, UpperHeight + Apart, 2 * Apart));
 
     private const ulong CubeSeed = 0x43_75_62_65_73;
     private const ulong SphereSeed = 0x53_70_68_65_72_65_73;
 
-    /// <summary>Cubes of 24 vertices: each corner once for each of its three faces, as an engine's mesh has it.</summary>
+    /// <summary>
+    /// Cubes of 24 vertices. Each corner appears once for each of its three faces, as in an engine's mesh.
+    /// </summary>
     public static BuiltInScene Cubes() => new("cubes", "Cube", CubeMesh(), GridPoses(CubeSeed), GridRoom);
 
-    /// <summary>Any number of such cubes.</summary>
+    /// <summary>The same cubes in any number.</summary>
     public static BuiltInScene Cubes(int objects)
     {
         Aabb room = RoomFor(objects, CubeContactVolume);
         return new("cubes", "Cube", CubeMesh(), PosesIn(room, objects, CubeSeed), room);
     }
 
-    /// <summary>Spheres of 515 distinct vertices, each of them a corner of the hull.</summary>
+    /// <summary>Spheres of 515 distinct vertices. Each of them is a corner of the hull.</summary>
     public static BuiltInScene Spheres() => new("spheres", "Sphere", SphereMesh(), GridPoses(SphereSeed), GridRoom);
 
-    /// <summary>Any number of such spheres.</summary>
+    /// <summary>The same spheres in any number.</summary>
     public static BuiltInScene Spheres(int objects)
     {
         Aabb room = RoomFor(objects, SphereContactVolume);
         return new("spheres", "Sphere", SphereMesh(), PosesIn(room, objects, SphereSeed), room);
     }
 
-    /// <summary>A unit vector drawn evenly: a point of the ball, brought to unit length.</summary>
+    /// <summary>A uniformly distributed unit vector: a point of the ball, scaled to unit length.</summary>
     internal static Vector3D NextDirection(ref ulong state)
     {
         while (true)
@@ -120,8 +136,10 @@ public static class BuiltInScenes
         {
             for (int corner = 0; corner < 8; corner++)
             {
-                // The bits of the corner, the axis of the face first, so that each face's four corners are neighbours in the list.
-                float along = (corner & 4) == 0 ? -Half : Half, u = (corner & 2) == 0 ? -Half : Half, v = (corner & 1) == 0 ? -Half : Half;
+                // The bits of the corner. The axis of the face comes first, so that each face's four corners are
+                // neighbours in the list.
+                float along = (corner & 4) == 0 ? -Half : Half;
+                float u = (corner & 2) == 0 ? -Half : Half, v = (corner & 1) == 0 ? -Half : Half;
                 vertices.Add(axis switch { 0 => new(along, u, v), 1 => new(v, along, u), _ => new(u, v, along) });
             }
         }
@@ -129,10 +147,14 @@ public static class BuiltInScenes
         return vertices.ToArray();
     }
 
-    /// <summary>A Fibonacci sphere: each vertex one golden angle further about the axis and one equal slice lower (Swinbank and Purser 2006).</summary>
+    /// <summary>
+    /// A Fibonacci sphere. Each vertex lies one golden angle further about the axis and one equal slice lower (Swinbank
+    /// and Purser 2006).
+    /// </summary>
     private static Vector3[] SphereMesh()
     {
-        // Cosine and sine of the golden angle, pi (3 - sqrt 5); constants, because the sine of two machines may differ in the last bit.
+        // Cosine and sine of the golden angle, pi (3 - sqrt 5). They are constants, because the sine of two machines
+        // may differ in the last bit.
         const double cos = -0.7373688780783197, sin = 0.6754902942615238;
         var vertices = new Vector3[SphereVertices];
         double x = 1, z = 0;
@@ -160,43 +182,51 @@ public static class BuiltInScenes
         return poses;
     }
 
-    /// <summary>Anywhere in the room, each place as likely as the other.</summary>
+    /// <summary>Poses with uniformly distributed positions in the room.</summary>
     private static RigidPose[] PosesIn(in Aabb room, int count, ulong seed)
     {
         var poses = new RigidPose[count];
         Vector3 middle = (room.Min + room.Max) / 2, half = (room.Max - room.Min) / 2;
         for (int i = 0; i < poses.Length; i++)
         {
-            var place = new Vector3((float)NextSigned(ref seed), (float)NextSigned(ref seed), (float)NextSigned(ref seed));
+            var place = new Vector3(
+                (float)NextSigned(ref seed), (float)NextSigned(ref seed), (float)NextSigned(ref seed));
             poses[i] = new RigidPose(NextRotation(ref seed), middle + half * place);
         }
 
         return poses;
     }
 
-    /// <summary>A cube in which half of the objects have no other's centre in their contact volume: as in a Poisson process with ln 2 centres per contact volume.</summary>
+    /// <summary>
+    /// A cubic room in which half of the objects have no other object's centre in their contact volume. The objects are
+    /// treated as a Poisson process, which needs ln 2 centres per contact volume.
+    /// </summary>
     private static Aabb RoomFor(int objects, double contactVolume)
     {
         const double Ln2 = 0.6931471805599453;
         return new Aabb(Vector3.Zero, new Vector3((float)CubeRoot(objects * contactVolume / Ln2)));
     }
 
-    /// <summary>By Newton's method, from above: Math.Cbrt of two machines may differ in the last bit.</summary>
+    /// <summary>Newton's method, starting from above. Math.Cbrt of two machines may differ in the last bit.</summary>
     private static double CubeRoot(double x)
     {
-        // A third off per step, so 60 come down from any number of objects to its root, and then a few get all the digits.
+        // Each step removes a third. So 60 steps lead from any number of objects to about its root, and a few more give
+        // all digits.
         const int NewtonSteps = 100;
         double root = Math.Max(x, 1);
         for (int step = 0; step < NewtonSteps; step++) root = (2 * root + x / (root * root)) / 3;
         return root;
     }
 
-    /// <summary>A rotation drawn evenly: a point of the four-dimensional ball, brought to unit length.</summary>
+    /// <summary>
+    /// A uniformly distributed rotation: a point of the four-dimensional ball, scaled to unit length.
+    /// </summary>
     private static Quaternion NextRotation(ref ulong state)
     {
         while (true)
         {
-            double x = NextSigned(ref state), y = NextSigned(ref state), z = NextSigned(ref state), w = NextSigned(ref state);
+            double x = NextSigned(ref state), y = NextSigned(ref state);
+            double z = NextSigned(ref state), w = NextSigned(ref state);
             double square = x * x + y * y + z * z + w * w;
             if (square > 1 || square < 0.01) continue;
             double s = 1 / Math.Sqrt(square);
@@ -204,7 +234,7 @@ public static class BuiltInScenes
         }
     }
 
-    /// <summary>From -1 up to 1, by SplitMix64 (Steele, Lea and Flood 2014).</summary>
+    /// <summary>A number from -1 up to 1, by SplitMix64 (Steele, Lea and Flood 2014).</summary>
     private static double NextSigned(ref ulong state)
     {
         ulong z = unchecked(state += 0x9E3779B97F4A7C15);

@@ -5,8 +5,9 @@ using Gjk.Core;
 namespace Gjk.Demo.Scenes;
 
 /// <summary>
-/// The objects of a built-in scene in motion: each goes straight on until a wall throws it back, and turns evenly about an axis of its own. Worked out without trigonometry: the same
-/// bits in every run and on every machine.
+/// The objects of a built-in scene in motion. Each object moves straight on until a wall reflects it, and turns at a
+/// constant rate about an axis of its own. No trigonometry is used, so the bits are the same in every run and on every
+/// machine.
 /// </summary>
 public sealed class MovingObjects
 {
@@ -16,11 +17,12 @@ public sealed class MovingObjects
     private readonly Vector3[] _firstSteps;
     private readonly Vector3[] _steps;
 
-    /// <summary>Axis times the tangent of half the angle, per frame.</summary>
+    /// <summary>The axis times the tangent of half the angle, per frame.</summary>
     private readonly Vector3D[] _turns;
 
     /// <param name="scene">Objects of unit size.</param>
-    /// <param name="speed">Object sizes per frame. The turn, of about twice as many radians, moves what is half a size from the centre as far.</param>
+    /// <param name="speed">Object sizes per frame. The turn is about twice as many radians. It moves a point half a
+    /// size from the centre as far as the speed does.</param>
     public MovingObjects(BuiltInScene scene, double speed)
     {
         _scene = scene;
@@ -38,13 +40,13 @@ public sealed class MovingObjects
         _steps = [.. _firstSteps];
     }
 
-    /// <summary>Whether the speed is more than 0.</summary>
+    /// <summary>True if the speed is more than 0.</summary>
     public bool IsMoving { get; }
 
-    /// <summary>Where the objects are in this frame; in the first as given.</summary>
+    /// <summary>The poses in this frame. In the first frame they are as given.</summary>
     public RigidPose[] Poses { get; }
 
-    /// <summary>One frame on.</summary>
+    /// <summary>Moves the objects on by one frame.</summary>
     public void Advance()
     {
         if (!IsMoving) return;
@@ -61,14 +63,16 @@ public sealed class MovingObjects
         }
     }
 
-    /// <summary>Back to the first frame.</summary>
+    /// <summary>Goes back to the first frame.</summary>
     public void Rewind()
     {
         for (int i = 0; i < Poses.Length; i++) Poses[i] = _scene.Poses[i];
         _firstSteps.CopyTo(_steps, 0);
     }
 
-    /// <summary>Mirrors at the wall that was passed; a step longer than the room ends at the other wall.</summary>
+    /// <summary>
+    /// Mirrors a coordinate at the wall that it passed. A step longer than the room ends at the other wall.
+    /// </summary>
     private static void Reflect(ref float x, ref float step, float min, float max)
     {
         if (x >= min && x <= max) return;

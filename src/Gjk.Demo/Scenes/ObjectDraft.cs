@@ -4,7 +4,7 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>An object as read, its mesh still a name, because "meshes" may come after "objects".</summary>
+/// <summary>An object as it was read. Its mesh is still a name, because "meshes" may come after "objects".</summary>
 internal sealed class ObjectDraft
 {
     private Vector3 _position;
@@ -12,7 +12,7 @@ internal sealed class ObjectDraft
 
     public string? Name { get; private set; }
 
-    /// <summary>Read before the object is used, or the file is refused.</summary>
+    /// <summary>Set before the object is used. A file without a shape is refused.</summary>
     public ShapeReader Shape { get; private set; } = null!;
 
     public Vector3 Scale { get; private set; } = Vector3.One;
@@ -54,7 +54,7 @@ internal sealed class ObjectDraft
         }
     }
 
-    /// <summary>Reads a rotation, and refuses a quaternion that is none.</summary>
+    /// <summary>Reads a rotation. A quaternion that does not describe one is refused.</summary>
     public static Quaternion Rotation(ref StrictJsonReader json)
     {
         Quaternion q = json.Quaternion();
@@ -65,7 +65,8 @@ internal sealed class ObjectDraft
         catch (ArgumentOutOfRangeException)
         {
             double length = Math.Sqrt((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W);
-            throw json.Refuse(FormattableString.Invariant($"the quaternion's length must be within 1e-3 of 1, but is {length:G6}"));
+            throw json.Refuse(
+                FormattableString.Invariant($"the quaternion's length must be within 1e-3 of 1, but is {length:G6}"));
         }
     }
 }

@@ -4,14 +4,18 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>Poses that change, worked out in double.</summary>
+/// <summary>Changes poses. The computation is in double.</summary>
 internal static class PoseMotion
 {
-    /// <summary>A pose moved and turned about the object's own place; where the position would leave the numbers of float, only turned.</summary>
+    /// <summary>
+    /// Moves a pose, and turns it about the object's own position. If the position would leave the range of float, the
+    /// pose is only turned.
+    /// </summary>
     /// <param name="pose">Where the object was.</param>
-    /// <param name="by">World units.</param>
-    /// <param name="turn">The imaginary part of the quaternion that turns it, which need not have unit length: the axis times the tangent of half the angle will do, with a real part of 1.</param>
-    /// <param name="turnW">Its real part.</param>
+    /// <param name="by">The displacement in world units.</param>
+    /// <param name="turn">The imaginary part of the quaternion that turns the pose. The quaternion need not have unit
+    /// length. The axis times the tangent of half the angle is enough, with a real part of 1.</param>
+    /// <param name="turnW">The real part of that quaternion.</param>
     public static RigidPose Moved(in RigidPose pose, in Vector3D by, in Vector3D turn, double turnW)
     {
         Quaternion q = pose.Rotation;

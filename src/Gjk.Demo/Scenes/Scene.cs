@@ -3,7 +3,9 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>What the commands work on: objects in their places, and the pairs to be asked about. Everything in it has been validated.</summary>
+/// <summary>
+/// The input of the commands: objects in their places, and the pairs to query. Everything in it has been validated.
+/// </summary>
 internal sealed class Scene
 {
     public Scene(string name, SceneObject[] objects, ScenePairs pairs, int frames)
@@ -20,7 +22,7 @@ internal sealed class Scene
 
     public ScenePairs Pairs { get; }
 
-    /// <summary>How many frames the motion lasts; the first has the poses as given.</summary>
+    /// <summary>How many frames the motion lasts. The first frame has the poses as given.</summary>
     public int Frames { get; }
 
     public static Scene From(BuiltInScene scene)
@@ -33,7 +35,7 @@ internal sealed class Scene
     }
 }
 
-/// <summary>A shape, scaled as it was asked for, where it is and how it moves.</summary>
+/// <summary>A shape with its scale, its pose and its motion.</summary>
 internal sealed class SceneObject
 {
     public SceneObject(string? name, in ConvexShape shape, in RigidPose pose, Vector3 velocity, Vector3 angularVelocity)

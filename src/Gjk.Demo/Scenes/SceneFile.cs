@@ -8,7 +8,10 @@ using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>Reads a scene's JSON, version 1, and refuses everything that is not exactly right, with file, JSON path and reason.</summary>
+/// <summary>
+/// Reads a scene's JSON, version 1. It refuses everything that is not exactly right, and names the file, the JSON path
+/// and the reason.
+/// </summary>
 internal sealed class SceneFile
 {
     private const int Version = 1;
@@ -28,7 +31,7 @@ internal sealed class SceneFile
     /// <summary>Reads and validates the whole file.</summary>
     /// <param name="file">Its name, or "-" for standard input.</param>
     /// <param name="cancel">Ends the wait for a pipe.</param>
-    /// <exception cref="RefusedException">It cannot be read, or is not a scene.</exception>
+    /// <exception cref="RefusedException">The file cannot be read, or it is not a scene.</exception>
     public static Scene Load(string file, CancellationToken cancel) =>
         Parse(InputFile.NameOf(file), InputFile.Read(file, cancel));
 
@@ -49,7 +52,8 @@ internal sealed class SceneFile
         json.BeginObject("an object: a scene");
         while (json.NextField(seen, out string field))
         {
-            if (field is not ("version" or "name" or "meshes" or "objects" or "pairs" or "frames")) throw json.Refuse("unknown field");
+            if (field is not ("version" or "name" or "meshes" or "objects" or "pairs" or "frames"))
+                throw json.Refuse("unknown field");
             json.Value();
             ReadRootField(ref json, field);
             json.EndField();
@@ -125,7 +129,10 @@ internal sealed class SceneFile
         throw json.Refuse("missing");
     }
 
-    /// <summary>Only the form; the indices are checked when the objects, which may follow, are counted.</summary>
+    /// <summary>
+    /// Checks only the form. The objects may come later in the file, so the indices are checked when their number is
+    /// known.
+    /// </summary>
     private void ReadPairs(ref StrictJsonReader json)
     {
         const string what = "two object indices [a, b]";
@@ -175,7 +182,9 @@ internal sealed class SceneFile
         return new SceneObject(draft.Name, shape, draft.Pose, draft.Velocity, draft.AngularVelocity);
     }
 
-    /// <summary>Hulled at its first use, and shared by all objects that name it.</summary>
+    /// <summary>
+    /// A mesh by its name. Its hull is built at the first use and shared by all objects that name it.
+    /// </summary>
     private ConvexShape MeshNamed(in StrictJsonReader json, string name)
     {
         if (_hulls.TryGetValue(name, out ConvexShape known)) return known;
@@ -202,7 +211,9 @@ internal sealed class SceneFile
             json.Path.Enter(i / 2);
             if (inRange) throw json.Refuse($"pairs object {pairs[i]} with itself");
             json.Path.Enter(i % 2);
-            throw json.Refuse($"there is no object {pairs[i]}: the scene has {_objects.Count} object{(_objects.Count == 1 ? "" : "s")}, counted from 0");
+            string objects = _objects.Count == 1 ? "object" : "objects";
+            throw json.Refuse(
+                $"there is no object {pairs[i]}: the scene has {_objects.Count} {objects}, counted from 0");
         }
 
         json.Path.Leave();

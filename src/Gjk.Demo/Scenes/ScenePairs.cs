@@ -2,7 +2,10 @@ using System;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>The pairs of a scene, in order: a list, or all i &lt; j without one, so that millions of them cost no memory.</summary>
+/// <summary>
+/// The pairs of a scene, in order. They are either a list or, without one, all pairs i &lt; j. In the second case even
+/// millions of pairs need no memory.
+/// </summary>
 internal readonly struct ScenePairs
 {
     private readonly int[]? _indices;
@@ -17,13 +20,15 @@ internal readonly struct ScenePairs
 
     public long Count { get; }
 
-    /// <summary>All i &lt; j, those with the lowest i first.</summary>
+    /// <summary>All pairs i &lt; j. Those with the lowest i come first.</summary>
     public static ScenePairs All(int objects) => new(null, objects, (long)objects * (objects - 1) / 2);
 
-    /// <summary>A list: a and b of the first pair, a and b of the second, and so on.</summary>
+    /// <summary>
+    /// The pairs of a list, which holds a and b of the first pair, then a and b of the second, and so on.
+    /// </summary>
     public static ScenePairs Listed(int[] indices) => new(indices, 0, indices.Length / 2);
 
-    /// <summary>Both members of every pair, each in an array of its own.</summary>
+    /// <summary>Copies both members of every pair, each into an array of its own.</summary>
     public void CopyTo(Span<int> a, Span<int> b)
     {
         int i = 0;

@@ -6,7 +6,8 @@ using Gjk.Core;
 namespace Gjk.Demo.Scenes;
 
 /// <summary>
-/// The "shape" of an object. Its fields may come in any order, "type" last too, so they are gathered first and matched with the type at the end.
+/// Reads the "shape" of an object. Its fields may come in any order, and "type" may be the last one. So all fields are
+/// collected first and are matched with the type at the end.
 /// </summary>
 internal sealed class ShapeReader
 {
@@ -35,15 +36,16 @@ internal sealed class ShapeReader
     }
 
     /// <summary>Reads a shape.</summary>
-    /// <param name="json">Stands on the shape.</param>
-    /// <returns>What was read. "meshes" may come later in the file.</returns>
+    /// <param name="json">The reader, positioned on the shape.</param>
+    /// <returns>The fields of the shape. Its mesh is not resolved yet, because "meshes" may come later in the
+    /// file.</returns>
     public static ShapeReader Read(ref StrictJsonReader json) => new(ref json);
 
-    /// <summary>The name in "meshes", when the shape is a mesh; else null.</summary>
+    /// <summary>The mesh's name in "meshes" if the shape is a mesh, otherwise null.</summary>
     public string? Mesh => _type == "mesh" ? _mesh : null;
 
-    /// <summary>Makes the shape.</summary>
-    /// <param name="mesh">The mesh, when it is one.</param>
+    /// <summary>Creates the shape.</summary>
+    /// <param name="mesh">The mesh, if the shape is one.</param>
     public ConvexShape Build(in ConvexShape mesh) =>
         (Mesh is null ? Primitive() : mesh).Rounded(_rounding).Placed(new RigidPose(_rotation, _position));
 
@@ -51,7 +53,7 @@ internal sealed class ShapeReader
         field is "type" or "mesh" or "radius" or "halfHeight" or "halfExtents" or "radii" or "a" or "b" or "c"
         || IsDecoration(field);
 
-    /// <summary>Whether every type has this field, and may do without it.</summary>
+    /// <summary>True for the optional fields that every type may have.</summary>
     private static bool IsDecoration(string field) => field is "rounding" or "position" or "rotation";
 
     private static string[]? FieldsOf(string type) => type switch

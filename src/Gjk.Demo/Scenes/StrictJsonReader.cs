@@ -6,8 +6,8 @@ using System.Text.Json;
 namespace Gjk.Demo.Scenes;
 
 /// <summary>
-/// Reads JSON front to back, without a document in memory, and knows where it is: whatever is not as expected is refused with file, path and
-/// reason.
+/// Reads JSON from front to back, without a document in memory. It knows its place in the file. Everything unexpected
+/// is refused with file, path and reason.
 /// </summary>
 internal ref struct StrictJsonReader
 {
@@ -45,9 +45,10 @@ internal ref struct StrictJsonReader
     public readonly void BeginObject(string what) => Expect(JsonTokenType.StartObject, what);
 
     /// <summary>
-    /// Moves to the next field's value; false at the object's end. The path stands in the field until <see cref="EndField"/>.
+    /// Moves to the next field's value. Returns false at the end of the object. The path includes the field until
+    /// <see cref="EndField"/>.
     /// </summary>
-    /// <param name="seen">The object's fields so far; a repeated one is refused.</param>
+    /// <param name="seen">The fields of the object so far. A repeated field is refused.</param>
     /// <param name="field">The field's name.</param>
     public bool NextField(HashSet<string> seen, out string field)
     {
@@ -64,19 +65,22 @@ internal ref struct StrictJsonReader
         return true;
     }
 
-    /// <summary>Moves from the field's name to its value. Apart, so that an unknown field is refused as such, whatever its value.</summary>
+    /// <summary>
+    /// Moves from the field's name to its value. This is a separate step, so that an unknown field is refused as
+    /// unknown, whatever its value is.
+    /// </summary>
     public void Value() => Next();
 
     public readonly void EndField() => Path.Leave();
 
-    /// <summary>Enters the array under the cursor; then <see cref="NextElement"/>.</summary>
+    /// <summary>Enters the array under the cursor. <see cref="NextElement"/> then moves to its elements.</summary>
     public readonly void BeginArray(string what)
     {
         Expect(JsonTokenType.StartArray, what);
         Path.Enter(-1);
     }
 
-    /// <summary>Moves to the element with the given index; false at the array's end.</summary>
+    /// <summary>Moves to the element with the given index. Returns false at the end of the array.</summary>
     public bool NextElement(int index)
     {
         Path.MoveTo(index);
@@ -92,18 +96,21 @@ internal ref struct StrictJsonReader
         return Text();
     }
 
-    /// <summary>The number under the cursor, rounded once, from its decimal digits to float.</summary>
+    /// <summary>The number under the cursor. It is rounded once, from its decimal digits to float.</summary>
     public readonly float Float()
     {
         Expect(JsonTokenType.Number, "a number");
-        if (!_reader.TryGetSingle(out float value) || !float.IsFinite(value)) throw Refuse("the number is too large for a float");
+        if (!_reader.TryGetSingle(out float value) || !float.IsFinite(value))
+            throw Refuse("the number is too large for a float");
         return value;
     }
 
     public readonly float NonNegative()
     {
         float value = Float();
-        return value >= 0 ? value : throw Refuse(FormattableString.Invariant($"must not be negative, but is {value:R}"));
+        return value >= 0
+            ? value
+            : throw Refuse(FormattableString.Invariant($"must not be negative, but is {value:R}"));
     }
 
     public readonly float NotZero()
@@ -112,12 +119,13 @@ internal ref struct StrictJsonReader
         return value != 0 ? value : throw Refuse("must not be 0 as a float");
     }
 
-    /// <summary>A whole number; 3.0 is one.</summary>
+    /// <summary>A whole number. 3.0 counts as one.</summary>
     public readonly int Whole(string what)
     {
         Expect(JsonTokenType.Number, what);
         if (_reader.TryGetInt32(out int value)) return value;
-        if (_reader.TryGetDouble(out double real) && real == Math.Floor(real) && Math.Abs(real) <= int.MaxValue) return (int)real;
+        bool isNumber = _reader.TryGetDouble(out double real);
+        if (isNumber && real == Math.Floor(real) && Math.Abs(real) <= int.MaxValue) return (int)real;
         throw Refuse($"must be {what}");
     }
 
@@ -189,7 +197,10 @@ internal ref struct StrictJsonReader
         }
     }
 
-    /// <summary>The reader's own message ends with the position, in its words; here it comes first, counted from 1.</summary>
+    /// <summary>
+    /// Turns the parser's error into a refusal. The parser's message ends with the position in its own words. Here the
+    /// position comes first and is counted from 1.
+    /// </summary>
     private readonly RefusedException Syntax(JsonException e)
     {
         int tail = e.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);
@@ -208,7 +219,7 @@ internal ref struct StrictJsonReader
     };
 }
 
-/// <summary>What a number may be, besides finite.</summary>
+/// <summary>Which numbers are allowed, besides being finite.</summary>
 internal enum NumberRule
 {
     Any,

@@ -3,12 +3,12 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>Pseudo-random unit vectors, the same ones in every run.</summary>
+/// <summary>Pseudo-random unit vectors. The sequence is the same in every run.</summary>
 internal sealed class DirectionSequence
 {
     private ulong _state = 0x4D_6F_74_69_6F_6E;
 
-    /// <summary>Drawn evenly: a point of the ball, brought to unit length.</summary>
+    /// <summary>A uniformly distributed unit vector: a point of the ball, scaled to unit length.</summary>
     public Vector3D Next()
     {
         while (true)
@@ -19,7 +19,7 @@ internal sealed class DirectionSequence
         }
     }
 
-    /// <summary>From -1 up to 1, by xorshift64* (Vigna 2016).</summary>
+    /// <summary>A number from -1 up to 1, by xorshift64* (Vigna 2016).</summary>
     private double NextSigned()
     {
         _state ^= _state >> 12;

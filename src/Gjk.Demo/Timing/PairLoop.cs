@@ -6,12 +6,14 @@ using Gjk.Demo.Scenes;
 namespace Gjk.Demo.Timing;
 
 /// <summary>
-/// A scene laid out for measuring: shapes, poses and pairs in arrays, and one method per verb that goes through the whole list as a user's
-/// own loop would. The transforms are inside, the hulls were built before.
+/// A scene prepared for measuring. Shapes, poses and pairs are in arrays, and one method per verb goes through the
+/// whole list, as a user's own loop would. The transforms are part of the measured time. The hulls were built before.
 /// </summary>
 internal sealed class PairLoop
 {
-    /// <summary>How many pairs are done between two looks at Ctrl-C; the look is too rare to be seen in a time.</summary>
+    /// <summary>
+    /// How many pairs are done between two checks for Ctrl-C. The check is so rare that it does not show in the times.
+    /// </summary>
     private const int PairsPerLook = 1024;
 
     private readonly ConvexShape[] _shapes;
@@ -37,13 +39,16 @@ internal sealed class PairLoop
 
     public ReadOnlySpan<int> B => _b;
 
-    /// <summary>Loops of all pairs of the last pass: what a mean is made of, and what keeps the compiler from skipping the work.</summary>
+    /// <summary>
+    /// The sum of the iterations over all pairs of the last pass. It gives the mean, and it keeps the compiler from
+    /// removing the work.
+    /// </summary>
     public long Iterations { get; private set; }
 
     /// <summary>Pairs that the last pass found overlapping.</summary>
     public int Overlapping { get; private set; }
 
-    /// <summary>Distance, cold, with the results kept.</summary>
+    /// <summary>Distance without warm starts. The results are kept.</summary>
     public void Distances(DistanceResult[] results)
     {
         for (int i = 0; i < _a.Length; i++)
@@ -53,7 +58,7 @@ internal sealed class PairLoop
         }
     }
 
-    /// <summary>Distance, cold.</summary>
+    /// <summary>Distance without warm starts.</summary>
     public void Cold()
     {
         long iterations = 0;
@@ -75,8 +80,8 @@ internal sealed class PairLoop
         Overlapping = overlapping;
     }
 
-    /// <summary>Distance with what each pair remembers from its last query.</summary>
-    /// <param name="poses">Where the objects are in this frame; null for where the scene has them.</param>
+    /// <summary>Distance with the warm start that each pair kept from its last query.</summary>
+    /// <param name="poses">The poses in this frame. Null means the poses of the scene.</param>
     public void Warm(RigidPose[]? poses = null)
     {
         poses ??= _poses;
@@ -96,7 +101,7 @@ internal sealed class PairLoop
         Iterations = iterations;
     }
 
-    /// <summary>The boolean question, cold.</summary>
+    /// <summary>The boolean query without warm starts.</summary>
     public void Boolean()
     {
         int overlapping = 0;

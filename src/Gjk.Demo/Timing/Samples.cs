@@ -5,14 +5,17 @@ using System.Threading;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>How long the repetitions of a pass took. In nanoseconds as double, because a TimeSpan counts in steps of 100.</summary>
+/// <summary>
+/// How long the repetitions of a pass took. Times are nanoseconds as double, because a TimeSpan counts in steps of 100
+/// ns.
+/// </summary>
 internal sealed class Samples
 {
     private readonly List<long> _ticks = [];
     private readonly double _nsPerTick;
     private bool _sorted;
 
-    /// <param name="parts">Of how many equal parts a sample consists; the figures are those of one.</param>
+    /// <param name="parts">How many equal parts a sample consists of. The figures are those of one part.</param>
     public Samples(long parts = 1) => _nsPerTick = 1e9 / Stopwatch.Frequency / parts;
 
     public int Count => _ticks.Count;
@@ -21,7 +24,7 @@ internal sealed class Samples
 
     public double MedianNs => PercentileNs(0.5);
 
-    /// <summary>Repeats the pass for a span of time, at least once.</summary>
+    /// <summary>Repeats the pass for a time span, at least once.</summary>
     public static Samples Of(Action pass, TimeSpan duration, long parts, CancellationToken cancel)
     {
         var samples = new Samples(parts);
@@ -43,7 +46,9 @@ internal sealed class Samples
         _sorted = false;
     }
 
-    /// <summary>The smallest sample that at least the given share of all does not exceed.</summary>
+    /// <summary>
+    /// The percentile of the samples: the smallest one that at least the given share of all samples does not exceed.
+    /// </summary>
     public double PercentileNs(double share)
     {
         if (!_sorted) _ticks.Sort();

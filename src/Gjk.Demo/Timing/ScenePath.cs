@@ -6,21 +6,26 @@ using Gjk.Demo.Scenes;
 namespace Gjk.Demo.Timing;
 
 /// <summary>
-/// Where every object is in every frame of a small, smooth motion: from one side of its place to the other and back, 1 % of its own size and
-/// 1 degree per frame. Worked out before anything is timed.
+/// The poses of all objects in every frame of a small, smooth motion. Each object moves from one side of its place to
+/// the other and back, by 1 % of its own size and 1 degree per frame. The poses are computed before anything is timed.
 /// </summary>
 internal sealed class ScenePath
 {
-    /// <summary>How far an object moves in a frame, as a share of its size.</summary>
+    /// <summary>How far an object moves per frame, as a share of its size.</summary>
     private const double StepShare = 0.01;
 
-    /// <summary>How far it turns in a frame, in radians.</summary>
+    /// <summary>How far an object turns per frame, in radians.</summary>
     private const double StepAngle = Math.PI / 180;
 
-    /// <summary>Frames to either side of the given place; few enough that the scene's overlaps and gaps stay what they were, by and large.</summary>
+    /// <summary>
+    /// Frames to either side of the given place. Their number is small, so that most overlaps and gaps of the scene
+    /// stay as they were.
+    /// </summary>
     private const int MostStepsAside = 16;
 
-    /// <summary>Fewer for long lists, so that a round takes no longer than about this many queries.</summary>
+    /// <summary>
+    /// Queries in a round, about. Long lists get fewer frames, so that a round does not take longer than this.
+    /// </summary>
     private const int QueriesPerRound = 4_000_000;
 
     private readonly RigidPose[][] _frames;
@@ -43,21 +48,25 @@ internal sealed class ScenePath
             int step = frame - aside;
             double sin = Math.Sin(StepAngle * step / 2), cos = Math.Cos(StepAngle * step / 2);
             _frames[frame] = new RigidPose[steps.Length];
-            for (int i = 0; i < steps.Length; i++) _frames[frame][i] = PoseMotion.Moved(scene.Objects[i].Pose, steps[i] * step, axes[i] * sin, cos);
+            for (int i = 0; i < steps.Length; i++)
+            {
+                _frames[frame][i] = PoseMotion.Moved(
+                    scene.Objects[i].Pose, steps[i] * step, axes[i] * sin, cos);
+            }
         }
     }
 
-    /// <summary>Frames in a round, from one end to the other and back to the first but one.</summary>
+    /// <summary>Frames in a round: from one end to the other, and back to the frame after the first.</summary>
     public int FramesPerRound => 2 * (_frames.Length - 1);
 
-    /// <summary>The poses, frame by frame; the next round begins where this one ends.</summary>
+    /// <summary>The poses, frame by frame. The next round begins where this one ends.</summary>
     public IEnumerable<RigidPose[]> Round()
     {
         for (int frame = 0; frame < _frames.Length; frame++) yield return _frames[frame];
         for (int frame = _frames.Length - 2; frame > 0; frame--) yield return _frames[frame];
     }
 
-    /// <summary>The longest side of the box about the shape in its own frame.</summary>
+    /// <summary>The longest side of the shape's bounding box in its own frame.</summary>
     private static double Size(in ConvexShape shape)
     {
         shape.Support(new Vector3D(1, 0, 0), out Vector3D right);

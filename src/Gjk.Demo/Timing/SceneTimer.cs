@@ -8,10 +8,15 @@ namespace Gjk.Demo.Timing;
 /// <summary>Times the verbs on one scene.</summary>
 internal sealed class SceneTimer
 {
-    /// <summary>How the time is split: the cold distance is what all else is compared with.</summary>
+    /// <summary>
+    /// How the time is divided. The cold distance gets the most, because everything else is compared with it.
+    /// </summary>
     private const double ColdShare = 0.4, WarmShare = 0.2, MovingShare = 0.2, BooleanShare = 0.2;
 
-    /// <summary>A sample holds at least this many queries, or reading the clock would be part of the figure for a list of a few pairs.</summary>
+    /// <summary>
+    /// The least number of queries in a sample. Otherwise, for a list of only a few pairs, reading the clock would be a
+    /// part of the figure.
+    /// </summary>
     private const int LeastQueriesPerSample = 512;
 
     private readonly PairLoop _pairs;
@@ -27,7 +32,7 @@ internal sealed class SceneTimer
         _cancel = cancel;
     }
 
-    /// <summary>Measures everything; without pairs there is nothing to measure, and all means are null.</summary>
+    /// <summary>Measures everything. Without pairs there is nothing to measure, and all means are null.</summary>
     public SceneTimes Run()
     {
         var times = new SceneTimes { Pairs = _pairs.Count };
@@ -59,8 +64,8 @@ internal sealed class SceneTimer
 
     /// <summary>Warms up and measures.</summary>
     /// <param name="pass">The work.</param>
-    /// <param name="lists">How many times it goes through the list of pairs.</param>
-    /// <param name="share">Of the whole time.</param>
+    /// <param name="lists">How many times the pass goes through the list of pairs.</param>
+    /// <param name="share">The share of the whole time.</param>
     /// <returns>Times per pair.</returns>
     private Samples Measure(Action pass, int lists, double share)
     {

@@ -3,17 +3,19 @@ using System.Text.Json;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>What was measured on one scene; times in nanoseconds per pair, null where there was nothing to measure.</summary>
+/// <summary>
+/// The times measured on one scene, in nanoseconds per pair. A time is null if there was nothing to measure.
+/// </summary>
 internal sealed class SceneTimes
 {
     public int Pairs { get; init; }
 
     public int Overlapping { get; set; }
 
-    /// <summary>The fastest pass through the list, cold.</summary>
+    /// <summary>The fastest pass through the list, without warm starts.</summary>
     public double? ColdNs { get; set; }
 
-    /// <summary>The median pass, cold.</summary>
+    /// <summary>The median pass, without warm starts.</summary>
     public double? ColdMedianNs { get; set; }
 
     public double? WarmNs { get; set; }
@@ -22,12 +24,12 @@ internal sealed class SceneTimes
 
     public double? BooleanNs { get; set; }
 
-    /// <summary>The mean of the cold queries.</summary>
+    /// <summary>The mean iterations of the queries without warm starts.</summary>
     public double? Iterations { get; set; }
 
     public double? BytesPerCall { get; set; }
 
-    /// <summary>One line of JSON, flushed.</summary>
+    /// <summary>Writes one line of JSON and flushes it.</summary>
     public void Write(Stream stream, string scene)
     {
         using (var json = new Utf8JsonWriter(stream))

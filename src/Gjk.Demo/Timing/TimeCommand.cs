@@ -6,10 +6,13 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>Nanoseconds per pair of each scene given, one line of JSON per scene, printed as soon as it is known.</summary>
+/// <summary>
+/// Prints nanoseconds per pair for each scene, as one line of JSON per scene. Each line is printed as soon as it is
+/// known.
+/// </summary>
 internal static class TimeCommand
 {
-    /// <summary>Every pair keeps a warm start, so the list must fit into memory.</summary>
+    /// <summary>Pairs. Every pair keeps a warm start, so the list must fit into memory.</summary>
     private const long MostPairs = 50_000_000;
 
     public static int Run(string[] files, TimeSpan duration, CancellationToken cancel)
@@ -30,6 +33,7 @@ internal static class TimeCommand
         Scene scene = SceneFile.Load(file, cancel);
         return scene.Pairs.Count <= MostPairs
             ? scene
-            : throw new RefusedException($"{file}: $.pairs: {scene.Pairs.Count} pairs, at most {MostPairs} can be timed");
+            : throw new RefusedException(
+                $"{file}: $.pairs: {scene.Pairs.Count} pairs, but at most {MostPairs} can be timed");
     }
 }

@@ -7,23 +7,25 @@ using Gjk.Demo.View;
 namespace Gjk.Demo.Trace;
 
 /// <summary>
-/// The surface of the Minkowski difference of two cores, to be drawn: the hull of all differences of corners where there are few, else of support points in many directions, among
-/// them all that the query asked for.
+/// The surface of the Minkowski difference of two cores, as a mesh to draw. With few corners it is the hull of all
+/// differences of corners. Otherwise it is the hull of support points in many directions, including all directions that
+/// the query asked for.
 /// </summary>
 internal static class DifferenceMesh
 {
-    /// <summary>Differences of corners that are still hulled all.</summary>
+    /// <summary>The most differences of corners of which all are hulled.</summary>
     private const int MostCorners = 4096;
 
-    /// <summary>Directions about an axis, and from pole to pole: steps of 7.5 degrees.</summary>
+    /// <summary>Directions about an axis, and from pole to pole. The steps are 7.5 degrees.</summary>
     private const int Meridians = 48, Parallels = 24;
 
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="bInA">Where that is, seen from the first.</param>
-    /// <param name="unit">What points are multiplied by, so that they fit into floats at any size.</param>
-    /// <param name="steps">The query's.</param>
-    public static ShapeMesh Of(in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, List<TraceStep> steps)
+    /// <param name="bInA">The frame of the second shape, seen from the first.</param>
+    /// <param name="unit">The factor by which points are multiplied, so that they fit into floats at any size.</param>
+    /// <param name="steps">The steps of the query.</param>
+    public static ShapeMesh Of(
+        in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, List<TraceStep> steps)
     {
         List<Vector3D>? cornersA = Corners(a), cornersB = Corners(b);
         var points = new List<Vector3>();
@@ -59,7 +61,7 @@ internal static class DifferenceMesh
         return a.Center + onA - bInA.Place(b.Center + onB);
     }
 
-    /// <summary>The core's vertices, or null where it has none.</summary>
+    /// <summary>The vertices of the core, or null if it has none.</summary>
     private static List<Vector3D>? Corners(in ConvexShape shape)
     {
         var corners = new List<Vector3D>();

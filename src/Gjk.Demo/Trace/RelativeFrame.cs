@@ -3,7 +3,9 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>Where B is, seen from A, in double: the frame that the solver works in and the page draws.</summary>
+/// <summary>
+/// The pose of B seen from A, in double. This is the frame in which the solver works and the page draws.
+/// </summary>
 internal readonly struct RelativeFrame
 {
     private readonly double _x, _y, _z, _w;
@@ -20,15 +22,15 @@ internal readonly struct RelativeFrame
 
     public Vector3D Position { get; }
 
-    /// <summary>A point of B in A's frame.</summary>
+    /// <summary>Converts a point of B to A's frame.</summary>
     public Vector3D Place(in Vector3D local) => Turned(local, _x, _y, _z, _w) + Position;
 
-    /// <summary>A direction of A's frame in B's.</summary>
+    /// <summary>Converts a direction from A's frame to B's.</summary>
     public Vector3D InverseTurn(in Vector3D direction) => Turned(direction, -_x, -_y, -_z, _w);
 
     public double[] Quaternion() => [_x, _y, _z, _w];
 
-    /// <summary>v + 2 u × (u × v + w v) / |q|².</summary>
+    /// <summary>The rotation v + 2 u × (u × v + w v) / |q|².</summary>
     private static Vector3D Turned(in Vector3D v, double x, double y, double z, double w)
     {
         var u = new Vector3D(x, y, z);

@@ -9,20 +9,35 @@ using Gjk.Demo.View;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>The command line of <c>trace</c>, and its work.</summary>
+/// <summary>The command line of <c>trace</c>, and the command itself.</summary>
 internal static class TraceOptions
 {
     public static Command Build(CancellationToken cancel)
     {
         var source = new SceneSource();
-        var pair = new Option<string?>("--pair") { Description = "The two objects, by their indices in the scene, such as 0,1.", HelpName = "I,J", Required = true };
-        var page = new Option<string?>("--out") { Description = "Write the page to this file.", HelpName = "FILE.html", Required = true };
+        var pair = new Option<string?>("--pair")
+        {
+            Description = "The indices of the two objects in the scene, such as 0,1.",
+            HelpName = "I,J",
+            Required = true,
+        };
+        var page = new Option<string?>("--out")
+        {
+            Description = "Write the page to this file.",
+            HelpName = "FILE.html",
+            Required = true,
+        };
         pair.Validators.Add(result =>
         {
             if (result.Tokens.Count == 1 && !TryParse(result.Tokens[0].Value, out _, out _))
                 result.AddError($"--pair {result.Tokens[0].Value}: must be two different indices, such as 0,1.");
         });
-        var command = new Command("trace", "Show one query step by step: supports, simplex and bounds, as a page that needs no network.") { source.File, source.BuiltIn, pair, page };
+        var command = new Command(
+            "trace",
+            "Show one query step by step, with supports, simplex and bounds. The page needs no network.")
+        {
+            source.File, source.BuiltIn, pair, page,
+        };
         source.Validate(command);
         command.SetAction(r =>
         {
@@ -31,7 +46,11 @@ internal static class TraceOptions
             Scene scene = source.Load(r, cancel, out string name);
             TryParse(r.GetValue(pair)!, out int a, out int b);
             int count = scene.Objects.Length;
-            if (a >= count || b >= count) throw new RefusedException($"{name}: --pair {a},{b}: the scene has {count} objects, the first is 0");
+            if (a >= count || b >= count)
+            {
+                throw new RefusedException(
+                    $"{name}: --pair {a},{b}: the scene has {count} objects, counted from 0");
+            }
             Write(scene, (a, b), html, cancel);
             return ExitCode.Done;
         });

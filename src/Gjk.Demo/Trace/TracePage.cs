@@ -8,22 +8,29 @@ using Gjk.Demo.View;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>The page of one query: both shapes and their Minkowski difference in A's frame, and every step.</summary>
+/// <summary>
+/// The page of one query. It shows both shapes and their Minkowski difference in A's frame, and every step.
+/// </summary>
 internal static class TracePage
 {
-    /// <summary>The Minkowski difference is written this large, from the origin to its furthest point, so that no size is too small or too large to draw.</summary>
+    /// <summary>
+    /// The distance from the origin to the furthest point of the Minkowski difference as it is drawn. With a fixed
+    /// value no size is too small or too large to draw.
+    /// </summary>
     private const double DrawnRadius = 10;
 
-    /// <param name="stream">Where to.</param>
-    /// <param name="scene">Where both come from.</param>
-    /// <param name="pair">Their indices.</param>
-    /// <param name="steps">What the query told.</param>
-    /// <param name="result">What it answered.</param>
-    public static void Write(Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result)
+    /// <param name="stream">Where to write.</param>
+    /// <param name="scene">The scene of both shapes.</param>
+    /// <param name="pair">The indices of both shapes.</param>
+    /// <param name="steps">The recorded steps of the query.</param>
+    /// <param name="result">The answer of the query.</param>
+    public static void Write(
+        Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result)
     {
         SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
         var bInA = new RelativeFrame(a.Pose, b.Pose);
-        double reach = (bInA.Place(b.Shape.Center) - a.Shape.Center).Length + a.Shape.BoundingRadius + b.Shape.BoundingRadius;
+        double reach = (bInA.Place(b.Shape.Center) - a.Shape.Center).Length
+            + a.Shape.BoundingRadius + b.Shape.BoundingRadius;
         double unit = reach > 0 ? DrawnRadius / reach : 1;
         string nameA = a.Name ?? $"#{pair.A}", nameB = b.Name ?? $"#{pair.B}";
         using var data = new PageData();
@@ -93,7 +100,7 @@ internal static class TracePage
         json.WriteEndArray();
     }
 
-    /// <summary>JSON has no infinities; the page takes null for "none".</summary>
+    /// <summary>Writes a number. JSON has no infinities, and the page takes null for "none".</summary>
     private static void Number(Utf8JsonWriter json, string name, double value)
     {
         if (double.IsFinite(value)) json.WriteNumber(name, value);

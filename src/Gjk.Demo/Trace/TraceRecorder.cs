@@ -3,7 +3,7 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>Keeps everything that a query tells, step by step.</summary>
+/// <summary>Keeps everything that a query reports, step by step.</summary>
 internal readonly struct TraceRecorder : IGjkTrace
 {
     private readonly List<TraceStep> _steps;
@@ -14,7 +14,7 @@ internal readonly struct TraceRecorder : IGjkTrace
 
     public void OnSupport(in TracedSupport support)
     {
-        // A simplex goes on from step to step, but the solver in extended precision begins with an empty one.
+        // A simplex continues from step to step. Only the solver in extended precision begins with an empty one.
         TraceStep? last = _steps.Count > 0 ? _steps[^1] : null;
         bool goesOn = last is not null && last.Support.IsExtended == support.IsExtended;
         _steps.Add(new TraceStep(support, goesOn ? last!.After ?? last.Before : []));
@@ -35,7 +35,7 @@ internal readonly struct TraceRecorder : IGjkTrace
     }
 }
 
-/// <summary>One iteration: a support call on each shape, and what became of the simplex.</summary>
+/// <summary>One iteration: a support call on each shape, and the simplex that follows.</summary>
 internal sealed class TraceStep
 {
     public TraceStep(in TracedSupport support, int[] before)
@@ -46,10 +46,12 @@ internal sealed class TraceStep
 
     public TracedSupport Support { get; }
 
-    /// <summary>The simplex until then: for each vertex the step that found it.</summary>
+    /// <summary>The simplex before the step. Each number is the step that found the vertex.</summary>
     public int[] Before { get; }
 
-    /// <summary>The feature that is left of it and the new vertex; null when the support ended the query.</summary>
+    /// <summary>
+    /// The feature that remains of the old simplex and the new vertex. Null if the support ended the query.
+    /// </summary>
     public int[]? After { get; private set; }
 
     /// <summary>The barycentric weights of the nearest point.</summary>

@@ -7,18 +7,23 @@ using System.Text;
 
 namespace Gjk.Demo.View;
 
-/// <summary>One self-contained file: the page's frame, style and script, which are embedded in the demo, around the data.</summary>
+/// <summary>
+/// Writes one self-contained file. It puts the page's frame, style and script, which are embedded in the demo, around
+/// the data.
+/// </summary>
 internal static class HtmlPage
 {
     /// <summary>Writes the page.</summary>
-    /// <param name="stream">Where to.</param>
+    /// <param name="stream">Where to write.</param>
     /// <param name="title">Shown as plain text.</param>
-    /// <param name="attributes">Counts that can be read off the body element without running the script.</param>
-    /// <param name="json">What the page shows.</param>
-    public static void Write(Stream stream, string title, ReadOnlySpan<(string Name, long Value)> attributes, ReadOnlySpan<byte> json)
+    /// <param name="attributes">Counts for the body element, where they can be read without running the script.</param>
+    /// <param name="json">The data that the page shows.</param>
+    public static void Write(
+        Stream stream, string title, ReadOnlySpan<(string Name, long Value)> attributes, ReadOnlySpan<byte> json)
     {
         var counts = new StringBuilder();
-        foreach ((string name, long value) in attributes) counts.Append(CultureInfo.InvariantCulture, $" data-{name}=\"{value}\"");
+        foreach ((string attribute, long value) in attributes)
+            counts.Append(CultureInfo.InvariantCulture, $" data-{attribute}=\"{value}\"");
         ReadOnlySpan<char> rest = Asset("page.html");
         while (true)
         {

@@ -5,17 +5,22 @@ using System.Text.Json;
 
 namespace Gjk.Demo.View;
 
-/// <summary>JSON for a script element: compact, with arrays of numbers as base64 of their little-endian bytes.</summary>
+/// <summary>
+/// Writes JSON for a script element. The JSON is compact, and arrays of numbers are base64 of their little-endian
+/// bytes.
+/// </summary>
 internal sealed class PageData : IDisposable
 {
     private readonly MemoryStream _bytes = new();
 
     public PageData() => Json = new Utf8JsonWriter(_bytes);
 
-    /// <summary>Its default escaping writes &lt; as \u003C, so that no text can end the script element.</summary>
+    /// <summary>
+    /// The default escaping of this writer writes &lt; as \u003C. So no text can end the script element.
+    /// </summary>
     public Utf8JsonWriter Json { get; }
 
-    /// <summary>The whole text, when the last value has been written.</summary>
+    /// <summary>The whole text. Valid after the last value was written.</summary>
     public ReadOnlySpan<byte> Text
     {
         get
@@ -28,7 +33,8 @@ internal sealed class PageData : IDisposable
     public void Array<T>(string name, ReadOnlySpan<T> values)
         where T : unmanaged
     {
-        if (!BitConverter.IsLittleEndian) throw new PlatformNotSupportedException("The page's numbers are little-endian.");
+        if (!BitConverter.IsLittleEndian)
+            throw new PlatformNotSupportedException("The page's numbers are little-endian.");
         Json.WriteBase64String(name, MemoryMarshal.AsBytes(values));
     }
 

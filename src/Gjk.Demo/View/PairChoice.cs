@@ -7,18 +7,22 @@ using Gjk.Demo.Scenes;
 namespace Gjk.Demo.View;
 
 /// <summary>
-/// Which pairs a page shows: all of them, or, where those would be more than a browser can sort and draw at ease, every pair that intersects in some frame and
-/// each object's nearest partners in every frame.
+/// Chooses the pairs that a page shows. These are all pairs, unless a browser could not sort and draw that many
+/// smoothly. In that case they are every pair that intersects in some frame, and each object's nearest partners in
+/// every frame.
 /// </summary>
 internal sealed class PairChoice
 {
-    /// <summary>Answers (pairs times frames) up to which all pairs are shown; a page has 43 bytes for each, so about 10 MB.</summary>
+    /// <summary>
+    /// Up to this many answers (pairs times frames) all pairs are shown. A page needs 43 bytes for each, so about 10
+    /// MB.
+    /// </summary>
     public const long MostOfAll = 250_000;
 
     /// <summary>Nearest partners kept for each object in each frame.</summary>
     public const int Partners = 6;
 
-    /// <summary>How many pairs are answered between two looks at Ctrl-C.</summary>
+    /// <summary>How many pairs are answered between two checks for Ctrl-C.</summary>
     private const int PairsPerLook = 256;
 
     private readonly Scene _scene;
@@ -31,8 +35,9 @@ internal sealed class PairChoice
         _nearest = new (float, int, bool)[scene.Objects.Length * Partners];
     }
 
-    /// <exception cref="RefusedException">Even these are too many for a page.</exception>
-    public static ScenePairs Of(Scene scene, SceneMotion motion, string name, Action<double> progress, CancellationToken cancel)
+    /// <exception cref="RefusedException">Even the chosen pairs are too many for a page.</exception>
+    public static ScenePairs Of(
+        Scene scene, SceneMotion motion, string name, Action<double> progress, CancellationToken cancel)
     {
         if (scene.Pairs.Count * (double)scene.Frames <= MostOfAll) return scene.Pairs;
         var choice = new PairChoice(scene);
@@ -43,7 +48,8 @@ internal sealed class PairChoice
             choice.AddFrame(poses, share => progress((frame + share) / scene.Frames), cancel);
             if (choice._kept.Count * (long)scene.Frames <= SceneResults.MostAnswers) continue;
             throw new RefusedException(
-                $"{name}: {scene.Pairs.Count} pairs in {scene.Frames} frames are more than a page can hold, even the intersecting and nearest ones; list fewer in $.pairs");
+                $"{name}: {scene.Pairs.Count} pairs in {scene.Frames} frames are more than a page can hold, and so are "
+                + "the intersecting and nearest ones alone; list fewer in $.pairs");
         }
 
         return choice.Listed();
@@ -61,9 +67,12 @@ internal sealed class PairChoice
                 progress((double)done / _scene.Pairs.Count);
             }
 
-            float reach = Math.Max(_nearest[a * Partners + Partners - 1].Distance, _nearest[b * Partners + Partners - 1].Distance);
-            DistanceResult answer = ConvexQuery.Distance(_scene.Objects[a].Shape, poses[a], _scene.Objects[b].Shape, poses[b], reach);
-            if (answer.Status is GjkStatus.Overlapping or GjkStatus.IterationLimit or GjkStatus.InvalidShape) _kept.Add((a, b));
+            float reach = Math.Max(
+                _nearest[a * Partners + Partners - 1].Distance, _nearest[b * Partners + Partners - 1].Distance);
+            DistanceResult answer = ConvexQuery.Distance(
+                _scene.Objects[a].Shape, poses[a], _scene.Objects[b].Shape, poses[b], reach);
+            if (answer.Status is GjkStatus.Overlapping or GjkStatus.IterationLimit or GjkStatus.InvalidShape)
+                _kept.Add((a, b));
             if (answer.Status != GjkStatus.Separated) continue;
             Rank(a, b, answer.Distance, isFirst: true);
             Rank(b, a, answer.Distance, isFirst: false);
@@ -76,7 +85,7 @@ internal sealed class PairChoice
         }
     }
 
-    /// <summary>Puts a partner in its place among an object's nearest.</summary>
+    /// <summary>Inserts a partner into the list of an object's nearest partners.</summary>
     private void Rank(int of, int partner, float distance, bool isFirst)
     {
         int first = of * Partners, at = first + Partners - 1;

@@ -5,21 +5,28 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>Where the objects of a scene are in each of its frames: moved evenly, and turned evenly about the world's axes, from the poses given.</summary>
+/// <summary>
+/// The poses of a scene's objects in each frame. From the given poses, objects move and turn at constant rates. They
+/// turn about the world's axes.
+/// </summary>
 internal sealed class SceneMotion
 {
     private readonly Scene _scene;
     private readonly string _name;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="name">What the user calls it, for the refusal of a motion that leaves the range of float.</param>
+    /// <param name="name">The user's name for the scene. It is used if a motion is refused because it leaves the range
+    /// of float.</param>
     public SceneMotion(Scene scene, string name)
     {
         _scene = scene;
         _name = name;
     }
 
-    /// <summary>The poses of a frame, each worked out from the first, so that no error grows; the first has the poses as given.</summary>
+    /// <summary>
+    /// The poses of a frame. Each is computed from the first frame, so that no error accumulates. The first frame has
+    /// the poses as given.
+    /// </summary>
     /// <exception cref="RefusedException">A position is beyond the range of float.</exception>
     public void Poses(int frame, Span<RigidPose> poses)
     {
@@ -35,11 +42,14 @@ internal sealed class SceneMotion
             Vector3D by = (Vector3D)o.Velocity * frame;
             var position = (Vector3)(o.Pose.Position + by);
             if (!float.IsFinite(position.X + position.Y + position.Z))
-                throw new RefusedException($"{_name}: $.objects[{i}].velocity: the position leaves the range of float in frame {frame}");
+                throw new RefusedException(
+                    $"{_name}: $.objects[{i}].velocity: the position leaves the range of float in frame {frame}");
             Vector3D spin = o.AngularVelocity;
             double speed = spin.Length;
             (double sin, double cos) = Math.SinCos(speed * frame / 2);
-            poses[i] = speed > 0 ? PoseMotion.Moved(o.Pose, by, spin * (sin / speed), cos) : new RigidPose(o.Pose.Rotation, position);
+            poses[i] = speed > 0
+                ? PoseMotion.Moved(o.Pose, by, spin * (sin / speed), cos)
+                : new RigidPose(o.Pose.Rotation, position);
         }
     }
 }

@@ -7,7 +7,7 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The page of a scene: shapes, poses and answers of every frame.</summary>
+/// <summary>The page of a scene, with the shapes, and the poses and answers of every frame.</summary>
 internal static class ScenePage
 {
     public static void Write(Stream stream, Scene scene, ShapeTable shapes, SceneResults results)
@@ -35,10 +35,14 @@ internal static class ScenePage
         json.WriteEndObject();
         HtmlPage.Write(
             stream, scene.Name,
-            [("objects", scene.Objects.Length), ("pairs", scene.Pairs.Count), ("listed", results.Pairs.Count), ("frames", scene.Frames), ("overlapping", results.Overlapping[0])], data.Text);
+            [
+                ("objects", scene.Objects.Length), ("pairs", scene.Pairs.Count), ("listed", results.Pairs.Count),
+                ("frames", scene.Frames), ("overlapping", results.Overlapping[0]),
+            ],
+            data.Text);
     }
 
-    /// <summary>A shape's surface, as both pages read it.</summary>
+    /// <summary>Writes a shape's surface in the form that both pages read.</summary>
     public static void WriteShape(PageData data, ShapeMesh mesh)
     {
         data.Json.WriteStartObject();

@@ -7,19 +7,24 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The poses and all answers of a scene, frame by frame, each column an array, as the page wants them.</summary>
+/// <summary>
+/// The poses and all answers of a scene, frame by frame. Each column is an array, as the page needs it.
+/// </summary>
 internal sealed class SceneResults
 {
     /// <summary>Numbers in a pose: the quaternion x, y, z, w, then the position.</summary>
     public const int PoseSize = 7;
 
-    /// <summary>Answers a page may hold: 32 bytes each, so about 100 MB of text, which a browser still opens.</summary>
+    /// <summary>
+    /// The most answers that a page may hold. At 32 bytes each this is about 100 MB of text, which a browser can still
+    /// open.
+    /// </summary>
     public const long MostAnswers = 2_500_000;
 
-    /// <summary>Poses a page may hold, for the same reason.</summary>
+    /// <summary>The most poses that a page may hold, for the same reason.</summary>
     public const long MostPoses = 2_500_000;
 
-    /// <summary>How many pairs are answered between two looks at Ctrl-C.</summary>
+    /// <summary>How many pairs are answered between two checks for Ctrl-C.</summary>
     private const int PairsPerLook = 256;
 
     private SceneResults(int objects, ScenePairs chosen, int frames)
@@ -35,7 +40,7 @@ internal sealed class SceneResults
         Overlapping = new int[frames];
     }
 
-    /// <summary>Those that were asked about; see <see cref="PairChoice"/>.</summary>
+    /// <summary>The pairs that were queried. See <see cref="PairChoice"/>.</summary>
     public ScenePairs Pairs { get; }
 
     public float[] Poses { get; }
@@ -46,7 +51,7 @@ internal sealed class SceneResults
 
     public float[] Distance { get; }
 
-    /// <summary>Three numbers a pair; B's point is this and the distance times the normal.</summary>
+    /// <summary>Three numbers per pair. B's point is A's point plus the distance times the normal.</summary>
     public float[] PointA { get; }
 
     public float[] Normal { get; }
@@ -54,11 +59,14 @@ internal sealed class SceneResults
     /// <summary>How many pairs overlap in each frame.</summary>
     public int[] Overlapping { get; }
 
-    /// <exception cref="RefusedException">It is more than a page can hold, or the motion leaves the range of float.</exception>
+    /// <exception cref="RefusedException">The scene is more than a page can hold, or the motion leaves the range of
+    /// float.</exception>
     public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
     {
         if ((long)scene.Objects.Length * scene.Frames > MostPoses)
-            throw new RefusedException($"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses that a page can hold");
+            throw new RefusedException(
+                $"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses "
+                + "that a page can hold");
         var motion = new SceneMotion(scene, name);
         ScenePairs chosen = PairChoice.Of(scene, motion, name, progress, cancel);
         int pairs = (int)chosen.Count;
@@ -74,7 +82,8 @@ internal sealed class SceneResults
             foreach ((int a, int b) in chosen)
             {
                 if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
-                DistanceResult answer = ConvexQuery.Distance(scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
+                DistanceResult answer = ConvexQuery.Distance(
+                    scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
                 if (answer.IsOverlapping) results.Overlapping[frame]++;
                 results.Store(frame * pairs + pair++, answer);
             }

@@ -5,7 +5,7 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The arguments that say which scene: a file, or one of the report's two.</summary>
+/// <summary>The arguments that select the scene: a file, or one of the report's two scenes.</summary>
 internal sealed class SceneSource
 {
     public SceneSource()
@@ -19,23 +19,28 @@ internal sealed class SceneSource
 
     public Argument<string?> File { get; } = new("SCENE.json")
     {
-        Description = "The scene; - reads it from standard input.",
+        Description = "The scene. Use - to read it from standard input.",
         Arity = ArgumentArity.ZeroOrOne,
     };
 
-    public Option<string?> BuiltIn { get; } = new("--builtin") { Description = "Show one of the report's scenes, cubes or spheres, instead of a file.", HelpName = "NAME" };
+    public Option<string?> BuiltIn { get; } = new("--builtin")
+    {
+        Description = "Show one of the report's scenes, cubes or spheres, instead of a file.",
+        HelpName = "NAME",
+    };
 
-    /// <summary>Lets the command refuse both, and neither.</summary>
+    /// <summary>Makes the command refuse both arguments together, and neither of them.</summary>
     public void Validate(Command command) => command.Validators.Add(result =>
     {
-        bool hasFile = result.GetResult(File) is { Implicit: false }, hasBuiltIn = result.GetResult(BuiltIn) is not null;
+        bool hasFile = result.GetResult(File) is { Implicit: false };
+        bool hasBuiltIn = result.GetResult(BuiltIn) is not null;
         if (hasFile && hasBuiltIn) result.AddError("--builtin and SCENE.json exclude each other.");
         if (!hasFile && !hasBuiltIn) result.AddError("SCENE.json or --builtin is needed.");
     });
 
     /// <param name="parsed">The command line.</param>
     /// <param name="cancel">Ends the wait for a pipe.</param>
-    /// <param name="name">What the user calls the scene.</param>
+    /// <param name="name">The user's name for the scene.</param>
     public Scene Load(ParseResult parsed, CancellationToken cancel, out string name)
     {
         string? file = parsed.GetValue(File);

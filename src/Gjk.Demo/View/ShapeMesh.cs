@@ -6,14 +6,21 @@ using Gjk.Core;
 namespace Gjk.Demo.View;
 
 /// <summary>
-/// A shape's surface to be drawn, in its own frame with its scale: a mesh's hull as it is, a curved shape as the hull of some of its support points.
+/// The surface of a shape for drawing, in its own frame with its scale. A mesh is drawn as its hull. A curved shape is
+/// drawn as the hull of some of its support points.
 /// </summary>
 internal sealed class ShapeMesh
 {
-    /// <summary>The cosine between two triangles' normals above which they are one flat facet: within 0.5 degrees.</summary>
+    /// <summary>
+    /// Two triangles are one flat facet if the cosine between their normals is above this value. This is an angle of
+    /// 0.5 degrees.
+    /// </summary>
     private const double FlatCosine = 0.99996;
 
-    /// <summary>The same for a curved shape's facets, which are steps of 7.5 or 15 degrees: an edge, such as a cylinder's rim, is 30 degrees or more.</summary>
+    /// <summary>
+    /// The same for the facets of a curved shape, which are steps of 7.5 or 15 degrees. An edge, such as a cylinder's
+    /// rim, is 30 degrees or more.
+    /// </summary>
     private const double SmoothCosine = 0.866;
 
     private ShapeMesh(ConvexHull hull, Vector3 scale, bool isSmooth)
@@ -37,42 +44,51 @@ internal sealed class ShapeMesh
 
     public Vector3[] Vertices { get; }
 
-    /// <summary>Three vertices a triangle, counter-clockwise seen from outside; a flat shape has both sides.</summary>
+    /// <summary>
+    /// Three vertices per triangle, counter-clockwise seen from outside. A flat shape has both sides.
+    /// </summary>
     public int[] Triangles { get; }
 
-    /// <summary>Two vertices an edge: where the surface has a corner, not where a flat facet is cut into triangles.</summary>
+    /// <summary>
+    /// Two vertices per edge. An edge is where the surface has a crease, not where a flat facet is cut into triangles.
+    /// </summary>
     public int[] Edges { get; }
 
-    /// <summary>0 a point, 1 a segment, 2 flat, 3 solid.</summary>
+    /// <summary>0 is a point, 1 a segment, 2 flat, 3 solid.</summary>
     public int Dimension { get; }
 
-    /// <summary>Whether the triangles stand for a curved surface.</summary>
+    /// <summary>True if the triangles stand for a curved surface.</summary>
     public bool IsSmooth { get; }
 
-    /// <summary>About the local origin.</summary>
+    /// <summary>The radius about the local origin.</summary>
     public double Radius { get; }
 
     public static ShapeMesh Of(in ConvexShape shape, bool isCoarse = false)
     {
-        if (shape.Kind == ShapeKind.Mesh && !shape.IsDecorated) return new ShapeMesh(shape.Hull!, shape.Scale, isSmooth: false);
+        if (shape.Kind == ShapeKind.Mesh && !shape.IsDecorated)
+            return new ShapeMesh(shape.Hull!, shape.Scale, isSmooth: false);
         List<Vector3> points = SupportSamples.Of(shape, isCoarse);
         return new ShapeMesh(new ConvexHull(points), Vector3.One, SupportSamples.IsCurved(shape));
     }
 
-    /// <summary>A hull as it is.</summary>
+    /// <summary>The surface of a hull.</summary>
     public static ShapeMesh Of(ConvexHull hull, bool isSmooth) => new(hull, Vector3.One, isSmooth);
 
-    /// <summary>A triangle's normal of any length; its corners' differences are taken in double.</summary>
+    /// <summary>
+    /// The normal of a triangle. Its length is arbitrary. The differences of the corners are computed in double.
+    /// </summary>
     public Vector3D Normal(int triangle)
     {
         Vector3D a = Vertices[Triangles[3 * triangle]];
         return Vector3D.Cross(Vertices[Triangles[3 * triangle + 1]] - a, Vertices[Triangles[3 * triangle + 2]] - a);
     }
 
-    /// <summary>The triangle on the other side of each side: of corners 0 and 1, 1 and 2, 2 and 0.</summary>
+    /// <summary>
+    /// The neighbour of each triangle across each side. The sides are those of corners 0 and 1, 1 and 2, 2 and 0.
+    /// </summary>
     public int[] Neighbours()
     {
-        // Both faces of a flat shape have the same sides inside; there the neighbour is the one on the same face.
+        // Both faces of a flat shape have the same sides inside. There the neighbour is the triangle on the same face.
         var sides = new Dictionary<(int From, int To, bool IsBack), int>(Triangles.Length);
         for (int i = 0; i < Triangles.Length; i++) sides[(Triangles[i], Triangles[Next(i)], IsBack(i / 3))] = i / 3;
         var across = new int[Triangles.Length];
@@ -85,10 +101,10 @@ internal sealed class ShapeMesh
         return across;
     }
 
-    /// <summary>Whether a flat shape's triangle is on the other side than its first one.</summary>
+    /// <summary>True if a triangle of a flat shape is on the other side than its first triangle.</summary>
     private bool IsBack(int triangle) => Dimension == 2 && Vector3D.Dot(Normal(triangle), Normal(0)) < 0;
 
-    /// <summary>The corner that follows in the same triangle.</summary>
+    /// <summary>The next corner of the same triangle.</summary>
     public static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
 
     private int[] FindEdges(double cosine)

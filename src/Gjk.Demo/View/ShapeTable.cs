@@ -4,10 +4,13 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The different shapes of a scene, each triangulated once.</summary>
+/// <summary>The distinct shapes of a scene. Each is triangulated once.</summary>
 internal sealed class ShapeTable
 {
-    /// <summary>Scenes of more objects have curved shapes of fewer triangles, which a browser can still turn at ease.</summary>
+    /// <summary>
+    /// In a scene of more objects than this, curved shapes get fewer triangles, so that a browser can still turn the
+    /// scene smoothly.
+    /// </summary>
     private const int FineObjects = 500;
 
     private readonly List<ShapeMesh> _meshes = [];
@@ -29,6 +32,6 @@ internal sealed class ShapeTable
 
     public IReadOnlyList<ShapeMesh> Meshes => _meshes;
 
-    /// <summary>The mesh of each object.</summary>
+    /// <summary>The index of each object's mesh.</summary>
     public int[] OfObject { get; }
 }

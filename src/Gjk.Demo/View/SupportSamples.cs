@@ -5,29 +5,39 @@ using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>Support points of a shape, spread so that their hull looks like it.</summary>
+/// <summary>Support points of a shape, distributed so that their hull looks like the shape.</summary>
 internal static class SupportSamples
 {
-    /// <summary>Directions about the axis, and half as many from pole to pole: steps of 7.5 degrees.</summary>
+    /// <summary>
+    /// Directions about the axis. From pole to pole there are half as many. The steps are 7.5 degrees.
+    /// </summary>
     private const int Meridians = 48;
 
-    /// <summary>The same in a scene of many, where each is small: steps of 15 degrees, a quarter of the triangles.</summary>
+    /// <summary>
+    /// The same in a scene of many objects, where each one is small. Steps of 15 degrees need a quarter of the
+    /// triangles.
+    /// </summary>
     private const int CoarseMeridians = 24;
 
-    /// <summary>How far beside the equator, in radians, the two directions lie that find both ends of a capsule's or cylinder's side.</summary>
+    /// <summary>
+    /// Radians. Two directions lie this far beside the equator. They find both ends of the side of a capsule or a
+    /// cylinder.
+    /// </summary>
     private const double BesideEquator = 1e-3;
 
-    /// <summary>Whether the surface is rounded anywhere.</summary>
+    /// <summary>True if the surface is curved anywhere.</summary>
     public static bool IsCurved(in ConvexShape shape) =>
-        shape.Margin > 0 || shape.Kind is ShapeKind.Cylinder or ShapeKind.Cone or ShapeKind.Ellipsoid || !shape.TryGetVertex(0, out _);
+        shape.Margin > 0 || shape.Kind is ShapeKind.Cylinder or ShapeKind.Cone or ShapeKind.Ellipsoid
+            || !shape.TryGetVertex(0, out _);
 
-    /// <summary>All corners of a shape that has only those, else a grid of support points.</summary>
+    /// <summary>All corners if the shape has only corners, otherwise a grid of support points.</summary>
     public static List<Vector3> Of(in ConvexShape shape, bool isCoarse)
     {
         var points = new List<Vector3>();
         if (!IsCurved(shape))
         {
-            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) points.Add((Vector3)(shape.Center + corner));
+            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++)
+                points.Add((Vector3)(shape.Center + corner));
             return points;
         }
 
@@ -35,11 +45,12 @@ internal static class SupportSamples
         Vector3D stretch = Stretch(shape);
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, 1, 0))));
         points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, -1, 0))));
-        foreach (double latitude in Latitudes(shape, meridians / 2)) AddRow(shape, stretch, latitude, meridians, points);
+        foreach (double latitude in Latitudes(shape, meridians / 2))
+            AddRow(shape, stretch, latitude, meridians, points);
         return points;
     }
 
-    /// <summary>The furthest point of the whole shape, margin included.</summary>
+    /// <summary>The furthest point of the whole shape, including its margin.</summary>
     public static Vector3D Support(in ConvexShape shape, in Vector3D direction)
     {
         shape.Support(direction, out Vector3D point);
@@ -47,11 +58,12 @@ internal static class SupportSamples
         return shape.Margin > 0 ? point + direction * (shape.Margin / direction.Length) : point;
     }
 
-    /// <summary>The rows of a grid from pole to pole; only the rims of what has straight sides.</summary>
+    /// <summary>The rows of a grid from pole to pole. A shape with straight sides needs only its rims.</summary>
     private static IEnumerable<double> Latitudes(ConvexShape shape, int parallels)
     {
         ShapeKind kind = shape.IsDecorated ? ShapeKind.Ellipsoid : shape.Kind;
-        bool isBall = kind is ShapeKind.Sphere or ShapeKind.Ellipsoid, isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
+        bool isBall = kind is ShapeKind.Sphere or ShapeKind.Ellipsoid;
+        bool isDisc = kind is ShapeKind.Cylinder or ShapeKind.Cone;
         for (int row = 1; row < parallels && !isDisc; row++)
         {
             if (row != parallels / 2 || isBall) yield return Math.PI * row / parallels - Math.PI / 2;
@@ -62,7 +74,8 @@ internal static class SupportSamples
         if (kind != ShapeKind.Cone) yield return BesideEquator;
     }
 
-    private static void AddRow(in ConvexShape shape, in Vector3D stretch, double latitude, int meridians, List<Vector3> points)
+    private static void AddRow(
+        in ConvexShape shape, in Vector3D stretch, double latitude, int meridians, List<Vector3> points)
     {
         (double up, double outward) = Math.SinCos(latitude);
         for (int i = 0; i < meridians; i++)
@@ -74,18 +87,24 @@ internal static class SupportSamples
         }
     }
 
-    /// <summary>What turns normals that are even on a ball into normals whose support points are even on the stretched shape.</summary>
+    /// <summary>
+    /// A scale for directions. It turns normals that are even on a ball into normals whose support points are even on
+    /// the stretched shape.
+    /// </summary>
     private static Vector3D Stretch(in ConvexShape shape)
     {
         if (shape.IsDecorated) return new Vector3D(1, 1, 1);
-        if (shape.Kind != ShapeKind.Ellipsoid) return new Vector3D(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
-        double x = Extent(shape, new Vector3D(1, 0, 0)), y = Extent(shape, new Vector3D(0, 1, 0)), z = Extent(shape, new Vector3D(0, 0, 1));
+        if (shape.Kind != ShapeKind.Ellipsoid)
+            return new Vector3D(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
+        double x = Extent(shape, new Vector3D(1, 0, 0));
+        double y = Extent(shape, new Vector3D(0, 1, 0));
+        double z = Extent(shape, new Vector3D(0, 0, 1));
         double largest = Math.Max(x, Math.Max(y, z));
         return new Vector3D(Inverse(x, largest), Inverse(y, largest), Inverse(z, largest));
     }
 
     private static double Extent(in ConvexShape shape, in Vector3D axis) => Vector3D.Dot(Support(shape, axis), axis);
 
-    /// <summary>A radius of 0 has no even spread along it; any direction will do.</summary>
+    /// <summary>The scale for one radius. No spread is even along a radius of 0, so any value works there.</summary>
     private static double Inverse(double radius, double largest) => radius > 0 ? largest / radius : 1;
 }

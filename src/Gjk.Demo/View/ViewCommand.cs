@@ -5,14 +5,16 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>Asks for every pair of a scene in every frame, and writes what was found as a page, as a still picture, or both.</summary>
+/// <summary>
+/// Queries every pair of a scene in every frame, and writes the results as a page, as a still picture, or as both.
+/// </summary>
 internal static class ViewCommand
 {
     /// <param name="scene">The scene.</param>
-    /// <param name="name">What the user calls it.</param>
+    /// <param name="name">The user's name for the scene.</param>
     /// <param name="page">The HTML file, or null.</param>
     /// <param name="picture">The SVG file, or null.</param>
-    /// <param name="cancel">Ends the work; no file is left then.</param>
+    /// <param name="cancel">Ends the work. No file is left then.</param>
     public static int Run(Scene scene, string name, string? page, string? picture, CancellationToken cancel)
     {
         using AtomicFile? pageFile = page is null ? null : new AtomicFile(page, cancel);
@@ -22,9 +24,10 @@ internal static class ViewCommand
             SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
             var shapes = new ShapeTable(scene);
             if (pageFile is not null) ScenePage.Write(pageFile.Stream, scene, shapes, results);
-            if (pictureFile is not null) ScenePicture.Write(pictureFile.Stream, scene, shapes, results, bars.Add("picture"), cancel);
+            if (pictureFile is not null)
+                ScenePicture.Write(pictureFile.Stream, scene, shapes, results, bars.Add("picture"), cancel);
         });
-        // Neither replaces anything before both are complete on the disk.
+        // No old file is replaced before both new files are complete on the disk.
         pageFile?.Complete();
         pictureFile?.Complete();
         pageFile?.Commit();

@@ -10,13 +10,27 @@ internal static class ViewOptions
     public static Command Build(CancellationToken cancel)
     {
         var source = new SceneSource();
-        var page = new Option<string?>("--out") { Description = "Write the page to this file: 3D view, list of pairs and, for a moving scene, its frames.", HelpName = "FILE.html" };
-        var picture = new Option<string?>("--svg") { Description = "Write a still picture of the first frame to this file.", HelpName = "FILE.svg" };
-        var command = new Command("view", "Show a scene in the browser, one file that needs no network, or as a picture.") { source.File, source.BuiltIn, page, picture };
+        var page = new Option<string?>("--out")
+        {
+            Description = "Write the page to this file. It has a 3D view, a list of pairs and, for a moving scene, its "
+                + "frames.",
+            HelpName = "FILE.html",
+        };
+        var picture = new Option<string?>("--svg")
+        {
+            Description = "Write a still picture of the first frame to this file.",
+            HelpName = "FILE.svg",
+        };
+        var command = new Command(
+            "view", "Show a scene as a page for the browser, in one file that needs no network, or as a picture.")
+        {
+            source.File, source.BuiltIn, page, picture,
+        };
         source.Validate(command);
         command.Validators.Add(result =>
         {
-            if (result.GetResult(page) is null && result.GetResult(picture) is null) result.AddError("--out or --svg is needed.");
+            if (result.GetResult(page) is null && result.GetResult(picture) is null)
+                result.AddError("--out or --svg is needed.");
         });
         command.SetAction(r =>
         {

@@ -13,7 +13,7 @@ using Xunit;
 namespace Gjk.Demo.Tests.Fuzz;
 
 /// <summary>
-/// The search of <c>fuzz</c> from within: that pairs repeat, that wrong answers are noticed, that what is found is
+/// Tests the search of <c>fuzz</c> from within: pairs are repeatable, wrong answers are noticed, and failing pairs are
 /// shrunk and reported.
 /// </summary>
 public sealed class FuzzSearchTests
@@ -52,8 +52,8 @@ public sealed class FuzzSearchTests
     }
 
     /// <summary>
-    /// The answer of a pair so little further apart that only the bound tells, of one a thousandth further apart, of
-    /// the pair turned round, of an overlap, and of nothing.
+    /// The query's answer is replaced in turn by the answer of a pair that is so little further apart that only the
+    /// bound shows it, of a pair a thousandth further apart, of the swapped pair, of an overlap, and of nothing.
     /// </summary>
     [Theory]
     [InlineData("bound", "lower bound|maximum")]
@@ -78,8 +78,8 @@ public sealed class FuzzSearchTests
     }
 
     /// <summary>
-    /// Two points in one place, one of them a corner far from its own origin, the other an ellipsoid of no size: there
-    /// is no scale, but corners are still turned with rounding.
+    /// Two points in the same place. One is a corner far from its own origin, the other is an ellipsoid of size zero.
+    /// There is no scale here, but rotating a corner still rounds.
     /// </summary>
     [Fact]
     public void WhatHasNoExtentIsHeldToWhatArithmeticCanDo()

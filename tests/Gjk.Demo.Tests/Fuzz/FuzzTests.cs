@@ -6,7 +6,7 @@ using Xunit;
 namespace Gjk.Demo.Tests.Fuzz;
 
 /// <summary>
-/// <c>fuzz</c> as its user runs it. Length, seed, words and exit codes; the search itself is in FuzzSearchTests.
+/// <c>fuzz</c> as its user runs it: length, seed, words and exit codes. FuzzSearchTests covers the search itself.
 /// </summary>
 public sealed class FuzzTests
 {

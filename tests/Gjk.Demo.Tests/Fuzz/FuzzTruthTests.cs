@@ -10,8 +10,8 @@ using Xunit;
 namespace Gjk.Demo.Tests.Fuzz;
 
 /// <summary>
-/// What fuzz takes for true: clouds rather than hulls, contacts that are exact, heights by formula, and bands that no
-/// generous radius widens.
+/// Tests the truth that fuzz compares with: clouds instead of hulls, exact contacts, heights by formula, and error
+/// bands that no generous radius widens.
 /// </summary>
 public sealed class FuzzTruthTests
 {
@@ -22,7 +22,7 @@ public sealed class FuzzTruthTests
 
     private static readonly RigidPose Right = new(new Vector3(2, 0.25f, 0.125f));
 
-    /// <summary>A hull that lost a corner of its cloud: the supports and the true distance both tell.</summary>
+    /// <summary>A hull that lost a corner of its cloud. Both the supports and the true distance show it.</summary>
     [Fact]
     public void ALostCornerIsNoticed()
     {
@@ -34,7 +34,7 @@ public sealed class FuzzTruthTests
         Assert.Contains("truly 0.75", new TheExactAnswer().Broken(pair), StringComparison.Ordinal);
     }
 
-    /// <summary>The line holds all points that a mesh was made of, and gives the same pair again.</summary>
+    /// <summary>The reported line holds all points of a mesh and reproduces the same pair.</summary>
     [Fact]
     public void ThePairsLineKeepsTheCloud()
     {
@@ -49,8 +49,7 @@ public sealed class FuzzTruthTests
     }
 
     /// <summary>
-    /// Rational rotations turn lattice points without rounding, and their quaternions are theirs exactly or to float
-    /// rounding.
+    /// Rational rotations turn lattice points without rounding. Their quaternions are exact, or rounded to float.
     /// </summary>
     [Fact]
     public void IntegerRotationsAreExact()
@@ -76,7 +75,7 @@ public sealed class FuzzTruthTests
     }
 
     /// <summary>
-    /// Bodies at rest with no gap do touch: they overlap, and part when one is lifted by next to nothing.
+    /// Bodies at rest with no gap really touch. They overlap, and they separate when one is lifted by a tiny amount.
     /// </summary>
     [Fact]
     public void RestingBodiesTouchExactly()
@@ -95,7 +94,7 @@ public sealed class FuzzTruthTests
         Assert.True(known > 200 && touching > 60, $"{touching} of {known} touch");
     }
 
-    /// <summary>The formulas against the furthest of many points on the surface.</summary>
+    /// <summary>Compares the formulas with the furthest of many points on the surface.</summary>
     [Theory]
     [InlineData("cylinder 0.5 2 0")]
     [InlineData("cone 0.5 2 0")]
@@ -122,7 +121,8 @@ public sealed class FuzzTruthTests
     }
 
     /// <summary>
-    /// A cube stored two million times as long and scaled back is a cube: its scale, noise and bands are the cube's.
+    /// A cube that is stored two million times as long and scaled back is a cube. Its scale, noise and bands are those
+    /// of the cube.
     /// </summary>
     [Fact]
     public void AnUnevenScaleWidensNoBand()

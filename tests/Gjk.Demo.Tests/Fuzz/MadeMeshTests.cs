@@ -10,8 +10,8 @@ using Xunit;
 namespace Gjk.Demo.Tests.Fuzz;
 
 /// <summary>
-/// The meshes that fuzz makes have what real ones have: poles next to nothing wide, doubled seams, repeats, and copies
-/// one float apart.
+/// The meshes that fuzz generates have the features of real ones: tiny poles, doubled seams, repeated vertices, and
+/// copies one float apart.
 /// </summary>
 public sealed class MadeMeshTests
 {
@@ -53,8 +53,8 @@ public sealed class MadeMeshTests
             int faces = sphere.Length / 3;
             Assert.Contains(faces, (int[])[20, 80, 320]);
 
-            // Euler: half as many corners as faces, and two. Middles of one edge may differ in the last place where
-            // they were rounded on the way.
+            // By Euler's formula there are half as many corners as faces, plus two. The middles of one edge may differ
+            // in the last place where they were rounded on the way.
             int corners = sphere.Select(p => Vector3.Truncate(p * 1e4f)).Distinct().Count();
             Assert.InRange(corners, faces / 2 + 2, faces / 2 + 40);
         }
@@ -101,7 +101,9 @@ public sealed class MadeMeshTests
         Assert.InRange(cloud.Zip(scan, (p, q) => (p - q).Length()).Max(), 1e-3, 1.8e-3);
     }
 
-    /// <summary>No maker may give what a hull refuses, or so many points that a search does nothing else.</summary>
+    /// <summary>
+    /// No generator may give points that a hull refuses, or so many points that a search spends all its time on them.
+    /// </summary>
     [Fact]
     public void EveryMeshIsFiniteAndOfAModestSize()
     {

@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 
-/// <summary>Permissions and owners of what is written.</summary>
+/// <summary>Permissions and owners of the written files.</summary>
 [UnsupportedOSPlatform("windows")]
 public sealed class FileModeTests
 {
@@ -67,7 +67,7 @@ public sealed class FileModeTests
         Assert.Equal((UnixFileMode)Convert.ToInt32(octal, 8), File.GetUnixFileMode(target));
     }
 
-    /// <summary>Root, too, is refused what nobody may write.</summary>
+    /// <summary>Root, too, is refused a file that nobody may write.</summary>
     [UnixFact]
     public void AReadOnlyFileIsRefused()
     {
@@ -97,7 +97,8 @@ public sealed class FileModeTests
     }
 
     /// <summary>
-    /// Whoever may write to a directory may rename over any file in it; but a file that they may not write stays.
+    /// A user who may write to a directory may rename over any file in it. But a file that the user may not write
+    /// stays.
     /// </summary>
     [RootFact]
     public void SomebodyElsesFileIsRefused()

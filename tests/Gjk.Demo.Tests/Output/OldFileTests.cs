@@ -14,7 +14,7 @@ namespace Gjk.Demo.Tests.Output;
 /// </summary>
 public sealed class OldFileTests
 {
-    /// <summary>Of 200 million pairs: no command is through with them before it is interrupted.</summary>
+    /// <summary>These points make 200 million pairs. No command finishes them before it is interrupted.</summary>
     private const int ManyPoints = 20_000;
 
     [UnixTheory]
@@ -40,7 +40,7 @@ public sealed class OldFileTests
     }
 
     /// <summary>
-    /// The second signal ends the process wherever it is; what was temporary has gone with the first.
+    /// The second signal ends the process wherever it is. The first one has already removed the temporary file.
     /// </summary>
     [UnixFact]
     public void TwoSignalsLeaveTheOldFile()
@@ -80,8 +80,8 @@ public sealed class OldFileTests
     }
 
     /// <summary>
-    /// A part of the scenes makes a new file, but is no replacement for a complete one. The time to interrupt at is
-    /// searched for, as machines differ.
+    /// A result with only some of the scenes may create a new file, but must not replace a complete one. The test
+    /// searches for the time of the interrupt, because machines differ.
     /// </summary>
     [UnixTheory]
     [InlineData(true)]
@@ -124,8 +124,8 @@ public sealed class OldFileTests
     }
 
     /// <summary>
-    /// A limit on the size of files stands for a full disk. The runtime needs a larger file of its own unless it is
-    /// told not to.
+    /// A limit on the size of files simulates a full disk. The runtime needs a larger file of its own unless it is told
+    /// not to create it.
     /// </summary>
     [UnixTheory]
     [InlineData("query \"$1\" --out \"$2\"")]

@@ -7,7 +7,7 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 
-/// <summary>No output may take the place of the input or of another output, by whatever name it is called.</summary>
+/// <summary>No output may replace the input or another output, whatever name leads to it.</summary>
 public sealed class SameFileTests
 {
     private const string Scene = """{"version":1,"objects":[{"shape":{"type":"point"}},{"shape":{"type":"point"}}]}""";
@@ -92,7 +92,8 @@ public sealed class SameFileTests
     }
 
     /// <summary>
-    /// A copy is another file, and what is read and written at once on a terminal or /dev/null is no file.
+    /// A copy is a different file. A terminal and /dev/null are not files, so they may be read and written at the same
+    /// time.
     /// </summary>
     [UnixFact]
     public void OtherFilesAreAllowed()
@@ -114,7 +115,7 @@ public sealed class SameFileTests
         run.AssertRefused(picture, "would overwrite what --out writes");
     }
 
-    /// <summary>Another name for a file, which need not exist unless the name is a hard link.</summary>
+    /// <summary>Another name for a file. The file need not exist, unless the name is a hard link.</summary>
     private static string OtherName(TempDirectory directory, string file, string way)
     {
         string other = directory.File("other");

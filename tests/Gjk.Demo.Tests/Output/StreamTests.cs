@@ -9,14 +9,14 @@ using Xunit;
 namespace Gjk.Demo.Tests.Output;
 
 /// <summary>
-/// Standard streams and pipes that are full, closed, or that nobody serves: one line at most, at once, with the
-/// documented exit code.
+/// Standard streams and pipes that are full, closed, or without a reader or writer. The command ends at once with the
+/// documented exit code and at most one line.
 /// </summary>
 public sealed class StreamTests
 {
     private const string Scene = """{"version":1,"objects":[{"shape":{"type":"point"}},{"shape":{"type":"point"}}]}""";
 
-    /// <summary>Of 200 million pairs: no command is through with them.</summary>
+    /// <summary>These points make 200 million pairs. No command finishes them.</summary>
     private const int ManyPoints = 20_000;
 
     [UnixTheory]
@@ -128,7 +128,9 @@ public sealed class StreamTests
         Assert.Equal([pipe], directory.Files);
     }
 
-    /// <summary>A signal that comes before the demo listens ends it by itself; then it is sent later.</summary>
+    /// <summary>
+    /// A signal that comes before the demo listens ends the process directly. The test then sends it later.
+    /// </summary>
     [UnixTheory]
     [InlineData("query -")]
     [InlineData("query --record -")]
@@ -152,7 +154,7 @@ public sealed class StreamTests
         Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
     }
 
-    /// <summary>As nohup asks for it.</summary>
+    /// <summary>Ignores the signal as nohup does.</summary>
     [UnixFact]
     public void AnIgnoredHangUpIsIgnored()
     {

@@ -7,8 +7,8 @@ using Xunit;
 namespace Gjk.Demo.Tests.Output;
 
 /// <summary>
-/// An output is treated by what its target is: a file is replaced, a device or a pipe is written to, a directory is
-/// refused.
+/// The kind of the target decides how an output is written: a file is replaced, a device or a pipe is written to, and a
+/// directory is refused.
 /// </summary>
 public sealed class TargetKindTests
 {
@@ -122,7 +122,7 @@ public sealed class TargetKindTests
     }
 
     /// <summary>
-    /// The link's ".." starts at the directory where the link really lies, not at the one that it was reached through.
+    /// The link's ".." starts at the directory that really holds the link, not at the one through which it was reached.
     /// </summary>
     [UnixFact]
     public void ARelativeLinkIsFollowedFromWhereItLies()
@@ -150,7 +150,7 @@ public sealed class TargetKindTests
         Assert.Equal([scene], directory.Files);
     }
 
-    /// <summary>The name of the temporary file fits wherever the target's does.</summary>
+    /// <summary>The name of the temporary file is allowed wherever the target's name is.</summary>
     [Fact]
     public void TheLongestNameIsTaken()
     {

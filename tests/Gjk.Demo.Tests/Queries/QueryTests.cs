@@ -29,7 +29,8 @@ public sealed class QueryTests
         Assert.Equal(new(0, 0.6f, 0.8f), rows[0].Normal);
         Assert.Equal(new(0, 2.7f, 3.6f), rows[0].PointB);
 
-        Assert.Equal(("Overlapping", true, 0f, 0f), (rows[1].Status, rows[1].Overlap, rows[1].Distance, rows[1].LowerBound));
+        Assert.Equal(
+            ("Overlapping", true, 0f, 0f), (rows[1].Status, rows[1].Overlap, rows[1].Distance, rows[1].LowerBound));
         Assert.Equal(rows[1].PointA, rows[1].PointB);
         Assert.Equal(default, rows[1].Normal);
     }
@@ -38,7 +39,8 @@ public sealed class QueryTests
     public void PairsBeyondTheMaximumSayOnlyThat()
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run("query", directory.Write("scene.json", TwoSpheresAndABox), "--max-distance", "3.5");
+        DemoRun run = DemoProcess.Run(
+            "query", directory.Write("scene.json", TwoSpheresAndABox), "--max-distance", "3.5");
         run.AssertDone();
         CsvRow row = CsvRow.Parse(run.Out)[0];
         Assert.Equal(("BeyondMaxDistance", false), (row.Status, row.Overlap));
@@ -48,7 +50,7 @@ public sealed class QueryTests
         Assert.Contains(",NaN,NaN,NaN,NaN,NaN,NaN,", run.Out);
     }
 
-    /// <summary>The help shows this default; so it is taken.</summary>
+    /// <summary>The help shows this default, so it must be accepted as a value.</summary>
     [Fact]
     public void AnInfiniteMaximumIsNone()
     {
@@ -91,15 +93,17 @@ public sealed class QueryTests
         string scene = directory.Write("scene.json", TwoSpheresAndABox);
         DemoProcess.Run("query", scene, "--out", "/dev/null").AssertDone();
         Assert.Equal(0, new FileInfo("/dev/null").Length);
-        if (File.Exists("/dev/full")) DemoProcess.Run("query", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
+        if (File.Exists("/dev/full"))
+            DemoProcess.Run("query", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
     }
 
-    /// <summary>The rows are some 60 MB of text and could not be kept within the heap that the process is given.</summary>
+    /// <summary>The rows are about 60 MB of text. They would not fit into the heap that the process is given.</summary>
     [Fact]
     public void AMillionPairsStreamThroughASmallHeap()
     {
         using var directory = new TempDirectory();
-        string scene = directory.Write("scene.json", SceneTests.Points(1415, pairs: "")), target = directory.File("out.csv");
+        string scene = directory.Write("scene.json", SceneTests.Points(1415, pairs: ""));
+        string target = directory.File("out.csv");
         var smallHeap = new Dictionary<string, string> { ["DOTNET_GCHeapHardLimit"] = "0x1400000" };
         DemoProcess.RunWith(smallHeap, "query", scene, "--out", target).AssertDone();
         Assert.True(new FileInfo(target).Length > 50_000_000);
@@ -126,9 +130,11 @@ public sealed class QueryTests
     public void CtrlCLeavesNoFile()
     {
         using var directory = new TempDirectory();
-        string scene = directory.Write("scene.json", SceneTests.Points(20_000, pairs: "")), target = directory.File("out.csv");
+        string scene = directory.Write("scene.json", SceneTests.Points(20_000, pairs: ""));
+        string target = directory.File("out.csv");
         using DemoProcess demo = DemoProcess.Start("query", scene, "--out", target);
-        demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal) && new FileInfo(f).Length > 1_000_000));
+        demo.WaitUntil(_ => Array.Exists(
+            directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal) && new FileInfo(f).Length > 1_000_000));
         demo.Interrupt();
         DemoRun run = demo.Wait();
         Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
@@ -139,7 +145,8 @@ public sealed class QueryTests
     public void CtrlCEndsTheStream()
     {
         using var directory = new TempDirectory();
-        using DemoProcess demo = DemoProcess.Start("query", directory.Write("scene.json", SceneTests.Points(20_000, pairs: "")));
+        using DemoProcess demo = DemoProcess.Start(
+            "query", directory.Write("scene.json", SceneTests.Points(20_000, pairs: "")));
         demo.WaitUntil(text => text.Length > 100_000);
         demo.Interrupt();
         DemoRun run = demo.Wait();

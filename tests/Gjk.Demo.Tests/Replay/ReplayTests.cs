@@ -10,7 +10,7 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Replay;
 
-/// <summary>One replay, and what it printed and wrote.</summary>
+/// <summary>One replay, with its printed and written output.</summary>
 public sealed class ReplayFixture : IDisposable
 {
     private readonly TempDirectory _directory = new();
@@ -28,7 +28,9 @@ public sealed class ReplayFixture : IDisposable
 
     public int Files { get; }
 
-    public JsonElement Scene(string name) => Document.RootElement.GetProperty("scenes").EnumerateArray().Single(s => s.GetProperty("name").GetString() == name);
+    public JsonElement Scene(string name) =>
+        Document.RootElement.GetProperty("scenes").EnumerateArray()
+            .Single(s => s.GetProperty("name").GetString() == name);
 
     public void Dispose()
     {
@@ -41,8 +43,10 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
 {
     private static readonly string[] Fields =
     [
-        "name", "objects", "vertices_per_object", "hull_vertices", "calls_per_frame", "intersecting_pairs", "loops_per_call", "frames",
-        "ms_per_frame_median", "ms_per_frame_p99", "support_share", "bytes_per_call", "iteration_limits", "hash", "pairs",
+        "name", "objects", "vertices_per_object", "hull_vertices", "calls_per_frame", "intersecting_pairs",
+        "loops_per_call", "frames",
+        "ms_per_frame_median", "ms_per_frame_p99", "support_share", "bytes_per_call", "iteration_limits", "hash",
+        "pairs",
     ];
 
     private readonly ReplayFixture _replay;
@@ -66,7 +70,8 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.Equal(0, scene.GetProperty("bytes_per_call").GetDouble());
         Assert.Equal(0, scene.GetProperty("iteration_limits").GetInt32());
         Assert.True(scene.GetProperty("ms_per_frame_median").GetDouble() > 0);
-        Assert.True(scene.GetProperty("ms_per_frame_p99").GetDouble() >= scene.GetProperty("ms_per_frame_median").GetDouble());
+        Assert.True(
+            scene.GetProperty("ms_per_frame_p99").GetDouble() >= scene.GetProperty("ms_per_frame_median").GetDouble());
         Assert.True(scene.GetProperty("support_share").GetDouble() > 0);
     }
 
@@ -78,12 +83,16 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         JsonElement[] pairs = [.. _replay.Scene(name).GetProperty("pairs").EnumerateArray()];
         Assert.Equal(190, pairs.Length);
         Assert.All(pairs, p => Assert.Equal(CsvRow.Header.Split(','), p.EnumerateObject().Select(f => f.Name)));
-        Assert.Equal([(10, 11), (12, 13), (14, 15), (16, 17), (18, 19)], pairs.Where(Overlaps).Select(p => (Int(p, "a"), Int(p, "b"))));
+        Assert.Equal(
+            [(10, 11), (12, 13), (14, 15), (16, 17), (18, 19)],
+            pairs.Where(Overlaps).Select(p => (Int(p, "a"), Int(p, "b"))));
         double loops = pairs.Average(p => Int(p, "iterations"));
         Assert.Equal(loops, _replay.Scene(name).GetProperty("loops_per_call").GetDouble(), 1e-12);
     }
 
-    /// <summary>Worked out again from the numbers in the file: so these are the very floats, too.</summary>
+    /// <summary>
+    /// The hash is computed again from the numbers in the file. So these numbers are exactly the floats of the results.
+    /// </summary>
     [Theory]
     [InlineData("cubes")]
     [InlineData("spheres")]
@@ -101,7 +110,8 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
             foreach (byte b in bytes) hash = unchecked((hash ^ b) * 1099511628211);
         }
 
-        Assert.Equal(hash.ToString("x16", CultureInfo.InvariantCulture), _replay.Scene(name).GetProperty("hash").GetString());
+        Assert.Equal(
+            hash.ToString("x16", CultureInfo.InvariantCulture), _replay.Scene(name).GetProperty("hash").GetString());
     }
 
     [Fact]
@@ -110,9 +120,18 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.DoesNotContain('\u001b', _replay.Run.Out);
         Assert.All(_replay.Run.Out, c => Assert.True(c is '\n' or >= ' ' and <= '~'));
         Assert.DoesNotContain(" \n", _replay.Run.Out);
-        foreach (string row in new[] { "objects", "vertices", "calls per frame", "intersecting pairs", "loops per call", "median", "99 %", "support", "factor", "hash" })
+        string[] rows =
+        [
+            "objects", "vertices", "calls per frame", "intersecting pairs", "loops per call", "median", "99 %",
+            "support", "factor", "hash",
+        ];
+        foreach (string row in rows)
             Assert.Contains(row, _replay.Run.Out);
-        foreach (string pair in new[] { "Cube (11) - Cube (12)", "Cube (19) - Cube (20)", "Sphere (11) - Sphere (12)", "Sphere (19) - Sphere (20)" })
+        string[] pairs =
+        [
+            "Cube (11) - Cube (12)", "Cube (19) - Cube (20)", "Sphere (11) - Sphere (12)", "Sphere (19) - Sphere (20)",
+        ];
+        foreach (string pair in pairs)
             Assert.Contains(pair, _replay.Run.Out);
         Assert.Contains(_replay.Scene("cubes").GetProperty("hash").GetString()!, _replay.Run.Out);
         Assert.Equal(1, _replay.Files);

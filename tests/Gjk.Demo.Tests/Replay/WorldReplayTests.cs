@@ -11,7 +11,9 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Replay;
 
-/// <summary>Replay with a broad phase, motion, another number of objects or threads: a frame finds the intersecting pairs.</summary>
+/// <summary>
+/// Replay with a broad phase, motion, another number of objects, or threads. A frame finds the intersecting pairs.
+/// </summary>
 public sealed class WorldReplayTests
 {
     private const int Objects = 150, Frames = 8;
@@ -19,14 +21,16 @@ public sealed class WorldReplayTests
 
     private static readonly string[] Fields =
     [
-        "name", "objects", "vertices_per_object", "hull_vertices", "broad", "motion", "threads", "pairs_per_frame", "calls_per_frame", "calls_saved_per_frame",
-        "intersecting_pairs", "frames", "ms_broad_median", "ms_narrow_median", "ms_per_frame_median", "ms_per_frame_p99", "bytes_per_frame", "hashed_frames", "hash", "pairs",
+        "name", "objects", "vertices_per_object", "hull_vertices", "broad", "motion", "threads", "pairs_per_frame",
+        "calls_per_frame", "calls_saved_per_frame",
+        "intersecting_pairs", "frames", "ms_broad_median", "ms_narrow_median", "ms_per_frame_median",
+        "ms_per_frame_p99", "bytes_per_frame", "hashed_frames", "hash", "pairs",
     ];
 
     private static readonly Lazy<(string Cubes, string Spheres)> Expected = new(() =>
         (HashOf(BuiltInScenes.Cubes(Objects), Speed, Frames), HashOf(BuiltInScenes.Spheres(Objects), Speed, Frames)));
 
-    /// <summary>The hashes are worked out here from every pair, without a broad phase or a scene.</summary>
+    /// <summary>The test computes the hashes from every pair, without a broad phase or a scene.</summary>
     [Theory]
     [InlineData("--broad", "all", "--threads", "1")]
     [InlineData("--broad", "all", "--threads", "2")]
@@ -39,7 +43,8 @@ public sealed class WorldReplayTests
     [InlineData]
     public void TheHashIsThatOfEveryIntersectingPairOfEveryFrame(params string[] options)
     {
-        using JsonDocument written = Replay([.. options, "--objects", $"{Objects}", "--motion", "0.05", "--frames", $"{Frames}"]);
+        using JsonDocument written = Replay(
+            [.. options, "--objects", $"{Objects}", "--motion", "0.05", "--frames", $"{Frames}"]);
         JsonElement cubes = Scene(written, "cubes"), spheres = Scene(written, "spheres");
         Assert.Equal(Expected.Value, (Text(cubes, "hash"), Text(spheres, "hash")));
         Assert.NotEqual(Text(cubes, "hash"), Text(spheres, "hash"));
@@ -50,9 +55,11 @@ public sealed class WorldReplayTests
     public void AMeasuredTimeDoesNotChangeTheHash()
     {
         string[] options = ["--objects", "40", "--motion", "0.1", "--seconds"];
-        using JsonDocument shorter = Replay([.. options, "0.02"]), longer = Replay([.. options, "0.2", "--broad", "sort"]);
+        using JsonDocument shorter = Replay([.. options, "0.02"]);
+        using JsonDocument longer = Replay([.. options, "0.2", "--broad", "sort"]);
         Assert.Equal(Text(Scene(shorter, "cubes"), "hash"), Text(Scene(longer, "cubes"), "hash"));
-        Assert.True(Scene(longer, "cubes").GetProperty("frames").GetInt32() > Scene(longer, "cubes").GetProperty("hashed_frames").GetInt32());
+        JsonElement cubes = Scene(longer, "cubes");
+        Assert.True(cubes.GetProperty("frames").GetInt32() > cubes.GetProperty("hashed_frames").GetInt32());
     }
 
     [Theory]
@@ -65,15 +72,21 @@ public sealed class WorldReplayTests
         Assert.Equal(Fields, scene.EnumerateObject().Select(p => p.Name));
         Assert.Equal(
             (20, vertices, hullVertices, "sweep", 0.0, 1, 190),
-            (Number(scene, "objects"), Number(scene, "vertices_per_object"), Number(scene, "hull_vertices"), Text(scene, "broad"), scene.GetProperty("motion").GetDouble(),
+            (Number(scene, "objects"), Number(scene, "vertices_per_object"), Number(scene, "hull_vertices"),
+                Text(scene, "broad"), scene.GetProperty("motion").GetDouble(),
                 Number(scene, "threads"), Number(scene, "pairs_per_frame")));
-        Assert.Equal((3, 3, 5), (Number(scene, "frames"), Number(scene, "hashed_frames"), Number(scene, "intersecting_pairs")));
+        Assert.Equal(
+            (3, 3, 5), (Number(scene, "frames"), Number(scene, "hashed_frames"), Number(scene, "intersecting_pairs")));
         Assert.InRange(Number(scene, "calls_per_frame"), 5, 20);
         Assert.Equal(190, Number(scene, "calls_per_frame") + Number(scene, "calls_saved_per_frame"));
         Assert.Equal(0, scene.GetProperty("bytes_per_frame").GetDouble());
-        foreach (string time in new[] { "ms_broad_median", "ms_narrow_median", "ms_per_frame_median" }) Assert.True(scene.GetProperty(time).GetDouble() > 0);
-        Assert.True(scene.GetProperty("ms_per_frame_p99").GetDouble() >= scene.GetProperty("ms_per_frame_median").GetDouble());
-        Assert.Equal([(10, 11), (12, 13), (14, 15), (16, 17), (18, 19)], scene.GetProperty("pairs").EnumerateArray().Select(p => (Number(p, "a"), Number(p, "b"))));
+        foreach (string time in new[] { "ms_broad_median", "ms_narrow_median", "ms_per_frame_median" })
+            Assert.True(scene.GetProperty(time).GetDouble() > 0);
+        Assert.True(
+            scene.GetProperty("ms_per_frame_p99").GetDouble() >= scene.GetProperty("ms_per_frame_median").GetDouble());
+        Assert.Equal(
+            [(10, 11), (12, 13), (14, 15), (16, 17), (18, 19)],
+            scene.GetProperty("pairs").EnumerateArray().Select(p => (Number(p, "a"), Number(p, "b"))));
     }
 
     [Fact]
@@ -82,7 +95,12 @@ public sealed class WorldReplayTests
         DemoRun run = DemoProcess.Run("replay", "--motion", "0.01", "--threads", "2", "--frames", "2");
         run.AssertDone();
         Assert.All(run.Out, c => Assert.True(c is '\n' or >= ' ' and <= '~'));
-        foreach (string row in new[] { "objects", "broad phase", "threads", "calls made", "calls saved", "intersecting pairs", "broad phase, median", "narrow phase, median", "bytes", "hash" })
+        string[] rows =
+        [
+            "objects", "broad phase", "threads", "calls made", "calls saved", "intersecting pairs",
+            "broad phase, median", "narrow phase, median", "bytes", "hash",
+        ];
+        foreach (string row in rows)
             Assert.Contains(row, run.Out);
         Assert.Contains("| threads                        |                2 |                2 |", run.Out);
         Assert.DoesNotContain("report", run.Out);
@@ -108,7 +126,8 @@ public sealed class WorldReplayTests
     public void ASettingThatMakesNoSenseIsOneLine(string option, string value, string reason)
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("replay", option, value, "--json", directory.File("out.json")).AssertRefused("replay: ", reason);
+        DemoProcess.Run("replay", option, value, "--json", directory.File("out.json"))
+            .AssertRefused("replay: ", reason);
         Assert.Empty(directory.Files);
     }
 
@@ -118,7 +137,8 @@ public sealed class WorldReplayTests
     [InlineData("--objects --frames 1")]
     [InlineData("--broad tree --broad all")]
     [InlineData("--threads 1 --threads 2")]
-    public void AnOptionWithoutOneValueIsOneLine(string options) => DemoProcess.Run([.. options.Split(' ')]).AssertRefused(options.Split(' ')[0]);
+    public void AnOptionWithoutOneValueIsOneLine(string options) =>
+        DemoProcess.Run([.. options.Split(' ')]).AssertRefused(options.Split(' ')[0]);
 
     [Fact]
     public void TooManyObjectsForAllPairsAreRefused() =>
@@ -129,7 +149,8 @@ public sealed class WorldReplayTests
     {
         DemoRun run = DemoProcess.Run("replay", "--help");
         run.AssertDone();
-        foreach (string word in new[] { "--broad <all|sort|sweep|tree>", "--motion <SPEED>", "--objects <N>", "--threads <N>" }) Assert.Contains(word, run.Out);
+        string[] words = ["--broad <all|sort|sweep|tree>", "--motion <SPEED>", "--objects <N>", "--threads <N>"];
+        foreach (string word in words) Assert.Contains(word, run.Out);
     }
 
     [UnixTheory]
@@ -139,7 +160,9 @@ public sealed class WorldReplayTests
     {
         using var directory = new TempDirectory();
         using var watch = new TemporaryFileWatch(directory);
-        using DemoProcess demo = DemoProcess.Start("--objects", "500", "--motion", "0.01", "--threads", threads, "--seconds", "60", "--json", directory.File("replay.json"));
+        using DemoProcess demo = DemoProcess.Start(
+            "--objects", "500", "--motion", "0.01", "--threads", threads, "--seconds", "60",
+            "--json", directory.File("replay.json"));
         demo.WaitUntil(_ => watch.HasSeenOne);
         demo.Interrupt();
         DemoRun run = demo.Wait();
@@ -155,13 +178,17 @@ public sealed class WorldReplayTests
     }
 
     private static JsonElement Scene(JsonDocument written, string name) =>
-        written.RootElement.GetProperty("scenes").EnumerateArray().Single(s => s.GetProperty("name").GetString() == name);
+        written.RootElement.GetProperty("scenes").EnumerateArray()
+            .Single(s => s.GetProperty("name").GetString() == name);
 
     private static string Text(JsonElement element, string field) => element.GetProperty(field).GetString()!;
 
     private static int Number(JsonElement element, string field) => element.GetProperty(field).GetInt32();
 
-    /// <summary>FNV-1a over each frame: the number of intersecting pairs, then both indices of each, as 32-bit little-endian numbers.</summary>
+    /// <summary>
+    /// FNV-1a over each frame. It takes the number of intersecting pairs and then both indices of each, as 32-bit
+    /// little-endian numbers.
+    /// </summary>
     private static string HashOf(BuiltInScene scene, double speed, int frames)
     {
         ulong hash = 14695981039346656037;

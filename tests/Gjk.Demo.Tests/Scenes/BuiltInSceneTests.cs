@@ -6,7 +6,7 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;
 
-/// <summary>The generator of the report's scenes, compiled into this assembly as the bench compiles it.</summary>
+/// <summary>The generator of the report's scenes. It is compiled into this assembly, as it is in the bench.</summary>
 public sealed class BuiltInSceneTests
 {
     [Fact]

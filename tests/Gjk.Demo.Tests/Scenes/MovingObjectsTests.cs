@@ -48,12 +48,14 @@ public sealed class MovingObjectsTests
             for (int frame = 0; frame < 300; frame++)
             {
                 objects.Advance();
-                Assert.All(objects.Poses, p => Assert.Equal(Vector3.Clamp(p.Position, scene.Room.Min, scene.Room.Max), p.Position));
+                Assert.All(
+                    objects.Poses,
+                    p => Assert.Equal(Vector3.Clamp(p.Position, scene.Room.Min, scene.Room.Max), p.Position));
             }
         }
     }
 
-    /// <summary>In the middle of a room; by a quaternion's real part, 1 / sqrt(1 + tan²) of half the angle.</summary>
+    /// <summary>In the middle of a room. The quaternion's real part is 1 / sqrt(1 + tan²) of half the angle.</summary>
     [Fact]
     public void AStepIsTheSpeedAndATurnIsTwiceThat()
     {
@@ -67,7 +69,8 @@ public sealed class MovingObjectsTests
             float moved = Vector3.Distance(before.Position, after.Position);
             Assert.InRange(moved, 0, 0.01001f);
             if (Math.Abs(moved - 0.01f) < 1e-5f) straight++;
-            Assert.Equal(1 / Math.Sqrt(1 + 0.01 * 0.01), Math.Abs(Quaternion.Dot(before.Rotation, after.Rotation)), 1e-6);
+            Assert.Equal(
+                1 / Math.Sqrt(1 + 0.01 * 0.01), Math.Abs(Quaternion.Dot(before.Rotation, after.Rotation)), 1e-6);
         }
 
         Assert.InRange(straight, 480, 500);

@@ -6,7 +6,10 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;
 
-/// <summary>Every scene that is not exactly right: exit code 2, one line with file, JSON path and reason, and no output anywhere.</summary>
+/// <summary>
+/// Every scene that is not exactly right gives exit code 2, one line with file, JSON path and reason, and no other
+/// output.
+/// </summary>
 public sealed class RefusalTests
 {
     private const string Sphere = """{"shape":{"type":"sphere","radius":1}}""";
@@ -15,7 +18,8 @@ public sealed class RefusalTests
     {
         var data = new TheoryData<string, string, string>();
         foreach ((string json, string path, string reason) in Roots()) data.Add(json, path, reason);
-        foreach ((string shape, string path, string reason) in Shapes()) data.Add(WithObject($$"""{"shape":{{shape}}}"""), path, reason);
+        foreach ((string shape, string path, string reason) in Shapes())
+            data.Add(WithObject($$"""{"shape":{{shape}}}"""), path, reason);
         foreach ((string fields, string path, string reason) in ObjectFields())
             data.Add(WithObject($$"""{"shape":{"type":"sphere","radius":1},{{fields}}}"""), path, reason);
         foreach ((string pairs, string path, string reason) in Pairs())
@@ -94,7 +98,8 @@ public sealed class RefusalTests
         ("""{"version":1,"objects":[],"meshes":{"m":[[0,0,0,0]]}}""", "$.meshes.m[0]", "has more elements"),
         ("""{"version":1,"objects":[],"meshes":{"m":[[0,0,1e39]]}}""", "$.meshes.m[0][2]", "too large for a float"),
         ("""{"version":1,"objects":[],"meshes":{"m":[[0,NaN,0]]}}""", "$.meshes.m[0][1]", "not valid JSON"),
-        ("""{"version":1,"objects":[],"meshes":{"m":[[0,"NaN",0]]}}""", "$.meshes.m[0][1]", "must be a number, but is a string"),
+        ("""{"version":1,"objects":[],"meshes":{"m":[[0,"NaN",0]]}}""", "$.meshes.m[0][1]",
+            "must be a number, but is a string"),
         ("""{"version":1,"objects":[{}]}""", "$.objects[0].shape", "missing"),
     ];
 
@@ -110,12 +115,14 @@ public sealed class RefusalTests
         ("""{"type":"sphere","radius":3.4028236e38}""", "$.objects[1].shape.radius", "too large for a float"),
         ("""{"type":"sphere","radius":1e99999999999}""", "$.objects[1].shape.radius", "too large for a float"),
         ("""{"type":"sphere","radius":1,"radius":1}""", "$.objects[1].shape.radius", "appears twice"),
-        ("""{"type":"sphere","radius":1,"halfHeight":1}""", "$.objects[1].shape.halfHeight", "unknown field for the type \"sphere\""),
+        ("""{"type":"sphere","radius":1,"halfHeight":1}""", "$.objects[1].shape.halfHeight",
+            "unknown field for the type \"sphere\""),
         ("""{"type":"point","colour":"red"}""", "$.objects[1].shape.colour", "unknown field"),
         ("""{"type":"capsule","radius":1}""", "$.objects[1].shape.halfHeight", "missing"),
         ("""{"type":"cylinder","radius":1,"halfHeight":-2}""", "$.objects[1].shape.halfHeight", "must not be negative"),
         ("""{"type":"box","halfExtents":[1,-1,1]}""", "$.objects[1].shape.halfExtents[1]", "must not be negative"),
-        ("""{"type":"box","halfExtents":1}""", "$.objects[1].shape.halfExtents", "must be three numbers [x, y, z], but is a number"),
+        ("""{"type":"box","halfExtents":1}""", "$.objects[1].shape.halfExtents",
+            "must be three numbers [x, y, z], but is a number"),
         ("""{"type":"ellipsoid","radii":[1,1]}""", "$.objects[1].shape.radii", "has 2 elements"),
         ("""{"type":"segment","a":[0,0,0]}""", "$.objects[1].shape.b", "missing"),
         ("""{"type":"triangle","a":[0,0,0],"b":[1,0,0],"c":[0,1]}""", "$.objects[1].shape.c", "has 2 elements"),

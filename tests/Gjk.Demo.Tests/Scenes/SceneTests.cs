@@ -9,13 +9,17 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;
 
-/// <summary>What a good scene means: every shape, every optional field, and every number rounded once.</summary>
+/// <summary>
+/// The meaning of a valid scene: every shape, every optional field, and numbers that are rounded once.
+/// </summary>
 public sealed class SceneTests
 {
-    /// <summary>Relative; the answers are exact but for their rounding to float, these expectations were rounded too.</summary>
+    /// <summary>
+    /// Relative. The answers are exact up to their rounding to float, and these expectations are rounded too.
+    /// </summary>
     private const double Tolerance = 1e-6;
 
-    /// <summary>Shape, more fields of its object, and its distance to the point (10, 0, 0).</summary>
+    /// <summary>The shape, more fields of its object, and its distance to the point (10, 0, 0).</summary>
     public static TheoryData<string, string, double> Distances() => new()
     {
         { """{"type":"point"}""", "", 10 },
@@ -35,7 +39,11 @@ public sealed class SceneTests
         { """{"type":"sphere","radius":1}""", ""","scale":[4,1,1]""", 6 },
         { """{"type":"mesh","mesh":"the hull"}""", "", 7 },
         { """{"type":"mesh","mesh":"the hull"}""", ""","scale":[-2,1,1]""", 8 },
-        { """{"type":"point"}""", ""","name":"p","velocity":[1,2,3],"angularVelocity":[0,0,1],"position":[10,0,4]""", 4 },
+        {
+            """{"type":"point"}""",
+            ""","name":"p","velocity":[1,2,3],"angularVelocity":[0,0,1],"position":[10,0,4]""",
+            4
+        },
     };
 
     [Theory]
@@ -46,17 +54,25 @@ public sealed class SceneTests
         string scene = directory.Write("scene.json", $$"""
             { "objects": [ {"shape":{{shape}}{{fields}} }, {"position":[10,0,0],"shape":{"type":"point"} } ],
               "version": 1.0, "name": "one", "frames": 3,
-              "meshes": { "the hull": [[3,0,0],[3,1,0],[3,-1,0],[0,0,1],[-1,0,0],[0,0,0],[3,0,0]], "unused": [[0,0,0]] } }
+              "meshes": { "the hull": [[3,0,0],[3,1,0],[3,-1,0],[0,0,1],[-1,0,0],[0,0,0],[3,0,0]],
+                          "unused": [[0,0,0]] } }
             """);
         CsvRow row = Assert.Single(Query(scene));
         Assert.Equal("Separated", row.Status);
         Assert.InRange(row.Distance, expected * (1 - Tolerance), expected * (1 + Tolerance));
         Assert.InRange(row.LowerBound, expected * (1 - 2 * Tolerance), row.Distance);
-        Assert.InRange(Vector3.Distance(row.PointA, row.PointB), expected * (1 - 2 * Tolerance), expected * (1 + 2 * Tolerance));
-        Assert.InRange(Vector3.Dot(row.Normal, row.PointB - row.PointA), expected * (1 - 2 * Tolerance), expected * (1 + 2 * Tolerance));
+        Assert.InRange(
+            Vector3.Distance(row.PointA, row.PointB), expected * (1 - 2 * Tolerance), expected * (1 + 2 * Tolerance));
+        Assert.InRange(
+            Vector3.Dot(row.Normal, row.PointB - row.PointA),
+            expected * (1 - 2 * Tolerance),
+            expected * (1 + 2 * Tolerance));
     }
 
-    /// <summary>Decimals just above and below the middle of two floats: over double they would be rounded twice, to the even neighbour.</summary>
+    /// <summary>
+    /// Decimals just above and below the middle of two floats. Reading them through double would round twice, to the
+    /// even neighbour.
+    /// </summary>
     [Theory]
     [InlineData("1.00000005960464477540", 1.0000001f)]
     [InlineData("1.0000001788139343261", 1.0000001f)]
@@ -69,7 +85,8 @@ public sealed class SceneTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", $$"""
-            {"version":1,"objects":[{"shape":{"type":"point"},"position":[{{text}},0,0]},{"shape":{"type":"point"},"position":[0,2,0]}]}
+            {"version":1,"objects":[{"shape":{"type":"point"},"position":[{{text}},0,0]},
+              {"shape":{"type":"point"},"position":[0,2,0]}]}
             """);
         CsvRow row = Assert.Single(Query(scene));
         Assert.Equal(BitConverter.SingleToInt32Bits(expected), BitConverter.SingleToInt32Bits(row.PointA.X));
@@ -87,7 +104,8 @@ public sealed class SceneTests
     public void ListedPairsKeepTheirOrderRepeatsIncluded()
     {
         using var directory = new TempDirectory();
-        List<CsvRow> rows = Query(directory.Write("scene.json", Points(4, ""","pairs":[[3,1],[0,1],[1,3],[3,1],[2,0]]""")));
+        List<CsvRow> rows = Query(
+            directory.Write("scene.json", Points(4, ""","pairs":[[3,1],[0,1],[1,3],[3,1],[2,0]]""")));
         Assert.Equal([(3, 1), (0, 1), (1, 3), (3, 1), (2, 0)], rows.Select(r => (r.A, r.B)));
         Assert.Equal(rows[0], rows[3]);
         Assert.Equal(rows[0].Distance, rows[2].Distance);
@@ -116,7 +134,8 @@ public sealed class SceneTests
     internal static string Points(int count, string pairs)
     {
         IEnumerable<string> objects = Enumerable.Range(0, count)
-            .Select(i => FormattableString.Invariant($$"""{"shape":{"type":"point"},"position":[{{i * i}},{{i % 7}},{{i % 11}}]}"""));
+            .Select(i => FormattableString.Invariant(
+                $$"""{"shape":{"type":"point"},"position":[{{i * i}},{{i % 7}},{{i % 11}}]}"""));
         return $$"""{"version":1,"objects":[{{string.Join(",", objects)}}]{{pairs}}}""";
     }
 

@@ -8,7 +8,8 @@ namespace Gjk.Demo.Tests.Support;
 
 /// <summary>One row of the demo's CSV.</summary>
 public sealed record CsvRow(
-    int A, int B, string Status, bool Overlap, float Distance, float LowerBound, Vector3 PointA, Vector3 PointB, Vector3 Normal, int Iterations)
+    int A, int B, string Status, bool Overlap, float Distance, float LowerBound, Vector3 PointA, Vector3 PointB,
+    Vector3 Normal, int Iterations)
 {
     public const string Header = "a,b,status,overlap,distance,lower_bound,ax,ay,az,bx,by,bz,nx,ny,nz,iterations";
 
@@ -28,12 +29,14 @@ public sealed record CsvRow(
         Assert.Contains(cells[3], new[] { "true", "false" });
         float[] floats = [.. cells[4..15].Select(Float)];
         return new CsvRow(
-            int.Parse(cells[0], CultureInfo.InvariantCulture), int.Parse(cells[1], CultureInfo.InvariantCulture), cells[2], cells[3] == "true",
-            floats[0], floats[1], new Vector3(floats[2], floats[3], floats[4]), new Vector3(floats[5], floats[6], floats[7]),
+            int.Parse(cells[0], CultureInfo.InvariantCulture), int.Parse(cells[1], CultureInfo.InvariantCulture),
+            cells[2], cells[3] == "true",
+            floats[0], floats[1], new Vector3(floats[2], floats[3], floats[4]),
+            new Vector3(floats[5], floats[6], floats[7]),
             new Vector3(floats[8], floats[9], floats[10]), int.Parse(cells[15], CultureInfo.InvariantCulture));
     }
 
-    /// <summary>Only the shortest text that gives the same float back is accepted.</summary>
+    /// <summary>Accepts only the shortest text that gives the same float back.</summary>
     private static float Float(string cell)
     {
         float value = float.Parse(cell, NumberStyles.Float, CultureInfo.InvariantCulture);

@@ -11,10 +11,12 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.Support;
 
-/// <summary>What a finished run of the demo left behind.</summary>
+/// <summary>The result of a finished run of the demo.</summary>
 public sealed record DemoRun(int ExitCode, string Out, string Error)
 {
-    /// <summary>One line on standard error that holds all the parts, exit code 2, nothing on standard output.</summary>
+    /// <summary>
+    /// Asserts exit code 2, nothing on standard output, and one line on standard error that contains all the parts.
+    /// </summary>
     public void AssertRefused(params string[] parts)
     {
         Assert.True(ExitCode == 2, $"exit code {ExitCode}, error: {Error}");
@@ -32,7 +34,7 @@ public sealed record DemoRun(int ExitCode, string Out, string Error)
     }
 }
 
-/// <summary>The built demo as a process, as its user runs it.</summary>
+/// <summary>Runs the built demo as a process, as its user does.</summary>
 public sealed class DemoProcess : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(90);
@@ -47,8 +49,8 @@ public sealed class DemoProcess : IDisposable
 
     private DemoProcess(IReadOnlyDictionary<string, string> environment, string[] command)
     {
-        // A job that a shell started in the background ignores SIGINT, and hands that on; env gives the signals their
-        // meaning back.
+        // A job that a shell started in the background ignores SIGINT and passes that on to its children. The program
+        // env restores the default action of the signals.
         bool restoreSignal = OperatingSystem.IsLinux();
         var start = new ProcessStartInfo(restoreSignal ? "env" : command[0])
         {
@@ -73,7 +75,7 @@ public sealed class DemoProcess : IDisposable
 
     private static string Host => Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet";
 
-    /// <summary>Runs it to its end.</summary>
+    /// <summary>Runs the demo to its end.</summary>
     public static DemoRun Run(params string[] args) => RunWith(new Dictionary<string, string>(), args);
 
     public static DemoRun RunWith(IReadOnlyDictionary<string, string> environment, params string[] args)
@@ -82,16 +84,14 @@ public sealed class DemoProcess : IDisposable
         return demo.Wait();
     }
 
-    /// <summary>
-    /// Runs a script of the shell, in which <c>demo</c> is the demo and <c>$1</c> the first argument.
-    /// </summary>
+    /// <summary>Runs a shell script in which <c>demo</c> is the demo and <c>$1</c> is the first argument.</summary>
     public static DemoRun Shell(string script, params string[] args)
     {
         using DemoProcess shell = StartShell(script, args);
         return shell.Wait();
     }
 
-    /// <summary>As <see cref="Shell"/>; if the tests run as root, the demo runs as nobody.</summary>
+    /// <summary>As <see cref="Shell"/>. If the tests run as root, the demo runs as nobody.</summary>
     public static DemoRun ShellAsUser(string script, params string[] args)
     {
         const string drop = "setpriv --reuid=65534 --regid=65534 --clear-groups";
@@ -99,7 +99,7 @@ public sealed class DemoProcess : IDisposable
         return Shell((Environment.IsPrivilegedProcess ? asNobody : "") + script, args);
     }
 
-    /// <summary>As <see cref="Shell"/>, without waiting.</summary>
+    /// <summary>As <see cref="Shell"/>, but does not wait.</summary>
     public static DemoProcess StartShell(string script, params string[] args)
     {
         var names = new Dictionary<string, string> { ["GJK_HOST"] = Host, ["GJK_DEMO"] = Assembly };
@@ -107,14 +107,14 @@ public sealed class DemoProcess : IDisposable
         return new DemoProcess(names, ["sh", "-c", demo + script, "sh", .. args]);
     }
 
-    /// <summary>Starts it and returns at once.</summary>
+    /// <summary>Starts the demo and returns at once.</summary>
     public static DemoProcess Start(params string[] args) =>
         new(new Dictionary<string, string>(), [Host, Assembly, .. args]);
 
-    /// <summary>What Ctrl-C sends.</summary>
+    /// <summary>Sends the signal of Ctrl-C.</summary>
     public void Interrupt() => Signal("INT");
 
-    /// <summary>Sends a signal by its name, without SIG.</summary>
+    /// <summary>Sends a signal by its name without SIG.</summary>
     public void Signal(string name)
     {
         string id = _process.Id.ToString(System.Globalization.CultureInfo.InvariantCulture);
@@ -122,7 +122,7 @@ public sealed class DemoProcess : IDisposable
         kill.WaitForExit();
     }
 
-    /// <summary>Waits until a condition holds while the process runs.</summary>
+    /// <summary>Waits until a condition holds while the process is running.</summary>
     public void WaitUntil(Func<string, bool> outputSoFar)
     {
         long start = Stopwatch.GetTimestamp();

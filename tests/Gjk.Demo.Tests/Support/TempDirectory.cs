@@ -5,7 +5,7 @@ using System.Linq;
 
 namespace Gjk.Demo.Tests.Support;
 
-/// <summary>An empty directory that goes with the test.</summary>
+/// <summary>An empty directory that is removed after the test.</summary>
 public sealed class TempDirectory : IDisposable
 {
     public TempDirectory() => Path = Directory.CreateTempSubdirectory("gjk-demo-").FullName;
@@ -25,7 +25,8 @@ public sealed class TempDirectory : IDisposable
     }
 
     /// <summary>
-    /// What each file holds, by its name; a link counts as the file that it leads to. Anything else holds nothing.
+    /// The contents of each file, by its name. A link has the contents of the file that it leads to. Anything else has
+    /// none.
     /// </summary>
     public Dictionary<string, string> Contents()
     {

@@ -3,7 +3,7 @@ using System.IO;
 
 namespace Gjk.Demo.Tests.Support;
 
-/// <summary>Notices that a temporary file was made in a directory, even if it is gone again.</summary>
+/// <summary>Notices that a temporary file was created in a directory, even if it is already gone.</summary>
 public sealed class TemporaryFileWatch : IDisposable
 {
     private readonly FileSystemWatcher _watcher;

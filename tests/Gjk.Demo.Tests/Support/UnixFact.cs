@@ -4,8 +4,8 @@ using Xunit;
 namespace Gjk.Demo.Tests.Support;
 
 /// <summary>
-/// A test of links, signals, permissions or pipes, which Windows does not have in this form; there it is counted as
-/// skipped.
+/// A test of links, signals, permissions or pipes. Windows does not have these in this form, so the test is skipped
+/// there.
 /// </summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class UnixFactAttribute : FactAttribute
@@ -20,7 +20,7 @@ public sealed class UnixTheoryAttribute : TheoryAttribute
     public UnixTheoryAttribute() => Skip = UnixSkip.Reason;
 }
 
-/// <summary>A test of what only Linux has, such as /dev/shm.</summary>
+/// <summary>A test of a feature that only Linux has, such as /dev/shm.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class LinuxFactAttribute : FactAttribute
 {
@@ -34,7 +34,7 @@ public sealed class LinuxTheoryAttribute : TheoryAttribute
     public LinuxTheoryAttribute() => Skip = OperatingSystem.IsLinux() ? null : "Only Linux has what this tests.";
 }
 
-/// <summary>A test in which root gives a file to somebody else.</summary>
+/// <summary>A test in which root gives a file to another user.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class RootFactAttribute : FactAttribute
 {
@@ -43,7 +43,7 @@ public sealed class RootFactAttribute : FactAttribute
 }
 
 /// <summary>
-/// A test of permissions, which do not bind root; root runs <see cref="DemoProcess.ShellAsUser"/> as nobody, with a
+/// A test of permissions, which do not restrict root. Root runs <see cref="DemoProcess.ShellAsUser"/> as nobody, with a
 /// program that Linux has.
 /// </summary>
 [AttributeUsage(AttributeTargets.Method)]

@@ -19,14 +19,16 @@ public sealed class TimeTests
 
     private static readonly string[] Fields =
     [
-        "scene", "pairs", "overlapping", "cold_ns", "cold_median_ns", "warm_ns", "moving_ns", "bool_ns", "iterations", "bytes_per_call",
+        "scene", "pairs", "overlapping", "cold_ns", "cold_median_ns", "warm_ns", "moving_ns", "bool_ns", "iterations",
+        "bytes_per_call",
     ];
 
     [Fact]
     public void EachSceneIsALineOfJson()
     {
         using var directory = new TempDirectory();
-        string boxes = directory.Write("boxes.v1.json", Boxes), empty = directory.Write("empty.json", """{"version":1,"objects":[]}""");
+        string boxes = directory.Write("boxes.v1.json", Boxes);
+        string empty = directory.Write("empty.json", """{"version":1,"objects":[]}""");
         DemoRun run = DemoProcess.Run("time", boxes, empty, "--seconds", "0.2");
         run.AssertDone();
         string[] lines = run.Out.TrimEnd('\n').Split('\n');
@@ -54,7 +56,8 @@ public sealed class TimeTests
     public void CtrlCKeepsTheScenesThatWereDone()
     {
         using var directory = new TempDirectory();
-        string empty = directory.Write("empty.json", """{"version":1,"objects":[]}"""), points = directory.Write("points.json", SceneTests.Points(40, pairs: ""));
+        string empty = directory.Write("empty.json", """{"version":1,"objects":[]}""");
+        string points = directory.Write("points.json", SceneTests.Points(40, pairs: ""));
         using DemoProcess demo = DemoProcess.Start("time", empty, points, "--seconds", "60");
         demo.WaitUntil(text => text.EndsWith('\n'));
         demo.Interrupt();

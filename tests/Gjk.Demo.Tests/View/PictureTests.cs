@@ -10,7 +10,7 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>The still picture: sound SVG, in which what is hidden is not there.</summary>
+/// <summary>The still picture is valid SVG, and it does not contain hidden parts.</summary>
 public sealed class PictureTests
 {
     private const string Front = """{"shape":{"type":"box","halfExtents":[2,2,2]},"position":[3.4,4.2,10]}""";
@@ -36,11 +36,13 @@ public sealed class PictureTests
     [Fact]
     public void IntersectingIsRedAndTheRestGreen()
     {
-        string hit = Draw("""{"shape":{"type":"sphere","radius":1}},{"shape":{"type":"sphere","radius":1},"position":[1,0,0]}""");
+        string hit = Draw(
+            """{"shape":{"type":"sphere","radius":1}},{"shape":{"type":"sphere","radius":1},"position":[1,0,0]}""");
         Assert.All(FaceColors(hit), c => Assert.True(IsRed(c), c));
         Assert.DoesNotContain($"stroke=\"{White}\"", hit);
 
-        string free = Draw("""{"shape":{"type":"sphere","radius":1}},{"shape":{"type":"sphere","radius":1},"position":[3,0,0]}""");
+        string free = Draw(
+            """{"shape":{"type":"sphere","radius":1}},{"shape":{"type":"sphere","radius":1},"position":[3,0,0]}""");
         Assert.All(FaceColors(free), c => Assert.False(IsRed(c), c));
         Assert.Contains($"stroke=\"{White}\"", free);
     }
@@ -48,7 +50,9 @@ public sealed class PictureTests
     [Fact]
     public void WhatIsHiddenIsNotDrawn()
     {
-        string alone = Draw(Front), pair = Draw($"{Front},{Behind}"), beside = Draw($"{Front},{Behind.Replace("}}", "},\"position\":[12,0,0]}")}");
+        string alone = Draw(Front);
+        string pair = Draw($"{Front},{Behind}");
+        string beside = Draw($"{Front},{Behind.Replace("}}", "},\"position\":[12,0,0]}")}");
         Assert.Equal(3, Polygons(alone).Count);
         Assert.Equal(3, Polygons(pair).Count);
         Assert.Equal(6, Polygons(beside).Count);
@@ -59,9 +63,12 @@ public sealed class PictureTests
     [Fact]
     public void OverlappingFacesDoNotOverlapInThePicture()
     {
-        // Three boxes through each other: the visible parts tile the union's outline, so their areas add up to that of the silhouettes' union.
+        // Three boxes through each other. The visible parts tile the outline of the union. So their areas add up to the
+        // area of the union of the silhouettes.
         const string Cross = """
-            {"shape":{"type":"box","halfExtents":[3,0.6,0.6]}},{"shape":{"type":"box","halfExtents":[0.6,3,0.6]}},{"shape":{"type":"box","halfExtents":[0.6,0.6,3]}}
+            {"shape":{"type":"box","halfExtents":[3,0.6,0.6]}},
+            {"shape":{"type":"box","halfExtents":[0.6,3,0.6]}},
+            {"shape":{"type":"box","halfExtents":[0.6,0.6,3]}}
             """;
         List<List<(double X, double Y)>> polygons = Polygons(Draw(Cross));
         var random = new Random(3);
@@ -78,13 +85,17 @@ public sealed class PictureTests
         Assert.True(twice <= covered / 500, $"{twice} of {covered} points are covered twice");
     }
 
-    /// <summary>Well-formed, every number finite, every path drawn inside the picture, on a ground of its own.</summary>
+    /// <summary>
+    /// Asserts that the SVG is well-formed, that every number is finite, that every path lies inside the picture, and
+    /// that the picture has its own background.
+    /// </summary>
     internal static void AssertSound(string svg)
     {
         XElement root = XDocument.Parse(svg).Root!;
         XNamespace ns = "http://www.w3.org/2000/svg";
         Assert.Equal(ns + "svg", root.Name);
-        double[] box = [.. root.Attribute("viewBox")!.Value.Split(' ').Select(n => double.Parse(n, CultureInfo.InvariantCulture))];
+        string[] viewBox = root.Attribute("viewBox")!.Value.Split(' ');
+        double[] box = [.. viewBox.Select(n => double.Parse(n, CultureInfo.InvariantCulture))];
         Assert.Equal([0, 0, 960], box[..3]);
         Assert.InRange(box[3], 400, 801);
         Assert.Equal(Ground, root.Element(ns + "rect")!.Attribute("fill")!.Value);
@@ -109,7 +120,8 @@ public sealed class PictureTests
 
     private static IEnumerable<string> FaceColors(string svg)
     {
-        string[] colors = [.. Regex.Matches(svg, "fill=\"(#[0-9a-f]{6})\"").Select(m => m.Groups[1].Value).Where(c => c is not (Ground or Outline))];
+        IEnumerable<string> fills = Regex.Matches(svg, "fill=\"(#[0-9a-f]{6})\"").Select(m => m.Groups[1].Value);
+        string[] colors = [.. fills.Where(c => c is not (Ground or Outline))];
         Assert.NotEmpty(colors);
         return colors;
     }
@@ -121,13 +133,14 @@ public sealed class PictureTests
         bool inside = false;
         for (int i = 0, j = p.Count - 1; i < p.Count; j = i++)
         {
-            if (p[i].Y > y != p[j].Y > y && x < (p[j].X - p[i].X) * (y - p[i].Y) / (p[j].Y - p[i].Y) + p[i].X) inside = !inside;
+            if (p[i].Y > y != p[j].Y > y && x < (p[j].X - p[i].X) * (y - p[i].Y) / (p[j].Y - p[i].Y) + p[i].X)
+                inside = !inside;
         }
 
         return inside;
     }
 
-    /// <summary>The filled outlines, read as any SVG reader does.</summary>
+    /// <summary>The filled outlines, read as an SVG reader would.</summary>
     private static List<List<(double X, double Y)>> Polygons(string svg)
     {
         var result = new List<List<(double X, double Y)>>();
@@ -136,7 +149,8 @@ public sealed class PictureTests
             double x = 0, y = 0;
             foreach (string subpath in path.Groups[1].Value.Split('z', StringSplitOptions.RemoveEmptyEntries))
             {
-                double[] steps = [.. Regex.Matches(subpath, "-?(\\d+(\\.\\d+)?|\\.\\d+)").Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
+                MatchCollection numbers = Regex.Matches(subpath, "-?(\\d+(\\.\\d+)?|\\.\\d+)");
+                double[] steps = [.. numbers.Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
                 var polygon = new List<(double X, double Y)>();
                 for (int i = 0; i < steps.Length; i += 2)
                 {

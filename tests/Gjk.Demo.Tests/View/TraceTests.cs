@@ -8,7 +8,10 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>The page that <c>trace</c> writes, without a browser: its answer is that of <c>query</c>, and its steps lead there.</summary>
+/// <summary>
+/// Tests the page that <c>trace</c> writes, without a browser. Its answer is that of <c>query</c>, and its steps lead
+/// to that answer.
+/// </summary>
 public sealed class TraceTests
 {
     private const string Scene = """
@@ -44,7 +47,8 @@ public sealed class TraceTests
         CsvRow row = Assert.Single(CsvRow.Parse(DemoProcess.Run("query", listed).Out));
         JsonElement result = page.Data.GetProperty("result");
         Assert.Equal((row.Status, row.Distance, row.LowerBound, row.Iterations), (
-            result.GetProperty("status").GetString(), result.GetProperty("distance").GetSingle(), result.GetProperty("lowerBound").GetSingle(), result.GetProperty("iterations").GetInt32()));
+            result.GetProperty("status").GetString(), result.GetProperty("distance").GetSingle(),
+            result.GetProperty("lowerBound").GetSingle(), result.GetProperty("iterations").GetInt32()));
         Assert.Equal(overlaps, row.Overlap);
         Assert.Equal((a, b), ((int)page.Count("a"), (int)page.Count("b")));
         Assert.Equal(row.Iterations, page.Count("steps"));
@@ -57,7 +61,8 @@ public sealed class TraceTests
         using var directory = new TempDirectory();
         foreach (string scene in new[] { "cubes", "spheres" })
         {
-            DemoProcess.Run("trace", "--builtin", scene, "--pair", "0,19", "--out", directory.File("t.html")).AssertDone();
+            DemoProcess.Run("trace", "--builtin", scene, "--pair", "0,19", "--out", directory.File("t.html"))
+                .AssertDone();
             Assert.InRange(new PageText(directory.File("t.html")).Count("steps"), 2, 20);
         }
     }
@@ -78,23 +83,36 @@ public sealed class TraceTests
     [InlineData("trace a.json --pair 0,1 --out a.json", "overwrite the scene")]
     [InlineData("trace none.json --pair 0,1 --out none.html", "no such file")]
     [InlineData("trace --builtin cubes --pair 0,20 --out none.html", "--pair 0,20: the scene has 20 objects")]
-    public void WrongArgumentsAreOneLine(string args, string part) => DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+    public void WrongArgumentsAreOneLine(string args, string part) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
 
     [Fact]
     public void RefusalsLeaveNoFile()
     {
         using var directory = new TempDirectory();
-        string scene = directory.Write("scene.json", Scene), bad = directory.Write("bad.json", """{"version":1,"objects":[{"shape":{"type":"sphere","radius":-1}}]}""");
+        string scene = directory.Write("scene.json", Scene);
+        string bad = directory.Write(
+            "bad.json", """{"version":1,"objects":[{"shape":{"type":"sphere","radius":-1}}]}""");
         string target = directory.File("t.html"), nowhere = Path.Combine(directory.Path, "nowhere", "t.html");
-        DemoProcess.Run("trace", scene, "--pair", "0,7", "--out", target).AssertRefused(scene, "--pair 0,7", "7 objects");
+        DemoProcess.Run("trace", scene, "--pair", "0,7", "--out", target)
+            .AssertRefused(scene, "--pair 0,7", "7 objects");
         DemoProcess.Run("trace", bad, "--pair", "0,1", "--out", target).AssertRefused(bad, "$.objects[0].shape.radius");
         DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", nowhere).AssertRefused(nowhere, "no such directory");
-        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", directory.Path).AssertRefused(directory.Path, "directory");
-        if (File.Exists("/dev/full")) DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
+        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", directory.Path)
+            .AssertRefused(directory.Path, "directory");
+        if (File.Exists("/dev/full"))
+        {
+            DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", "/dev/full")
+                .AssertRefused("/dev/full", "cannot be written");
+        }
+
         Assert.Equal([bad, scene], directory.Files.Order());
     }
 
-    /// <summary>Each vertex is the difference of its points and one of the drawn surface's, or inside it; the simplices chain; the last bounds meet at the answer.</summary>
+    /// <summary>
+    /// Asserts that each vertex is the difference of its points and lies on the drawn surface or inside it. Each
+    /// simplex continues the one before, and the last bounds meet at the answer.
+    /// </summary>
     private static void AssertSteps(JsonElement data, CsvRow row)
     {
         var kept = new List<int>();
@@ -102,7 +120,10 @@ public sealed class TraceTests
         int at = 0;
         foreach (JsonElement step in data.GetProperty("steps").EnumerateArray())
         {
-            Vector3 w = Vector(step, "w"), onA = Vector(step, "onA"), onB = Vector(step, "onB"), n = Vector(step, "normal");
+            Vector3 w = Vector(step, "w");
+            Vector3 onA = Vector(step, "onA");
+            Vector3 onB = Vector(step, "onB");
+            Vector3 n = Vector(step, "normal");
             Assert.Equal(0, (onA - onB - w).Length(), 1e-5f);
             Assert.Equal(1, n.Length(), 1e-5f);
             Assert.Equal(Vector3.Dot(n, w), step.GetProperty("lower").GetDouble(), 1e-5);

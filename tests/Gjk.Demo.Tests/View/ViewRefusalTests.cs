@@ -6,7 +6,7 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>What <c>view</c> refuses: one line, exit code 2, no file.</summary>
+/// <summary>A refusal of <c>view</c> gives one line, exit code 2 and no file.</summary>
 public sealed class ViewRefusalTests
 {
     [Theory]
@@ -22,22 +22,33 @@ public sealed class ViewRefusalTests
     [InlineData("view a.json --svg ./a.json", "overwrite the scene")]
     [InlineData("view a.json --out b.html --svg b.html", "overwrite what --out writes")]
     [InlineData("view none.json --out none.html", "no such file")]
-    public void WrongArgumentsAreOneLine(string args, string part) => DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+    public void WrongArgumentsAreOneLine(string args, string part) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
 
     [Theory]
     [InlineData("{", "scene.json")]
     [InlineData("""{"version":1,"objects":[],"frames":0}""", "$.frames")]
     [InlineData("""{"version":1,"objects":[],"frames":1.5}""", "$.frames")]
     [InlineData("""{"version":1,"objects":[],"frames":"many"}""", "$.frames")]
-    [InlineData("""{"version":1,"objects":[{"shape":{"type":"point"},"velocity":[3e38,0,0]}],"frames":3}""", "$.objects[0].velocity")]
-    [InlineData("""{"version":1,"objects":[{"shape":{"type":"point"},"angularVelocity":[0,0]}]}""", "$.objects[0].angularVelocity")]
-    [InlineData("""{"version":1,"objects":[{"shape":{"type":"point"}},{"shape":{"type":"point"}}],"pairs":[[0,1]],"frames":2000000000}""", "2000000000 frames")]
+    [InlineData(
+        """{"version":1,"objects":[{"shape":{"type":"point"},"velocity":[3e38,0,0]}],"frames":3}""",
+        "$.objects[0].velocity")]
+    [InlineData(
+        """{"version":1,"objects":[{"shape":{"type":"point"},"angularVelocity":[0,0]}]}""",
+        "$.objects[0].angularVelocity")]
+    [InlineData(
+        """
+        {"version":1,"objects":[{"shape":{"type":"point"}},{"shape":{"type":"point"}}],"pairs":[[0,1]],
+          "frames":2000000000}
+        """,
+        "2000000000 frames")]
     [InlineData("""{"version":1,"objects":[{"shape":{"type":"point"}}],"frames":2500001}""", "2500001 frames")]
     public void BadScenesLeaveNoFile(string text, string part)
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", text);
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg")).AssertRefused(scene, part);
+        DemoProcess.Run("view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"))
+            .AssertRefused(scene, part);
         Assert.Equal([scene], directory.Files);
     }
 
@@ -45,12 +56,15 @@ public sealed class ViewRefusalTests
     public void TargetsThatCannotBeWrittenLeaveNoFile()
     {
         using var directory = new TempDirectory();
-        string scene = directory.Write("scene.json", """{"version":1,"objects":[]}"""), nowhere = Path.Combine(directory.Path, "nowhere", "a");
+        string scene = directory.Write("scene.json", """{"version":1,"objects":[]}""");
+        string nowhere = Path.Combine(directory.Path, "nowhere", "a");
         DemoProcess.Run("view", scene, "--out", nowhere).AssertRefused(nowhere, "no such directory");
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html"), "--svg", nowhere).AssertRefused(nowhere, "no such directory");
+        DemoProcess.Run("view", scene, "--out", directory.File("a.html"), "--svg", nowhere)
+            .AssertRefused(nowhere, "no such directory");
         DemoProcess.Run("view", scene, "--svg", directory.Path).AssertRefused(directory.Path, "directory");
         DemoProcess.Run("view", scene, "--out", "").AssertRefused("cannot be written");
-        if (File.Exists("/dev/full")) DemoProcess.Run("view", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
+        if (File.Exists("/dev/full"))
+            DemoProcess.Run("view", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
         Assert.Equal([scene], directory.Files);
     }
 
@@ -59,7 +73,8 @@ public sealed class ViewRefusalTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", SceneTests.Points(20_000, pairs: ""));
-        using DemoProcess demo = DemoProcess.Start("view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));
+        using DemoProcess demo = DemoProcess.Start(
+            "view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));
         demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal)));
         demo.Interrupt();
         DemoRun run = demo.Wait();

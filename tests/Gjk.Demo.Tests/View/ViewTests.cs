@@ -10,13 +10,17 @@ using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>The page that <c>view</c> writes, without a browser: what it says is what <c>query</c> says. tests/Gjk.Viewer opens it in one.</summary>
+/// <summary>
+/// Tests the page that <c>view</c> writes, without a browser. Its answers are those of <c>query</c>. The tests in
+/// tests/Gjk.Viewer open the page in a browser.
+/// </summary>
 public sealed class ViewTests
 {
     private const string Moving = """
         {"version":1,"name":"moving","frames":5,"objects":[
           {"name":"box","shape":{"type":"box","halfExtents":[1,1,1]}},
-          {"shape":{"type":"box","halfExtents":[1,0.5,0.5]},"position":[4,0,0],"velocity":[-0.5,0,0],"angularVelocity":[0,0,0.7853982]},
+          {"shape":{"type":"box","halfExtents":[1,0.5,0.5]},"position":[4,0,0],
+            "velocity":[-0.5,0,0],"angularVelocity":[0,0,0.7853982]},
           {"name":"</script><b>&","shape":{"type":"capsule","radius":0.5,"halfHeight":1},"position":[0,3,0]}]}
         """;
 
@@ -31,7 +35,10 @@ public sealed class ViewTests
         Assert.Equal("", run.Out);
         var page = new PageText(directory.File("a.html"));
         page.AssertSelfContained();
-        Assert.Equal((20, 190, 190, 1, 5), (page.Count("objects"), page.Count("pairs"), page.Count("listed"), page.Count("frames"), page.Count("overlapping")));
+        Assert.Equal(
+            (20, 190, 190, 1, 5),
+            (page.Count("objects"), page.Count("pairs"), page.Count("listed"), page.Count("frames"),
+            page.Count("overlapping")));
         Assert.Equal(5, page.Column<byte>("status").Count(s => s == 1));
         Assert.Single(page.Data.GetProperty("shapes").EnumerateArray());
     }
@@ -45,7 +52,8 @@ public sealed class ViewTests
         var page = new PageText(directory.File("a.html"));
         page.AssertSelfContained();
         AssertFrame(page, 0, CsvRow.Parse(DemoProcess.Run("query", scene).Out));
-        Assert.Equal(["box", null, "</script><b>&"], page.Data.GetProperty("names").EnumerateArray().Select(n => n.GetString()));
+        Assert.Equal(
+            ["box", null, "</script><b>&"], page.Data.GetProperty("names").EnumerateArray().Select(n => n.GetString()));
     }
 
     [Fact]
@@ -61,12 +69,15 @@ public sealed class ViewTests
             float[] pose = poses[(7 * (3 * frame + 1))..(7 * (3 * frame + 2))];
             (float sine, float cosine) = MathF.SinCos(frame * MathF.PI / 8);
             Assert.Equal(4 - 0.5f * frame, pose[4]);
-            Assert.Equal(0, (new Vector4(0, 0, sine, cosine) - new Vector4(pose[0], pose[1], pose[2], pose[3])).Length(), 1e-6f);
+            Assert.Equal(
+                0, (new Vector4(0, 0, sine, cosine) - new Vector4(pose[0], pose[1], pose[2], pose[3])).Length(), 1e-6f);
 
-            // The frame as a scene of its own, with exactly these poses, asked through the other command.
+            // The frame as a separate scene with exactly these poses. The other command answers it.
             string still = FormattableString.Invariant($$$"""
                 {"version":1,"objects":[{"shape":{"type":"box","halfExtents":[1,1,1]}},
-                  {"shape":{"type":"box","halfExtents":[1,0.5,0.5]},"position":[{{{pose[4]}}},{{{pose[5]}}},{{{pose[6]}}}],"rotation":[{{{pose[0]:R}}},{{{pose[1]:R}}},{{{pose[2]:R}}},{{{pose[3]:R}}}]},
+                  {"shape":{"type":"box","halfExtents":[1,0.5,0.5]},
+                    "position":[{{{pose[4]}}},{{{pose[5]}}},{{{pose[6]}}}],
+                    "rotation":[{{{pose[0]:R}}},{{{pose[1]:R}}},{{{pose[2]:R}}},{{{pose[3]:R}}}]},
                   {"shape":{"type":"capsule","radius":0.5,"halfHeight":1},"position":[0,3,0]}]}
                 """);
             AssertFrame(page, frame, CsvRow.Parse(DemoProcess.Run("query", directory.Write("still.json", still)).Out));
@@ -82,7 +93,8 @@ public sealed class ViewTests
         var random = new Random(7);
         IEnumerable<string> balls = Enumerable.Range(0, 720).Select(_ => string.Create(
             CultureInfo.InvariantCulture,
-            $"{{\"shape\":{{\"type\":\"sphere\",\"radius\":0.3}},\"position\":[{random.NextSingle() * 10},{random.NextSingle() * 10},{random.NextSingle() * 10}]}}"));
+            $"{{\"shape\":{{\"type\":\"sphere\",\"radius\":0.3}},"
+            + $"\"position\":[{random.NextSingle() * 10},{random.NextSingle() * 10},{random.NextSingle() * 10}]}}"));
         string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{string.Join(',', balls)}]}}");
         DemoProcess.Run("view", scene, "--out", directory.File("a.html")).AssertDone();
         var page = new PageText(directory.File("a.html"));
@@ -104,13 +116,30 @@ public sealed class ViewTests
     [Theory]
     [InlineData("""{"version":1,"objects":[]}""", 0)]
     [InlineData("""{"version":1,"objects":[{"shape":{"type":"point"}}]}""", 1)]
-    [InlineData("""{"version":1,"objects":[{"shape":{"type":"segment","a":[0,0,0],"b":[1,0,0]}},{"shape":{"type":"triangle","a":[0,0,0],"b":[1,0,0],"c":[0,1,0]}}]}""", 2)]
-    [InlineData("""{"version":1,"meshes":{"m":[[1,1,1]]},"objects":[{"shape":{"type":"mesh","mesh":"m"}},{"shape":{"type":"sphere","radius":1e30},"position":[0,1e31,0]}]}""", 2)]
-    [InlineData("""{"version":1,"objects":[{"shape":{"type":"cone","radius":1e-20,"halfHeight":1e-20}},{"shape":{"type":"ellipsoid","radii":[1e-20,0,0]}}]}""", 2)]
+    [InlineData(
+        """
+        {"version":1,"objects":[{"shape":{"type":"segment","a":[0,0,0],"b":[1,0,0]}},
+          {"shape":{"type":"triangle","a":[0,0,0],"b":[1,0,0],"c":[0,1,0]}}]}
+        """,
+        2)]
+    [InlineData(
+        """
+        {"version":1,"meshes":{"m":[[1,1,1]]},"objects":[{"shape":{"type":"mesh","mesh":"m"}},
+          {"shape":{"type":"sphere","radius":1e30},"position":[0,1e31,0]}]}
+        """,
+        2)]
+    [InlineData(
+        """
+        {"version":1,"objects":[{"shape":{"type":"cone","radius":1e-20,"halfHeight":1e-20}},
+          {"shape":{"type":"ellipsoid","radii":[1e-20,0,0]}}]}
+        """,
+        2)]
     public void ScenesOfAnySizeAndDimensionAreShown(string scene, int objects)
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run("view", directory.Write("scene.json", scene), "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));
+        DemoRun run = DemoProcess.Run(
+            "view", directory.Write("scene.json", scene),
+            "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));
         run.AssertDone();
         Assert.Equal(objects, new PageText(directory.File("a.html")).Count("objects"));
         PictureTests.AssertSound(File.ReadAllText(directory.File("a.svg")));
@@ -121,7 +150,8 @@ public sealed class ViewTests
         int at = frame * rows.Count;
         byte[] status = page.Column<byte>("status");
         ushort[] iterations = page.Column<ushort>("iterations");
-        float[] distance = page.Column<float>("distance"), points = page.Column<float>("pointA"), normals = page.Column<float>("normal");
+        float[] distance = page.Column<float>("distance");
+        float[] points = page.Column<float>("pointA"), normals = page.Column<float>("normal");
         int[] a = page.Column<int>("a"), b = page.Column<int>("b");
         for (int i = 0; i < rows.Count; i++)
         {
@@ -129,7 +159,9 @@ public sealed class ViewTests
             Assert.Equal((rows[i].A, rows[i].B), (a[i], b[i]));
             Assert.Equal(rows[i].Status, ((GjkStatus)(status[k] + 1)).ToString());
             Assert.Equal((rows[i].Distance, rows[i].Iterations), (distance[k], iterations[k]));
-            Assert.Equal((rows[i].PointA, rows[i].Normal), (new Vector3(points.AsSpan(3 * k)), new Vector3(normals.AsSpan(3 * k))));
+            Assert.Equal(
+                (rows[i].PointA, rows[i].Normal),
+                (new Vector3(points.AsSpan(3 * k)), new Vector3(normals.AsSpan(3 * k))));
         }
 
         Assert.Equal(rows.Count(r => r.Overlap), page.Column<int>("overlapping")[frame]);

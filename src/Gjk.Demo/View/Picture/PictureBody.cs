@@ -5,20 +5,26 @@ using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>One object as the eye sees it: the triangles towards it, the lines to be drawn, and what it hides.</summary>
+/// <summary>
+/// One object as the eye sees it: the triangles that face the eye, the lines to draw, and the region that the object
+/// hides.
+/// </summary>
 internal sealed class PictureBody
 {
-    /// <summary>A mesh with more corners than this stands for something round: its edges would be a net over it, so only its outline is drawn.</summary>
+    /// <summary>
+    /// A mesh with more corners than this stands for something round. Drawing all its edges would cover it with a net,
+    /// so only its outline is drawn.
+    /// </summary>
     private const int MostEdges = 200;
 
     private readonly ShapeMesh _mesh;
     private readonly int[] _across;
     private readonly bool[] _faces;
 
-    /// <param name="mesh">Its surface.</param>
-    /// <param name="position">Its vertex in the units of the picture, given the rotated one in world units.</param>
-    /// <param name="rotation">Its rotation in the world.</param>
-    /// <param name="eye">In the units of the picture.</param>
+    /// <param name="mesh">The surface of the object.</param>
+    /// <param name="position">Converts a rotated vertex in world units to the units of the picture.</param>
+    /// <param name="rotation">The rotation of the object in the world.</param>
+    /// <param name="eye">The position of the eye in the units of the picture.</param>
     public PictureBody(ShapeMesh mesh, Func<Vector3D, Vector3D> position, Quaternion rotation, in Vector3D eye)
     {
         _mesh = mesh;
@@ -30,7 +36,8 @@ internal sealed class PictureBody
         EyeDistance = (Center - eye).Length;
         _across = mesh.Dimension > 1 ? mesh.Neighbours() : [];
         _faces = new bool[mesh.Triangles.Length / 3];
-        for (int i = 0; i < _faces.Length; i++) _faces[i] = Vector3D.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
+        for (int i = 0; i < _faces.Length; i++)
+            _faces[i] = Vector3D.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
         Shadow = new Shadow(Planes(eye));
     }
 
@@ -38,10 +45,10 @@ internal sealed class PictureBody
 
     public Vector3D Center { get; }
 
-    /// <summary>About the centre.</summary>
+    /// <summary>The radius about the centre.</summary>
     public double Radius { get; }
 
-    /// <summary>From the eye to the centre.</summary>
+    /// <summary>The distance from the eye to the centre.</summary>
     public double EyeDistance { get; }
 
     public Shadow Shadow { get; }
@@ -54,19 +61,23 @@ internal sealed class PictureBody
 
     public int Corner(int triangle, int corner) => _mesh.Triangles[3 * triangle + corner];
 
-    /// <summary>Of any length.</summary>
+    /// <summary>The normal of a triangle. Its length is arbitrary.</summary>
     public Vector3D Normal(int triangle)
     {
         Vector3D a = Vertices[Corner(triangle, 0)];
         return Vector3D.Cross(Vertices[Corner(triangle, 1)] - a, Vertices[Corner(triangle, 2)] - a);
     }
 
-    /// <summary>The lines to draw, as two vertices: the outline, and the corners of what is not round.</summary>
+    /// <summary>
+    /// The lines to draw, each as two vertices: the outline, and the edges of a body that is not round.
+    /// </summary>
     public IEnumerable<(int From, int To)> Lines()
     {
         if (_mesh.Dimension == 1) yield return (0, 1);
         var corners = new HashSet<(int, int)>();
-        for (int i = 0; i < _mesh.Edges.Length && _mesh.Edges.Length <= 2 * MostEdges; i += 2) corners.Add((_mesh.Edges[i], _mesh.Edges[i + 1]));
+        bool drawsEdges = _mesh.Edges.Length <= 2 * MostEdges;
+        for (int i = 0; drawsEdges && i < _mesh.Edges.Length; i += 2)
+            corners.Add((_mesh.Edges[i], _mesh.Edges[i + 1]));
         for (int i = 0; i < _across.Length; i++)
         {
             if (!_faces[i / 3]) continue;
@@ -97,7 +108,7 @@ internal sealed class PictureBody
         return (unit, Vector3D.Dot(unit, through));
     }
 
-    /// <summary>v + 2 u × (u × v + w v), the quaternion's rotation, in double.</summary>
+    /// <summary>Rotates by a quaternion in double: v + 2 u × (u × v + w v).</summary>
     private static Vector3D Rotated(Vector3D v, Quaternion q)
     {
         var u = new Vector3D(q.X, q.Y, q.Z);

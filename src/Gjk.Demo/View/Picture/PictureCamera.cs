@@ -4,25 +4,32 @@ using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The camera of a still picture: where the page first looks from, as near as all balls allow, and the picture just as tall as they need.</summary>
+/// <summary>
+/// The camera of a still picture. It looks in the page's first direction and stands as near as all balls allow. The
+/// picture is as tall as the balls need.
+/// </summary>
 internal sealed class PictureCamera
 {
-    /// <summary>Half the angle that the longer side of the picture spans, as its tangent: 19 degrees.</summary>
+    /// <summary>
+    /// The tangent of half the angle that the longer side of the picture spans. The half angle is 19 degrees.
+    /// </summary>
     private const double HalfWidth = 0.344;
 
     /// <summary>Width over height of the widest and the narrowest picture.</summary>
     private const double Widest = 2.2, Narrowest = 1.2;
 
-    /// <summary>Room around the scene, as a share of the picture.</summary>
+    /// <summary>The margin around the scene, as a share of the picture.</summary>
     private const double Border = 0.05;
 
-    /// <summary>A scene of one point is shown from this near: the width of the picture as a tangent.</summary>
+    /// <summary>
+    /// The least width of the picture, as a tangent. It sets how near the camera comes to a scene of one point.
+    /// </summary>
     private const double Smallest = 1e-3;
 
     private readonly Vector3D _right, _up, _back;
     private double _scale, _left, _top;
 
-    /// <param name="balls">What must be in sight.</param>
+    /// <param name="balls">Balls that must be in sight.</param>
     public PictureCamera(IReadOnlyList<(Vector3D Center, double Radius)> balls)
     {
         _back = Unit(new Vector3D(0.34, 0.42, 1));
@@ -32,7 +39,8 @@ internal sealed class PictureCamera
         foreach ((Vector3D center, double radius) in balls)
         {
             double depth = Vector3D.Dot(center, _back) + radius;
-            double aside = Math.Max(Math.Abs(Vector3D.Dot(center, _right)), Math.Abs(Vector3D.Dot(center, _up)) * Narrowest);
+            double aside = Math.Max(
+                Math.Abs(Vector3D.Dot(center, _right)), Math.Abs(Vector3D.Dot(center, _up)) * Narrowest);
             away = Math.Max(away, depth + (aside + radius) / HalfWidth);
         }
 
@@ -45,7 +53,7 @@ internal sealed class PictureCamera
 
     public double Height { get; private set; }
 
-    /// <summary>Makes the picture as wide as asked, and just as tall as all points need.</summary>
+    /// <summary>Makes the picture as wide as given, and as tall as all points need.</summary>
     public void Frame(IEnumerable<Vector3D> points, double width)
     {
         double left = double.PositiveInfinity, right = -left, bottom = left, top = -left;
@@ -70,14 +78,14 @@ internal sealed class PictureCamera
         _top = (top + bottom + high) / 2;
     }
 
-    /// <summary>Where a point is in the picture: x to the right, y down.</summary>
+    /// <summary>The position of a point in the picture. x goes to the right, y goes down.</summary>
     public (double X, double Y) Project(in Vector3D point)
     {
         (double x, double y) = OnWindow(point);
         return ((x - _left) * _scale, (_top - y) * _scale);
     }
 
-    /// <summary>A direction given by how far it goes right, up and towards the viewer.</summary>
+    /// <summary>A direction, given by its parts to the right, upwards and towards the viewer.</summary>
     public Vector3D Direction(double right, double up, double back) => Unit(_right * right + _up * up + _back * back);
 
     private static Vector3D Unit(in Vector3D v) => v * (1 / v.Length);

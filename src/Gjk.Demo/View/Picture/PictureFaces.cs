@@ -4,10 +4,10 @@ using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The visible surfaces of a picture, one path for each colour and brightness.</summary>
+/// <summary>The visible surfaces of a picture, with one path for each colour and brightness.</summary>
 internal sealed class PictureFaces
 {
-    /// <summary>How many steps there are between the darkest and the brightest face.</summary>
+    /// <summary>How many levels of brightness there are, from the darkest to the brightest face.</summary>
     private const int Levels = 24;
 
     /// <summary>Brightness of a face turned away from the light, and of one turned towards it.</summary>
@@ -29,12 +29,16 @@ internal sealed class PictureFaces
         {
             foreach (((bool isHit, int level), SvgPath path) in _paths)
             {
-                if (!path.IsEmpty) yield return (isHit, Darkest + (Brightest - Darkest) * level / (Levels - 1), path.ToString());
+                if (!path.IsEmpty)
+                    yield return (isHit, Darkest + (Brightest - Darkest) * level / (Levels - 1), path.ToString());
             }
         }
     }
 
-    /// <summary>Adds what the others leave visible of a body. Whole triangles of one level are joined, so that only their common outline is written.</summary>
+    /// <summary>
+    /// Adds the parts of a body that the other bodies leave visible. Whole triangles of one level are joined, so that
+    /// only their common outline is written.
+    /// </summary>
     public void Add(PictureBody body, bool isHit, List<PictureBody> before)
     {
         var outlines = new SortedDictionary<int, HashSet<(int From, int To)>>();
@@ -56,18 +60,22 @@ internal sealed class PictureFaces
 
             if (pieces.Count == 1 && pieces[0] == whole)
             {
-                if (!outlines.TryGetValue(level, out HashSet<(int From, int To)>? sides)) outlines.Add(level, sides = []);
+                if (!outlines.TryGetValue(level, out HashSet<(int From, int To)>? sides))
+                    outlines.Add(level, sides = []);
                 for (int k = 0; k < 3; k++) Join(sides, body.Corner(i, k), body.Corner(i, k == 2 ? 0 : k + 1));
                 continue;
             }
 
-            foreach (Vector3D[] piece in pieces) Path(isHit, level).Polygon(Array.ConvertAll(piece, p => _camera.Project(p)));
+            foreach (Vector3D[] piece in pieces)
+                Path(isHit, level).Polygon(Array.ConvertAll(piece, p => _camera.Project(p)));
         }
 
         foreach ((int level, HashSet<(int From, int To)> sides) in outlines) Trace(body, sides, Path(isHit, level));
     }
 
-    /// <summary>A side that two triangles share is inside of their union.</summary>
+    /// <summary>
+    /// Adds a side of a triangle. A side that two triangles share lies inside their union and is removed.
+    /// </summary>
     private static void Join(HashSet<(int From, int To)> sides, int from, int to)
     {
         if (!sides.Remove((to, from))) sides.Add((from, to));

@@ -5,7 +5,7 @@ using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>Points and segments, which have no surface: drawn as dots and strokes of one thickness.</summary>
+/// <summary>Points and segments, which have no surface. They are drawn as dots and as strokes of one width.</summary>
 internal sealed class PictureThin
 {
     /// <summary>In the units of the picture.</summary>
@@ -23,7 +23,9 @@ internal sealed class PictureThin
         if (body.Vertices.Length == 1)
         {
             (double x, double y) = _camera.Project(from);
-            _elements.Add(string.Create(CultureInfo.InvariantCulture, $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"/>"));
+            _elements.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"/>"));
             return;
         }
 
@@ -31,7 +33,9 @@ internal sealed class PictureThin
         foreach ((double start, double end) in Visible(from, to, before))
             path.Line([_camera.Project(from + (to - from) * start), _camera.Project(from + (to - from) * end)]);
         if (path.IsEmpty) return;
-        _elements.Add(string.Create(CultureInfo.InvariantCulture, $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\" d=\"{path}\"/>"));
+        _elements.Add(string.Create(
+            CultureInfo.InvariantCulture,
+            $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\" d=\"{path}\"/>"));
     }
 
     public void Write(TextWriter writer)

@@ -14,21 +14,30 @@ using Gjk.Demo.Scenes;
 namespace Gjk.Demo.View;
 
 /// <summary>
-/// The still picture of a scene's first frame as SVG: what the page shows at first, as shapes and lines of which only the visible parts are written. It
-/// brings its dark ground along, so that the white lines can be read on any page.
+/// Draws the first frame of a scene as an SVG picture. It shows what the page shows at first, and contains only the
+/// visible parts of shapes and lines. The picture has a dark background of its own, so that the white lines are
+/// readable on any page.
 /// </summary>
 internal sealed class ScenePicture
 {
-    /// <summary>In the picture's own units, which are pixels where nobody scales it.</summary>
+    /// <summary>The width in the picture's own units. These are pixels if the picture is not scaled.</summary>
     private const double Width = 960;
 
-    /// <summary>With more pairs than this only the lines to nearest partners are drawn; the page begins in the same way.</summary>
+    /// <summary>
+    /// With more pairs than this, only the lines to nearest partners are drawn. The page starts in the same way.
+    /// </summary>
     private const int ManyPairs = 400;
 
-    /// <summary>The scene is drawn this large from its middle to its end, whatever its size, as on the page.</summary>
+    /// <summary>
+    /// The distance from the middle of the scene to its end as it is drawn. It does not depend on the scene's size, as
+    /// on the page.
+    /// </summary>
     private const double DrawnRadius = 10;
 
-    /// <summary>Ratio: angles that differ by no more than this count as equal, far more than the arc functions round.</summary>
+    /// <summary>
+    /// Ratio. Angles that differ by no more than this count as equal. It is far more than the rounding of the arc
+    /// functions.
+    /// </summary>
     private const double Rounding = 1 + 1e-9;
 
     private readonly Scene _scene;
@@ -47,13 +56,18 @@ internal sealed class ScenePicture
         int count = scene.Objects.Length;
         (_middle, _unit) = Measure(scene, shapes);
         var balls = new List<(Vector3D, double)>(count);
-        for (int i = 0; i < count; i++) balls.Add((Drawn(scene.Objects[i].Pose.Position), shapes.Meshes[shapes.OfObject[i]].Radius * _unit));
+        for (int i = 0; i < count; i++)
+        {
+            double radius = shapes.Meshes[shapes.OfObject[i]].Radius * _unit;
+            balls.Add((Drawn(scene.Objects[i].Pose.Position), radius));
+        }
         _camera = new PictureCamera(balls);
         _bodies = new PictureBody[count];
         for (int i = 0; i < count; i++)
         {
             RigidPose pose = scene.Objects[i].Pose;
-            _bodies[i] = new PictureBody(shapes.Meshes[shapes.OfObject[i]], v => Drawn(v + pose.Position), pose.Rotation, _camera.Eye);
+            ShapeMesh mesh = shapes.Meshes[shapes.OfObject[i]];
+            _bodies[i] = new PictureBody(mesh, v => Drawn(v + pose.Position), pose.Rotation, _camera.Eye);
         }
 
         _camera.Frame(_bodies.SelectMany(body => body.Vertices), Width);
@@ -63,7 +77,9 @@ internal sealed class ScenePicture
         Rank();
     }
 
-    public static void Write(Stream stream, Scene scene, ShapeTable shapes, SceneResults results, Action<double> progress, CancellationToken cancel)
+    public static void Write(
+        Stream stream, Scene scene, ShapeTable shapes, SceneResults results, Action<double> progress,
+        CancellationToken cancel)
     {
         using var writer = new StreamWriter(stream, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
         new ScenePicture(scene, shapes, results).Write(writer, progress, cancel);
@@ -72,7 +88,8 @@ internal sealed class ScenePicture
     private static (Vector3D Middle, double Unit) Measure(Scene scene, ShapeTable shapes)
     {
         if (scene.Objects.Length == 0) return (default, 1);
-        double[] low = [double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity], high = [-low[0], -low[0], -low[0]];
+        double[] low = [double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity];
+        double[] high = [-low[0], -low[0], -low[0]];
         for (int i = 0; i < scene.Objects.Length; i++)
         {
             double radius = shapes.Meshes[shapes.OfObject[i]].Radius;
@@ -90,7 +107,7 @@ internal sealed class ScenePicture
 
     private Vector3D Drawn(in Vector3D world) => (world - _middle) * _unit;
 
-    /// <summary>Which objects overlap another, and the pair of each with its nearest partner.</summary>
+    /// <summary>Finds the objects that overlap another, and the pair of each object with its nearest partner.</summary>
     private void Rank()
     {
         int pair = 0;
@@ -115,10 +132,12 @@ internal sealed class ScenePicture
     {
         string title = string.Create(
             CultureInfo.InvariantCulture,
-            $"{_scene.Name}: {_scene.Objects.Length} objects, {_scene.Pairs.Count} pairs, {_results.Overlapping[0]} intersecting");
+            $"{_scene.Name}: {_scene.Objects.Length} objects, {_scene.Pairs.Count} pairs, "
+            + $"{_results.Overlapping[0]} intersecting");
         writer.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {_camera.Width} {_camera.Height}\" role=\"img\" stroke-linejoin=\"round\" stroke-linecap=\"round\">"));
+            $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {_camera.Width} {_camera.Height}\" role=\"img\" "
+            + $"stroke-linejoin=\"round\" stroke-linecap=\"round\">"));
         writer.WriteLine($"<title>{WebUtility.HtmlEncode(title)}</title>");
         writer.WriteLine("<rect width=\"100%\" height=\"100%\" rx=\"14\" fill=\"#12161d\"/>");
         var faces = new PictureFaces(_camera);
@@ -130,8 +149,14 @@ internal sealed class ScenePicture
             progress((double)i / _bodies.Length);
             if (!TryBefore(_bodies[i].Center, _bodies[i].Radius, i, out List<PictureBody> before)) continue;
             faces.Add(_bodies[i], _hit[i], before);
-            if (_bodies[i].Dimension < 2) thin.Add(_bodies[i], _hit[i], before);
-            else foreach ((int from, int to) in _bodies[i].Lines()) AddLine(edges, _bodies[i].Vertices[from], _bodies[i].Vertices[to], before);
+            if (_bodies[i].Dimension < 2)
+            {
+                thin.Add(_bodies[i], _hit[i], before);
+                continue;
+            }
+
+            foreach ((int from, int to) in _bodies[i].Lines())
+                AddLine(edges, _bodies[i].Vertices[from], _bodies[i].Vertices[to], before);
         }
 
         foreach ((bool isHit, double brightness, string path) in faces.Paths)
@@ -140,14 +165,18 @@ internal sealed class ScenePicture
             writer.WriteLine($"<path fill=\"{color}\" stroke=\"{color}\" stroke-width=\".5\" d=\"{path}\"/>");
         }
 
-        if (!edges.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#0a0d12\" stroke-opacity=\".75\" d=\"{edges}\"/>");
+        if (!edges.IsEmpty)
+            writer.WriteLine($"<path fill=\"none\" stroke=\"#0a0d12\" stroke-opacity=\".75\" d=\"{edges}\"/>");
         thin.Write(writer);
         WriteLines(writer, cancel);
         progress(1);
         writer.WriteLine("</svg>");
     }
 
-    /// <summary>The lines between closest points: bright to each object's nearest partner, the others faint.</summary>
+    /// <summary>
+    /// Writes the lines between closest points. The line to each object's nearest partner is bright, the others are
+    /// faint.
+    /// </summary>
     private void WriteLines(StreamWriter writer, CancellationToken cancel)
     {
         SvgPath bright = new(), faint = new();
@@ -158,39 +187,49 @@ internal sealed class ScenePicture
             pair++;
             bool isNearest = _nearest[a] == pair || _nearest[b] == pair;
             double distance = _results.Distance[pair];
-            if (!(distance > 0) || double.IsInfinity(distance) || (!isNearest && _results.Pairs.Count > ManyPairs)) continue;
-            Vector3D from = new Vector3(_results.PointA.AsSpan(3 * pair)), normal = new Vector3(_results.Normal.AsSpan(3 * pair));
+            if (!(distance > 0) || double.IsInfinity(distance) || (!isNearest && _results.Pairs.Count > ManyPairs))
+                continue;
+            Vector3D from = new Vector3(_results.PointA.AsSpan(3 * pair));
+            Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
             Vector3D start = Drawn(from), end = Drawn(from + normal * distance), middle = (start + end) * 0.5;
-            if (TryBefore(middle, (end - middle).Length, -1, out List<PictureBody> before)) AddLine(isNearest ? bright : faint, start, end, before);
+            if (TryBefore(middle, (end - middle).Length, -1, out List<PictureBody> before))
+                AddLine(isNearest ? bright : faint, start, end, before);
         }
 
-        if (!faint.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#fff\" stroke-opacity=\".38\" stroke-width=\".8\" d=\"{faint}\"/>");
-        if (!bright.IsEmpty) writer.WriteLine($"<path fill=\"none\" stroke=\"#fff\" stroke-width=\"1.8\" d=\"{bright}\"/>");
+        const string White = "<path fill=\"none\" stroke=\"#fff\"";
+        if (!faint.IsEmpty) writer.WriteLine($"{White} stroke-opacity=\".38\" stroke-width=\".8\" d=\"{faint}\"/>");
+        if (!bright.IsEmpty) writer.WriteLine($"{White} stroke-width=\"1.8\" d=\"{bright}\"/>");
     }
 
-    /// <summary>The bodies that hide a part of a ball; false when one of them hides it all.</summary>
+    /// <summary>
+    /// Finds the bodies that hide a part of a ball. Returns false if one of them hides the whole ball.
+    /// </summary>
     private bool TryBefore(in Vector3D center, double radius, int except, out List<PictureBody> before)
     {
         before = [];
         double distance = (center - _camera.Eye).Length;
         for (int i = 0; i < _bodies.Length; i++)
         {
-            if (i == except || IsAside(_bodies[i], center, radius, distance) || _bodies[i].Shadow.Misses(center, radius)) continue;
-            if (_bodies[i].Shadow.Hides(center, radius)) return false;
-            before.Add(_bodies[i]);
+            PictureBody body = _bodies[i];
+            if (i == except || IsAside(body, center, radius, distance) || body.Shadow.Misses(center, radius)) continue;
+            if (body.Shadow.Hides(center, radius)) return false;
+            before.Add(body);
         }
 
-        // The nearest hide the most, and what is hidden need not be cut any more.
+        // The nearest body hides the most. Hidden parts need no further cuts.
         before.Sort((x, y) => x.EyeDistance.CompareTo(y.EyeDistance));
         return true;
     }
 
-    /// <summary>A quick look at the two balls: the body's is behind, or the eye sees them apart.</summary>
+    /// <summary>
+    /// A quick test of two balls. True if the body is behind the ball, or if the eye sees them apart.
+    /// </summary>
     private bool IsAside(PictureBody body, in Vector3D center, double radius, double distance)
     {
         if (body.EyeDistance - body.Radius > distance + radius) return true;
         if (body.Radius >= body.EyeDistance || radius >= distance) return false;
-        double between = Math.Acos(Math.Min(1, Vector3D.Dot(body.Center - _camera.Eye, center - _camera.Eye) / (body.EyeDistance * distance)));
+        double cosine = Vector3D.Dot(body.Center - _camera.Eye, center - _camera.Eye) / (body.EyeDistance * distance);
+        double between = Math.Acos(Math.Min(1, cosine));
         return between > (Math.Asin(body.Radius / body.EyeDistance) + Math.Asin(radius / distance)) * Rounding;
     }
 

@@ -5,22 +5,29 @@ using Gjk.Core;
 namespace Gjk.Demo.View;
 
 /// <summary>
-/// What a convex body hides from the eye, itself included: the points from which the way to the eye meets it. It is convex too, bounded by the faces
-/// that the eye sees and by the planes through the eye and the outline, so what is visible of a convex polygon is a few convex polygons, without any sorting.
+/// The region that a convex body hides from the eye, including the body itself. A point is in it if the line from the
+/// eye to the point meets the body. The region is convex. It is bounded by the faces that the eye sees and by the
+/// planes through the eye and the outline. So the visible part of a convex polygon is a few convex polygons, and no
+/// sorting is needed.
 /// </summary>
 internal sealed class Shadow
 {
-    /// <summary>In the units of the picture (a scene is 20 across): how deep a point must lie inside to be hidden, so that touching faces stay in sight.</summary>
+    /// <summary>
+    /// How deep inside a point must lie to be hidden, in the units of the picture (a scene is 20 across). It keeps
+    /// touching faces in sight.
+    /// </summary>
     private const double Slack = 1e-5;
 
     private readonly (Vector3D Normal, double Value)[] _planes;
 
-    /// <summary>The plane that cleared the last polygon; it mostly clears the next one too, which is its neighbour.</summary>
+    /// <summary>
+    /// The plane that cleared the last polygon. It often clears the next one too, because that is a neighbour.
+    /// </summary>
     private int _lastClear;
 
     public Shadow(IEnumerable<(Vector3D Normal, double Value)> planes) => _planes = [.. planes];
 
-    /// <summary>Whether no part of a ball is hidden.</summary>
+    /// <summary>True if no part of a ball is hidden.</summary>
     public bool Misses(in Vector3D center, double radius)
     {
         foreach ((Vector3D normal, double value) in _planes)
@@ -31,7 +38,7 @@ internal sealed class Shadow
         return _planes.Length == 0;
     }
 
-    /// <summary>Whether all of a ball is hidden.</summary>
+    /// <summary>True if a whole ball is hidden.</summary>
     public bool Hides(in Vector3D center, double radius)
     {
         foreach ((Vector3D normal, double value) in _planes)
@@ -62,7 +69,8 @@ internal sealed class Shadow
     }
 
     /// <summary>Adds the parts of a segment that are not hidden, as shares of its length.</summary>
-    public void Cut(in Vector3D from, in Vector3D to, (double From, double To) part, List<(double From, double To)> visible)
+    public void Cut(
+        in Vector3D from, in Vector3D to, (double From, double To) part, List<(double From, double To)> visible)
     {
         (double enter, double leave) = part;
         foreach ((Vector3D normal, double value) in _planes)
@@ -104,7 +112,8 @@ internal sealed class Shadow
         return true;
     }
 
-    private static void Split(Vector3D[] polygon, in Vector3D normal, double value, out Vector3D[] outside, out Vector3D[] inside)
+    private static void Split(
+        Vector3D[] polygon, in Vector3D normal, double value, out Vector3D[] outside, out Vector3D[] inside)
     {
         List<Vector3D> beyond = [], behind = [];
         for (int i = 0; i < polygon.Length; i++)

@@ -5,7 +5,10 @@ using System.Text;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The text of a path: points rounded to tenths, each as the step from the last, as few characters as the format allows.</summary>
+/// <summary>
+/// The text of an SVG path. Points are rounded to tenths, and each one is written as the step from the last point. This
+/// takes the fewest characters that the format allows.
+/// </summary>
 internal sealed class SvgPath
 {
     private readonly StringBuilder _text = new();
@@ -13,7 +16,7 @@ internal sealed class SvgPath
 
     public bool IsEmpty => _text.Length == 0;
 
-    /// <summary>Adds a closed outline, or nothing where rounding leaves none.</summary>
+    /// <summary>Adds a closed outline. Adds nothing if rounding leaves no outline.</summary>
     public void Polygon(IReadOnlyList<(double X, double Y)> points)
     {
         var rounded = new List<(int X, int Y)>(points.Count);
@@ -47,7 +50,7 @@ internal sealed class SvgPath
         bool isFirst = _text.Length == 0;
         for (int i = 0; i < points.Count; i++)
         {
-            // Pairs that follow a relative move are relative lines, and need no letter.
+            // Pairs that follow a relative move are relative lines and need no letter.
             if (i == 0) _text.Append(isFirst ? 'M' : 'm');
             if (i == 1 && isFirst) _text.Append('l');
             Number(points[i].X - _x, i == 0 || (i == 1 && isFirst));

@@ -1,4 +1,4 @@
-// The page's data: JSON whose long columns are base64 of little-endian numbers.
+// The page's data. It is JSON whose long columns are base64 of little-endian numbers.
 
 function bytes(text) {
   const raw = atob(text);
@@ -16,7 +16,7 @@ export function shape(json) {
   return { ...json, vertices: floats(json.vertices), triangles: ints(json.triangles), edges: ints(json.edges) };
 }
 
-/** A number as a reader wants it: six digits, and an exponent only where it must be. */
+/** Formats a number for a reader. It has six digits, and an exponent only if it needs one. */
 export function number(x) {
   if (!Number.isFinite(x)) return Number.isNaN(x) ? 'none' : x > 0 ? '∞' : '−∞';
   if (x === 0) return '0';

@@ -1,4 +1,4 @@
-/** An element with properties, attributes (those with a dash) and children. */
+/** Creates an element with properties, attributes (whose names have a dash) and children. */
 export function element(tag, properties = {}, ...children) {
   const result = document.createElement(tag);
   for (const [key, value] of Object.entries(properties)) {
@@ -9,12 +9,12 @@ export function element(tag, properties = {}, ...children) {
   return result;
 }
 
-/** A list of terms and what they are. */
+/** A list of terms with their descriptions. */
 export function definitions(entries) {
   return element('dl', {}, ...entries.flatMap(([term, text]) => [element('dt', { textContent: term }), element('dd', { textContent: text })]));
 }
 
-/** Buttons of which one is pressed. */
+/** A group of buttons. One of them is pressed. */
 export function segmented(label, choices, value, change) {
   const buttons = choices.map(([key, text]) => element('button', {
     type: 'button', textContent: text, onclick: () => { set(key); change(key); },
@@ -26,7 +26,7 @@ export function segmented(label, choices, value, change) {
   return { root: element('div', { className: 'segmented', role: 'group', 'aria-label': label }, ...buttons), set };
 }
 
-/** A slider over steps with a button that plays them. */
+/** A slider over steps, with a button that plays them. */
 export function player(name, count, change, stepMs) {
   const slider = element('input', { type: 'range', min: 0, max: Math.max(count - 1, 0), value: 0, 'aria-label': name });
   const output = element('output');

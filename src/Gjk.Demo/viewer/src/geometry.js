@@ -1,9 +1,12 @@
 import { BufferAttribute, BufferGeometry, CylinderGeometry, SphereGeometry, Quaternion, Vector3 } from 'three';
 
-/** Corners sharper than this, as a cosine, stay sharp on curved shapes: 30 degrees. */
+/** A cosine. Edges of curved shapes that are sharper than this stay sharp. The angle is 30 degrees. */
 const CREASE = 0.866;
 
-/** A shape's surface, its vertices multiplied by the unit (in double, so that no size is too small or too large to draw). */
+/**
+ * The surface of a shape. Its vertices are multiplied by the unit in double, so that no size is too small or too large
+ * to draw.
+ */
 export function surface(shape, unit, thickness) {
   const at = corners(shape.vertices, unit);
   if (shape.dimension === 0) return new SphereGeometry(thickness * 2, 16, 12).translate(at[0].x, at[0].y, at[0].z);
@@ -40,7 +43,7 @@ export function edges(shape, unit) {
   return geometry;
 }
 
-/** The furthest vertex from the local origin. */
+/** The distance of the furthest vertex from the local origin. */
 export function radius(shape, unit) {
   return Math.max(0, ...corners(shape.vertices, unit).map((v) => v.length()));
 }

@@ -1,6 +1,6 @@
 import { element } from './dom.js';
 
-/** Short texts at points of a stage, which follow when it is turned. */
+/** Short texts at points of a stage. They follow the points when the stage is turned. */
 export class Labels {
   constructor(stage) {
     this.stage = stage;
@@ -8,7 +8,7 @@ export class Labels {
     stage.afterDraw = () => this.place();
   }
 
-  /** Shows these and no others: [text, point]. */
+  /** Shows exactly these entries: [text, point]. */
   set(entries) {
     for (const { label } of this.items) label.remove();
     this.items = entries.map(([textContent, point]) => ({ point, label: element('div', { className: 'label', textContent }) }));

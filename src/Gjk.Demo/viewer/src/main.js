@@ -4,5 +4,5 @@ import { tracePage } from './trace-page.js';
 const data = JSON.parse(document.getElementById('data').textContent);
 const pages = { scene: scenePage, trace: tracePage };
 
-// What a test or a curious reader can ask the page about.
+// What a test or a developer can query about the page.
 window.__gjk = pages[data.kind](data);

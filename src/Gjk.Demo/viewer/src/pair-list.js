@@ -3,12 +3,12 @@ import { element } from './dom.js';
 
 const ROW = 27;
 
-/** A browser's tallest element holds about a million rows. */
+/** The most rows of the list. The tallest element of a browser holds about a million rows. */
 const MOST_ROWS = 1_000_000;
 
 const COLUMNS = [['a', 'A'], ['b', 'B'], ['distance', 'distance'], ['iterations', 'iter.']];
 
-/** The table of pairs: sorted by a column, of any length, because only the rows in sight exist. */
+/** The table of pairs, sorted by a column. It may have any length, because only the visible rows exist. */
 export class PairList {
   constructor(model, select) {
     this.model = model;
@@ -35,7 +35,7 @@ export class PairList {
     this.update();
   }
 
-  /** Sorts again, for a new frame, column or filter. */
+  /** Sorts again after a change of the frame, the column or the filter. */
   update() {
     const { model } = this;
     const keep = [];

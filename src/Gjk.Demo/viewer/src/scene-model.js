@@ -6,10 +6,13 @@ const STATUS = ['Separated', 'Overlapping', 'BeyondMaxDistance', 'IterationLimit
 
 const POSE = 7;
 
-/** The scale in which a scene is drawn: this many units from its middle to its end. */
+/** The distance from the middle of a scene to its end as it is drawn, in units. */
 const DRAWN_RADIUS = 10;
 
-/** What the demo found, by frame. World coordinates are doubles; drawn ones are centred and scaled, so that any scene fits into a float. */
+/**
+ * The demo's results, by frame. World coordinates are doubles. Drawn coordinates are centred and scaled, so that any
+ * scene fits into a float.
+ */
 export class SceneModel {
   constructor(json) {
     this.name = json.name;
@@ -89,7 +92,7 @@ export class SceneModel {
     return Array.from(this.normals.subarray(at, at + 3));
   }
 
-  /** The closest points as they are drawn, or null where there are none. */
+  /** The closest points as they are drawn. Null if there are none. */
   line(pair) {
     const at = 3 * this.index(pair);
     const d = this.distance(pair);
@@ -98,7 +101,7 @@ export class SceneModel {
     return [this.drawn(x, y, z), this.drawn(x + nx * d, y + ny * d, z + nz * d)];
   }
 
-  /** Goes to a frame: which objects overlap another, and the pair with each one's nearest partner. */
+  /** Goes to a frame. Finds the objects that overlap another, and the pair of each object with its nearest partner. */
   show(frame) {
     this.frame = frame;
     this.hit = new Uint8Array(this.objects);

@@ -6,7 +6,7 @@ import { SceneModel } from './scene-model.js';
 import { SceneView } from './scene-view.js';
 import { Stage } from './stage.js';
 
-/** With more pairs than this, only the lines to nearest partners are drawn at first. */
+/** With more pairs than this, the page starts with only the lines to nearest partners. */
 const MANY_PAIRS = 400;
 
 const FRAME_MS = 60;
@@ -120,7 +120,7 @@ export function scenePage(json) {
   };
 }
 
-/** Hovering, and clicks that are not the end of a drag. */
+/** Handles hovering, and clicks that do not end a drag. */
 function watchPointer(stage, view, { hover, click }) {
   if (!stage.renderer) return;
   const canvas = stage.renderer.domElement;

@@ -7,13 +7,16 @@ import { edges, rod, surface } from './geometry.js';
 export const RED = 0xe5484d, GREEN = 0x38a873;
 const ACCENT = 0xffd166;
 
-/** Bodies that are not asked about while a pair is selected keep this share of their colour. */
+/** While a pair is selected, all other bodies keep this share of their colour. */
 const DIMMED = 0.28;
 
-/** Edges are drawn body by body, which more bodies, or more edges in all, would make slow. */
+/**
+ * The most bodies, and the most edges in all, for which edges are drawn. Edges are drawn body by body, so more would be
+ * slow.
+ */
 const MOST_EDGED = 2000, MOST_EDGES = 300_000;
 
-/** How thick a point or segment is drawn, in units (a scene is 20 across). */
+/** The thickness of a drawn point or segment, in units (a scene is 20 across). */
 const THIN = 0.035;
 
 /** The bodies and lines of a scene in three.js. */
@@ -83,7 +86,7 @@ export class SceneView {
     this.paint();
   }
 
-  /** Colours and lines, which also change with the selection. */
+  /** Sets colours and lines, which also change with the selection. */
   paint() {
     const { model } = this;
     const color = new Color();
@@ -124,7 +127,7 @@ export class SceneView {
     lines.geometry.computeBoundingSphere();
   }
 
-  /** The selected pair's line as a rod with balls at its ends, seen through everything. */
+  /** Draws the selected pair's line as a rod with balls at its ends. It is visible through everything. */
   markSelected() {
     this.marks.clear();
     const ends = this.selected < 0 ? null : this.model.line(this.selected);
@@ -136,7 +139,7 @@ export class SceneView {
     for (const mark of this.marks.children) mark.renderOrder = 2;
   }
 
-  /** What is under a point of the window: {object} or {pair} or nothing. */
+  /** Finds what is under a point of the window: {object}, {pair} or nothing. */
   pick(clientX, clientY) {
     const ray = this.stage.ray(clientX, clientY);
     const body = ray.intersectObjects(this.bodies)[0];

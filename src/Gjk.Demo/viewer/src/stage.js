@@ -4,10 +4,10 @@ import { element } from './dom.js';
 
 export const BACK = 0x12161d;
 
-/** From where a scene is looked at first: from the front, a little from the right and above. */
+/** The first look at a scene: from the front, a little from the right and from above. */
 const FIRST_LOOK = new Vector3(0.34, 0.42, 1).normalize();
 
-/** A canvas that shows a three.js scene, can be turned and zoomed, and draws only when something changed. */
+/** A canvas that shows a three.js scene. It can be turned and zoomed, and it draws only after a change. */
 export class Stage {
   constructor() {
     this.root = element('div', { className: 'canvas' });
@@ -47,7 +47,7 @@ export class Stage {
     this.drawNow();
   }
 
-  /** Asks for a picture; any number of times costs one. */
+  /** Requests a drawing. Several requests before the next drawing cost only one. */
   draw() {
     if (!this.renderer || this.asked) return;
     this.asked = requestAnimationFrame(() => this.drawNow());
@@ -62,13 +62,16 @@ export class Stage {
     this.afterDraw();
   }
 
-  /** Moves the camera so that all balls [{center, radius}] are just in view; again when the window changes, until the user moves it. */
+  /**
+   * Moves the camera so that all balls [{center, radius}] are just in view. It does so again when the window changes,
+   * until the user moves the camera.
+   */
   fit(balls, look = FIRST_LOOK) {
     this.balls = balls;
     this.look = this.look ?? look;
     if (!this.renderer) return;
     this.controls.addEventListener('start', () => { this.balls = null; });
-    // Without damping an update forgets the motion that is still running out.
+    // Without damping, an update discards the motion that has not run out yet.
     this.controls.enableDamping = false;
     this.controls.update();
     this.controls.enableDamping = true;
@@ -100,14 +103,14 @@ export class Stage {
     return ray;
   }
 
-  /** Where a point of the scene is in the window, in CSS pixels. */
+  /** The position of a point of the scene in the window, in CSS pixels. */
   project(point) {
     const p = point.clone().project(this.camera);
     const box = this.root.getBoundingClientRect();
     return { x: box.left + (p.x + 1) / 2 * box.width, y: box.top + (1 - p.y) / 2 * box.height, depth: p.z };
   }
 
-  /** How large a pixel is at a point, in units of the scene. */
+  /** The size of a pixel at a point, in units of the scene. */
   pixelAt(point) {
     return 2 * Math.tan(this.camera.fov * Math.PI / 360) * this.camera.position.distanceTo(point) / Math.max(this.root.clientHeight, 1);
   }

@@ -1,12 +1,15 @@
 import { Quaternion, Vector3 } from 'three';
 import { number, shape, vector } from './data.js';
 
-/** Ratio: bounds that are closer look the same in six digits. */
+/** Ratio. Bounds that are closer than this look the same in six digits. */
 const VISIBLE = 1e-6;
 
 const FEATURES = ['vertex', 'edge', 'triangle', 'tetrahedron'];
 
-/** One query: its steps with the bounds so far, and each step in words. Numbers are in world units and A's frame; drawn ones are multiplied by the unit. */
+/**
+ * One query: its steps with the bounds so far, and each step in words. Numbers are in world units and in A's frame.
+ * Drawn numbers are multiplied by the unit.
+ */
 export class TraceModel {
   constructor(json) {
     Object.assign(this, json);
@@ -29,7 +32,7 @@ export class TraceModel {
     return new Vector3(x * this.unit, y * this.unit, z * this.unit);
   }
 
-  /** Vertices are called after the step that found them. */
+  /** Names a feature. Each vertex is named after the step that found it. */
   feature(indices) {
     return `${FEATURES[indices.length - 1]} ${indices.map((i) => `w${i + 1}`).sort((a, b) => a.slice(1) - b.slice(1)).join(' ')}`;
   }
@@ -40,7 +43,7 @@ export class TraceModel {
     return [mix('onA'), mix('onB')];
   }
 
-  /** What happened in a step: paragraphs of [kind, text]. */
+  /** Describes a step in paragraphs of [kind, text]. */
   story(at) {
     const step = this.steps[at];
     if (!step) return [['text', this.withoutSteps()]];

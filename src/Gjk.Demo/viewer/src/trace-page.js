@@ -58,7 +58,7 @@ export function tracePage(json) {
 
 const css = (name) => `#${COLORS[name].toString(16).padStart(6, '0')}`;
 
-/** The word before the colon, bold. */
+/** Makes the word before the colon bold. */
 function paragraph(kind, text) {
   const [, head, rest] = /^([^:]{1,12}:)?(.*)$/s.exec(text);
   return element('p', { className: kind === 'answer' ? 'answer' : '' }, ...(head ? [element('b', { textContent: head })] : []), rest);

@@ -7,12 +7,12 @@ import { Labels } from './labels.js';
 
 export const COLORS = { a: 0x5b9bff, b: 0xc77dff, vertex: 0xffd166, simplex: 0xff8c61, nearest: 0xffffff, plane: 0x4cc9f0, old: 0x97a3b4 };
 
-/** In units; the Minkowski difference reaches about 10 from the origin. */
+/** In units. The Minkowski difference reaches about 10 from the origin. */
 const DOT = 0.16, ROD = 0.05, ARROW = 2.6, THIN = 0.03;
 
 const ORIGIN = new Vector3();
 
-/** The Minkowski difference with the simplex in it, around the origin. */
+/** The Minkowski difference around the origin, with the simplex inside. */
 export class DifferenceView {
   constructor(stage, model) {
     this.stage = stage;
@@ -39,7 +39,7 @@ export class DifferenceView {
     return balls;
   }
 
-  /** How large the marks are: a small difference far from the origin, or a large one around it, should both be readable. */
+  /** The size of the marks. It suits a small difference far from the origin and a large one around it. */
   get size() {
     return Math.max(0.35, Math.min(1, this.stage.camera.position.distanceTo(this.stage.controls?.target ?? ORIGIN) / 26));
   }
@@ -70,7 +70,7 @@ export class DifferenceView {
     this.finish(labels);
   }
 
-  /** Where the simplex was nearest the origin when a step began. */
+  /** The point of the simplex that was nearest to the origin when a step began. */
   nearestBefore(at) {
     for (let i = at - 1; i >= 0; i--) if (this.model.steps[i].after) return this.model.drawn(this.model.steps[i].nearest);
     return ORIGIN.clone();
@@ -86,7 +86,7 @@ export class DifferenceView {
   }
 }
 
-/** The two shapes, with the support points of a step. */
+/** The two shapes with the support points of a step. */
 export class ShapesView {
   constructor(stage, model) {
     this.stage = stage;
@@ -128,7 +128,7 @@ export class ShapesView {
         changing.add(dot(a, COLORS.nearest, DOT * 0.7), dot(b, COLORS.nearest, DOT * 0.7));
       }
     }
-    // The marks lie on, and often in, the shapes: they are seen through them.
+    // The marks lie on the shapes, and often inside them. So they are drawn visible through the shapes.
     changing.traverse((mark) => {
       if (!mark.material) return;
       mark.material.depthTest = false;
@@ -155,7 +155,7 @@ function addPlane(group, at, normal, radius) {
   group.add(disc);
 }
 
-/** Edges as rods, faces as thin sheets. */
+/** Draws edges as rods and faces as thin sheets. */
 function addSimplex(group, points, color, opacity, thickness) {
   for (let i = 0; i < points.length; i++) {
     for (let j = 0; j < i; j++) {
