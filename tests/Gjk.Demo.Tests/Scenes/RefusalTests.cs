@@ -105,6 +105,10 @@ public sealed class RefusalTests
 
     private static IEnumerable<(string Shape, string Path, string Reason)> Shapes() =>
     [
+        ("""{"type":"point","rounding":-1}""", "$.objects[1].shape.rounding", "must not be negative, but is -1"),
+        ("""{"type":"point","rotation":[0,0,0,2]}""", "$.objects[1].shape.rotation",
+            "the quaternion's length must be within 1e-3 of 1"),
+        ("""{"type":"point","position":[0,0]}""", "$.objects[1].shape.position", "must be three numbers [x, y, z]"),
         ("""{"type":"torus"}""", "$.objects[1].shape.type", "unknown type \"torus\""),
         ("""{"type":"Sphere","radius":1}""", "$.objects[1].shape.type", "unknown type"),
         ("""{"radius":1}""", "$.objects[1].shape.type", "missing"),

@@ -39,6 +39,16 @@ public sealed class SceneTests
         { """{"type":"sphere","radius":1}""", ""","scale":[4,1,1]""", 6 },
         { """{"type":"mesh","mesh":"the hull"}""", "", 7 },
         { """{"type":"mesh","mesh":"the hull"}""", ""","scale":[-2,1,1]""", 8 },
+        { """{"rounding":0.5,"type":"box","halfExtents":[1,2,3]}""", "", 8.5 },
+        { """{"type":"box","halfExtents":[1,2,3],"rounding":0.5,"position":[2,0,0]}""", "", 6.5 },
+        { """{"type":"box","halfExtents":[1,2,3],"rounding":0.5,"position":[2,0,0]}""", ""","scale":2""", 3 },
+        { """{"type":"box","halfExtents":[1,2,3],"rotation":[0,0.70710678,0,0.70710678]}""", "", 7 },
+        {
+            """{"type":"capsule","radius":0.5,"halfHeight":2,"rotation":[0,0,0.70710678,0.70710678]}""",
+            ""","scale":[1,5,5]""",
+            7.5
+        },
+        { """{"type":"mesh","mesh":"the hull","rounding":1,"position":[1,0,0]}""", ""","position":[1,0,0]""", 4 },
         {
             """{"type":"point"}""",
             ""","name":"p","velocity":[1,2,3],"angularVelocity":[0,0,1],"position":[10,0,4]""",
