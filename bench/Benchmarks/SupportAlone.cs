@@ -55,7 +55,8 @@ public class SupportAlone
     public int PlainScan()
     {
         int sum = 0;
-        foreach (ref readonly Vector3D direction in _wideDirections.AsSpan()) sum += HullSupport.Scan(_hull, direction);
+        foreach (ref readonly Vector3D direction in _wideDirections.AsSpan())
+            sum += HullSupport.Scan(_hull.Cells, direction);
         return sum;
     }
 
@@ -65,7 +66,7 @@ public class SupportAlone
         double sum = 0;
         foreach (ref readonly Vector3D direction in _wideDirections.AsSpan())
         {
-            sum += HullSupport.Find(_hull, direction, out Vector3D point) + point.X;
+            sum += HullSupport.Find(_hull.Cells, direction, out Vector3D point) + point.X;
         }
 
         return sum;

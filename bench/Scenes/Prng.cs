@@ -1,22 +1,21 @@
 using System;
 using System.Numerics;
+using Gjk.Exact.Randomness;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// SplitMix64. It gives the same numbers on every machine and every runtime. System.Random does not promise that.
-/// </summary>
+/// <summary>Seeded draws for the benchmarks: the same numbers on every machine and every runtime.</summary>
 public sealed class Prng
 {
-    private ulong _state;
+    private readonly SplitMix64 _source;
 
-    public Prng(ulong seed) => _state = seed;
+    public Prng(ulong seed) => _source = new SplitMix64(seed);
 
     /// <summary>Uniform in [min, max).</summary>
-    public float Range(float min, float max) => (float)(min + (max - min) * Unit());
+    public float Range(float min, float max) => (float)(min + (max - min) * _source.Unit());
 
     /// <summary>Uniform in 0 .. count - 1.</summary>
-    public int Index(int count) => (int)(count * Unit());
+    public int Index(int count) => (int)(count * _source.Unit());
 
     /// <summary>
     /// Uniform on the unit sphere, by rejection. Trigonometry is avoided because its results could differ between
@@ -26,7 +25,7 @@ public sealed class Prng
     {
         while (true)
         {
-            double x = Signed(), y = Signed(), z = Signed();
+            double x = _source.Signed(), y = _source.Signed(), z = _source.Signed();
             double squared = x * x + y * y + z * z;
             if (squared is > 1 or < 1e-4) continue;
             double scale = 1 / Math.Sqrt(squared);
@@ -39,23 +38,11 @@ public sealed class Prng
     {
         while (true)
         {
-            double x = Signed(), y = Signed(), z = Signed(), w = Signed();
+            double x = _source.Signed(), y = _source.Signed(), z = _source.Signed(), w = _source.Signed();
             double squared = x * x + y * y + z * z + w * w;
             if (squared is > 1 or < 1e-4) continue;
             double scale = 1 / Math.Sqrt(squared);
             return new Quaternion((float)(x * scale), (float)(y * scale), (float)(z * scale), (float)(w * scale));
         }
-    }
-
-    private double Signed() => 2 * Unit() - 1;
-
-    private double Unit() => (Next() >> 11) * (1.0 / (1UL << 53));
-
-    private ulong Next()
-    {
-        ulong z = _state += 0x9E3779B97F4A7C15UL;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9UL;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBUL;
-        return z ^ (z >> 31);
     }
 }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Scenes;
+using Gjk.Exact.Scenes;
 
 namespace Gjk.Bench.Scenes;
 

@@ -1,5 +1,5 @@
 using Gjk.Core;
-using Gjk.Demo.Scenes;
+using Gjk.Exact.Scenes;
 
 namespace Gjk.Bench.Scenes;
 

@@ -3,8 +3,8 @@ using System.Collections.Generic;
 using System.Reflection;
 using System.Runtime.Versioning;
 using Gjk.Core;
-using Gjk.Core.Tests.Queries;
-using Gjk.Demo.Scenes;
+using Gjk.Exact.Answers;
+using Gjk.Exact.Scenes;
 
 namespace Gjk.Mono;
 
@@ -24,7 +24,7 @@ internal static class Program
         foreach (string family in CaseFile.Families)
         {
             List<HardCase> cases = CaseFile.Read(args[0], family);
-            int wrong = Check(cases, all);
+            int wrong = Check(cases, ref all);
             failed += wrong;
             passed += cases.Count - wrong;
             Console.WriteLine($"{family}: {cases.Count} pairs, {wrong} wrong");
@@ -40,7 +40,7 @@ internal static class Program
         return failed == 0 ? 0 : 1;
     }
 
-    private static int Check(List<HardCase> cases, ResultHash hash)
+    private static int Check(List<HardCase> cases, ref ResultHash hash)
     {
         int wrong = 0;
         foreach (HardCase c in cases)

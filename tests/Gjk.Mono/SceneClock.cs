@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Scenes;
+using Gjk.Exact.Scenes;
 
 namespace Gjk.Mono;
 

@@ -1,20 +1,12 @@
 using System;
 using Gjk.Core;
+using Gjk.Exact.Answers;
 
 namespace Gjk.Mono;
 
 /// <summary>Checks that an answer has the promised accuracy.</summary>
 internal static class Verdict
 {
-    /// <summary>Ratio to the distance. It covers the rounding of the distance to float.</summary>
-    private const double DistanceRatio = 1.2e-7;
-
-    /// <summary>Length, as a fraction of the scale.</summary>
-    private const double DistanceScale = 1e-14;
-
-    /// <summary>Length, as a fraction of the scale. Above it, distances and depths must get the right flag.</summary>
-    private const double Flag = 1e-9;
-
     /// <summary>Ratio. The file's answers have 20 digits, a double has 16.</summary>
     private const double FileRounding = 2.3e-16;
 
@@ -23,9 +15,9 @@ internal static class Verdict
     {
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping))
             return FormattableString.Invariant($"status {r.Status} after {r.Iterations} iterations");
-        if (r.IsOverlapping != c.Overlap && Math.Max(c.Distance, c.Depth) > Flag * c.Scale)
+        if (r.IsOverlapping != c.Overlap && Math.Max(c.Distance, c.Depth) > Accuracy.FlagScale * c.Scale)
             return FormattableString.Invariant($"overlap {r.IsOverlapping}, truly {c.Overlap}");
-        double band = DistanceRatio * c.Distance + DistanceScale * c.Scale;
+        double band = Accuracy.Band(c.Distance, c.Scale);
         if (!(Math.Abs(r.Distance - c.Distance) <= band))
             return FormattableString.Invariant($"distance {r.Distance:R}, truly {c.Distance:R}");
         if (!(r.LowerBound <= c.Distance * (1 + FileRounding)))

@@ -46,7 +46,9 @@ internal sealed class RecordReader
     {
         bool isCount = int.TryParse(Word("a count"), NumberStyles.None, CultureInfo.InvariantCulture, out int count);
         int most = (_words.Length - _next) / 3;
-        return isCount && count > 0 && count <= most ? count : throw Wrong("should be the number of points that follow");
+        return isCount && count > 0 && count <= most
+            ? count
+            : throw Wrong("should be the number of points that follow");
     }
 
     public Vector3D Vector() => new(Number(), Number(), Number());

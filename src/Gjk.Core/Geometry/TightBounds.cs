@@ -10,8 +10,8 @@ internal static class TightBounds<T>
 {
     /// <summary>
     /// Tolerances follow a tight radius, so the library's own shapes must report one; a user's may be generous, and is
-    /// measured. True for the library's own shapes and for decorators of these, and for those that measure what is inside; false
-    /// for a user's.
+    /// measured. True for the library's own shapes and for decorators of these, and for those that measure what is
+    /// inside; false for a user's.
     /// </summary>
     public static readonly bool Are = IsTight(typeof(T));
 

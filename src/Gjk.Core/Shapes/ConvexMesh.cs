@@ -34,7 +34,7 @@ public readonly struct ConvexMesh : ISupportMap
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)
     {
-        int id = HullSupport.Find(_hull!, direction, out Vector3D vertex);
+        int id = HullSupport.Find(_hull!.Cells, direction, out Vector3D vertex);
         point = vertex - _hull!.Center;
         return id;
     }

@@ -150,7 +150,7 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
         switch (_parts.Kind)
         {
             case ShapeKind.Mesh:
-                return HullSupport.Find(_parts.Hull!, direction, out point);
+                return HullSupport.Find(_parts.Hull!.Cells, direction, out point);
             case ShapeKind.Box:
                 return PrimitiveSupport.Box(_parts.A, direction, out point);
             case ShapeKind.Point or ShapeKind.Sphere:

@@ -8,10 +8,10 @@ namespace Gjk.Core;
 /// </summary>
 /// <remarks>
 /// The regions are Muratori's (2006), with the tests that he may leave out for the boolean put back (Ericson 2004,
-/// section 5.1), because a distance needs the nearest feature and not just a good direction. The way GJK grows a simplex
-/// saves the other tests. The old feature was the nearest before and the newest vertex A lies beyond it, so the new
-/// nearest feature contains A. The wound triangle BCD has A on the origin's side, so the faces' orientation is known
-/// without a determinant that rounding could turn.
+/// section 5.1), because a distance needs the nearest feature and not just a good direction. The way GJK grows a
+/// simplex saves the other tests. The old feature was the nearest before and the newest vertex A lies beyond it, so the
+/// new nearest feature contains A. The wound triangle BCD has A on the origin's side, so the faces' orientation is
+/// known without a determinant that rounding could turn.
 /// The normal is built from the feature: for a face the cross product of two edges, for an edge a double cross product,
 /// for a vertex the vertex itself. A nearly cancelled vector is never used, so near contact the normal stays
 /// perpendicular to the feature to the last bits. <see cref="ExtendedFeatureStep"/> is the same step in extended
@@ -20,7 +20,10 @@ namespace Gjk.Core;
 internal static class ClosestFeatureStep
 {
     /// <summary>Reduces the simplex of the last step's feature and the vertex found beyond it.</summary>
-    /// <returns>False when the origin is inside (or on the hidden side of every face of) the tetrahedron; the simplex then keeps its four vertices.</returns>
+    /// <returns>
+    /// False when the origin is inside (or on the hidden side of every face of) the tetrahedron; the simplex then keeps
+    /// its four vertices.
+    /// </returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Reduce(ref Simplex simplex, ref ClosestFeature feature)
     {
@@ -40,7 +43,10 @@ internal static class ClosestFeatureStep
         }
     }
 
-    /// <summary>Reduces a simplex of any origin (a warm start's), about which nothing is known, to its feature nearest the origin.</summary>
+    /// <summary>
+    /// Reduces a simplex of any origin (a warm start's), about which nothing is known, to its feature nearest the
+    /// origin.
+    /// </summary>
     /// <returns>False when the origin is inside the tetrahedron, or as near as its weights can tell.</returns>
     public static bool ReduceAny(ref Simplex simplex, ref ClosestFeature feature)
     {
@@ -67,7 +73,9 @@ internal static class ClosestFeatureStep
         return true;
     }
 
-    /// <summary>Keeps the whole vertex, edge or triangle when the origin is beside that, not beside a part of it.</summary>
+    /// <summary>
+    /// Keeps the whole vertex, edge or triangle when the origin is beside that, not beside a part of it.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool TryKeepAll(ref Simplex simplex, ref ClosestFeature feature)
     {
@@ -116,7 +124,9 @@ internal static class ClosestFeatureStep
             Vertex(ref simplex, ref feature);
     }
 
-    /// <summary>The inside of AB: (ab × a) × ab is perpendicular to AB to the last bits, however near the origin is.</summary>
+    /// <summary>
+    /// The inside of AB: (ab × a) × ab is perpendicular to AB to the last bits, however near the origin is.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Edge(ref Simplex simplex, ref ClosestFeature feature, in Vector3D a, in Vector3D ab)
     {
@@ -135,11 +145,14 @@ internal static class ClosestFeatureStep
     }
 
     /// <summary>
-    /// The face ABC with its normal ab × ac, whichever side the origin is on; BC was tested when A was not there. The two edge tests do not
-    /// change when B and C change places, so the winding is settled last, without a branch that no processor could predict.
+    /// The face ABC with its normal ab × ac, whichever side the origin is on; BC was tested when A was not there. The
+    /// two edge tests do not change when B and C change places, so the winding is settled last, without a branch that
+    /// no processor could predict.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Face(ref Simplex simplex, ref ClosestFeature feature, in Vector3D a, in Vector3D ab, in Vector3D ac, in Vector3D normal)
+    private static void Face(
+        ref Simplex simplex, ref ClosestFeature feature, in Vector3D a, in Vector3D ab, in Vector3D ac,
+        in Vector3D normal)
     {
         bool beyondAB = Vector3D.Dot(Vector3D.Cross(ab, normal), a) < 0;
         bool beyondAC = Vector3D.Dot(Vector3D.Cross(normal, ac), a) < 0;
@@ -168,7 +181,9 @@ internal static class ClosestFeatureStep
 
     /// <summary>Beside AB or AC, or behind A.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void BesideFace(ref Simplex simplex, ref ClosestFeature feature, in Vector3D a, in Vector3D ab, in Vector3D ac, bool beyondAB, bool beyondAC)
+    private static void BesideFace(
+        ref Simplex simplex, ref ClosestFeature feature, in Vector3D a, in Vector3D ab, in Vector3D ac, bool beyondAB,
+        bool beyondAC)
     {
         bool besideAB = beyondAB & Vector3D.Dot(ab, a) < 0, besideAC = beyondAC & Vector3D.Dot(ac, a) < 0;
         if (!(besideAB | besideAC))
@@ -200,9 +215,12 @@ internal static class ClosestFeatureStep
         return true;
     }
 
-    /// <summary>The origin sees two or three faces: the nearest feature is that of the face whose own is nearest.</summary>
+    /// <summary>
+    /// The origin sees two or three faces: the nearest feature is that of the face whose own is nearest.
+    /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static bool NearestOfFaces(ref Simplex simplex, ref ClosestFeature feature, bool beyondABC, bool beyondACD, bool beyondADB)
+    private static bool NearestOfFaces(
+        ref Simplex simplex, ref ClosestFeature feature, bool beyondABC, bool beyondACD, bool beyondADB)
     {
         int b = simplex.B, c = simplex.C, d = simplex.D;
         Vector3D a = simplex.WA;

@@ -21,7 +21,9 @@ internal static class ExtendedFeatureStep
     /// </summary>
     private const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
 
-    /// <summary>Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.</summary>
+    /// <summary>
+    /// Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.
+    /// </summary>
     [MethodImpl(OptimizeAtOnce)]
     public static bool TryReduce(ref Simplex simplex, out ClosestFeature feature, out DoubleDouble distanceSquared)
     {
@@ -49,7 +51,8 @@ internal static class ExtendedFeatureStep
 
     /// <summary>The subset's normal and height, when its nearest point is inside it.</summary>
     [MethodImpl(OptimizeAtOnce)]
-    private static bool TryFeature(in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height, out bool flipped)
+    private static bool TryFeature(
+        in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height, out bool flipped)
     {
         int i = NextIn(subset, 0), j = NextIn(subset, i + 1), k = NextIn(subset, j + 1);
         NearestFirst(simplex, ref i, ref j, ref k);
@@ -84,13 +87,14 @@ internal static class ExtendedFeatureStep
     }
 
     /// <summary>
-    /// Goes round an edge or a triangle until the vertex nearest the origin comes first. Measured from a far one, a small height would be the difference of large products, and lose the
-    /// digits that tell one feature from the next.
+    /// Goes round an edge or a triangle until the vertex nearest the origin comes first. Measured from a far one, a
+    /// small height would be the difference of large products, and lose the digits that tell one feature from the next.
     /// </summary>
     private static void NearestFirst(in Simplex simplex, ref int i, ref int j, ref int k)
     {
         if (j > 3) return;
-        double a = simplex.W(simplex[i]).LengthSquared, b = simplex.W(simplex[j]).LengthSquared, c = k > 3 ? double.PositiveInfinity : simplex.W(simplex[k]).LengthSquared;
+        double a = simplex.W(simplex[i]).LengthSquared, b = simplex.W(simplex[j]).LengthSquared;
+        double c = k > 3 ? double.PositiveInfinity : simplex.W(simplex[k]).LengthSquared;
         if (a <= b && a <= c) return;
         if (k > 3) (i, j) = (j, i);
         else if (b <= c) (i, j, k) = (j, k, i);
@@ -104,7 +108,8 @@ internal static class ExtendedFeatureStep
         VectorDD a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;
         VectorDD ab = b - a, ac = c - a, ad = d - a;
         int abc = -VectorDD.Dot(VectorDD.Cross(ab, ac), a).Sign, acd = -VectorDD.Dot(VectorDD.Cross(ac, ad), a).Sign;
-        int adb = -VectorDD.Dot(VectorDD.Cross(ad, ab), a).Sign, bcd = VectorDD.Dot(VectorDD.Cross(c - b, d - b), b).Sign;
+        int adb = -VectorDD.Dot(VectorDD.Cross(ad, ab), a).Sign;
+        int bcd = VectorDD.Dot(VectorDD.Cross(c - b, d - b), b).Sign;
         return abc != 0 && abc == acd && acd == adb && adb == bcd;
     }
 

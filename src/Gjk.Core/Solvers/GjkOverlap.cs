@@ -6,8 +6,8 @@ namespace Gjk.Core;
 /// </summary>
 /// <remarks>
 /// <para>
-/// Each round asks for the vertex that is furthest against the last normal. If even that one lies beyond the origin, the
-/// plane through it separates. Otherwise the vertex joins the simplex, and <see cref="NextSimplex"/> says where to
+/// Each round asks for the vertex that is furthest against the last normal. If even that one lies beyond the origin,
+/// the plane through it separates. Otherwise the vertex joins the simplex, and <see cref="NextSimplex"/> says where to
 /// search next.
 /// </para>
 /// <para>

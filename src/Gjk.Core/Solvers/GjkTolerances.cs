@@ -31,8 +31,7 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: how far the corners of a nearest triangle may be from level. Between Noise, which well-shaped triangles
-    /// keep, and the promised 1e-14 of the scale; what is above goes to extended precision. Pinned by the regression of
-    /// the nearly parallel segments.
+    /// keep, and the promised 1e-14 of the scale; what is above goes to extended precision. Pinned by SliverTests.
     /// </summary>
     public const double Level = 4 * Noise;
 
@@ -73,7 +72,7 @@ internal static class GjkTolerances
     /// <summary>
     /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3 by
     /// 3 determinant of rounded differences asks. Below it a sign is not certain and extended precision decides. Pinned
-    /// by the case families.
+    /// by HardCaseTests.
     /// </summary>
     public const double DeterminantError = 16 * RoundOff.Unit;
 

@@ -1,7 +1,6 @@
 using System;
 using System.Diagnostics.CodeAnalysis;
 using Gjk.Core;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Demo.Fuzz;
 

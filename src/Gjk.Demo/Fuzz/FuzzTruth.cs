@@ -1,6 +1,5 @@
 using System;
 using Gjk.Core;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Demo.Fuzz;
 
@@ -52,6 +51,8 @@ internal sealed class FuzzTruth
         PosedShape a = _pair.BodyA, b = _pair.BodyB;
         _pair.A.Support(a.InverseRotate(direction), out Vector3D onA);
         _pair.B.Support(b.InverseRotate(-direction), out Vector3D onB);
-        return new ExactGuess.Corner(-1, -1, a.Rotate(_pair.A.Center - a.Center + onA) - b.Rotate(_pair.B.Center - b.Center + onB) - _pair.Centers);
+        return new ExactGuess.Corner(
+            -1, -1,
+            a.Rotate(_pair.A.Center - a.Center + onA) - b.Rotate(_pair.B.Center - b.Center + onB) - _pair.Centers);
     }
 }

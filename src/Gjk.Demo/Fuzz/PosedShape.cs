@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Gjk.Core;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Demo.Fuzz;
 
@@ -126,7 +125,8 @@ internal sealed class PosedShape
         // Segments, boxes and the like: the library multiplies the scale in without rounding, and has at most eight of
         // them.
         var vertices = new List<Vector3D>();
-        for (int id = 0; shape.Shape.TryGetVertex(id, out Vector3D vertex); id++) vertices.Add(shape.Shape.Center + vertex);
+        for (int id = 0; shape.Shape.TryGetVertex(id, out Vector3D vertex); id++)
+            vertices.Add(shape.Shape.Center + vertex);
         return [.. vertices];
     }
 }

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;

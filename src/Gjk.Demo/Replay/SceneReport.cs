@@ -1,7 +1,5 @@
 using System;
 using Gjk.Core;
-using Gjk.Demo.Queries;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Replay;
 

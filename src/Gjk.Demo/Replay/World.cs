@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Runtime.InteropServices;
 using Gjk.Core;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Replay;
 

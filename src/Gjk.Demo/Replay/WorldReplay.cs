@@ -2,8 +2,6 @@ using System;
 using System.Diagnostics;
 using System.Threading;
 using Gjk.Core;
-using Gjk.Demo.Queries;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Replay;

@@ -1,5 +1,4 @@
 using Gjk.Core;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Replay;
 

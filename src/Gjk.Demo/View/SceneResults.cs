@@ -2,7 +2,6 @@ using System;
 using System.Numerics;
 using System.Threading;
 using Gjk.Core;
-using Gjk.Demo.Queries;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;

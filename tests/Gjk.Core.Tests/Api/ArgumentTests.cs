@@ -4,7 +4,10 @@ using System.Numerics;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>Every argument that a public constructor or method refuses: the exception's type, the argument's name, and words that say what is wrong.</summary>
+/// <summary>
+/// Every argument that a public constructor or method refuses: the exception's type, the argument's name, and words
+/// that say what is wrong.
+/// </summary>
 public class ArgumentTests
 {
     private const string FiniteVector = "Every component must be finite.";
@@ -16,18 +19,27 @@ public class ArgumentTests
 
     /// <summary>NaN and both infinities in each of the three places.</summary>
     private static readonly Vector3[] NotFinite =
-        [new(float.NaN, 0, 0), new(0, float.NaN, 0), new(0, 0, float.NaN), new(float.PositiveInfinity, 0, 0), new(0, float.NegativeInfinity, 0), new(0, 0, float.PositiveInfinity)];
+        [
+            new(float.NaN, 0, 0), new(0, float.NaN, 0), new(0, 0, float.NaN), new(float.PositiveInfinity, 0, 0),
+            new(0, float.NegativeInfinity, 0), new(0, 0, float.PositiveInfinity),
+        ];
 
-    private static readonly float[] NotASize = [-1, -float.Epsilon, float.NaN, float.PositiveInfinity, float.NegativeInfinity];
+    private static readonly float[] NotASize =
+        [-1, -float.Epsilon, float.NaN, float.PositiveInfinity, float.NegativeInfinity];
 
-    private static readonly Vector3[] NotSizes = [.. NotFinite, new(-1, 1, 1), new(1, -float.Epsilon, 1), new(1, 1, -1)];
+    private static readonly Vector3[] NotSizes =
+        [.. NotFinite, new(-1, 1, 1), new(1, -float.Epsilon, 1), new(1, 1, -1)];
 
     private static readonly Vector3[] NotAScale = [.. NotFinite, new(0, 1, 1), new(1, 0, 1), new(1, 1, -0f)];
 
     [Fact]
     public void RigidPoseRefusesWhatIsNoRotation()
     {
-        Quaternion[] wrong = [default, new(0, 0, 0, 1.0011f), new(0, 0, 0, 0.9989f), new(1, 1, 1, 1), new(float.NaN, 0, 0, 1), new(0, 0, 0, float.PositiveInfinity), new(0, float.NaN, 0, 0)];
+        Quaternion[] wrong =
+        [
+            default, new(0, 0, 0, 1.0011f), new(0, 0, 0, 0.9989f), new(1, 1, 1, 1), new(float.NaN, 0, 0, 1),
+            new(0, 0, 0, float.PositiveInfinity), new(0, float.NaN, 0, 0),
+        ];
         Refused(wrong, "rotation", "The quaternion's length must be within 1e-3 of 1.", q => new RigidPose(q, V));
         Assert.Equal(0.9991f, new RigidPose(new Quaternion(0, 0, 0, 0.9991f), V).Rotation.W);
         Assert.Equal(1.0009f, new RigidPose(new Quaternion(0, 1.0009f, 0, 0), V).Rotation.Y);
@@ -46,7 +58,9 @@ public class ArgumentTests
     {
         Refused(NotFinite, "min", FiniteVector, v => new Aabb(v, V));
         Refused(NotFinite, "max", FiniteVector, v => new Aabb(-V, v));
-        Refused<Vector3>([new(0, 1, 1), new(1, 0, 1), new(1, 1, 0)], "max", "No maximum may lie below its minimum.", v => new Aabb(V, v));
+        Refused<Vector3>(
+            [new(0, 1, 1), new(1, 0, 1), new(1, 1, 0)], "max", "No maximum may lie below its minimum.",
+            v => new Aabb(V, v));
         Assert.Equal(V, new Aabb(V, V).Max);
     }
 
@@ -116,7 +130,8 @@ public class ArgumentTests
             () => default(ConvexShape).Placed(new RigidPose(V)),
         ];
         foreach (Action decorate in decorations)
-            Assert.StartsWith("A default ConvexShape is no shape", Assert.Throws<InvalidOperationException>(decorate).Message);
+            Assert.StartsWith(
+                "A default ConvexShape is no shape", Assert.Throws<InvalidOperationException>(decorate).Message);
     }
 
     [Fact]
@@ -124,8 +139,10 @@ public class ArgumentTests
     {
         ConvexShape large = ConvexShape.Cylinder(1, 1).Scaled(new Vector3(1e30f));
         ConvexShape small = ConvexShape.Cylinder(1, 1).Scaled(new Vector3(1e-30f));
-        Assert.Equal("scale", Assert.Throws<ArgumentOutOfRangeException>(() => large.Scaled(new Vector3(1e10f))).ParamName);
-        Assert.Equal("scale", Assert.Throws<ArgumentOutOfRangeException>(() => small.Scaled(new Vector3(1e-20f))).ParamName);
+        Assert.Equal(
+            "scale", Assert.Throws<ArgumentOutOfRangeException>(() => large.Scaled(new Vector3(1e10f))).ParamName);
+        Assert.Equal(
+            "scale", Assert.Throws<ArgumentOutOfRangeException>(() => small.Scaled(new Vector3(1e-20f))).ParamName);
     }
 
     [Fact]
@@ -133,16 +150,23 @@ public class ArgumentTests
     {
         foreach (float radius in new[] { -1, float.NaN, float.PositiveInfinity })
         {
-            Assert.Equal("radius", Assert.Throws<ArgumentOutOfRangeException>(() => ConvexShape.Box(V).Rounded(radius)).ParamName);
-            Assert.Equal("radius", Assert.Throws<ArgumentOutOfRangeException>(() => new Rounded<PointShape>(default, radius)).ParamName);
+            Assert.Equal(
+                "radius",
+                Assert.Throws<ArgumentOutOfRangeException>(() => ConvexShape.Box(V).Rounded(radius)).ParamName);
+            Assert.Equal(
+                "radius",
+                Assert.Throws<ArgumentOutOfRangeException>(() => new Rounded<PointShape>(default, radius)).ParamName);
         }
     }
 
     [Fact]
     public void PosesOfPlacedShapes()
     {
-        Assert.Equal("pose", Assert.Throws<ArgumentOutOfRangeException>(() => ConvexShape.Box(V).Placed(default)).ParamName);
-        Assert.Equal("pose", Assert.Throws<ArgumentOutOfRangeException>(() => new Placed<PointShape>(default, default)).ParamName);
+        Assert.Equal(
+            "pose", Assert.Throws<ArgumentOutOfRangeException>(() => ConvexShape.Box(V).Placed(default)).ParamName);
+        Assert.Equal(
+            "pose",
+            Assert.Throws<ArgumentOutOfRangeException>(() => new Placed<PointShape>(default, default)).ParamName);
     }
 
     [Fact]
@@ -150,7 +174,9 @@ public class ArgumentTests
     {
         Assert.Equal("hull", Assert.Throws<ArgumentNullException>(() => new ConvexMesh((ConvexHull)null!)).ParamName);
         Assert.Equal("hull", Assert.Throws<ArgumentNullException>(() => ConvexShape.Mesh((ConvexHull)null!)).ParamName);
-        foreach (Func<IReadOnlyList<Vector3>, object> make in new Func<IReadOnlyList<Vector3>, object>[] { p => new ConvexHull(p), p => new ConvexMesh(p), p => ConvexShape.Mesh(p) })
+        Func<IReadOnlyList<Vector3>, object>[] makers =
+            [p => new ConvexHull(p), p => new ConvexMesh(p), p => ConvexShape.Mesh(p)];
+        foreach (Func<IReadOnlyList<Vector3>, object> make in makers)
         {
             Assert.NotNull(Assert.Throws<ArgumentNullException>(() => make(null!)).ParamName);
             var empty = Assert.Throws<ArgumentException>(() => make([]));
@@ -172,7 +198,9 @@ public class ArgumentTests
         foreach (T value in values)
         {
             var e = Assert.Throws<ArgumentOutOfRangeException>(() => make(value));
-            Assert.True(e.ParamName == parameter && e.Message.StartsWith(message, StringComparison.Ordinal), $"{value}: {e.ParamName}, '{e.Message}'");
+            Assert.True(
+                e.ParamName == parameter && e.Message.StartsWith(message, StringComparison.Ordinal),
+                $"{value}: {e.ParamName}, '{e.Message}'");
         }
     }
 }

@@ -1,5 +1,6 @@
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using System.Reflection.Metadata;
 using System.Reflection.PortableExecutable;
 
@@ -9,7 +10,8 @@ namespace Gjk.Core.Tests.Api;
 public class BuildTests
 {
     [Fact]
-    public void TheBuildIsTheOneTheProjectAskedFor() => Assert.Equal(BuildUnderTest.Expected, BuildUnderTest.TargetFramework);
+    public void TheBuildIsTheOneTheProjectAskedFor() =>
+        Assert.Equal(BuildUnderTest.Expected, BuildUnderTest.TargetFramework);
 
     [Fact]
     public void ItReferencesOnlyWhatItsTargetBrings()
@@ -17,7 +19,8 @@ public class BuildTests
         using FileStream file = File.OpenRead(BuildUnderTest.Library.Location);
         using var image = new PEReader(file);
         MetadataReader reader = image.GetMetadataReader();
-        string[] references = [.. reader.AssemblyReferences.Select(r => reader.GetString(reader.GetAssemblyReference(r).Name)).Order()];
+        string[] references =
+            [.. reader.AssemblyReferences.Select(r => reader.GetString(reader.GetAssemblyReference(r).Name)).Order()];
         switch (BuildUnderTest.TargetFramework)
         {
             case ".NETStandard,Version=v2.1":
@@ -35,9 +38,10 @@ public class BuildTests
     [Fact]
     public void ItHoldsNoMutableStaticState()
     {
+        const BindingFlags statics = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
         string[] found = [.. from t in BuildUnderTest.Library.GetTypes()
                              where !t.Name.Contains('<') && t.Namespace == "Gjk.Core"
-                             from f in t.GetFields(System.Reflection.BindingFlags.Static | System.Reflection.BindingFlags.Public | System.Reflection.BindingFlags.NonPublic)
+                             from f in t.GetFields(statics)
                              where !f.IsLiteral && !f.IsInitOnly && !f.Name.Contains('<')
                              select $"{t.Name}.{f.Name}"];
         Assert.Empty(found);

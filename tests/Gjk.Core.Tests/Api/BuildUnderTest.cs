@@ -12,7 +12,9 @@ internal static class BuildUnderTest
     public static string TargetFramework => Library.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName;
 
     /// <summary>What the test project asked for.</summary>
-    public static string Expected => typeof(BuildUnderTest).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().Single(m => m.Key == "GjkCoreTarget").Value!;
+    public static string Expected =>
+        typeof(BuildUnderTest).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().Single(
+            m => m.Key == "GjkCoreTarget").Value!;
 
     public static bool IsModern => TargetFramework.StartsWith(".NETCoreApp", System.StringComparison.Ordinal);
 }

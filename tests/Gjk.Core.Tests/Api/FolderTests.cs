@@ -23,7 +23,7 @@ public class FolderTests(ITestOutputHelper output)
         ("Hulls/Building", ["Arithmetic", "Geometry"]),
         ("Hulls/Lookup", ["Arithmetic", "Geometry"]),
         ("Hulls", ["Arithmetic", "Geometry", "Hulls/Building", "Hulls/Lookup"]),
-        ("Shapes", ["Arithmetic", "Geometry", "Hulls"]),
+        ("Shapes", ["Arithmetic", "Geometry", "Hulls", "Hulls/Lookup"]),
         ("Minkowski", ["Arithmetic", "Geometry"]),
         ("Simplex", ["Arithmetic", "Geometry"]),
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
@@ -47,7 +47,9 @@ public class FolderTests(ITestOutputHelper output)
         foreach ((string file, string source) in sources)
         {
             string folder = FolderOf(root, file);
-            SortedSet<string> uses = graph.TryGetValue(folder, out SortedSet<string>? known) ? known : graph[folder] = [];
+            SortedSet<string> uses = graph.TryGetValue(folder, out SortedSet<string>? known)
+                ? known
+                : graph[folder] = [];
             foreach (string name in Regex.Matches(source, @"\b[A-Z]\w*").Select(m => m.Value).Distinct())
             {
                 if (!folderOf.TryGetValue(name, out string? other) || other == folder) continue;
@@ -56,7 +58,8 @@ public class FolderTests(ITestOutputHelper output)
             }
         }
 
-        foreach ((string folder, SortedSet<string> uses) in graph) output.WriteLine($"{folder} -> {string.Join(", ", uses)}");
+        foreach ((string folder, SortedSet<string> uses) in graph)
+            output.WriteLine($"{folder} -> {string.Join(", ", uses)}");
         Assert.Empty(faults);
         Assert.Equal(Allowed.Select(a => a.Folder).Order(), graph.Keys.Order());
     }
@@ -89,8 +92,9 @@ public class FolderTests(ITestOutputHelper output)
     private static Dictionary<string, string> Sources(string root)
     {
         var sources = new Dictionary<string, string>();
-        foreach (string folder in Directory.GetDirectories(root).Where(d => Path.GetFileName(d) is not ("bin" or "obj")))
+        foreach (string folder in Directory.GetDirectories(root))
         {
+            if (Path.GetFileName(folder) is "bin" or "obj") continue;
             foreach (string file in Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
                 sources.Add(file, Regex.Replace(File.ReadAllText(file), @"//[^\n]*|""(\\.|[^""\\\n])*""", " "));
         }

@@ -23,15 +23,21 @@ public class PublicApiTests
         using Stream stream = typeof(PublicApiTests).Assembly.GetManifestResourceStream("PublicApi.txt")!;
         using var reader = new StreamReader(stream);
         string snapshot = reader.ReadToEnd().Replace("\r", "");
-        Assert.True(snapshot == actual, $"The public surface differs from PublicApi.txt: {FirstDifference(snapshot, actual)}\nIf the change is meant: run the tests once with {UpdateVariable}=1, build again, and read the diff.");
+        Assert.True(
+            snapshot == actual,
+            $"The public surface differs from PublicApi.txt: {FirstDifference(snapshot, actual)}\nIf the change "
+            + $"is meant: run the tests once with {UpdateVariable}=1, build again, and read the diff.");
     }
 
     [Fact]
     public void NoNameClashesWithUnitys() =>
-        Assert.All(["Collider", "BoxCollider", "MeshCollider", "Ray", "Plane", "Pose", "Bounds", "Transform"], name => Assert.Null(BuildUnderTest.Library.GetType("Gjk.Core." + name)));
+        Assert.All(
+            ["Collider", "BoxCollider", "MeshCollider", "Ray", "Plane", "Pose", "Bounds", "Transform"],
+            name => Assert.Null(BuildUnderTest.Library.GetType("Gjk.Core." + name)));
 
     [Fact]
-    public void EveryPublicTypeLivesInTheOneNamespace() => Assert.All(BuildUnderTest.Library.GetExportedTypes(), t => Assert.Equal("Gjk.Core", t.Namespace));
+    public void EveryPublicTypeLivesInTheOneNamespace() =>
+        Assert.All(BuildUnderTest.Library.GetExportedTypes(), t => Assert.Equal("Gjk.Core", t.Namespace));
 
     private static string FirstDifference(string snapshot, string actual)
     {
@@ -49,7 +55,8 @@ public class PublicApiTests
     private static string SnapshotPath()
     {
         string folder = AppContext.BaseDirectory;
-        while (!File.Exists(Path.Combine(folder, "Gjk.sln"))) folder = Path.GetDirectoryName(folder) ?? throw new FileNotFoundException("Gjk.sln");
+        while (!File.Exists(Path.Combine(folder, "Gjk.sln")))
+            folder = Path.GetDirectoryName(folder) ?? throw new FileNotFoundException("Gjk.sln");
         return Path.Combine(folder, "tests", "Gjk.Core.Tests", "PublicApi.txt");
     }
 }

@@ -41,7 +41,7 @@ public class HardCaseTests
     public void NoFlagIsWrong(string family) => Report(family, c =>
     {
         DistanceResult r = c.Pair.Distance();
-        bool matters = Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
+        bool matters = Math.Max(c.Distance, c.Depth) > Accuracy.FlagScale * c.Pair.Scale;
         return (
             matters && r.IsOverlapping != c.Overlap ? double.PositiveInfinity : 0,
             $"overlap {r.IsOverlapping}, status {r.Status}");
@@ -53,7 +53,7 @@ public class HardCaseTests
     {
         DistanceResult r = c.Pair.Distance();
         double error = Math.Abs(r.Distance - c.Distance);
-        double ratio = error == 0 ? 0 : error / Tolerance.Band(c.Distance, c.Pair.Scale);
+        double ratio = error == 0 ? 0 : error / Accuracy.Band(c.Distance, c.Pair.Scale);
         return (
             double.IsNaN(ratio) ? double.PositiveInfinity : ratio,
             $"distance {r.Distance:R}, status {r.Status}, error {error:R}");
@@ -77,7 +77,7 @@ public class HardCaseTests
 
         // The file's answers have 20 digits, a double 16.
         bool holds = r.LowerBound <= c.Distance * (1 + 2.3e-16);
-        bool close = r.LowerBound >= r.Distance - Tolerance.Band(c.Distance, c.Pair.Scale);
+        bool close = r.LowerBound >= r.Distance - Accuracy.Band(c.Distance, c.Pair.Scale);
         return (holds && close ? 0 : double.PositiveInfinity, $"lower bound {r.LowerBound:R}, distance {r.Distance:R}");
     });
 
@@ -107,8 +107,9 @@ public class HardCaseTests
     public void SwappingTheShapesMirrorsTheAnswer(string family) => Report(family, c =>
     {
         DistanceResult r = c.Pair.Distance(), s = c.Pair.Swapped.Distance();
-        bool sameFlag = r.IsOverlapping == s.IsOverlapping || Math.Max(c.Distance, c.Depth) <= Tolerance.Flag * c.Pair.Scale;
-        double error = Math.Abs(r.Distance - s.Distance), band = Tolerance.Band(c.Distance, c.Pair.Scale);
+        bool sameFlag = r.IsOverlapping == s.IsOverlapping
+            || Math.Max(c.Distance, c.Depth) <= Accuracy.FlagScale * c.Pair.Scale;
+        double error = Math.Abs(r.Distance - s.Distance), band = Accuracy.Band(c.Distance, c.Pair.Scale);
         return (
             sameFlag && error <= 2 * band ? 0 : double.PositiveInfinity,
             $"{r.Status} {r.Distance:R}, swapped {s.Status} {s.Distance:R}");
@@ -127,9 +128,10 @@ public class HardCaseTests
             {
                 DistanceResult r = ConvexQuery.Distance(
                     c.Pair.A.Shape, c.Pair.PoseA, c.Pair.B.Shape, c.Pair.PoseB, ref warm);
-                bool wrong = r.IsOverlapping != c.Overlap && Math.Max(c.Distance, c.Depth) > Tolerance.Flag * c.Pair.Scale;
+                bool wrong = r.IsOverlapping != c.Overlap
+                    && Math.Max(c.Distance, c.Depth) > Accuracy.FlagScale * c.Pair.Scale;
                 double error = Math.Abs(r.Distance - c.Distance);
-                double ratio = error == 0 ? 0 : error / Tolerance.Band(c.Distance, c.Pair.Scale);
+                double ratio = error == 0 ? 0 : error / Accuracy.Band(c.Distance, c.Pair.Scale);
                 worst = wrong || double.IsNaN(ratio) ? double.PositiveInfinity : Math.Max(worst, ratio);
             }
 

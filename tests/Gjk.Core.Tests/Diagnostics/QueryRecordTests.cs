@@ -5,7 +5,10 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Diagnostics;
 
-/// <summary>A query as one line of text comes back to the last bit, and what is no record is refused with a message that names the word.</summary>
+/// <summary>
+/// A query as one line of text comes back to the last bit, and what is no record is refused with a message that names
+/// the word.
+/// </summary>
 public class QueryRecordTests
 {
     private const string Sphere = "gjk1 point 1 @ 0 0 0 1 0 0 0 point 0.5 @ 0 0 0 1 3 0 0";
@@ -18,7 +21,9 @@ public class QueryRecordTests
         var a = ConvexShape.Sphere(1);
         var b = ConvexShape.Cylinder(0.5f, 2).Scaled(new Vector3(1, 2, -0.25f));
         var record = new QueryRecord(a, RigidPose.Identity, b, new RigidPose(new Vector3(3, -0f, 1e-45f)));
-        Assert.Equal("gjk1 point 1 @ 0 0 0 1 0 0 0 cylinder 0.5 2 0 * 1 2 -0.25 @ 0 0 0 1 3 -0 1.40129846E-45", record.ToString());
+        Assert.Equal(
+            "gjk1 point 1 @ 0 0 0 1 0 0 0 cylinder 0.5 2 0 * 1 2 -0.25 @ 0 0 0 1 3 -0 1.40129846E-45",
+            record.ToString());
     }
 
     [Fact]
@@ -69,17 +74,25 @@ public class QueryRecordTests
             ConvexShape.Point().Scaled(odd),
         ];
         Assert.NotEqual(shapes[0].Parts.A.X, (float)shapes[0].Parts.A.X);
-        foreach (ConvexShape shape in shapes) AssertRoundTrip(shape.Kind.ToString(), shape, RigidPose.Identity, shape, new RigidPose(odd));
+        foreach (ConvexShape shape in shapes)
+            AssertRoundTrip(shape.Kind.ToString(), shape, RigidPose.Identity, shape, new RigidPose(odd));
     }
 
     [Fact]
     public void TheLeastAndTheGreatestNumbersComeBack()
     {
-        Vector3[] corners = [new(float.MaxValue, float.Epsilon, -0f), new(-1e-38f, 1e-45f, 16_777_217f), new(0.1f, 1f / 3, -float.MaxValue)];
+        Vector3[] corners =
+        [
+            new(float.MaxValue, float.Epsilon, -0f), new(-1e-38f, 1e-45f, 16_777_217f),
+            new(0.1f, 1f / 3, -float.MaxValue),
+        ];
         ConvexShape mesh = ConvexShape.Mesh(corners);
-        var pose = new RigidPose(new Quaternion(1e-45f, -0f, 1f / 3, 0.94280905f), new Vector3(float.MaxValue, -float.Epsilon, -0f));
+        var pose = new RigidPose(
+            new Quaternion(1e-45f, -0f, 1f / 3, 0.94280905f), new Vector3(float.MaxValue, -float.Epsilon, -0f));
         AssertRoundTrip("mesh", mesh, pose, ConvexShape.Segment(corners[0], corners[2]), pose);
-        AssertRoundTrip("scaled", mesh.Scaled(new Vector3(float.Epsilon, -float.MaxValue, 1)), pose, ConvexShape.Sphere(float.MaxValue).Scaled(new Vector3(float.MaxValue)), pose);
+        AssertRoundTrip(
+            "scaled", mesh.Scaled(new Vector3(float.Epsilon, -float.MaxValue, 1)), pose,
+            ConvexShape.Sphere(float.MaxValue).Scaled(new Vector3(float.MaxValue)), pose);
     }
 
     [Theory]
@@ -131,7 +144,9 @@ public class QueryRecordTests
         Assert.Equal("The record ends where 'gjk1' should be.", Reason(null));
     }
 
-    /// <summary>Each record cut off after each of its words is refused, and none of them throws anything else.</summary>
+    /// <summary>
+    /// Each record cut off after each of its words is refused, and none of them throws anything else.
+    /// </summary>
     [Fact]
     public void NoPartOfARecordIsARecord()
     {
@@ -149,7 +164,8 @@ public class QueryRecordTests
         return reason!;
     }
 
-    private static void AssertRoundTrip(string name, in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB)
+    private static void AssertRoundTrip(
+        string name, in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB)
     {
         var record = new QueryRecord(a, poseA, b, poseB);
         string text = record.ToString();
@@ -168,13 +184,18 @@ public class QueryRecordTests
         Assert.Equal(expected.Kind, actual.Kind);
         Assert.Equal(Bits(expected), Bits(actual));
         Assert.Equal(expected.Hull?.VertexCount, actual.Hull?.VertexCount);
-        for (int i = 0; i < (expected.Hull?.VertexCount ?? 0); i++) Assert.True(expected.Hull!.GetVertex(i) == actual.Hull!.GetVertex(i), $"{name}: vertex {i}");
+        for (int i = 0; i < (expected.Hull?.VertexCount ?? 0); i++)
+            Assert.True(expected.Hull!.GetVertex(i) == actual.Hull!.GetVertex(i), $"{name}: vertex {i}");
     }
 
     private static long[] Bits(in ConvexShape shape)
     {
         ShapeParts p = shape.Parts;
-        double[] numbers = [p.A.X, p.A.Y, p.A.Z, p.B.X, p.B.Y, p.B.Z, p.C.X, p.C.Y, p.C.Z, p.Scale.X, p.Scale.Y, p.Scale.Z, p.InnerMargin, shape.Margin, shape.BoundingRadius];
+        double[] numbers =
+        [
+            p.A.X, p.A.Y, p.A.Z, p.B.X, p.B.Y, p.B.Z, p.C.X, p.C.Y, p.C.Z, p.Scale.X, p.Scale.Y, p.Scale.Z,
+            p.InnerMargin, shape.Margin, shape.BoundingRadius,
+        ];
 
         // Fields that the kind does not use may hold -0; those that it does are held to it by the text.
         return Array.ConvertAll(numbers, x => BitConverter.DoubleToInt64Bits(x == 0 ? 0 : x));
@@ -183,7 +204,10 @@ public class QueryRecordTests
     private static void AssertSame(string name, in RigidPose expected, in RigidPose actual)
     {
         Quaternion q = expected.Rotation, r = actual.Rotation;
-        float[] a = [q.X, q.Y, q.Z, q.W, expected.Position.X, expected.Position.Y, expected.Position.Z], b = [r.X, r.Y, r.Z, r.W, actual.Position.X, actual.Position.Y, actual.Position.Z];
-        Assert.True(a.Select(BitConverter.SingleToInt32Bits).SequenceEqual(b.Select(BitConverter.SingleToInt32Bits)), $"{name}: pose");
+        float[] a = [q.X, q.Y, q.Z, q.W, expected.Position.X, expected.Position.Y, expected.Position.Z];
+        float[] b = [r.X, r.Y, r.Z, r.W, actual.Position.X, actual.Position.Y, actual.Position.Z];
+        Assert.True(
+            a.Select(BitConverter.SingleToInt32Bits).SequenceEqual(b.Select(BitConverter.SingleToInt32Bits)),
+            $"{name}: pose");
     }
 }

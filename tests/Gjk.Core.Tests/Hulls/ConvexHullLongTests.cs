@@ -6,7 +6,9 @@ using Xunit.Abstractions;
 
 namespace Gjk.Core.Tests;
 
-/// <summary>Large clouds. They run when the environment variable GJK_LONG is 1 and pass at once when it is not.</summary>
+/// <summary>
+/// Large clouds. They run when the environment variable GJK_LONG is 1 and pass at once when it is not.
+/// </summary>
 public class ConvexHullLongTests
 {
     private const int Directions = 100, Triangles = 100;
@@ -44,10 +46,15 @@ public class ConvexHullLongTests
         var watch = Stopwatch.StartNew();
         var hull = new ConvexHull(cloud);
         double seconds = watch.Elapsed.TotalSeconds;
-        _output.WriteLine($"{family} {count}: {hull.VertexCount} corners, {hull.TriangleCount} triangles, {seconds:F2} s");
+        _output.WriteLine(
+            $"{family} {count}: {hull.VertexCount} corners, {hull.TriangleCount} triangles, {seconds:F2} s");
         Assert.True(seconds < MostSeconds, $"{family} {count}, seed {Seed}: {seconds} s");
         var random = new Random(Seed);
-        for (int i = 0; i < Directions; i++) HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family} {count}, seed {Seed}, direction {i}");
+        for (int i = 0; i < Directions; i++)
+        {
+            HullCheck.Support(
+                hull, cloud, HullClouds.OnSphere(random), $"{family} {count}, seed {Seed}, direction {i}");
+        }
         CheckSample(hull, cloud, random, $"{family} {count}, seed {Seed}");
     }
 
@@ -70,7 +77,8 @@ public class ConvexHullLongTests
         Vector3[] cloud = ConvexHullSupportTests.Cloud(family);
         var hull = new ConvexHull(cloud);
         var random = new Random(6);
-        for (int i = 0; i < 1000000; i++) HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family}, direction seed 6, {i}");
+        for (int i = 0; i < 1000000; i++)
+            HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family}, direction seed 6, {i}");
     }
 
     /// <summary>All points against some triangles.</summary>
@@ -98,7 +106,9 @@ public class ConvexHullLongTests
         "grid" => HullClouds.Grid(100),
 
         // Shears with exact products: as coplanar as the grid, on a fine lattice.
-        "tilted" => HullClouds.Grid(100).Select(p => new Vector3(p.X + p.Y / 4096 + p.Z / 65536, p.Y + p.Z / 65536, p.Z)).ToArray(),
+        "tilted" =>
+            HullClouds.Grid(100).Select(
+                p => new Vector3(p.X + p.Y / 4096 + p.Z / 65536, p.Y + p.Z / 65536, p.Z)).ToArray(),
         _ => Enumerable.Range(0, count).Select(i => i * new Vector3(1, 2, 4)).ToArray(),
     };
 

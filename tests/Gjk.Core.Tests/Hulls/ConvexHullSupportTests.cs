@@ -5,12 +5,15 @@ using System.Numerics;
 
 namespace Gjk.Core.Tests;
 
-/// <summary>Contract 8: in no direction does the hull reach less far than the cloud. And what must not matter does not.</summary>
+/// <summary>
+/// Contract 8: in no direction does the hull reach less far than the cloud. And what must not matter does not.
+/// </summary>
 public class ConvexHullSupportTests
 {
     private const int Directions = 10000;
 
-    public static TheoryData<string> Families => ["ball", "sphere", "box", "integers", "spiral", "turned", "tiny", "huge", "far", "any"];
+    public static TheoryData<string> Families =>
+        ["ball", "sphere", "box", "integers", "spiral", "turned", "tiny", "huge", "far", "any"];
 
     [Theory]
     [MemberData(nameof(Families))]
@@ -20,7 +23,8 @@ public class ConvexHullSupportTests
         var hull = new ConvexHull(cloud);
         const int Seed = 77;
         var random = new Random(Seed);
-        for (int i = 0; i < Directions; i++) HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family}, direction seed {Seed}, {i}");
+        for (int i = 0; i < Directions; i++)
+            HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family}, direction seed {Seed}, {i}");
         foreach (Vector3 axis in new[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ, Vector3.One })
         {
             HullCheck.Support(hull, cloud, axis, family);
@@ -51,7 +55,9 @@ public class ConvexHullSupportTests
                 }
             }
 
-            HullCheck.Support(new ConvexHull([hull.GetVertex(at)]), HullCheck.Corners(hull), direction, $"{family}, seed {Seed}, {i}");
+            HullCheck.Support(
+                new ConvexHull([hull.GetVertex(at)]), HullCheck.Corners(hull), direction,
+                $"{family}, seed {Seed}, {i}");
         }
     }
 
@@ -67,12 +73,15 @@ public class ConvexHullSupportTests
             var permuted = new ConvexHull(HullClouds.Permuted(cloud, seed));
             Assert.True(corners.SetEquals(HullCheck.Corners(permuted)), $"{family}, permutation seed {seed}");
 
-            // Facets may be cut differently when the points are numbered differently, but not into more or fewer triangles.
+            // Facets may be cut differently when the points are numbered differently, but not into more or fewer
+            // triangles.
             Assert.True(triangles == permuted.TriangleCount, $"{family}, surface, permutation seed {seed}");
         }
 
         Vector3[] mirrored = cloud.Select(p => p with { X = -p.X }).ToArray();
-        Assert.True(corners.SetEquals(HullCheck.Corners(new ConvexHull(mirrored)).Select(p => p with { X = -p.X })), $"{family}, mirrored");
+        Assert.True(
+            corners.SetEquals(HullCheck.Corners(new ConvexHull(mirrored)).Select(p => p with { X = -p.X })),
+            $"{family}, mirrored");
     }
 
     [Fact]

@@ -24,7 +24,9 @@ public class ConvexHullTests
         var hull = new ConvexHull([new Vector3(-0f, 0, -0f), new Vector3(0, -0f, 0), new Vector3(1, -0f, 0)]);
         Assert.Equal(2, hull.VertexCount);
         for (int i = 0; i < hull.X.Length; i++)
-            Assert.False(float.IsNegative(hull.X[i]) || float.IsNegative(hull.Y[i]) || float.IsNegative(hull.Z[i]), $"slot {i} holds -0");
+            Assert.False(
+                float.IsNegative(hull.X[i]) || float.IsNegative(hull.Y[i]) || float.IsNegative(hull.Z[i]),
+                $"slot {i} holds -0");
     }
 
     [Fact]
@@ -93,9 +95,11 @@ public class ConvexHullTests
         for (int seed = 0; seed < 60; seed++)
         {
             var random = new Random(seed);
-            Vector3 u = HullClouds.SmallIntegers(seed, 1, 9)[0] - new Vector3(4), v = HullClouds.SmallIntegers(seed + 1000, 1, 9)[0] - new Vector3(4);
+            Vector3 u = HullClouds.SmallIntegers(seed, 1, 9)[0] - new Vector3(4);
+            Vector3 v = HullClouds.SmallIntegers(seed + 1000, 1, 9)[0] - new Vector3(4);
             var cloud = new Vector3[3 + seed % 20];
-            for (int i = 0; i < cloud.Length; i++) cloud[i] = random.Next(-5, 6) * u + random.Next(-5, 6) * v + new Vector3(100, 7, -3);
+            for (int i = 0; i < cloud.Length; i++)
+                cloud[i] = random.Next(-5, 6) * u + random.Next(-5, 6) * v + new Vector3(100, 7, -3);
             HullCheck.All(new ConvexHull(cloud), cloud, $"flat, seed {seed}");
         }
     }

@@ -11,7 +11,9 @@ public class AlgebraicLawTests
 {
     private const float Grid = 64;
 
-    /// <summary>Points on a grid, so that sums and differences are exact in float and degenerate positions are frequent.</summary>
+    /// <summary>
+    /// Points on a grid, so that sums and differences are exact in float and degenerate positions are frequent.
+    /// </summary>
     private static readonly Gen<Vector3> Points =
         from x in Gen.Choose(-160, 160)
         from y in Gen.Choose(-160, 160)
@@ -41,7 +43,8 @@ public class AlgebraicLawTests
     public void SwapMirrors() => Check(Pairs, pair =>
     {
         DistanceResult r = pair.Distance(), s = pair.Swapped.Distance();
-        return Near(pair, r.Distance, s.Distance) && r.Swapped.PointA == r.PointB && r.Swapped.Normal == -r.Normal && r.Swapped.Swapped.Normal == r.Normal;
+        return Near(pair, r.Distance, s.Distance) && r.Swapped.PointA == r.PointB && r.Swapped.Normal == -r.Normal
+            && r.Swapped.Swapped.Normal == r.Normal;
     });
 
     [Fact]
@@ -49,10 +52,12 @@ public class AlgebraicLawTests
         Near(x.pair, x.pair.Distance().Distance, Moved(x.pair, x.t, x.t).Distance().Distance));
 
     [Fact]
-    public void TranslationOfOneChangesTheDistanceByItsLengthAtMost() => Check(from pair in Pairs from t in Points select (pair, t), x =>
+    public void TranslationOfOneChangesTheDistanceByItsLengthAtMost() =>
+        Check(from pair in Pairs from t in Points select (pair, t), x =>
     {
         double before = x.pair.Distance().Distance, after = Moved(x.pair, default, x.t).Distance().Distance;
-        return Math.Abs(before - after) <= ((Vector3D)x.t).Length + 2 * Tolerance.Band(Math.Max(before, after), x.pair.Scale);
+        return Math.Abs(before - after) <= ((Vector3D)x.t).Length + 2 * Accuracy.Band(
+            Math.Max(before, after), x.pair.Scale);
     });
 
     [Fact]
@@ -65,7 +70,8 @@ public class AlgebraicLawTests
         TestShape a = TestShape.Mesh(x.p), b = TestShape.Mesh(x.q), difference = TestShape.Mesh(sums);
         var pair = new TestPair("law", a, RigidPose.Identity, b, new RigidPose(x.s));
         var single = new TestPair("law", difference, RigidPose.Identity, TestShape.Point(), RigidPose.Identity);
-        return pair.Overlaps() == single.Overlaps() && Near(single, pair.Distance().Distance, single.Distance().Distance);
+        return pair.Overlaps() == single.Overlaps()
+            && Near(single, pair.Distance().Distance, single.Distance().Distance);
     });
 
     [Fact]
@@ -75,11 +81,12 @@ public class AlgebraicLawTests
         Vector3[] more = [.. Array.ConvertAll(x.pair.A.Vertices!, v => (Vector3)v), x.p];
         TestPair larger = x.pair with { A = TestShape.Mesh(more) };
         double before = x.pair.Distance().Distance, after = larger.Distance().Distance;
-        return after <= before + 2 * Tolerance.Band(before, larger.Scale);
+        return after <= before + 2 * Accuracy.Band(before, larger.Scale);
     });
 
     [Fact]
-    public void AShapeTouchesItself() => Check(from s in Hulls from q in Rotations from p in Points select (s, q, p), x =>
+    public void AShapeTouchesItself() =>
+        Check(from s in Hulls from q in Rotations from p in Points select (s, q, p), x =>
         new TestPair("law", x.s, new RigidPose(x.q, x.p), x.s, new RigidPose(x.q, x.p)).Distance().IsOverlapping);
 
     [Fact]
@@ -91,8 +98,10 @@ public class AlgebraicLawTests
         PoseB = new RigidPose(pair.PoseB.Rotation, pair.PoseB.Position + b),
     };
 
-    private static bool Near(TestPair pair, double a, double b) => Math.Abs(a - b) <= 2 * Tolerance.Band(Math.Max(a, b), pair.Scale);
+    private static bool Near(TestPair pair, double a, double b) =>
+        Math.Abs(a - b) <= 2 * Accuracy.Band(Math.Max(a, b), pair.Scale);
 
     private static void Check<T>(Gen<T> gen, Func<T, bool> law, int count = 300) =>
-        Prop.ForAll(gen.ToArbitrary(), law).Check(Config.QuickThrowOnFailure.WithMaxTest(Budget.Count(count)).WithReplay(20221, 7));
+        Prop.ForAll(gen.ToArbitrary(), law).Check(
+            Config.QuickThrowOnFailure.WithMaxTest(Budget.Count(count)).WithReplay(20221, 7));
 }

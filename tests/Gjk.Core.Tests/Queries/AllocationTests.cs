@@ -15,7 +15,8 @@ public class AllocationTests
     [MemberData(nameof(Kinds))]
     public void ThroughConvexShape(string kind)
     {
-        TestPair[] pairs = [.. Enumerable.Range(0, Pairs).Select(i => Generators.Pair((ulong)i, [kind, "hull", "sphere"]))];
+        TestPair[] pairs =
+            [.. Enumerable.Range(0, Pairs).Select(i => Generators.Pair((ulong)i, [kind, "hull", "sphere"]))];
         AssertNone(() =>
         {
             foreach (TestPair p in pairs)
@@ -39,7 +40,8 @@ public class AllocationTests
                 var round = new Rounded<Scaled<BoxShape>>(new Scaled<BoxShape>(new BoxShape(new(0.5f)), -0.5f), 0.1f);
                 ConvexQuery.Distance(mesh, p.PoseA, new CapsuleShape(0.25f, 0.5f), p.PoseB);
                 ConvexQuery.Distance(new Scaled<ConvexMesh>(mesh, 2), p.PoseA, round, p.PoseB);
-                ConvexQuery.Overlaps(new TriangleShape(default, new(1), new(1, 0, 0)), p.PoseA, new ConeShape(0.5f, 1), p.PoseB);
+                ConvexQuery.Overlaps(
+                    new TriangleShape(default, new(1), new(1, 0, 0)), p.PoseA, new ConeShape(0.5f, 1), p.PoseB);
             }
         });
     }

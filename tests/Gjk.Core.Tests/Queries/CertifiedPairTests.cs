@@ -3,7 +3,9 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>Random pairs of every kind of shape, certified without a reference; consistency and symmetry on the same pairs.</summary>
+/// <summary>
+/// Random pairs of every kind of shape, certified without a reference; consistency and symmetry on the same pairs.
+/// </summary>
 public class CertifiedPairTests
 {
     public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull"];
@@ -18,7 +20,9 @@ public class CertifiedPairTests
     {
         DistanceResult r = pair.Distance();
         bool flag = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
-        return flag == r.IsOverlapping && flag == pair.Overlaps() && status == r.Status ? null : $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}";
+        return flag == r.IsOverlapping && flag == pair.Overlaps() && status == r.Status
+            ? null
+            : $"Overlaps {flag} ({status}), Distance {r.Status} {r.Distance:R}";
     });
 
     [Theory]
@@ -27,7 +31,8 @@ public class CertifiedPairTests
     {
         DistanceResult r = pair.Distance(), s = pair.Swapped.Distance();
         if (r.Status != s.Status) return $"{r.Status} {r.Distance:R}, swapped {s.Status} {s.Distance:R}";
-        if (Math.Abs(r.Distance - s.Distance) > 2 * Tolerance.Band(pair, r.Distance)) return $"distance {r.Distance:R}, swapped {s.Distance:R}";
+        if (Math.Abs(r.Distance - s.Distance) > 2 * pair.Band(r.Distance))
+            return $"distance {r.Distance:R}, swapped {s.Distance:R}";
 
         // The normal of the closest points is unique, but its direction is only as sure as the distance is long.
         double turn = ((Vector3D)r.Normal + s.Normal).Length * r.Distance;

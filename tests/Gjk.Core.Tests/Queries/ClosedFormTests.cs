@@ -35,7 +35,8 @@ public class ClosedFormTests
         Vector3 h = rng.Vector(0, 1), k = rng.Vector(0, 1);
         RigidPose a = new(rng.Vector(-2, 2)), b = new(rng.Vector(-2, 2));
         Vector3D v = (Vector3D)b.Position - a.Position;
-        double d = new Vector3D(Past(v.X, (double)h.X + k.X), Past(v.Y, (double)h.Y + k.Y), Past(v.Z, (double)h.Z + k.Z)).Length;
+        double d = new Vector3D(
+            Past(v.X, (double)h.X + k.X), Past(v.Y, (double)h.Y + k.Y), Past(v.Z, (double)h.Z + k.Z)).Length;
         return (ConvexQuery.Distance(new BoxShape(h), a, new BoxShape(k), b), d, 2);
     });
 
@@ -43,7 +44,8 @@ public class ClosedFormTests
     public void SegmentAgainstSegment() => Each(4, rng =>
     {
         Vector3 p = rng.Vector(-1, 1), q = rng.Vector(-1, 1), r = rng.Vector(-1, 1), s = rng.Vector(-1, 1);
-        DistanceResult found = ConvexQuery.Distance(new SegmentShape(p, q), RigidPose.Identity, new SegmentShape(r, s), RigidPose.Identity);
+        DistanceResult found = ConvexQuery.Distance(
+            new SegmentShape(p, q), RigidPose.Identity, new SegmentShape(r, s), RigidPose.Identity);
         return (found, SegmentDistance(p, q, r, s), 2);
     });
 
@@ -73,8 +75,10 @@ public class ClosedFormTests
 
         // In the half plane of the point the cone is the triangle (0, h), (r, -h), (0, -h).
         bool inside = p.Y >= -h && radial <= r * (h - p.Y) / (2.0 * h);
-        Vector3D at = new(radial, p.Y, 0), apex = new(0, h, 0), rim = new(r, -(double)h, 0), foot = new(0, -(double)h, 0);
-        return (TestShape.Cone(r, h), inside ? 0 : Math.Min(SegmentDistance(at, at, apex, rim), SegmentDistance(at, at, rim, foot)));
+        Vector3D at = new(radial, p.Y, 0), apex = new(0, h, 0), rim = new(r, -(double)h, 0);
+        Vector3D foot = new(0, -(double)h, 0);
+        double outside = Math.Min(SegmentDistance(at, at, apex, rim), SegmentDistance(at, at, rim, foot));
+        return (TestShape.Cone(r, h), inside ? 0 : outside);
     });
 
     [Fact]
@@ -84,9 +88,11 @@ public class ClosedFormTests
         foreach (Vector3 axis in new[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ })
         {
             var at = new RigidPose(axis * 3);
-            DistanceResult r = ConvexQuery.Distance(new EllipsoidShape(radii), RigidPose.Identity, new SphereShape(0.25f), at);
+            DistanceResult r = ConvexQuery.Distance(
+                new EllipsoidShape(radii), RigidPose.Identity, new SphereShape(0.25f), at);
             double d = 3 - Vector3.Dot(radii, axis) - 0.25;
-            Assert.True(Math.Abs(r.Distance - d) <= Tolerance.CurvedBand(d, 4), $"axis {axis}: {r.Distance:R}, truly {d:R}");
+            Assert.True(
+                Math.Abs(r.Distance - d) <= Accuracy.CurvedBand(d, 4), $"axis {axis}: {r.Distance:R}, truly {d:R}");
         }
     }
 
@@ -94,7 +100,8 @@ public class ClosedFormTests
     public void TheReadmesTwoBoxes()
     {
         DistanceResult r = ConvexQuery.Distance(
-            new BoxShape(new Vector3(0.5f)), RigidPose.Identity, new BoxShape(new Vector3(0.5f)), new RigidPose(new Vector3(3, 0.25f, 0)));
+            new BoxShape(new Vector3(0.5f)), RigidPose.Identity, new BoxShape(new Vector3(0.5f)), new RigidPose(
+                new Vector3(3, 0.25f, 0)));
         Assert.Equal(GjkStatus.Separated, r.Status);
         Assert.Equal(2, r.Distance);
         Assert.Equal(Vector3.UnitX, r.Normal);
@@ -106,13 +113,17 @@ public class ClosedFormTests
 
     private static double Past(double x, double half) => Math.Max(Math.Abs(x) - half, 0);
 
-    private static Vector3D Axis(in RigidPose pose) => new Body<PointShape>(new PointShape(), pose).Rotate(new Vector3D(0, 1, 0));
+    private static Vector3D Axis(in RigidPose pose) =>
+        new Body<PointShape>(new PointShape(), pose).Rotate(new Vector3D(0, 1, 0));
 
-    /// <summary>The least of: the ends' distances to the other segment, and the lines' distance where both feet are inside.</summary>
+    /// <summary>
+    /// The least of: the ends' distances to the other segment, and the lines' distance where both feet are inside.
+    /// </summary>
     private static double SegmentDistance(in Vector3D p, in Vector3D q, in Vector3D r, in Vector3D s)
     {
         Vector3D e = q - p, f = s - r, w = p - r;
-        double ends = Math.Min(Math.Min(ToSegment(p, r, s), ToSegment(q, r, s)), Math.Min(ToSegment(r, p, q), ToSegment(s, p, q)));
+        double ends = Math.Min(
+            Math.Min(ToSegment(p, r, s), ToSegment(q, r, s)), Math.Min(ToSegment(r, p, q), ToSegment(s, p, q)));
         Vector3D n = Vector3D.Cross(e, f);
         double nn = n.LengthSquared;
         if (nn == 0) return ends;
@@ -135,8 +146,11 @@ public class ClosedFormTests
             var rng = new Rng(seed * 1_000_000 + i);
             Vector3 p = rng.Vector(-2, 2);
             (TestShape shape, double d) = make(rng, p);
-            DistanceResult r = ConvexQuery.Distance(shape.Shape, RigidPose.Identity, new PointShape(), new RigidPose(p));
-            Assert.True(Math.Abs(r.Distance - d) <= Tolerance.CurvedBand(d, shape.LongestSide), $"seed {seed * 1_000_000 + i}: {r.Status} {r.Distance:R}, truly {d:R}: {shape}, {p}");
+            DistanceResult r = ConvexQuery.Distance(
+                shape.Shape, RigidPose.Identity, new PointShape(), new RigidPose(p));
+            Assert.True(
+                Math.Abs(r.Distance - d) <= Accuracy.CurvedBand(d, shape.LongestSide),
+                $"seed {seed * 1_000_000 + i}: {r.Status} {r.Distance:R}, truly {d:R}: {shape}, {p}");
             Assert.True(d <= 1e-9 || !r.IsOverlapping, $"seed {seed * 1_000_000 + i}: overlap, truly {d:R}");
         }
     }
@@ -148,8 +162,12 @@ public class ClosedFormTests
         {
             (DistanceResult r, double d, double scale) = make(new Rng(seed * 1_000_000 + i));
             double truth = Math.Max(d, 0);
-            Assert.True(Math.Abs(r.Distance - truth) <= Tolerance.Band(truth, scale), $"seed {seed * 1_000_000 + i}: {r.Status} {r.Distance:R}, truly {truth:R}");
-            Assert.True(Math.Abs(d) <= Tolerance.Flag || r.IsOverlapping == d <= 0, $"seed {seed * 1_000_000 + i}: {r.Status}, truly {d:R}");
+            Assert.True(
+                Math.Abs(r.Distance - truth) <= Accuracy.Band(truth, scale),
+                $"seed {seed * 1_000_000 + i}: {r.Status} {r.Distance:R}, truly {truth:R}");
+            Assert.True(
+                Math.Abs(d) <= Accuracy.FlagScale || r.IsOverlapping == d <= 0,
+                $"seed {seed * 1_000_000 + i}: {r.Status}, truly {d:R}");
             if (!r.IsOverlapping) apart++;
         }
 

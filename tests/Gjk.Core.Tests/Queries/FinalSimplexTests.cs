@@ -3,7 +3,10 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>The simplex that a query hands out: weights that are weights, ids that name its points, sums that are the witness points.</summary>
+/// <summary>
+/// The simplex that a query hands out: weights that are weights, ids that name its points, sums that are the witness
+/// points.
+/// </summary>
 public class FinalSimplexTests
 {
     public static TheoryData<string> Families => [.. CaseFamily.Names];
@@ -33,19 +36,30 @@ public class FinalSimplexTests
             Assert.Equal(1, sum, 1e-14);
             double scale = p.Scale == 0 ? r.Distance : p.Scale;
             double offA = (onA - r.LocalPointA).Length, offB = (onB - r.LocalPointB).Length;
-            Assert.True(offA <= Tolerance.Witness * (scale + onA.Length), $"LocalPointA is {offA:R} off the weighted sum: {p.Name}");
-            Assert.True(offB <= Tolerance.Witness * (scale + onB.Length), $"LocalPointB is {offB:R} off the weighted sum: {p.Name}");
+            Assert.True(
+                offA <= Accuracy.WitnessScale * (scale + onA.Length),
+                $"LocalPointA is {offA:R} off the weighted sum: {p.Name}");
+            Assert.True(
+                offB <= Accuracy.WitnessScale * (scale + onB.Length),
+                $"LocalPointB is {offB:R} off the weighted sum: {p.Name}");
         }
     }
 
     [Fact]
     public void AnIndexThatIsNoneIsRefused()
     {
-        ConvexQuery.Distance(new PointShape(), RigidPose.Identity, new PointShape(), new RigidPose(new(1, 2, 3)), out FinalSimplex simplex);
+        ConvexQuery.Distance(
+            new PointShape(), RigidPose.Identity, new PointShape(), new RigidPose(new(1, 2, 3)),
+            out FinalSimplex simplex);
         Assert.Equal(1, simplex.Count);
         foreach (int index in new[] { -1, 1, 4, int.MaxValue, int.MinValue })
         {
-            foreach (Action call in new Action[] { () => simplex.Weight(index), () => simplex.PointOnA(index), () => simplex.PointOnB(index), () => simplex.IdA(index), () => simplex.IdB(index) })
+            Action[] calls =
+            [
+                () => simplex.Weight(index), () => simplex.PointOnA(index), () => simplex.PointOnB(index),
+                () => simplex.IdA(index), () => simplex.IdB(index),
+            ];
+            foreach (Action call in calls)
             {
                 var e = Assert.Throws<ArgumentOutOfRangeException>(call);
                 Assert.Equal("index", e.ParamName);
@@ -57,7 +71,8 @@ public class FinalSimplexTests
     [Fact]
     public void AnInvalidQueryHasNone()
     {
-        ConvexQuery.Distance(default(ConvexShape), RigidPose.Identity, new PointShape(), RigidPose.Identity, out FinalSimplex simplex);
+        ConvexQuery.Distance(
+            default(ConvexShape), RigidPose.Identity, new PointShape(), RigidPose.Identity, out FinalSimplex simplex);
         Assert.Equal(0, simplex.Count);
         Assert.Throws<ArgumentOutOfRangeException>(() => simplex.Weight(0));
     }
@@ -68,7 +83,10 @@ public class FinalSimplexTests
 
         vertex += shape.Shape.Center;
 
-        // Support points are kept relative to the centre and, for B, turned and moved: roundings of double at the reach of the pair.
-        Assert.True((vertex - point).Length <= 1e-12 * (reach + point.Length), $"vertex {id} is {vertex}, the simplex has {point}");
+        // Support points are kept relative to the centre and, for B, turned and moved: roundings of double at the reach
+        // of the pair.
+        Assert.True(
+            (vertex - point).Length <= 1e-12 * (reach + point.Length),
+            $"vertex {id} is {vertex}, the simplex has {point}");
     }
 }

@@ -5,7 +5,9 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>Contract 7: the same bits for one target framework, SIMD on or off, debug or release, serial or parallel.</summary>
+/// <summary>
+/// Contract 7: the same bits for one target framework, SIMD on or off, debug or release, serial or parallel.
+/// </summary>
 public class GoldenHashTests
 {
     /// <summary>The families up to this one have a golden hash of their own.</summary>
@@ -37,7 +39,8 @@ public class GoldenHashTests
     public void RandomPairsKeepTheirBits()
     {
         var hash = new ResultHash();
-        for (int i = 0; i < 2000; i++) hash.Add(i, i, Generators.Pair((ulong)i, [.. Generators.PolytopeKinds, "bigHull"]).Distance());
+        for (int i = 0; i < 2000; i++)
+            hash.Add(i, i, Generators.Pair((ulong)i, [.. Generators.PolytopeKinds, "bigHull"]).Distance());
         AssertGolden("random", hash);
     }
 
@@ -47,13 +50,17 @@ public class GoldenHashTests
         HardCase[] cases = [.. CaseFamily.Load("touch").Cases];
         var parallel = new DistanceResult[cases.Length];
         Parallel.For(0, cases.Length, i => parallel[i] = cases[i].Pair.Distance());
-        for (int i = 0; i < cases.Length; i++) Assert.Equal(ResultHash.Of(0, 0, cases[i].Pair.Distance()), ResultHash.Of(0, 0, parallel[i]));
+        for (int i = 0; i < cases.Length; i++)
+            Assert.Equal(ResultHash.Of(0, 0, cases[i].Pair.Distance()), ResultHash.Of(0, 0, parallel[i]));
     }
 
     private static void AssertGolden(string name, ResultHash hash, string parts = "")
     {
         string actual = hash.ToString();
         string? golden = GoldenHashes.Of(BuildUnderTest.TargetFramework).GetValueOrDefault(name);
-        Assert.True(golden == actual, $"{BuildUnderTest.TargetFramework}, {name}: the bits are {actual}, golden is {golden ?? "missing"}. If the change is meant, put it into GoldenHashes.cs.{parts}");
+        Assert.True(
+            golden == actual,
+            $"{BuildUnderTest.TargetFramework}, {name}: the bits are {actual}, golden is {golden ?? "missing"}. "
+            + $"If the change is meant, put it into GoldenHashes.cs.{parts}");
     }
 }

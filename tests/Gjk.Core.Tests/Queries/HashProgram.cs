@@ -7,7 +7,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>
-/// The test assembly as a program of its own: prints the hash of all hard cases and which vectors the machine has, so that a test can start it under other runtime switches.
+/// The test assembly as a program of its own: prints the hash of all hard cases and which vectors the machine has, so
+/// that a test can start it under other runtime switches.
 /// </summary>
 internal static class HashProgram
 {
@@ -16,7 +17,8 @@ internal static class HashProgram
     public static int Main(string[] args)
     {
         if (args is not [Command]) return 2;
-        Console.WriteLine($"{Vector256.IsHardwareAccelerated} {Vector128.IsHardwareAccelerated} {OfAllCases(parallel: false)}");
+        Console.WriteLine(
+            $"{Vector256.IsHardwareAccelerated} {Vector128.IsHardwareAccelerated} {OfAllCases(parallel: false)}");
         return 0;
     }
 

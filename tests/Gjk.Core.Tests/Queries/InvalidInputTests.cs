@@ -31,14 +31,19 @@ public class InvalidInputTests
     }
 
     [Fact]
-    public void ADefaultScaledShape() => AssertInvalid(default(Scaled<BoxShape>), RigidPose.Identity, new SphereShape(1), Apart);
+    public void ADefaultScaledShape() =>
+        AssertInvalid(default(Scaled<BoxShape>), RigidPose.Identity, new SphereShape(1), Apart);
 
     [Fact]
     public void APoseThatWasOverwrittenWithNaN()
     {
-        AssertInvalid(new SphereShape(1), Forge(new Quaternion(float.NaN, 0, 0, 1), default), new SphereShape(1), Apart);
-        AssertInvalid(new SphereShape(1), Forge(Quaternion.Identity, new Vector3(0, float.NaN, 0)), new SphereShape(1), Apart);
-        AssertInvalid(new BoxShape(Vector3.One), Forge(Quaternion.Identity, new Vector3(0, 0, float.PositiveInfinity)), new SphereShape(1), Apart);
+        AssertInvalid(
+            new SphereShape(1), Forge(new Quaternion(float.NaN, 0, 0, 1), default), new SphereShape(1), Apart);
+        AssertInvalid(
+            new SphereShape(1), Forge(Quaternion.Identity, new Vector3(0, float.NaN, 0)), new SphereShape(1), Apart);
+        AssertInvalid(
+            new BoxShape(Vector3.One), Forge(Quaternion.Identity, new Vector3(0, 0, float.PositiveInfinity)),
+            new SphereShape(1), Apart);
         AssertInvalid(new BoxShape(Vector3.One), Forge(new Quaternion(0, 0, 0, 2), default), new SphereShape(1), Apart);
     }
 
@@ -46,8 +51,10 @@ public class InvalidInputTests
     public void DefaultPrimitivesArePointsAtTheirOrigin()
     {
         // Zero sizes are legal, so these are not mistakes that anyone could tell from intent.
-        Assert.Equal(5, ConvexQuery.Distance(default(BoxShape), RigidPose.Identity, default(SphereShape), Apart).Distance);
-        Assert.Equal(5, ConvexQuery.Distance(default(CapsuleShape), RigidPose.Identity, default(SegmentShape), Apart).Distance);
+        Assert.Equal(
+            5, ConvexQuery.Distance(default(BoxShape), RigidPose.Identity, default(SphereShape), Apart).Distance);
+        Assert.Equal(
+            5, ConvexQuery.Distance(default(CapsuleShape), RigidPose.Identity, default(SegmentShape), Apart).Distance);
     }
 
     /// <summary>What no constructor lets through, as memory read from elsewhere would bring it in.</summary>
@@ -64,7 +71,11 @@ public class InvalidInputTests
         DistanceResult r = ConvexQuery.Distance(a, poseA, b, poseB);
         Assert.Equal(GjkStatus.InvalidInput, r.Status);
         Assert.False(r.IsOverlapping);
-        foreach (float x in new[] { r.Distance, r.LowerBound, r.PointA.X, r.PointB.Y, r.Normal.Z, r.LocalPointA.X, r.LocalPointB.X }) Assert.True(float.IsNaN(x));
+        foreach (float x
+            in new[] { r.Distance, r.LowerBound, r.PointA.X, r.PointB.Y, r.Normal.Z, r.LocalPointA.X, r.LocalPointB.X })
+        {
+            Assert.True(float.IsNaN(x));
+        }
         Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.Distance(a, poseA, b, poseB, 1f).Status);
         Assert.False(ConvexQuery.Overlaps(a, poseA, b, poseB));
         Assert.False(ConvexQuery.Overlaps(a, poseA, b, poseB, out GjkStatus status));

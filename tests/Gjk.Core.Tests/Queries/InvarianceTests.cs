@@ -5,13 +5,16 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>What may be done to a pair without changing its distance: for changes that float represents exactly.</summary>
+/// <summary>
+/// What may be done to a pair without changing its distance: for changes that float represents exactly.
+/// </summary>
 public class InvarianceTests
 {
     private const int Count = 150;
 
     /// <summary>Kinds whose shapes are not scaled yet.</summary>
-    private static readonly string[] Plain = ["segment", "triangle", "sphere", "capsule", "box", "hull", "flat", "needle"];
+    private static readonly string[] Plain =
+        ["segment", "triangle", "sphere", "capsule", "box", "hull", "flat", "needle"];
 
     [Theory]
     [InlineData(1e-3f)]
@@ -20,8 +23,10 @@ public class InvarianceTests
     [InlineData(1e3f)]
     public void AUniformScale(float factor) => Each(pair =>
     {
-        // A at the origin and B where the product of its position and the factor is a float, so that nothing is rounded.
-        TestPair exact = pair with { PoseA = new RigidPose(pair.PoseA.Rotation, default), PoseB = OnGrid(pair.PoseB, factor) };
+        // A at the origin and B where the product of its position and the factor is a float, so that nothing is
+        // rounded.
+        TestPair exact =
+            pair with { PoseA = new RigidPose(pair.PoseA.Rotation, default), PoseB = OnGrid(pair.PoseB, factor) };
         return (exact.Distance(), exact.Resized(factor).Distance(), factor, exact.Scale * factor);
     });
 
@@ -44,13 +49,17 @@ public class InvarianceTests
     public void ATurnByAThirdOfBoth() => Each(pair =>
     {
         // (x, y, z) to (y, z, x) turns the world, the shapes and the quaternions' axes without rounding anything.
-        var turned = new TestPair(pair.Name, Relabel(pair.A), Relabel(pair.PoseA), Relabel(pair.B), Relabel(pair.PoseB));
+        var turned = new TestPair(
+            pair.Name, Relabel(pair.A), Relabel(pair.PoseA), Relabel(pair.B), Relabel(pair.PoseB));
         return (pair.Distance(), turned.Distance(), 1, pair.Scale);
     }, "hull", "flat", "needle");
 
     [Fact]
     public void TheOppositeQuaternion() => Each(pair =>
-        (pair.Distance(), (pair with { PoseB = new RigidPose(-pair.PoseB.Rotation, pair.PoseB.Position) }).Distance(), 1, pair.Scale));
+        (
+            pair.Distance(),
+            (pair with { PoseB = new RigidPose(-pair.PoseB.Rotation, pair.PoseB.Position) }).Distance(),
+            1, pair.Scale));
 
     [Fact]
     public void AQuaternionOfAnotherLength() => Each(pair =>
@@ -58,7 +67,8 @@ public class InvarianceTests
         // Each component's product rounds, which turns the shape by 1e-7 at most.
         RigidPose longer = new(Quaternion.Multiply(pair.PoseB.Rotation, 1.0009f), pair.PoseB.Position);
         DistanceResult a = pair.Distance(), b = (pair with { PoseB = longer }).Distance();
-        Assert.True(Math.Abs(a.Distance - b.Distance) <= 1e-6 * pair.Scale, $"{a.Distance:R} became {b.Distance:R}: {pair}");
+        Assert.True(
+            Math.Abs(a.Distance - b.Distance) <= 1e-6 * pair.Scale, $"{a.Distance:R} became {b.Distance:R}: {pair}");
         return (a, a, 1, pair.Scale);
     });
 
@@ -77,9 +87,13 @@ public class InvarianceTests
         // Widening both by r brings them nearer by 2 r.
         const float R = 0.0625f;
         DistanceResult core = ConvexQuery.Distance(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB);
-        DistanceResult wide = ConvexQuery.Distance(new Rounded<ConvexShape>(pair.A.Shape, R), pair.PoseA, new Rounded<ConvexShape>(pair.B.Shape, R), pair.PoseB);
+        DistanceResult wide = ConvexQuery.Distance(
+            new Rounded<ConvexShape>(pair.A.Shape, R), pair.PoseA, new Rounded<ConvexShape>(pair.B.Shape, R),
+            pair.PoseB);
         double expected = Math.Max(0, core.Distance - 2.0 * R);
-        Assert.True(Math.Abs(wide.Distance - expected) <= 2 * Tolerance.Band(core.Distance, pair.Scale), $"{core.Distance:R} widened {wide.Distance:R}: {pair}");
+        Assert.True(
+            Math.Abs(wide.Distance - expected) <= 2 * Accuracy.Band(core.Distance, pair.Scale),
+            $"{core.Distance:R} widened {wide.Distance:R}: {pair}");
         return (core, core, 1, pair.Scale);
     });
 
@@ -88,7 +102,8 @@ public class InvarianceTests
         // Few enough bits that the product with the factor is a float.
         const float Grid = 1024;
         Vector3 p = pose.Position;
-        var snapped = new Vector3(MathF.Round(p.X * Grid) / Grid, MathF.Round(p.Y * Grid) / Grid, MathF.Round(p.Z * Grid) / Grid);
+        var snapped = new Vector3(
+            MathF.Round(p.X * Grid) / Grid, MathF.Round(p.Y * Grid) / Grid, MathF.Round(p.Z * Grid) / Grid);
         bool exact = (double)factor * 1024 == Math.Floor((double)factor * 1024);
         return new RigidPose(pose.Rotation, exact ? snapped : new Vector3(MathF.ScaleB(1, MathF.ILogB(p.X)), 0, 0));
     }
@@ -100,15 +115,21 @@ public class InvarianceTests
 
     private static TestShape Relabel(TestShape s) => TestShape.Mesh([.. s.Vertices!.Select(v => Relabel((Vector3)v))]);
 
-    private static void Each(Func<TestPair, (DistanceResult Before, DistanceResult After, double Factor, double Scale)> change, params string[] kinds)
+    private static void Each(
+        Func<TestPair, (DistanceResult Before, DistanceResult After, double Factor, double Scale)> change,
+        params string[] kinds)
     {
         for (ulong i = 0; i < (ulong)Budget.Count(Count); i++)
         {
             TestPair pair = Generators.Pair(80_000 + i, kinds.Length == 0 ? Plain : kinds, 1.2);
             (DistanceResult before, DistanceResult after, double factor, double scale) = change(pair);
             double expected = before.Distance * factor;
-            Assert.True(before.Status == after.Status, $"{before.Status} {before.Distance:R} became {after.Status} {after.Distance:R}: {pair}");
-            Assert.True(Math.Abs(after.Distance - expected) <= 2 * Tolerance.Band(expected, scale), $"{expected:R} became {after.Distance:R}: {pair}");
+            Assert.True(
+                before.Status == after.Status,
+                $"{before.Status} {before.Distance:R} became {after.Status} {after.Distance:R}: {pair}");
+            Assert.True(
+                Math.Abs(after.Distance - expected) <= 2 * Accuracy.Band(expected, scale),
+                $"{expected:R} became {after.Distance:R}: {pair}");
         }
     }
 }

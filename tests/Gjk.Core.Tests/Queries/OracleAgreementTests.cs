@@ -67,7 +67,8 @@ public class OracleAgreementTests
     {
         for (ulong i = 0; i < (ulong)Budget.Count(40); i++)
         {
-            TestPair pair = Generators.Pair(7000 + i, ["hull", "flat", "needle", "segment", "box"], 1.5).Resized((float)size);
+            TestPair pair = Generators.Pair(
+                7000 + i, ["hull", "flat", "needle", "segment", "box"], 1.5).Resized((float)size);
             string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
         }
@@ -81,11 +82,14 @@ public class OracleAgreementTests
         for (ulong i = 0; i < (ulong)Budget.Count(60); i++)
         {
             var rng = new Rng(8000 + i);
-            TestShape large = Generators.Shape(rng, "hull").Scaled(new((float)ratio)), small = Generators.Shape(rng, "hull");
+            TestShape large = Generators.Shape(rng, "hull").Scaled(new((float)ratio));
+            TestShape small = Generators.Shape(rng, "hull");
             RigidPose poseA = Generators.Pose(rng, rng.Vector(-1, 1)), turned = Generators.Pose(rng, default);
             Vector3D n = rng.Direction();
             double reach = new Body<ConvexShape>(large.Shape, poseA).Height(n) + rng.Range(-1, 1);
-            var pair = new TestPair($"seed {8000 + i}", large, poseA, small, new RigidPose(turned.Rotation, (System.Numerics.Vector3)(n * reach)));
+            var pair = new TestPair(
+                $"seed {8000 + i}", large, poseA, small,
+                new RigidPose(turned.Rotation, (System.Numerics.Vector3)(n * reach)));
             string? problem = OracleVerdict.Problem(pair, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
         }

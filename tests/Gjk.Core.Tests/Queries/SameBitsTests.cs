@@ -4,32 +4,46 @@ using System.Runtime.Intrinsics;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>Contract 7 across processes: the hard cases have one hash whatever vectors the machine has and however the code was compiled.</summary>
+/// <summary>
+/// Contract 7 across processes: the hard cases have one hash whatever vectors the machine has and however the code was
+/// compiled.
+/// </summary>
 public class SameBitsTests
 {
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(3);
 
     [Fact]
-    public void SerialAndParallelGiveTheSameBits() => Assert.Equal(HashProgram.OfAllCases(parallel: false), HashProgram.OfAllCases(parallel: true));
+    public void SerialAndParallelGiveTheSameBits() =>
+        Assert.Equal(HashProgram.OfAllCases(parallel: false), HashProgram.OfAllCases(parallel: true));
 
     [Fact]
     public void AChildProcessGivesTheSameBits() =>
-        Assert.Equal($"{Vector256.IsHardwareAccelerated} {Vector128.IsHardwareAccelerated} {HashProgram.OfAllCases(false)}", Child("TieredPGO", "0"));
+        Assert.Equal(
+            $"{Vector256.IsHardwareAccelerated} {Vector128.IsHardwareAccelerated} {HashProgram.OfAllCases(false)}",
+            Child("TieredPGO", "0"));
 
     [Fact]
-    public void WithoutWideVectors() => Assert.Equal($"False {Vector128.IsHardwareAccelerated} {HashProgram.OfAllCases(false)}", Child("EnableAVX2", "0"));
+    public void WithoutWideVectors() =>
+        Assert.Equal(
+            $"False {Vector128.IsHardwareAccelerated} {HashProgram.OfAllCases(false)}", Child("EnableAVX2", "0"));
 
     [Fact]
-    public void WithoutAnyVectors() => Assert.Equal($"False False {HashProgram.OfAllCases(false)}", Child("EnableHWIntrinsic", "0"));
+    public void WithoutAnyVectors() =>
+        Assert.Equal($"False False {HashProgram.OfAllCases(false)}", Child("EnableHWIntrinsic", "0"));
 
-    /// <summary>What the compiler makes of a debug build: every value through memory, nothing inlined or merged.</summary>
+    /// <summary>
+    /// What the compiler makes of a debug build: every value through memory, nothing inlined or merged.
+    /// </summary>
     [Fact]
     public void WithoutOptimisation() => Assert.EndsWith(" " + HashProgram.OfAllCases(false), Child("JITMinOpts", "1"));
 
     [Fact]
-    public void OptimisedAtOnce() => Assert.EndsWith(" " + HashProgram.OfAllCases(false), Child("TieredCompilation", "0"));
+    public void OptimisedAtOnce() =>
+        Assert.EndsWith(" " + HashProgram.OfAllCases(false), Child("TieredCompilation", "0"));
 
-    /// <summary>The last line that this assembly prints when it is run as a program under a switch of the runtime.</summary>
+    /// <summary>
+    /// The last line that this assembly prints when it is run as a program under a switch of the runtime.
+    /// </summary>
     private static string Child(string option, string value)
     {
         var start = new ProcessStartInfo(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet")

@@ -18,7 +18,9 @@ public class UserShapeTests
         public int Support(in Vector3D d, out Vector3D point)
         {
             double x = Math.Abs(d.X), y = Math.Abs(d.Y), z = Math.Abs(d.Z);
-            point = x >= y && x >= z ? new(d.X < 0 ? -radius : radius, 0, 0) : y >= z ? new(0, d.Y < 0 ? -radius : radius, 0) : new(0, 0, d.Z < 0 ? -radius : radius);
+            point = x >= y && x >= z ? new(d.X < 0 ? -radius : radius, 0, 0)
+                : y >= z ? new(0, d.Y < 0 ? -radius : radius, 0)
+                : new(0, 0, d.Z < 0 ? -radius : radius);
             return -1;
         }
 
@@ -30,7 +32,8 @@ public class UserShapeTests
     }
 
     /// <summary>A support function from outside, to be wrong in ways of every kind.</summary>
-    private readonly struct Broken(Func<Vector3D, Vector3D> support, double margin = 0, double radius = 2, Vector3D center = default) : ISupportMap
+    private readonly struct Broken(
+        Func<Vector3D, Vector3D> support, double margin = 0, double radius = 2, Vector3D center = default) : ISupportMap
     {
         public Vector3D Center => center;
         public double Margin => margin;
@@ -51,7 +54,8 @@ public class UserShapeTests
     [Fact]
     public void TenLinesMakeAShape()
     {
-        var mesh = TestShape.Mesh(Vector3.UnitX, -Vector3.UnitX, Vector3.UnitY, -Vector3.UnitY, Vector3.UnitZ, -Vector3.UnitZ);
+        var mesh = TestShape.Mesh(
+            Vector3.UnitX, -Vector3.UnitX, Vector3.UnitY, -Vector3.UnitY, Vector3.UnitZ, -Vector3.UnitZ);
         for (ulong i = 0; i < (ulong)Budget.Count(200); i++)
         {
             var rng = new Rng(i);
@@ -60,13 +64,15 @@ public class UserShapeTests
             DistanceResult own = ConvexQuery.Distance(new Octahedron(1), a, box.Shape, b);
             ExactAnswer exact = new TestPair("", mesh, a, box, b).Exact();
             string? problem = Certificate.Problem(new Octahedron(1), a, box.Shape, b, own, 2);
-            Assert.True(problem is null && Math.Abs(own.Distance - exact.Distance) <= Tolerance.Band(exact.Distance, 2), $"seed {i}: {problem}, {own.Distance:R}, truly {exact.Distance:R}");
+            Assert.True(
+                problem is null && Math.Abs(own.Distance - exact.Distance) <= Accuracy.Band(exact.Distance, 2),
+                $"seed {i}: {problem}, {own.Distance:R}, truly {exact.Distance:R}");
         }
     }
 
     /// <summary>
-    /// Rounded to float, the points of a curved shape disagree with one another by more than double could, above all far from the shape's own origin. That is no fault: the answer is as good
-    /// as the points are, and says Separated.
+    /// Rounded to float, the points of a curved shape disagree with one another by more than double could, above all
+    /// far from the shape's own origin. That is no fault: the answer is as good as the points are, and says Separated.
     /// </summary>
     [Theory]
     [InlineData(0)]
@@ -82,12 +88,18 @@ public class UserShapeTests
             Vector3 away = rng.Direction() * rng.Float(2.01, 6);
             DistanceResult r = ConvexQuery.Distance(ball, RigidPose.Identity, ball, new RigidPose(away));
             double truth = ((Vector3D)away).Length - 2;
-            Assert.True(r.Status == GjkStatus.Separated && Math.Abs(r.Distance - truth) <= noise, $"seed {seed}: {r.Status} {r.Distance:R}, truly {truth:R}");
+            Assert.True(
+                r.Status == GjkStatus.Separated && Math.Abs(r.Distance - truth) <= noise,
+                $"seed {seed}: {r.Status} {r.Distance:R}, truly {truth:R}");
             Assert.True(r.LowerBound <= truth + noise, $"seed {seed}: bound {r.LowerBound:R}, truly {truth:R}");
         }
     }
 
-    public static TheoryData<string> Faults => ["nan", "infinite", "huge", "opposite", "wandering", "nanMargin", "negativeMargin", "nanRadius", "infiniteRadius", "nanCenter", "farCenter"];
+    public static TheoryData<string> Faults =>
+    [
+        "nan", "infinite", "huge", "opposite", "wandering", "nanMargin", "negativeMargin", "nanRadius",
+        "infiniteRadius", "nanCenter", "farCenter",
+    ];
 
     [Theory]
     [MemberData(nameof(Faults))]
@@ -115,10 +127,12 @@ public class UserShapeTests
     [InlineData("nanCenter", GjkStatus.InvalidInput)]
     public void TheStatusNamesTheFault(string fault, GjkStatus expected)
     {
-        GjkStatus status = ConvexQuery.Distance(Make(fault), RigidPose.Identity, new BoxShape(Vector3.One), Apart).Status;
+        GjkStatus status = ConvexQuery.Distance(
+            Make(fault), RigidPose.Identity, new BoxShape(Vector3.One), Apart).Status;
         Assert.True(status == expected, $"{fault}: {status}, not {expected}");
 
-        // The boolean solver stops at the first plane that separates and may never meet the contradiction; true it must not say.
+        // The boolean solver stops at the first plane that separates and may never meet the contradiction; true it must
+        // not say.
         Assert.False(ConvexQuery.Overlaps(Make(fault), RigidPose.Identity, new BoxShape(Vector3.One), Apart));
     }
 
@@ -126,7 +140,8 @@ public class UserShapeTests
     public void ItsExceptionsPassThrough()
     {
         var shape = new Broken(_ => throw new NotSupportedException("mine"));
-        var e = Assert.Throws<NotSupportedException>(() => { ConvexQuery.Distance(shape, RigidPose.Identity, new PointShape(), Apart); });
+        var e = Assert.Throws<NotSupportedException>(
+            () => { ConvexQuery.Distance(shape, RigidPose.Identity, new PointShape(), Apart); });
         Assert.Equal("mine", e.Message);
     }
 
@@ -137,7 +152,10 @@ public class UserShapeTests
         {
             var rng = new Rng(i);
             var shape = new Broken(_ => rng.Vector(-1, 1));
-            AssertEnded($"seed {i}", ConvexQuery.Distance(shape, RigidPose.Identity, new BoxShape(Vector3.One), new RigidPose(rng.Vector(-3, 3))));
+            AssertEnded(
+                $"seed {i}",
+                ConvexQuery.Distance(
+                    shape, RigidPose.Identity, new BoxShape(Vector3.One), new RigidPose(rng.Vector(-3, 3))));
         }
     }
 
@@ -147,7 +165,9 @@ public class UserShapeTests
         Assert.True(r.Iterations <= 2 * GjkTolerances.MaxIterations, $"{fault}: {r.Iterations} iterations");
         Assert.True(Enum.IsDefined(r.Status));
         if (r.Status != GjkStatus.Separated) return;
-        Assert.True(float.IsFinite(r.Distance) && float.IsFinite(r.Normal.X + r.PointA.X + r.PointB.X), $"{fault}: {r.Status} with {r.Distance}, {r.Normal}, {r.PointA}, {r.PointB}");
+        Assert.True(
+            float.IsFinite(r.Distance) && float.IsFinite(r.Normal.X + r.PointA.X + r.PointB.X),
+            $"{fault}: {r.Status} with {r.Distance}, {r.Normal}, {r.PointA}, {r.PointB}");
     }
 
     private static Broken Make(string fault)

@@ -5,7 +5,10 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>What a warm start holds only suggests where to begin: whatever it is, the answer is the cold one within the accuracy.</summary>
+/// <summary>
+/// What a warm start holds only suggests where to begin: whatever it is, the answer is the cold one within the
+/// accuracy.
+/// </summary>
 public class WarmStartTests
 {
     [Fact]
@@ -47,8 +50,10 @@ public class WarmStartTests
         for (int k = 0; k < 4; k++)
         {
             var far = (float)Math.Max(pair.Scale, 1e-3);
-            TestPair apart = pair with { PoseB = new RigidPose(pair.PoseB.Rotation, pair.PoseB.Position + rng.Direction() * 50 * far) };
-            DistanceResult r = ConvexQuery.Distance(apart.A.Shape, apart.PoseA, apart.B.Shape, apart.PoseB, ref warm, far);
+            Vector3 away = pair.PoseB.Position + rng.Direction() * 50 * far;
+            TestPair apart = pair with { PoseB = new RigidPose(pair.PoseB.Rotation, away) };
+            DistanceResult r = ConvexQuery.Distance(
+                apart.A.Shape, apart.PoseA, apart.B.Shape, apart.PoseB, ref warm, far);
             if (r.Status != GjkStatus.BeyondMaxDistance) return $"status {r.Status}, lower bound {r.LowerBound}";
             string? problem = Compare(pair, ref warm);
             if (problem is not null) return $"after query {k}: {problem}";
@@ -60,9 +65,13 @@ public class WarmStartTests
 
     private static string? Compare(TestPair pair, ref WarmStart warm)
     {
-        DistanceResult cold = pair.Distance(), r = ConvexQuery.Distance(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, ref warm);
-        if (r.Status == cold.Status && Math.Abs((double)r.Distance - cold.Distance) <= 2 * Tolerance.Band(pair, cold.Distance)) return null;
-        return Math.Max(r.Distance, cold.Distance) <= Tolerance.Flag * pair.Scale ? null : $"{r.Status} {r.Distance:R}, cold {cold.Status} {cold.Distance:R}";
+        DistanceResult cold = pair.Distance();
+        DistanceResult r = ConvexQuery.Distance(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, ref warm);
+        if (r.Status == cold.Status && Math.Abs((double)r.Distance - cold.Distance) <= 2 * pair.Band(cold.Distance))
+            return null;
+        return Math.Max(r.Distance, cold.Distance) <= Accuracy.FlagScale * pair.Scale
+            ? null
+            : $"{r.Status} {r.Distance:R}, cold {cold.Status} {cold.Distance:R}";
     }
 
     /// <summary>Half of them plausible: small numbers, which are vertices of most shapes.</summary>
@@ -79,7 +88,9 @@ public class WarmStartTests
     {
         for (ulong i = 0; i < (ulong)Budget.Count(300); i++)
         {
-            TestPair pair = i % 3 == 0 ? Generators.NearPair(seed + i, Generators.AllKinds, 1e-3) : Generators.Pair(seed + i, Generators.AllKinds);
+            TestPair pair = i % 3 == 0
+                ? Generators.NearPair(seed + i, Generators.AllKinds, 1e-3)
+                : Generators.Pair(seed + i, Generators.AllKinds);
             string? problem = examine(pair, new Rng(seed ^ i));
             Assert.True(problem is null, $"{problem}\n{pair}");
         }

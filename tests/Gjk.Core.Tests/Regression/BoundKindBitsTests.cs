@@ -2,8 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using Gjk.Core.Tests.BroadPhase;
 using Gjk.Core.Tests.Support;
-using Gjk.Core.Tests.World;
 
 namespace Gjk.Core.Tests.Regression;
 

@@ -50,7 +50,7 @@ public class BoxTieTests
 
     private static void AssertSame(ConvexHull hull, in Vector3D d)
     {
-        int id = HullSupport.Find(hull, d, out _), expected = HullSupport.Scan(hull, d);
+        int id = HullSupport.Find(hull.Cells, d, out _), expected = HullSupport.Scan(hull.Cells, d);
         Assert.True(id == expected, $"{hull.GetVertex(id)} towards {d}, the scan finds {hull.GetVertex(expected)}");
     }
 }

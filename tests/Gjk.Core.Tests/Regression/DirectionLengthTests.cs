@@ -5,15 +5,19 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// "A direction of any length": a cylinder and a cone gave their axis towards 1e-170, an ellipsoid its centre towards 1e200, because squares of components left the range of double.
+/// "A direction of any length": a cylinder and a cone gave their axis towards 1e-170, an ellipsoid its centre towards
+/// 1e200, because squares of components left the range of double.
 /// </summary>
 public class DirectionLengthTests
 {
     private static readonly ConvexShape[] Shapes =
     [
-        ConvexShape.Cylinder(1, 2), ConvexShape.Cone(1, 2), ConvexShape.Ellipsoid(new Vector3(1, 2, 3)), ConvexShape.Ellipsoid(new Vector3(1e-20f, 1, 1e20f)),
-        ConvexShape.Capsule(1, 2).Scaled(new Vector3(1, 2, 3)), ConvexShape.Cylinder(1, 2).Scaled(new Vector3(1e10f, 1, 1e-10f)), ConvexShape.Box(new Vector3(1, 2, 3)),
-        ConvexShape.Segment(new Vector3(1, 2, 3), new Vector3(3, 1, 2)), ConvexShape.Triangle(Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ),
+        ConvexShape.Cylinder(1, 2), ConvexShape.Cone(1, 2), ConvexShape.Ellipsoid(new Vector3(1, 2, 3)),
+        ConvexShape.Ellipsoid(new Vector3(1e-20f, 1, 1e20f)),
+        ConvexShape.Capsule(1, 2).Scaled(new Vector3(1, 2, 3)),
+        ConvexShape.Cylinder(1, 2).Scaled(new Vector3(1e10f, 1, 1e-10f)), ConvexShape.Box(new Vector3(1, 2, 3)),
+        ConvexShape.Segment(new Vector3(1, 2, 3), new Vector3(3, 1, 2)),
+        ConvexShape.Triangle(Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ),
     ];
 
     [Theory]
@@ -35,7 +39,9 @@ public class DirectionLengthTests
             ConvexShape shape = Shapes[i % Shapes.Length];
             shape.Support(direction, out Vector3D expected);
             shape.Support(direction * factor, out Vector3D point);
-            Assert.True((point - expected).Length <= 1e-12 * expected.Length, $"{point}, not {expected}, towards {direction} x 2^{exponent}, shape {i % Shapes.Length}");
+            Assert.True(
+                (point - expected).Length <= 1e-12 * expected.Length,
+                $"{point}, not {expected}, towards {direction} x 2^{exponent}, shape {i % Shapes.Length}");
         }
     }
 

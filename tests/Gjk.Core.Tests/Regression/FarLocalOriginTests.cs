@@ -4,8 +4,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// The support of a shape far from its local origin compared dot products of absolute coordinates, whose rounding grows with the offset. A lower bound was above the true distance, because the
-/// plane went through the wrong vertex.
+/// The support of a shape far from its local origin compared dot products of absolute coordinates, whose rounding grows
+/// with the offset. A lower bound was above the true distance, because the plane went through the wrong vertex.
 /// </summary>
 public class FarLocalOriginTests
 {
@@ -27,7 +27,8 @@ public class FarLocalOriginTests
             Vector3D center = new RotationD(turned.Rotation).Rotate(far.Shape.Center);
             var pose = new RigidPose(turned.Rotation, (Vector3)((Vector3D)rng.Direction() * rng.Range(1, 4) - center));
             var pair = new TestPair($"{kind} {offset}, seed {seed}", far, pose, box, RigidPose.Identity);
-            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact) ?? OracleVerdict.Problem(pair.Swapped, out _);
+            string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact) ?? OracleVerdict.Problem(
+                pair.Swapped, out _);
             Assert.True(problem is null, $"{problem}\n{pair}");
             separated += exact.Overlap ? 0 : 1;
         }
@@ -35,7 +36,9 @@ public class FarLocalOriginTests
         Assert.InRange(separated, 0.05 * count, 0.98 * count);
     }
 
-    /// <summary>Coordinates are rounded to float at the offset, which flattens or repeats some vertices; that is fine.</summary>
+    /// <summary>
+    /// Coordinates are rounded to float at the offset, which flattens or repeats some vertices; that is fine.
+    /// </summary>
     private static TestShape Far(Rng rng, string kind, Vector3 away) => kind switch
     {
         "segment" => TestShape.Segment(away + rng.Vector(-2, 2), away + rng.Vector(-2, 2)),

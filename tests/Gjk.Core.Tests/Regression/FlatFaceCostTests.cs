@@ -58,7 +58,7 @@ public class FlatFaceCostTests
             {
                 Vector3D d = (Vector3D)axis + (Vector3D)rng.Direction() * Math.Pow(10, exponent);
                 int slot = hull.Cells.Tree!.Find(hull.Cells, d, hull.Cells.FirstSlot, ref steps);
-                Assert.Equal(HullSupport.Scan(hull, d), hull.Cells.Ids[slot]);
+                Assert.Equal(HullSupport.Scan(hull.Cells, d), hull.Cells.Ids[slot]);
             }
 
             Assert.True(steps.Count <= MostSteps * Count, $"{steps.Count} steps at 1e{exponent}");

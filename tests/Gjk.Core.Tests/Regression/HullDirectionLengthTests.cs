@@ -1,8 +1,6 @@
 using System;
 using System.Numerics;
 using Gjk.Core.Tests.Support;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Core.Tests.Regression;
 
@@ -29,9 +27,10 @@ public class HullDirectionLengthTests
             {
                 // Few bits, so that even denormal components hold them.
                 var d = new Vector3D(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
-                int id = HullSupport.Find(hull, d * factor, out _), expected = HullSupport.Find(hull, d, out _);
+                int id = HullSupport.Find(hull.Cells, d * factor, out _);
+                int expected = HullSupport.Find(hull.Cells, d, out _);
                 Assert.True(id == expected, $"seed {seed}: vertex {id}, not {expected}, towards {d} x 2^{exponent}");
-                Assert.Equal(expected, HullSupport.Scan(hull, d * factor));
+                Assert.Equal(expected, HullSupport.Scan(hull.Cells, d * factor));
             }
         }
     }
@@ -43,9 +42,9 @@ public class HullDirectionLengthTests
         ConvexHull disc = new(LargeClouds.Disc(500));
         foreach (double big in new[] { 1e300, 1, 1e-10, 0 })
         {
-            HullSupport.Find(square, new Vector3D(1e-320, big, -1e-320), out Vector3D corner);
+            HullSupport.Find(square.Cells, new Vector3D(1e-320, big, -1e-320), out Vector3D corner);
             Assert.Equal(new Vector3D(1, 0, -1), corner);
-            HullSupport.Find(disc, new Vector3D(0, 5e-324, -big), out Vector3D top);
+            HullSupport.Find(disc.Cells, new Vector3D(0, 5e-324, -big), out Vector3D top);
             Assert.Equal(1, top.Y);
         }
     }
@@ -62,9 +61,9 @@ public class HullDirectionLengthTests
         {
             ConvexHull hull = Hull(seed);
             var d = new Vector3D(x, y, z);
-            int id = HullSupport.Find(hull, d, out Vector3D point);
+            int id = HullSupport.Find(hull.Cells, d, out Vector3D point);
             Assert.InRange(id, 0, hull.VertexCount - 1);
-            Assert.Equal(HullSupport.Scan(hull, d), id);
+            Assert.Equal(HullSupport.Scan(hull.Cells, d), id);
             Assert.Equal((Vector3D)hull.GetVertex(id), point);
         }
 
@@ -72,7 +71,7 @@ public class HullDirectionLengthTests
         {
             var hull = new ConvexHull(LargeClouds.Make(kind));
             var d = new Vector3D(x, y, z);
-            Assert.Equal(HullSupport.Scan(hull, d), HullSupport.Find(hull, d, out _));
+            Assert.Equal(HullSupport.Scan(hull.Cells, d), HullSupport.Find(hull.Cells, d, out _));
         }
     }
 

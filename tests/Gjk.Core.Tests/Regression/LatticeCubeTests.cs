@@ -5,8 +5,9 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// Unit cubes on a lattice of a quarter unit, 11 places along each axis: 41 of the 1,331 overlaps were missed, where faces are flush and the origin lies on a face, edge or corner of the
-/// simplex, so that a strict comparison sends the walk the wrong way. The distance is known: per axis the excess over 1.
+/// Unit cubes on a lattice of a quarter unit, 11 places along each axis: 41 of the 1,331 overlaps were missed, where
+/// faces are flush and the origin lies on a face, edge or corner of the simplex, so that a strict comparison sends the
+/// walk the wrong way. The distance is known: per axis the excess over 1.
 /// </summary>
 public class LatticeCubeTests
 {
@@ -40,7 +41,9 @@ public class LatticeCubeTests
         Assert.Equal(1331, count);
     }
 
-    /// <summary>The same lattice turned in space: contact in floats is no contact exactly, so the exact answer decides.</summary>
+    /// <summary>
+    /// The same lattice turned in space: contact in floats is no contact exactly, so the exact answer decides.
+    /// </summary>
     [Fact]
     public void TurnedTogetherTheyHaveTheExactAnswer()
     {

@@ -5,8 +5,9 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// The support of a long helix missed its last corner in a patch of directions: a cell without a list gave its place to the list of the next one. The distance to a cluster of points came back as
-/// InvalidShape. Found by an independent attack.
+/// The support of a long helix missed its last corner in a patch of directions: a cell without a list gave its place to
+/// the list of the next one. The distance to a cluster of points came back as InvalidShape. Found by an independent
+/// attack.
 /// </summary>
 public class LongHelixTests
 {
@@ -27,8 +28,9 @@ public class LongHelixTests
         for (int i = 0; i < 2000; i++)
         {
             double spread = i % 2 == 0 ? 1e-2 : 2;
-            Vector3D direction = new Vector3D(0.07440950995460804, 1.6945090610734834, 0.030966655724690553) + (Vector3D)rng.Vector(-1, 1) * spread;
-            Assert.Equal(HullSupport.Scan(hull, direction), mesh.Support(direction, out _));
+            Vector3D direction = new Vector3D(
+                0.07440950995460804, 1.6945090610734834, 0.030966655724690553) + (Vector3D)rng.Vector(-1, 1) * spread;
+            Assert.Equal(HullSupport.Scan(hull.Cells, direction), mesh.Support(direction, out _));
         }
     }
 }

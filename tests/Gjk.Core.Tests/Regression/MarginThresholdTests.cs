@@ -4,7 +4,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// With margins, Overlaps compared heights and Distance compared lengths, and where the radii add up to the distance the last bit decided: 9 % of the pairs placed there got two answers.
+/// With margins, Overlaps compared heights and Distance compared lengths, and where the radii add up to the distance
+/// the last bit decided: 9 % of the pairs placed there got two answers.
 /// </summary>
 public class MarginThresholdTests
 {
@@ -12,7 +13,8 @@ public class MarginThresholdTests
     public void TheReportedPairGetsOneAnswer()
     {
         QueryRecord q = QueryRecord.Parse(
-            "gjk1 point 1.8613990545272827 @ 0 0 0 1 -4.88498131E-15 0 0 point 0.91314756870269775 @ 0 0 0 1 2.77454662 0 0");
+            "gjk1 point 1.8613990545272827 @ 0 0 0 1 -4.88498131E-15 0 0 point 0.91314756870269775 @ 0 0 0 1 "
+            + "2.77454662 0 0");
         Assert.Equal(q.Distance().IsOverlapping, ConvexQuery.Overlaps(q.A, q.PoseA, q.B, q.PoseB));
     }
 
@@ -31,7 +33,9 @@ public class MarginThresholdTests
             var right = new RigidPose(new Vector3((float)apart, 0, 0));
             bool overlaps = ConvexQuery.Overlaps(a, left, b, right);
             DistanceResult d = ConvexQuery.Distance(a, left, b, right);
-            Assert.True(overlaps == d.IsOverlapping, $"Overlaps {overlaps}, Distance {d.Status} {d.Distance:R}: {new QueryRecord(a, left, b, right)}");
+            Assert.True(
+                overlaps == d.IsOverlapping,
+                $"Overlaps {overlaps}, Distance {d.Status} {d.Distance:R}: {new QueryRecord(a, left, b, right)}");
             overlapping += overlaps ? 1 : 0;
         }
 

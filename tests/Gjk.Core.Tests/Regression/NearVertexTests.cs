@@ -4,8 +4,9 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// Two vertices 5.7e-8 apart were called overlapping: the walk met a tetrahedron so flat that the rounded signs of its determinants said it held the origin. Enclosure is believed here only
-/// where the determinants are larger than their rounding.
+/// Two vertices 5.7e-8 apart were called overlapping: the walk met a tetrahedron so flat that the rounded signs of its
+/// determinants said it held the origin. Enclosure is believed here only where the determinants are larger than their
+/// rounding.
 /// </summary>
 public class NearVertexTests
 {
@@ -19,7 +20,9 @@ public class NearVertexTests
             string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
             Assert.False(exact.Overlap);
-            Assert.True(r.Status == GjkStatus.Separated && r.Distance > 0, $"{r.Status} {r.Distance:R}, truly {exact.Distance:R}\n{pair}");
+            Assert.True(
+                r.Status == GjkStatus.Separated && r.Distance > 0,
+                $"{r.Status} {r.Distance:R}, truly {exact.Distance:R}\n{pair}");
         }
     }
 
@@ -39,19 +42,28 @@ public class NearVertexTests
         }
     }
 
-    /// <summary>Two flat-topped pyramids, tip to tip about x: each tip is a vertex at its own origin, and the gap lies between the origins.</summary>
+    /// <summary>
+    /// Two flat-topped pyramids, tip to tip about x: each tip is a vertex at its own origin, and the gap lies between
+    /// the origins.
+    /// </summary>
     private static TestPair Pair(ulong seed, float gap)
     {
         var rng = new Rng(seed);
         Quaternion q = seed % 4 == 0 ? Quaternion.Identity : rng.Rotation();
         TestShape a = Tip(rng, -1), b = Tip(rng, 1);
-        return new TestPair($"seed {seed}, gap {gap}", a, new RigidPose(q, default), b, new RigidPose(q, (Vector3)new RotationD(q).Rotate(new Vector3D(gap, 0, 0))));
+        return new TestPair(
+            $"seed {seed}, gap {gap}", a, new RigidPose(q, default), b,
+            new RigidPose(q, (Vector3)new RotationD(q).Rotate(new Vector3D(gap, 0, 0))));
     }
 
     private static TestShape Tip(Rng rng, float side)
     {
         var points = new Vector3[2 + rng.Below(8)];
-        for (int i = 1; i < points.Length; i++) points[i] = new Vector3(side * rng.Float(0.05, 1), rng.Float(-1, 1), rng.Below(3) == 0 ? 0 : rng.Float(-1, 1));
+        for (int i = 1; i < points.Length; i++)
+        {
+            points[i] = new Vector3(
+                side * rng.Float(0.05, 1), rng.Float(-1, 1), rng.Below(3) == 0 ? 0 : rng.Float(-1, 1));
+        }
         return TestShape.Mesh(points);
     }
 }

@@ -30,7 +30,7 @@ public class OffsetSupportTests
                 hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D p);
                 hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D q);
                 Vector3D d = Vector3D.Cross(p - q, (Vector3D)rng.Direction()) + (Vector3D)rng.Direction() * 1e-12;
-                HullSupport.Find(hull, d, out Vector3D point);
+                HullSupport.Find(hull.Cells, d, out Vector3D point);
                 double behind = cloud.Max(c => Height((Vector3D)c - point, d));
                 double reach = cloud.Max(c => ((Vector3D)c - point).Length) * d.Length;
                 Assert.True(behind <= 1e-15 * reach, $"seed {seed}: {point} towards {d} is {behind} behind");

@@ -1,8 +1,6 @@
 using System;
 using System.Numerics;
 using Gjk.Core.Tests.Support;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Core.Tests.Regression;
 
@@ -17,7 +15,7 @@ public class PoleRingSupportTests
     {
         var hull = new ConvexHull(Sphere(6, 20));
         var direction = new Vector3D(-0.17, 0.83, -0.53);
-        HullSupport.Find(hull, direction, out Vector3D point);
+        HullSupport.Find(hull.Cells, direction, out Vector3D point);
         Assert.True(Vector3D.Dot(point, direction) > 0.9, $"{point}");
     }
 
@@ -57,7 +55,7 @@ public class PoleRingSupportTests
             for (int i = 0; i < Budget.Count(100); i++)
             {
                 Vector3D d = random.Direction();
-                HullSupport.Find(hull, d, out Vector3D point);
+                HullSupport.Find(hull.Cells, d, out Vector3D point);
                 double height = Vector3D.Dot(point, d);
                 foreach (Vector3 p in cloud)
                 {

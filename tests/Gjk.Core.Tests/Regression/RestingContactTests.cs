@@ -5,14 +5,17 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// Curved shapes in exact contact touched in a cold query and were apart in the warm one that followed, so a resting pair lost its contact in the second frame.
+/// Curved shapes in exact contact touched in a cold query and were apart in the warm one that followed, so a resting
+/// pair lost its contact in the second frame.
 /// </summary>
 public class RestingContactTests
 {
     private static readonly ConvexShape[] Shapes =
     [
-        ConvexShape.Cylinder(1, 1), ConvexShape.Cone(1, 1), ConvexShape.Ellipsoid(new Vector3(1, 2, 1)), ConvexShape.Sphere(1), ConvexShape.Capsule(1, 1),
-        ConvexShape.Box(new Vector3(1, 1, 0)), ConvexShape.Box(new Vector3(1, 1, 1)), ConvexShape.Box(new Vector3(0.5f, 1, 2)), ConvexShape.Capsule(1, 1).Scaled(new Vector3(1, 1, 2)),
+        ConvexShape.Cylinder(1, 1), ConvexShape.Cone(1, 1), ConvexShape.Ellipsoid(new Vector3(1, 2, 1)),
+        ConvexShape.Sphere(1), ConvexShape.Capsule(1, 1),
+        ConvexShape.Box(new Vector3(1, 1, 0)), ConvexShape.Box(new Vector3(1, 1, 1)),
+        ConvexShape.Box(new Vector3(0.5f, 1, 2)), ConvexShape.Capsule(1, 1).Scaled(new Vector3(1, 1, 2)),
     ];
 
     [Fact]
@@ -21,7 +24,9 @@ public class RestingContactTests
         WarmStart warm = default;
         var pose = new RigidPose(new Vector3(-1, 1, -1));
         for (int frame = 0; frame < 4; frame++)
-            Assert.Equal(GjkStatus.Overlapping, ConvexQuery.Distance(Shapes[0], RigidPose.Identity, Shapes[5], pose, ref warm, 0).Status);
+            Assert.Equal(
+                GjkStatus.Overlapping,
+                ConvexQuery.Distance(Shapes[0], RigidPose.Identity, Shapes[5], pose, ref warm, 0).Status);
         Assert.True(ConvexQuery.Overlaps(Shapes[0], RigidPose.Identity, Shapes[5], pose));
     }
 
@@ -36,11 +41,15 @@ public class RestingContactTests
             DistanceResult cold = ConvexQuery.Distance(a, RigidPose.Identity, b, pose);
             bool overlaps = ConvexQuery.Overlaps(a, RigidPose.Identity, b, pose);
             string pair = new QueryRecord(a, RigidPose.Identity, b, pose).ToString();
-            Assert.True(overlaps == cold.IsOverlapping, $"Overlaps {overlaps}, Distance {cold.Status} {cold.Distance:R}: {pair}");
+            Assert.True(
+                overlaps == cold.IsOverlapping,
+                $"Overlaps {overlaps}, Distance {cold.Status} {cold.Distance:R}: {pair}");
             for (int frame = 0; frame < 3; frame++)
             {
                 DistanceResult r = ConvexQuery.Distance(a, RigidPose.Identity, b, pose, ref warm, 0);
-                Assert.True(r.IsOverlapping == cold.IsOverlapping, $"frame {frame}: {r.Status}, cold {cold.Status} {cold.Distance:R}: {pair}");
+                Assert.True(
+                    r.IsOverlapping == cold.IsOverlapping,
+                    $"frame {frame}: {r.Status}, cold {cold.Status} {cold.Distance:R}: {pair}");
             }
 
             checkedPairs++;
@@ -63,7 +72,10 @@ public class RestingContactTests
             for (int frame = 0; frame < 3; frame++)
             {
                 DistanceResult r = ConvexQuery.Distance(a, RigidPose.Identity, b, pose, ref warm, cold.Distance);
-                Assert.True(r.Status == GjkStatus.Separated, $"frame {frame}: {r.Status} at {cold.Distance:R}: {new QueryRecord(a, RigidPose.Identity, b, pose)}");
+                Assert.True(
+                    r.Status == GjkStatus.Separated,
+                    $"frame {frame}: {r.Status} at {cold.Distance:R}: "
+                    + $"{new QueryRecord(a, RigidPose.Identity, b, pose)}");
             }
 
             atTheLimit++;
@@ -78,7 +90,9 @@ public class RestingContactTests
         for (int i = 0; i < count; i++)
         {
             var position = new Vector3(rng.Below(9) - 4, rng.Below(9) - 4, rng.Below(9) - 4) * 0.5f;
-            yield return (Shapes[rng.Below(Shapes.Length)], Shapes[rng.Below(Shapes.Length)], new RigidPose(QuarterTurn(rng), position * (1 + rng.Below(2))));
+            yield return (
+                Shapes[rng.Below(Shapes.Length)], Shapes[rng.Below(Shapes.Length)],
+                new RigidPose(QuarterTurn(rng), position * (1 + rng.Below(2))));
         }
     }
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using Gjk.Core.Tests.World;
+using Gjk.Core.Tests.BroadPhase;
 
 namespace Gjk.Core.Tests.Regression;
 

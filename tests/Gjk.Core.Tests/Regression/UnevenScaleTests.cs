@@ -4,8 +4,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// Tolerances were fractions of a bounding radius that grew with the largest factor of an uneven scale, or with what a user's shape reported: a unit cube stored a million times too
-/// long overlapped a box 3.5e-9 away.
+/// Tolerances were fractions of a bounding radius that grew with the largest factor of an uneven scale, or with what a
+/// user's shape reported: a unit cube stored a million times too long overlapped a box 3.5e-9 away.
 /// </summary>
 public class UnevenScaleTests
 {
@@ -26,7 +26,8 @@ public class UnevenScaleTests
 
         public int Support(in Vector3D direction, out Vector3D point)
         {
-            point = new Vector3D(direction.X < 0 ? -0.5 : 0.5, direction.Y < 0 ? -0.5 : 0.5, direction.Z < 0 ? -0.5 : 0.5);
+            point = new Vector3D(
+                direction.X < 0 ? -0.5 : 0.5, direction.Y < 0 ? -0.5 : 0.5, direction.Z < 0 ? -0.5 : 0.5);
             return (direction.X < 0 ? 1 : 0) + (direction.Y < 0 ? 2 : 0) + (direction.Z < 0 ? 4 : 0);
         }
 
@@ -65,7 +66,8 @@ public class UnevenScaleTests
         {
             var box = new BoxShape(new Vector3(0, 0.25f, 0.25f));
             AssertGap(gap, ConvexQuery.Distance(new GenerousCube(radius), Left, box, At(gap)));
-            AssertGap(gap, ConvexQuery.Distance(new Scaled<GenerousCube>(new GenerousCube(radius), 1), Left, box, At(gap)));
+            AssertGap(
+                gap, ConvexQuery.Distance(new Scaled<GenerousCube>(new GenerousCube(radius), 1), Left, box, At(gap)));
             Assert.Equal(gap == 0, ConvexQuery.Overlaps(new GenerousCube(radius), Left, box, At(gap)));
         }
     }
@@ -81,7 +83,9 @@ public class UnevenScaleTests
             var box = ConvexShape.Box(rng.Vector(0.1, 0.7));
             DistanceResult expected = ConvexQuery.Distance(ConvexShape.Cylinder(1, 1), RigidPose.Identity, box, pose);
             DistanceResult r = ConvexQuery.Distance(scaled, RigidPose.Identity, box, pose);
-            Assert.True(r.Status == expected.Status && System.Math.Abs(r.Distance - expected.Distance) <= 2e-6, $"case {i}: {r.Distance:R}, not {expected.Distance:R}");
+            Assert.True(
+                r.Status == expected.Status && System.Math.Abs(r.Distance - expected.Distance) <= 2e-6,
+                $"case {i}: {r.Distance:R}, not {expected.Distance:R}");
         }
     }
 
@@ -91,6 +95,6 @@ public class UnevenScaleTests
     private static void AssertGap(float gap, in DistanceResult r)
     {
         Assert.Equal(gap == 0 ? GjkStatus.Overlapping : GjkStatus.Separated, r.Status);
-        Assert.Equal(gap, r.Distance, Tolerance.Band(gap, 1));
+        Assert.Equal(gap, r.Distance, Accuracy.Band(gap, 1));
     }
 }

@@ -4,7 +4,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>
-/// Products of lengths left the range of double for pairs below 1e-35 (wrong, or overlapping) and near 3e38 (InvalidShape). Such a pair is solved at unit size, by a power of two.
+/// Products of lengths left the range of double for pairs below 1e-35 (wrong, or overlapping) and near 3e38
+/// (InvalidShape). Such a pair is solved at unit size, by a power of two.
 /// </summary>
 public class UnitSizeTests
 {
@@ -30,13 +31,16 @@ public class UnitSizeTests
             DistanceResult r = pair.Distance();
             string? problem = OracleVerdict.Problem(pair, r, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
-            bool overlaps = ConvexQuery.Overlaps(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
+            bool overlaps = ConvexQuery.Overlaps(
+                pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, out GjkStatus status);
             Assert.True(overlaps == r.IsOverlapping && status == r.Status, $"{status}, not {r.Status}\n{pair}");
             WarmStart warm = default;
             for (int i = 0; i < 2; i++)
             {
                 DistanceResult w = ConvexQuery.Distance(pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, ref warm);
-                Assert.True(w.Status == r.Status && w.Distance == r.Distance, $"warm {w.Status} {w.Distance:R}, cold {r.Status} {r.Distance:R}\n{pair}");
+                Assert.True(
+                    w.Status == r.Status && w.Distance == r.Distance,
+                    $"warm {w.Status} {w.Distance:R}, cold {r.Status} {r.Distance:R}\n{pair}");
             }
 
             separated += exact.Overlap ? 0 : 1;
@@ -54,7 +58,8 @@ public class UnitSizeTests
         var unit = (float)System.Math.Pow(2, exponent);
         for (ulong seed = 0; seed < 200; seed++)
         {
-            DistanceResult ordinary = Lattice(new Rng(350_000 + seed), 1).Distance(), sized = Lattice(new Rng(350_000 + seed), unit).Distance();
+            DistanceResult ordinary = Lattice(new Rng(350_000 + seed), 1).Distance();
+            DistanceResult sized = Lattice(new Rng(350_000 + seed), unit).Distance();
             Assert.Equal(ordinary.Status, sized.Status);
             Assert.Equal(ordinary.Distance * unit, sized.Distance);
             Assert.Equal(ordinary.LowerBound * unit, sized.LowerBound);
@@ -69,15 +74,19 @@ public class UnitSizeTests
     /// <summary>Coordinates are whole multiples of the unit, so that the smallest floats hold them, too.</summary>
     private static TestPair Lattice(Rng rng, float unit)
     {
-        TestShape a = TestShape.Mesh(Corners(rng, unit)), b = rng.Below(3) == 0 ? TestShape.Sphere(unit) : TestShape.Mesh(Corners(rng, unit));
+        TestShape a = TestShape.Mesh(Corners(rng, unit)), b = rng.Below(3) == 0
+            ? TestShape.Sphere(unit)
+            : TestShape.Mesh(Corners(rng, unit));
         Vector3 position = new Vector3(rng.Below(13) - 6, rng.Below(13) - 6, rng.Below(13) - 6) * unit;
-        return new TestPair($"unit {unit:R}", a, new RigidPose(rng.Rotation(), default), b, new RigidPose(rng.Rotation(), position));
+        return new TestPair(
+            $"unit {unit:R}", a, new RigidPose(rng.Rotation(), default), b, new RigidPose(rng.Rotation(), position));
     }
 
     private static Vector3[] Corners(Rng rng, float unit)
     {
         var corners = new Vector3[6];
-        for (int i = 0; i < corners.Length; i++) corners[i] = new Vector3(rng.Below(9) - 4, rng.Below(9) - 4, rng.Below(9) - 4) * unit;
+        for (int i = 0; i < corners.Length; i++)
+            corners[i] = new Vector3(rng.Below(9) - 4, rng.Below(9) - 4, rng.Below(9) - 4) * unit;
         return corners;
     }
 }

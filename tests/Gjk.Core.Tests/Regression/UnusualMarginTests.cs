@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
-using Gjk.Core.Tests.World;
+using Gjk.Core.Tests.BroadPhase;
 
 namespace Gjk.Core.Tests.Regression;
 

@@ -4,7 +4,9 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Shapes;
 
-/// <summary>Contract 9: what scale and radius do to a shape; and that ConvexShape is the same shape as the struct.</summary>
+/// <summary>
+/// Contract 9: what scale and radius do to a shape; and that ConvexShape is the same shape as the struct.
+/// </summary>
 public class DecoratorTests
 {
     [Fact]
@@ -76,8 +78,11 @@ public class DecoratorTests
                     inner.Shape.Support(u, out Vector3D core);
                     core += inner.Shape.Center;
                     Vector3D p = Vector3D.Multiply(core + u * (inner.Shape.Margin / u.Length), s);
-                    Assert.True(Vector3D.Dot(p, d) <= Vector3D.Dot(best, d) + 1e-14, $"seed {seed}: {inner} scaled {s} in {d}");
-                    Assert.True((p - scaled.Center).Length <= scaled.BoundingRadius * (1 + 1e-14), $"seed {seed}: {inner} scaled {s} leaves its bounding ball");
+                    Assert.True(
+                        Vector3D.Dot(p, d) <= Vector3D.Dot(best, d) + 1e-14, $"seed {seed}: {inner} scaled {s} in {d}");
+                    Assert.True(
+                        (p - scaled.Center).Length <= scaled.BoundingRadius * (1 + 1e-14),
+                        $"seed {seed}: {inner} scaled {s} leaves its bounding ball");
                 }
             }
         }
@@ -100,8 +105,12 @@ public class DecoratorTests
         Same(new ConvexMesh(hull), ConvexShape.Mesh(hull));
         var scale = new Vector3(0.7f, -1.3f, 2.1f);
         Same(new Scaled<ConvexMesh>(new ConvexMesh(hull), scale), ConvexShape.Mesh(hull).Scaled(scale));
-        Same(new Scaled<CylinderShape>(new CylinderShape(0.3f, 0.7f), scale), ConvexShape.Cylinder(0.3f, 0.7f).Scaled(scale));
-        Same(new Scaled<CapsuleShape>(new CapsuleShape(0.3f, 0.7f), scale), ConvexShape.Capsule(0.3f, 0.7f).Scaled(scale));
+        Same(
+            new Scaled<CylinderShape>(new CylinderShape(0.3f, 0.7f), scale),
+            ConvexShape.Cylinder(0.3f, 0.7f).Scaled(scale));
+        Same(
+            new Scaled<CapsuleShape>(new CapsuleShape(0.3f, 0.7f), scale),
+            ConvexShape.Capsule(0.3f, 0.7f).Scaled(scale));
     }
 
     private static void Same<T>(in T shape, in ConvexShape tagged)
@@ -127,7 +136,8 @@ public class DecoratorTests
         for (ulong i = 0; i < 20; i++)
         {
             TestPair other = Generators.Pair(i, ["hull"]);
-            DistanceResult r = ConvexQuery.Distance(shape, other.PoseA, other.B.Shape, other.PoseB), s = ConvexQuery.Distance(tagged, other.PoseA, other.B.Shape, other.PoseB);
+            DistanceResult r = ConvexQuery.Distance(shape, other.PoseA, other.B.Shape, other.PoseB);
+            DistanceResult s = ConvexQuery.Distance(tagged, other.PoseA, other.B.Shape, other.PoseB);
             Assert.Equal(ResultHash.Of(0, 0, r), ResultHash.Of(0, 0, s));
         }
     }

@@ -12,7 +12,8 @@ public class PlacedTests
     private static readonly Vector3[] Corners =
         [new(0.1f, 0.2f, -0.3f), new(1.1f, -0.7f, 0.3f), new(-0.4f, 0.9f, 0.6f), new(0.3f, 0.3f, 2), new(-1, -1, -1)];
 
-    private static readonly RigidPose Beside = new(Quaternion.Normalize(new Quaternion(1, -2, 3, 4)), new Vector3(3, -5, 7));
+    private static readonly RigidPose Beside = new(
+        Quaternion.Normalize(new Quaternion(1, -2, 3, 4)), new Vector3(3, -5, 7));
 
     private static readonly RigidPose Far =
         new(Quaternion.Normalize(new Quaternion(-3, 1, 2, 5)), new Vector3(1e6f, -2e6f, 3e5f));
@@ -48,7 +49,9 @@ public class PlacedTests
         Same(new Placed<ConvexMesh>(mesh, Beside), ConvexShape.Mesh(hull).Placed(Beside));
         Same(new Rounded<ConvexMesh>(mesh, 0.3f), ConvexShape.Mesh(hull).Rounded(0.3f));
         Same(new Rounded<BoxShape>(new BoxShape(Vector3.One), 0.3f), ConvexShape.Box(Vector3.One).Rounded(0.3f));
-        Same(new Placed<CapsuleShape>(new CapsuleShape(0.3f, 0.7f), Beside), ConvexShape.Capsule(0.3f, 0.7f).Placed(Beside));
+        Same(
+            new Placed<CapsuleShape>(new CapsuleShape(0.3f, 0.7f), Beside),
+            ConvexShape.Capsule(0.3f, 0.7f).Placed(Beside));
         Same(new Rounded<SphereShape>(new SphereShape(0.3f), 0.7f), ConvexShape.Sphere(0.3f).Rounded(0.7f));
         Same(
             new Scaled<Rounded<ConvexMesh>>(new Rounded<ConvexMesh>(mesh, 0.3f), uneven),
@@ -75,8 +78,8 @@ public class PlacedTests
             {
                 DistanceResult r = ConvexQuery.Distance(a, pose, b, pose);
                 double most = Math.Max(c.Distance, c.Depth), error = Math.Abs(r.Distance - c.Distance);
-                Assert.True(r.IsOverlapping == c.Overlap || most <= Tolerance.Flag * p.Scale, $"{p.Name}: {r}");
-                Assert.True(error <= Tolerance.Band(c.Distance, p.Scale), $"{p.Name}: {r}, truly {c.Distance:R}");
+                Assert.True(r.IsOverlapping == c.Overlap || most <= Accuracy.FlagScale * p.Scale, $"{p.Name}: {r}");
+                Assert.True(error <= Accuracy.Band(c.Distance, p.Scale), $"{p.Name}: {r}, truly {c.Distance:R}");
                 Assert.True(r.LowerBound <= c.Distance, $"{p.Name}: bound {r.LowerBound:R}, truly {c.Distance:R}");
                 count++;
             }
@@ -92,7 +95,8 @@ public class PlacedTests
         var turn = new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2), new Vector3(5, 0, 0));
         ConvexShape capsule = ConvexShape.Capsule(0.5f, 2).Placed(turn);
         DistanceResult r = ConvexQuery.Distance(
-            capsule, new RigidPose(new Vector3(0, 10, 0)), ConvexShape.Sphere(1), new RigidPose(new Vector3(10, 10, 0)));
+            capsule, new RigidPose(new Vector3(0, 10, 0)), ConvexShape.Sphere(1), new RigidPose(
+                new Vector3(10, 10, 0)));
         Assert.Equal(1.5f, r.Distance, 1e-6f);
         Assert.True((r.LocalPointA - new Vector3(7.5f, 0, 0)).Length() < 1e-6f, r.ToString());
         Assert.True((r.PointA - new Vector3(7.5f, 10, 0)).Length() < 1e-6f, r.ToString());
@@ -106,7 +110,8 @@ public class PlacedTests
         Assert.Equal(1, rounded.Scaled(new Vector3(2)).Margin);
         Assert.Equal(0, rounded.Scaled(new Vector3(2, 1, 1)).Margin);
         DistanceResult r = ConvexQuery.Distance(
-            rounded.Scaled(new Vector3(2, 1, 1)), RigidPose.Identity, ConvexShape.Point(), new RigidPose(new Vector3(5, 0, 0)));
+            rounded.Scaled(new Vector3(2, 1, 1)), RigidPose.Identity, ConvexShape.Point(), new RigidPose(
+                new Vector3(5, 0, 0)));
         Assert.Equal(2f, r.Distance);
         Assert.Equal(ShapeKind.Sphere, ConvexShape.Point().Rounded(1).Kind);
         Assert.Equal(ShapeKind.Capsule, ConvexShape.Segment(Corners[0], Corners[1]).Rounded(1).Kind);
@@ -167,7 +172,9 @@ public class PlacedTests
     {
         Assert.Equal("no shape", default(ConvexShape).ToString());
         Assert.Equal("sphere, radius 0.5", ConvexShape.Sphere(0.5f).ToString());
-        Assert.Equal("mesh of 5 vertices scaled by <1, 2, 3>", ConvexShape.Mesh(Corners).Scaled(new Vector3(1, 2, 3)).ToString());
+        Assert.Equal(
+            "mesh of 5 vertices scaled by <1, 2, 3>",
+            ConvexShape.Mesh(Corners).Scaled(new Vector3(1, 2, 3)).ToString());
         Assert.Equal(
             "box, half extents <1, 1, 1> rounded by 0.25 placed at <1, 2, 3>",
             ConvexShape.Box(Vector3.One).Rounded(0.25f).Placed(new RigidPose(new Vector3(1, 2, 3))).ToString());
@@ -194,7 +201,8 @@ public class PlacedTests
     private static void Same<T>(in T typed, in ConvexShape shape)
         where T : struct, ISupportMap
     {
-        Assert.Equal((typed.Center, typed.Margin, typed.BoundingRadius), (shape.Center, shape.Margin, shape.BoundingRadius));
+        Assert.Equal(
+            (typed.Center, typed.Margin, typed.BoundingRadius), (shape.Center, shape.Margin, shape.BoundingRadius));
         var rng = new Rng(11);
         for (int i = 0; i < 200; i++)
         {

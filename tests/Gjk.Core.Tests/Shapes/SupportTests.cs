@@ -7,7 +7,7 @@ namespace Gjk.Core.Tests.Shapes;
 /// <summary>Support functions against formulas and against every point of the shape that sampling can name.</summary>
 public class SupportTests
 {
-    private const int Directions = 500;
+    private const int RandomDirections = 500;
 
     [Fact]
     public void PolytopesReturnTheirBestVertex()
@@ -23,7 +23,9 @@ public class SupportTests
                     point += shape.Shape.Center;
                     double best = double.NegativeInfinity;
                     foreach (Vector3D v in shape.Vertices!) best = Math.Max(best, Vector3D.Dot(v, d));
-                    Assert.True(Vector3D.Dot(point, d) >= best - 1e-15 * d.Length * shape.LongestSide * 4, $"{shape} in {d}: {point}");
+                    Assert.True(
+                        Vector3D.Dot(point, d) >= best - 1e-15 * d.Length * shape.LongestSide * 4,
+                        $"{shape} in {d}: {point}");
                     Assert.Contains(shape.Vertices!, v => (v - point).Length <= 1e-15 * shape.LongestSide);
                 });
             }
@@ -83,7 +85,8 @@ public class SupportTests
 
     [Fact]
     public void BoxHeight() => EachDirection(9, d =>
-        AssertHeight(new BoxShape(new Vector3(0.25f, 1, 3)), d, 0.25 * Math.Abs(d.X) + Math.Abs(d.Y) + 3 * Math.Abs(d.Z)));
+        AssertHeight(
+            new BoxShape(new Vector3(0.25f, 1, 3)), d, 0.25 * Math.Abs(d.X) + Math.Abs(d.Y) + 3 * Math.Abs(d.Z)));
 
     [Fact]
     public void CapsuleAndSphereHeight() => EachDirection(10, d =>
@@ -96,23 +99,28 @@ public class SupportTests
     [Fact]
     public void EveryPointOfTheSurfaceIsBelowTheSupport()
     {
-        // The other side of the closed forms: points made from the shapes' equations, none of them past the support plane.
+        // The other side of the closed forms: points made from the shapes' equations, none of them past the support
+        // plane.
         var rng = new Rng(11);
         for (int i = 0; i < 2000; i++)
         {
             double angle = rng.Range(0, 2 * Math.PI), t = rng.Range(-1, 1), x = Math.Cos(angle), z = Math.Sin(angle);
             Vector3D d = rng.Direction();
             AssertBelow(new CylinderShape(0.7f, 1.3f), d, new Vector3D(0.7f * x, t * 1.3f, 0.7f * z));
-            AssertBelow(new ConeShape(0.7f, 1.3f), d, new Vector3D(0.7f * x * (1 - t) / 2, t * 1.3f, 0.7f * z * (1 - t) / 2));
+            AssertBelow(
+                new ConeShape(0.7f, 1.3f), d, new Vector3D(0.7f * x * (1 - t) / 2, t * 1.3f, 0.7f * z * (1 - t) / 2));
             double ring = Math.Sqrt(1 - t * t);
-            AssertBelow(new EllipsoidShape(new Vector3(0.25f, 1, 3)), d, new Vector3D(0.25 * ring * x, t, 3 * ring * z));
+            AssertBelow(
+                new EllipsoidShape(new Vector3(0.25f, 1, 3)), d, new Vector3D(0.25 * ring * x, t, 3 * ring * z));
         }
     }
 
     [Fact]
     public void FlattenedShapesStayFinite()
     {
-        foreach (Vector3D d in new Vector3D[] { new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), new(0, -1, 0), new(1e-300, 0, 0), new(0, 5e-324, 0) })
+        Vector3D[] alongAxes =
+            [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), new(0, -1, 0), new(1e-300, 0, 0), new(0, 5e-324, 0)];
+        foreach (Vector3D d in alongAxes)
         {
             Finite(new EllipsoidShape(new Vector3(1, 0, 1)), d);
             Finite(new EllipsoidShape(Vector3.Zero), d);
@@ -137,8 +145,12 @@ public class SupportTests
     {
         shape.Support(d, out Vector3D point);
         double height = Vector3D.Dot(shape.Center + point, d) + shape.Margin * d.Length;
-        Assert.True(Math.Abs(height - expected) <= 1e-14 * shape.BoundingRadius * d.Length, $"{typeof(T).Name} in {d}: {height:R}, not {expected:R}");
-        Assert.True(point.Length + shape.Margin <= shape.BoundingRadius * (1 + 1e-15), $"{typeof(T).Name}: {point} outside of the bounding ball");
+        Assert.True(
+            Math.Abs(height - expected) <= 1e-14 * shape.BoundingRadius * d.Length,
+            $"{typeof(T).Name} in {d}: {height:R}, not {expected:R}");
+        Assert.True(
+            point.Length + shape.Margin <= shape.BoundingRadius * (1 + 1e-15),
+            $"{typeof(T).Name}: {point} outside of the bounding ball");
     }
 
     private static void AssertBelow<T>(in T shape, in Vector3D d, in Vector3D p)
@@ -146,13 +158,14 @@ public class SupportTests
     {
         shape.Support(d, out Vector3D point);
         point += shape.Center;
-        Assert.True(Vector3D.Dot(p, d) <= Vector3D.Dot(point, d) + 1e-14, $"{typeof(T).Name} in {d}: {p} is past {point}");
+        Assert.True(
+            Vector3D.Dot(p, d) <= Vector3D.Dot(point, d) + 1e-14, $"{typeof(T).Name} in {d}: {p} is past {point}");
     }
 
     private static void EachDirection(ulong seed, Action<Vector3D> examine)
     {
-        foreach (Vector3D d in Body.Directions) examine(d);
+        foreach (Vector3D d in Directions.Many) examine(d);
         var rng = new Rng(seed);
-        for (int i = 0; i < Directions; i++) examine(rng.Direction());
+        for (int i = 0; i < RandomDirections; i++) examine(rng.Direction());
     }
 }

@@ -6,27 +6,37 @@ namespace Gjk.Core.Tests;
 
 public class ClosestFeatureTests
 {
-    /// <summary>The cases in which the newest vertex, A, is part of the nearest feature: the step's own precondition.</summary>
+    /// <summary>
+    /// The cases in which the newest vertex, A, is part of the nearest feature, and on the origin's side of the older
+    /// ones: the step's own preconditions.
+    /// </summary>
     public static IEnumerable<object[]> WithNewest() =>
-        new[] { 2, 3, 4 }.SelectMany(SimplexCase.All).Where(c => ((int)c[1] & 1) != 0);
+        new[] { 2, 3, 4 }.SelectMany(SimplexCase.All).Where(c => ((int)c[1] & 1) != 0 && IsReached(c));
 
     public static IEnumerable<object[]> Any() => new[] { 1, 2, 3, 4 }.SelectMany(n => n == 1 ? [] : SimplexCase.All(n));
 
     [Theory]
     [MemberData(nameof(WithNewest))]
-    public void Reduce_keeps_the_nearest_feature(int n, int subset, double distance, int side)
+    public void ReduceKeepsTheNearestFeature(int n, int subset, double distance, int side)
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
         Simplex simplex = Wound(c.Vertices);
-        if (n == 4 && !IsBeyond(simplex)) return;
         ClosestFeature feature = default;
         Assert.Equal(subset != 15, ClosestFeatureStep.Reduce(ref simplex, ref feature));
         if (subset != 15) Check(c, simplex, feature, subset);
     }
 
+    /// <summary>None of the kinds of simplex has lost all its cases to the preconditions.</summary>
+    [Theory]
+    [InlineData(2, 6)]
+    [InlineData(3, 24)]
+    [InlineData(4, 13)]
+    public void TheStepIsTriedOnEveryKindOfSimplex(int n, int least) =>
+        Assert.InRange(WithNewest().Count(c => (int)c[0] == n), least, int.MaxValue);
+
     [Theory]
     [MemberData(nameof(Any))]
-    public void ReduceAny_needs_no_precondition(int n, int subset, double distance, int side)
+    public void ReduceAnyNeedsNoPrecondition(int n, int subset, double distance, int side)
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
         Simplex simplex = Filled(c.Vertices);
@@ -37,11 +47,13 @@ public class ClosestFeatureTests
 
     [Theory]
     [MemberData(nameof(Any))]
-    public void Extended_precision_agrees(int n, int subset, double distance, int side)
+    public void ExtendedPrecisionAgrees(int n, int subset, double distance, int side)
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
         Simplex simplex = Filled(c.Vertices);
-        Assert.Equal(subset != 15, ExtendedFeatureStep.TryReduce(ref simplex, out ClosestFeature feature, out DoubleDouble squared));
+        Assert.Equal(
+            subset != 15,
+            ExtendedFeatureStep.TryReduce(ref simplex, out ClosestFeature feature, out DoubleDouble squared));
         if (subset == 15) return;
         Check(c, simplex, feature, subset);
         Assert.Equal(distance, System.Math.Sqrt((double)squared), 1e-9 * distance + 1e-15);
@@ -71,8 +83,15 @@ public class ClosestFeatureTests
     /// <summary>With the triangle of the older vertices wound away from the origin, as the solver leaves it.</summary>
     private static Simplex Wound(Vector3D[] v)
     {
-        if (v.Length == 4 && Vector3D.Dot(Vector3D.Cross(v[2] - v[1], v[3] - v[1]), v[1]) < 0) v = [v[0], v[1], v[3], v[2]];
+        if (v.Length == 4 && Vector3D.Dot(Vector3D.Cross(v[2] - v[1], v[3] - v[1]), v[1]) < 0)
+            v = [v[0], v[1], v[3], v[2]];
         return Filled(v);
+    }
+
+    private static bool IsReached(object[] c)
+    {
+        SimplexCase made = SimplexCase.Make((int)c[0], (int)c[1], (double)c[2], (int)c[3]);
+        return made.Vertices.Length < 4 || IsBeyond(Wound(made.Vertices));
     }
 
     /// <summary>A lies on the origin's side of BCD: GJK would not have found it otherwise.</summary>

@@ -15,7 +15,7 @@ public class ClosestPointWeightsTests
     [MemberData(nameof(Segments))]
     [MemberData(nameof(Triangles))]
     [MemberData(nameof(Tetrahedra))]
-    public void Every_region_gives_its_own_weights(int n, int subset, double distance, int side)
+    public void EveryRegionGivesItsOwnWeights(int n, int subset, double distance, int side)
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
         Vector3D[] v = c.Vertices;
@@ -28,7 +28,7 @@ public class ClosestPointWeightsTests
     }
 
     [Fact]
-    public void Repeated_points_fall_back_to_the_point()
+    public void RepeatedPointsFallBackToThePoint()
     {
         var p = new Vector3D(0.4, -1.3, 2.2);
         Assert.Equal(1, ClosestPointWeights.Segment(p, p).A);
@@ -41,7 +41,7 @@ public class ClosestPointWeightsTests
     }
 
     [Fact]
-    public void A_collinear_triangle_falls_back_to_its_best_edge()
+    public void ACollinearTriangleFallsBackToItsBestEdge()
     {
         // The line through (1, 2, 3) along (2, -1, 0.5); the origin's nearest point on it is inside the long edge.
         Vector3D start = new(1, 2, 3), along = new(2, -1, 0.5);
@@ -54,7 +54,7 @@ public class ClosestPointWeightsTests
     }
 
     [Fact]
-    public void A_flat_tetrahedron_falls_back_to_its_best_face()
+    public void AFlatTetrahedronFallsBackToItsBestFace()
     {
         // Four points of the plane x + 2 y - z = 3; the origin's foot (0.5, 1, -0.5) is inside their quadrilateral.
         static Vector3D Plane(double x, double y) => new(x, y, x + 2 * y - 3);
@@ -64,7 +64,10 @@ public class ClosestPointWeightsTests
         Assert.Equal(0, (w.PointOf(a, b, c, d) - new Vector3D(0.5, 1, -0.5)).Length, 1e-14);
     }
 
-    /// <summary>Four points nearly on a line through the origin, which they enclose: the weighted point must be the origin however thin they are.</summary>
+    /// <summary>
+    /// Four points nearly on a line through the origin, which they enclose: the weighted point must be the origin
+    /// however thin they are.
+    /// </summary>
     [Fact]
     public void NeedleTetrahedra()
     {
@@ -73,17 +76,23 @@ public class ClosestPointWeightsTests
             var rng = new Rng(seed);
             double width = System.Math.Pow(10, -rng.Range(2, 14));
             Vector3D along = Vector(rng, 1);
-            Vector3D a = along * rng.Range(0.5, 1) + Vector(rng, width), b = along * -rng.Range(0.5, 1) + Vector(rng, width);
-            Vector3D c = along * rng.Range(-1, 1) + Vector(rng, width), weights = new(rng.Range(0.1, 1), rng.Range(0.1, 1), rng.Range(0.1, 1));
+            Vector3D a = along * rng.Range(0.5, 1) + Vector(rng, width);
+            Vector3D b = along * -rng.Range(0.5, 1) + Vector(rng, width);
+            Vector3D c = along * rng.Range(-1, 1) + Vector(rng, width);
+            Vector3D weights = new(rng.Range(0.1, 1), rng.Range(0.1, 1), rng.Range(0.1, 1));
             Vector3D d = a * -weights.X + b * -weights.Y + c * -weights.Z;
             Weights w = ClosestPointWeights.Tetrahedron(a, b, c, d);
             Assert.True(w.IsInside, $"seed {seed}");
             double error = w.PointOf(a, b, c, d).Length;
-            Assert.True(error <= 1e-8, $"seed {seed}, width {width:R}: the weighted point is {error:R} from the origin");
+            Assert.True(
+                error <= 1e-8, $"seed {seed}, width {width:R}: the weighted point is {error:R} from the origin");
         }
     }
 
-    /// <summary>Three points nearly on a line that passes the origin at a distance below or above their width: no point of an edge may be nearer than the answer.</summary>
+    /// <summary>
+    /// Three points nearly on a line that passes the origin at a distance below or above their width: no point of an
+    /// edge may be nearer than the answer.
+    /// </summary>
     [Fact]
     public void NeedleTriangles()
     {
@@ -92,7 +101,8 @@ public class ClosestPointWeightsTests
             var rng = new Rng(seed);
             double width = System.Math.Pow(10, -rng.Range(2, 16));
             Vector3D along = Vector(rng, 1), start = Vector(rng, System.Math.Pow(10, -rng.Range(0, 16)));
-            Vector3D a = start + along + Vector(rng, width), b = start - along + Vector(rng, width), c = start + along * rng.Range(-1, 1) + Vector(rng, width);
+            Vector3D a = start + along + Vector(rng, width), b = start - along + Vector(rng, width);
+            Vector3D c = start + along * rng.Range(-1, 1) + Vector(rng, width);
             double nearest = ClosestPointWeights.Triangle(a, b, c).PointOf(a, b, c, default).Length;
             foreach ((Vector3D p, Vector3D q) in new[] { (a, b), (b, c), (c, a) })
             {
@@ -102,5 +112,6 @@ public class ClosestPointWeightsTests
         }
     }
 
-    private static Vector3D Vector(Rng rng, double size) => new(rng.Range(-size, size), rng.Range(-size, size), rng.Range(-size, size));
+    private static Vector3D Vector(Rng rng, double size) =>
+        new(rng.Range(-size, size), rng.Range(-size, size), rng.Range(-size, size));
 }

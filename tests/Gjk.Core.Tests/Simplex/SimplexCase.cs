@@ -4,8 +4,9 @@ using System.Linq;
 namespace Gjk.Core.Tests;
 
 /// <summary>
-/// A simplex placed so that the origin's nearest feature is known by construction: a point inside the feature, moved out along a direction of the feature's
-/// normal cone, is where the origin is put. No coordinate is zero or repeated, so that easy zeros fool no test.
+/// A simplex placed so that the origin's nearest feature is known by construction: a point inside the feature, moved
+/// out along a direction of the feature's normal cone, is where the origin is put. No coordinate is zero or repeated,
+/// so that easy zeros fool no test.
 /// </summary>
 internal sealed class SimplexCase
 {
@@ -35,7 +36,10 @@ internal sealed class SimplexCase
 
     public double Distance { get; }
 
-    /// <summary>Every subset of the first n corners as the nearest feature, with the origin at three distances, and triangles from either side.</summary>
+    /// <summary>
+    /// Every subset of the first n corners as the nearest feature, with the origin at three distances, and triangles
+    /// from either side.
+    /// </summary>
     public static IEnumerable<object[]> All(int n)
     {
         for (int subset = 1; subset < 1 << n; subset++)
@@ -51,7 +55,8 @@ internal sealed class SimplexCase
     public static SimplexCase Make(int n, int subset, double distance, int side)
     {
         double total = Enumerable.Range(0, n).Where(i => (subset >> i & 1) != 0).Sum(i => Shares[i]);
-        double[] weights = [.. Enumerable.Range(0, 4).Select(i => i < n && (subset >> i & 1) != 0 ? Shares[i] / total : 0)];
+        double[] weights =
+            [.. Enumerable.Range(0, 4).Select(i => i < n && (subset >> i & 1) != 0 ? Shares[i] / total : 0)];
         var point = default(Vector3D);
         for (int i = 0; i < n; i++) point += Corners[i] * weights[i];
         Vector3D outward = distance == 0 ? default : Outward(n, subset, side);
@@ -69,7 +74,8 @@ internal sealed class SimplexCase
         var sum = default(Vector3D);
         if (n == 2)
         {
-            Vector3D along = Unit(Corners[1] - Corners[0]), across = Unit(Vector3D.Cross(along, new Vector3D(0.3, 0.5, -0.8)));
+            Vector3D along = Unit(Corners[1] - Corners[0]);
+            Vector3D across = Unit(Vector3D.Cross(along, new Vector3D(0.3, 0.5, -0.8)));
             return Unit(subset == 3 ? across : across + along * (subset == 2 ? 0.6 : -0.6));
         }
 
@@ -92,10 +98,13 @@ internal sealed class SimplexCase
         return Unit(sum);
     }
 
-    /// <summary>In the triangle's plane, away from its corner that is missing, perpendicular to the other two's edge.</summary>
+    /// <summary>
+    /// In the triangle's plane, away from its corner that is missing, perpendicular to the other two's edge.
+    /// </summary>
     private static Vector3D InPlaneOutward(int missing)
     {
-        Vector3D p = Corners[(missing + 1) % 3], q = Corners[(missing + 2) % 3], e = Unit(q - p), inward = Corners[missing] - p;
+        Vector3D p = Corners[(missing + 1) % 3], q = Corners[(missing + 2) % 3], e = Unit(q - p);
+        Vector3D inward = Corners[missing] - p;
         return -Unit(inward - e * Vector3D.Dot(e, inward));
     }
 

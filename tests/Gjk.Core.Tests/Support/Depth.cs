@@ -3,12 +3,16 @@ using System.Collections.Generic;
 
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>The shortest translation that separates two overlapping clouds, to double accuracy: all planes that can be a face of their difference are tried.</summary>
+/// <summary>
+/// The shortest translation that separates two overlapping clouds, to double accuracy: all planes that can be a face of
+/// their difference are tried.
+/// </summary>
 internal static class Depth
 {
     public static double Of(TestPair pair)
     {
-        Vector3D[] a = World(pair.A, pair.PoseA, default), b = World(pair.B, pair.PoseB, (Vector3D)pair.PoseB.Position - pair.PoseA.Position);
+        Vector3D[] a = World(pair.A, pair.PoseA, default);
+        Vector3D[] b = World(pair.B, pair.PoseB, (Vector3D)pair.PoseB.Position - pair.PoseA.Position);
         double least = double.PositiveInfinity;
         List<Vector3D> edgesA = Edges(a), edgesB = Edges(b), all = [.. edgesA, .. edgesB];
         for (int i = 0; i < all.Count; i++)

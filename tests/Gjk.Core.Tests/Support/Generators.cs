@@ -1,8 +1,6 @@
 using System;
 using System.Linq;
 using System.Numerics;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Core.Tests.Support;
 

@@ -12,12 +12,17 @@ internal static class OracleVerdict
     {
         exact = pair.Exact();
         double scale = pair.Scale == 0 ? exact.Distance : pair.Scale;
-        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return $"status {r.Status} after {r.Iterations} iterations";
-        if (!(Math.Abs(r.Distance - exact.Distance) <= Tolerance.Band(exact.Distance, scale) + HalfLeastFloat)) return $"distance {r.Distance:R}, truly {exact.Distance:R}";
-        if (!(r.LowerBound <= exact.Distance)) return $"lower bound {r.LowerBound:R} above the true distance {exact.Distance:R}";
+        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping))
+            return $"status {r.Status} after {r.Iterations} iterations";
+        if (!(Math.Abs(r.Distance - exact.Distance) <= Accuracy.Band(exact.Distance, scale) + HalfLeastFloat))
+            return $"distance {r.Distance:R}, truly {exact.Distance:R}";
+        if (!(r.LowerBound <= exact.Distance))
+            return $"lower bound {r.LowerBound:R} above the true distance {exact.Distance:R}";
         if (r.IsOverlapping == exact.Overlap) return null;
         double least = exact.Overlap ? Depth(pair) : exact.Distance;
-        return least > Tolerance.Flag * scale ? $"status {r.Status}, truly overlap {exact.Overlap} by {least:R}" : null;
+        return least > Accuracy.FlagScale * scale
+            ? $"status {r.Status}, truly overlap {exact.Overlap} by {least:R}"
+            : null;
     }
 
     /// <summary>The rounding of a distance to the smallest floats.</summary>

@@ -6,8 +6,14 @@ namespace Gjk.Core.Tests.Support;
 /// <summary>Two posed shapes; its text is C# that makes the query again.</summary>
 internal sealed record TestPair(string Name, TestShape A, RigidPose PoseA, TestShape B, RigidPose PoseB)
 {
-    /// <summary>As contract 6 has it: the longest side of the local boxes, scale applied, the larger of the two.</summary>
+    /// <summary>
+    /// As contract 6 has it: the longest side of the local boxes, scale applied, the larger of the two.
+    /// </summary>
     public double Scale => Math.Max(A.LongestSide, B.LongestSide);
+
+    /// <summary>How far its distance may be off.</summary>
+    public double Band(double distance) =>
+        IsPolytope ? Accuracy.Band(distance, Scale) : Accuracy.CurvedBand(distance, Scale);
 
     public bool IsPolytope => A.Vertices is not null && B.Vertices is not null;
 
@@ -21,7 +27,8 @@ internal sealed record TestPair(string Name, TestShape A, RigidPose PoseA, TestS
         B.Scaled(new Vector3(factor)),
         new RigidPose(PoseB.Rotation, PoseB.Position * factor));
 
-    public DistanceResult Distance(float maxDistance = float.PositiveInfinity) => ConvexQuery.Distance(A.Shape, PoseA, B.Shape, PoseB, maxDistance);
+    public DistanceResult Distance(float maxDistance = float.PositiveInfinity) =>
+        ConvexQuery.Distance(A.Shape, PoseA, B.Shape, PoseB, maxDistance);
 
     public bool Overlaps() => ConvexQuery.Overlaps(A.Shape, PoseA, B.Shape, PoseB);
 

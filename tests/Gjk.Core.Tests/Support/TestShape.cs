@@ -6,7 +6,10 @@ using System.Numerics;
 
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>A shape with what the tests know about it beside the library: its exact vertices, its extent, and the C# text that makes it again.</summary>
+/// <summary>
+/// A shape with what the tests know about it beside the library: its exact vertices, its extent, and the C# text that
+/// makes it again.
+/// </summary>
 internal sealed class TestShape
 {
     private TestShape(string text, in ConvexShape shape, Vector3D[]? vertices, double margin, Vector3D extent)
@@ -23,7 +26,9 @@ internal sealed class TestShape
 
     public ConvexShape Shape { get; }
 
-    /// <summary>The core's points, scale applied (exact: a product of two floats is a double); null where the core is curved.</summary>
+    /// <summary>
+    /// The core's points, scale applied (exact: a product of two floats is a double); null where the core is curved.
+    /// </summary>
     public Vector3D[]? Vertices { get; }
 
     public double Margin { get; }
@@ -31,17 +36,21 @@ internal sealed class TestShape
     /// <summary>The longest side of the local bounding box, scale applied, margin included.</summary>
     public double LongestSide { get; }
 
-    /// <summary>A generous bounding radius, by which the generators place pairs: scaled by the largest factor.</summary>
+    /// <summary>
+    /// A generous bounding radius, by which the generators place pairs: scaled by the largest factor.
+    /// </summary>
     public double Reach { get; private init; }
 
     public static TestShape Point() => Polytope("ConvexShape.Point()", ConvexShape.Point(), [Vector3.Zero], 0);
 
-    public static TestShape Segment(Vector3 a, Vector3 b) => Polytope($"ConvexShape.Segment({T(a)}, {T(b)})", ConvexShape.Segment(a, b), [a, b], 0);
+    public static TestShape Segment(Vector3 a, Vector3 b) =>
+        Polytope($"ConvexShape.Segment({T(a)}, {T(b)})", ConvexShape.Segment(a, b), [a, b], 0);
 
     public static TestShape Triangle(Vector3 a, Vector3 b, Vector3 c) =>
         Polytope($"ConvexShape.Triangle({T(a)}, {T(b)}, {T(c)})", ConvexShape.Triangle(a, b, c), [a, b, c], 0);
 
-    public static TestShape Sphere(float r) => Polytope($"ConvexShape.Sphere({T(r)})", ConvexShape.Sphere(r), [Vector3.Zero], r);
+    public static TestShape Sphere(float r) =>
+        Polytope($"ConvexShape.Sphere({T(r)})", ConvexShape.Sphere(r), [Vector3.Zero], r);
 
     public static TestShape Capsule(float r, float h) =>
         Polytope($"ConvexShape.Capsule({T(r)}, {T(h)})", ConvexShape.Capsule(r, h), [new(0, h, 0), new(0, -h, 0)], r);
@@ -51,15 +60,19 @@ internal sealed class TestShape
     public static TestShape Mesh(params Vector3[] points) =>
         Polytope($"ConvexShape.Mesh([{string.Join(", ", points.Select(T))}])", ConvexShape.Mesh(points), points, 0);
 
-    public static TestShape Mesh(string name, ConvexHull hull, Vector3[] points) => Polytope(name, ConvexShape.Mesh(hull), points, 0);
+    public static TestShape Mesh(string name, ConvexHull hull, Vector3[] points) =>
+        Polytope(name, ConvexShape.Mesh(hull), points, 0);
 
     public static TestShape Cylinder(float r, float h) =>
-        new($"ConvexShape.Cylinder({T(r)}, {T(h)})", ConvexShape.Cylinder(r, h), null, 0, new(2.0 * r, 2.0 * h, 2.0 * r));
+        new(
+            $"ConvexShape.Cylinder({T(r)}, {T(h)})", ConvexShape.Cylinder(r, h), null, 0,
+            new(2.0 * r, 2.0 * h, 2.0 * r));
 
     public static TestShape Cone(float r, float h) =>
         new($"ConvexShape.Cone({T(r)}, {T(h)})", ConvexShape.Cone(r, h), null, 0, new(2.0 * r, 2.0 * h, 2.0 * r));
 
-    public static TestShape Ellipsoid(Vector3 r) => new($"ConvexShape.Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), null, 0, (Vector3D)r * 2);
+    public static TestShape Ellipsoid(Vector3 r) =>
+        new($"ConvexShape.Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), null, 0, (Vector3D)r * 2);
 
     public TestShape Scaled(Vector3 s)
     {
@@ -73,15 +86,22 @@ internal sealed class TestShape
             ? Extent(vertices!, Margin * factors.X)
             : new Vector3D(1, 1, 1) * (LongestSide * largest);
         double margin = polytope ? Margin * factors.X : Margin * (even ? factors.X : 0);
-        bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone || (Shape.Kind == ShapeKind.Capsule && !even);
+        bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone
+            || (Shape.Kind == ShapeKind.Capsule && !even);
         ConvexShape scaled = Shape.Scaled(s);
-        return new(text, scaled, vertices, margin, extent) { Reach = keepsFactors ? Reach * largest : scaled.BoundingRadius };
+        double reach = keepsFactors ? Reach * largest : scaled.BoundingRadius;
+        return new(text, scaled, vertices, margin, extent) { Reach = reach };
     }
 
     public override string ToString() => Text;
 
     public static Vector3[] Corners(Vector3 h) =>
-        [.. from x in new[] { -h.X, h.X } from y in new[] { -h.Y, h.Y } from z in new[] { -h.Z, h.Z } select new Vector3(x, y, z)];
+    [
+        .. from x in new[] { -h.X, h.X }
+           from y in new[] { -h.Y, h.Y }
+           from z in new[] { -h.Z, h.Z }
+           select new Vector3(x, y, z)
+    ];
 
     private static TestShape Polytope(string text, in ConvexShape shape, Vector3[] vertices, double margin) =>
         Polytope(text, shape, [.. vertices.Select(v => (Vector3D)v)], margin);
@@ -90,7 +110,9 @@ internal sealed class TestShape
         new(text, shape, vertices, margin, Extent(vertices, margin));
 
     private static Vector3D Extent(Vector3D[] vertices, double margin) =>
-        new Vector3D(Side(vertices.Select(v => v.X)), Side(vertices.Select(v => v.Y)), Side(vertices.Select(v => v.Z))) + new Vector3D(2, 2, 2) * margin;
+        new Vector3D(
+            Side(vertices.Select(v => v.X)), Side(vertices.Select(v => v.Y)),
+            Side(vertices.Select(v => v.Z))) + new Vector3D(2, 2, 2) * margin;
 
     private static double Side(IEnumerable<double> values) => values.Max() - values.Min();
 
@@ -99,5 +121,6 @@ internal sealed class TestShape
     public static string T(Vector3 v) => $"new({T(v.X)}, {T(v.Y)}, {T(v.Z)})";
 
     public static string T(in RigidPose p) =>
-        $"new RigidPose(new({T(p.Rotation.X)}, {T(p.Rotation.Y)}, {T(p.Rotation.Z)}, {T(p.Rotation.W)}), {T(p.Position)})";
+        $"new RigidPose(new({T(p.Rotation.X)}, {T(p.Rotation.Y)}, {T(p.Rotation.Z)}, {T(p.Rotation.W)}), "
+        + $"{T(p.Position)})";
 }

@@ -16,7 +16,7 @@ public class CollisionSceneTests
         get
         {
             TheoryData<BroadPhaseKind, BoundKind> data = [];
-            foreach (BroadPhaseKind kind in new[] { BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree })
+            foreach (BroadPhaseKind kind in Enum.GetValues<BroadPhaseKind>())
                 foreach (BoundKind bound in new[] { BoundKind.Box, BoundKind.Ball }) data.Add(kind, bound);
             return data;
         }
@@ -66,8 +66,10 @@ public class CollisionSceneTests
         CollisionScene scene = Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1);
         Action[] uses =
         [
-            () => scene.Add(Ball, RigidPose.Identity), () => scene.Move(0, RigidPose.Identity), () => scene.Remove(0), () => Overlaps(scene),
-            () => scene.TryFindNearest(0, out _, out _), () => scene.Distance(0, 1), () => scene.CollectCandidates([]), () => scene.FindOverlapsAmong([], []),
+            () => scene.Add(Ball, RigidPose.Identity), () => scene.Move(0, RigidPose.Identity), () => scene.Remove(0),
+            () => Overlaps(scene),
+            () => scene.TryFindNearest(0, out _, out _), () => scene.Distance(0, 1), () => scene.CollectCandidates([]),
+            () => scene.FindOverlapsAmong([], []),
             () => scene.FindPairsWithin(1, []),
         ];
         foreach (Action use in uses)
@@ -93,7 +95,8 @@ public class CollisionSceneTests
             Vector3 position = rng.Vector(0, 12);
             Assert.Equal(i, scene.Add(Ball, new RigidPose(position)));
             there.Add(i, position);
-            // Every thousandth stays for good, the others for some forty rounds; so the arrays close up again and again.
+            // Every thousandth stays for good, the others for some forty rounds; so the arrays close up again and
+            // again.
             foreach (int old in there.Keys.Where(id => id % 1000 != 0 && id < i - 40).ToArray())
             {
                 scene.Remove(old);
@@ -114,7 +117,8 @@ public class CollisionSceneTests
     [Fact]
     public void CandidatesAndTheirOverlapsAreTheTwoHalvesOfOverlaps()
     {
-        CollisionScene scene = new MovingWorld(4, 100, ["box", "hull", "sphere"]).Scene(BroadPhaseKind.SortAndSweep, BoundKind.Box);
+        CollisionScene scene = new MovingWorld(4, 100, ["box", "hull", "sphere"]).Scene(
+            BroadPhaseKind.SortAndSweep, BoundKind.Box);
         for (int id = 0; id < 60; id++) scene.Remove(id);
         for (int i = 0; i < 90; i++) scene.Add(Ball, new RigidPose(At(i)));
         List<ObjectPair> candidates = [], results = [];
@@ -164,7 +168,8 @@ public class CollisionSceneTests
     [Fact]
     public void AWarmDistanceTakesFewerIterations()
     {
-        CollisionScene scene = new MovingWorld(11, 40, ["bigHull"], side: 20).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box);
+        CollisionScene scene = new MovingWorld(11, 40, ["bigHull"], side: 20).Scene(
+            BroadPhaseKind.DynamicTree, BoundKind.Box);
         int cold = 0, warm = 0;
         for (int i = 0; i < 39; i++) cold += scene.Distance(i, i + 1).Iterations;
         for (int i = 0; i < 39; i++) warm += scene.Distance(i + 1, i).Iterations;
@@ -198,7 +203,14 @@ public class CollisionSceneTests
     {
         Assert.Equal(there.Count, scene.Count);
         foreach ((int id, Vector3 position) in there) Assert.Equal(position, scene.GetPose(id).Position);
-        ObjectPair[] expected = [.. from a in there from b in there where a.Key < b.Key && ConvexQuery.Overlaps(Ball, new RigidPose(a.Value), Ball, new RigidPose(b.Value)) select new ObjectPair(a.Key, b.Key)];
+        ObjectPair[] expected =
+        [
+            .. from a in there
+               from b in there
+               where a.Key < b.Key
+               where ConvexQuery.Overlaps(Ball, new RigidPose(a.Value), Ball, new RigidPose(b.Value))
+               select new ObjectPair(a.Key, b.Key)
+        ];
         Assert.Equal(expected, Overlaps(scene));
     }
 

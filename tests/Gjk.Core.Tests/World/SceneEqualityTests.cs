@@ -5,7 +5,10 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 
-/// <summary>A scene's answers are those of asking every pair, and the same bits for every broad phase, bound and number of threads.</summary>
+/// <summary>
+/// A scene's answers are those of asking every pair, and the same bits for every broad phase, bound and number of
+/// threads.
+/// </summary>
 public class SceneEqualityTests
 {
     private static readonly string[] Kinds = [.. Generators.AllKinds.Where(k => k != "point")];
@@ -65,7 +68,9 @@ public class SceneEqualityTests
                 for (int i = 0; i < parallel.Length; i++)
                 {
                     parallel[i].FindPairsWithin(distance, found, workers);
-                    SameBits(first, found, $"seed {seed}, frame {frame}, {parallel[i].BroadPhase}, {parallel[i].Bound}, two threads");
+                    SameBits(
+                        first, found,
+                        $"seed {seed}, frame {frame}, {parallel[i].BroadPhase}, {parallel[i].Bound}, two threads");
                 }
             }
         }
@@ -76,7 +81,8 @@ public class SceneEqualityTests
     {
         var world = new MovingWorld(7, 80, Kinds);
         // Sparse, so that most have a nearest one at a distance; a twin for some, so that there are ties.
-        for (int i = 0; i < 80; i++) world.Poses[i] = new RigidPose(world.Poses[i].Rotation, world.Poses[i].Position * 3);
+        for (int i = 0; i < 80; i++)
+            world.Poses[i] = new RigidPose(world.Poses[i].Rotation, world.Poses[i].Position * 3);
         for (int i = 0; i < 10; i++)
         {
             int twin = world.Add();
@@ -91,10 +97,13 @@ public class SceneEqualityTests
             {
                 if (a == 33) continue;
                 (float Distance, int Id) expected = Enumerable.Range(0, world.Count).Where(b => b != a && b != 33)
-                    .Select(b => (ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[b], world.Poses[b]).Distance, b)).Min();
+                    .Select(b => (DistanceOf(world, a, b), b)).Min();
                 Assert.True(scene.TryFindNearest(a, out int other, out DistanceResult result));
-                Assert.True(expected == (result.Distance, other), $"{scene.BroadPhase}, {scene.Bound}, object {a}: {result.Distance:R} to {other}, not {expected}");
-                DistanceResult cold = ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[other], world.Poses[other]);
+                Assert.True(
+                    expected == (result.Distance, other),
+                    $"{scene.BroadPhase}, {scene.Bound}, object {a}: {result.Distance:R} to {other}, not {expected}");
+                DistanceResult cold = ConvexQuery.Distance(
+                    world.Shapes[a], world.Poses[a], world.Shapes[other], world.Poses[other]);
                 Assert.Equal(ResultHash.Of(a, other, cold), ResultHash.Of(a, other, result));
                 if (result.Distance > 0) apart++;
             }
@@ -105,7 +114,7 @@ public class SceneEqualityTests
 
     private static IEnumerable<CollisionScene> Scenes(MovingWorld world) =>
         from bound in new[] { BoundKind.Box, BoundKind.Ball }
-        from kind in new[] { BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree }
+        from kind in Enum.GetValues<BroadPhaseKind>()
         select world.Scene(kind, bound);
 
     /// <summary>The same to all scenes: most objects move, some go, some come; every fourth frame is at rest.</summary>
@@ -132,7 +141,8 @@ public class SceneEqualityTests
         }
     }
 
-    private static void CheckAgainstColdQueries(MovingWorld world, CollisionScene scene, float distance, List<PairDistance> found, string message)
+    private static void CheckAgainstColdQueries(
+        MovingWorld world, CollisionScene scene, float distance, List<PairDistance> found, string message)
     {
         Dictionary<ObjectPair, DistanceResult> byPair = found.ToDictionary(p => p.Pair, p => p.Result);
         Assert.True(found.Select(p => p.Pair).SequenceEqual(byPair.Keys.Order()), message);
@@ -141,12 +151,22 @@ public class SceneEqualityTests
             for (int b = a + 1; b < world.Count; b++)
             {
                 if (!scene.Contains(a) || !scene.Contains(b)) continue;
-                DistanceResult cold = ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[b], world.Poses[b], distance);
+                DistanceResult cold = ConvexQuery.Distance(
+                    world.Shapes[a], world.Poses[a], world.Shapes[b], world.Poses[b], distance);
                 bool isThere = byPair.TryGetValue(new ObjectPair(a, b), out DistanceResult warm);
                 // The accuracy of a distance between curved shapes, which a limit may fall into.
                 bool clear = cold.Status != GjkStatus.BeyondMaxDistance || cold.LowerBound > distance + 1e-5f;
-                if (clear) Assert.True(isThere == (cold.Status != GjkStatus.BeyondMaxDistance), $"{message}: {a}, {b}, {cold.Status}");
-                if (isThere && clear) Assert.True(Math.Abs(warm.Distance - cold.Distance) <= 1e-5f, $"{message}: {a}, {b}, {warm.Distance:R}, cold {cold.Distance:R}");
+                if (clear)
+                {
+                    Assert.True(
+                        isThere == (cold.Status != GjkStatus.BeyondMaxDistance), $"{message}: {a}, {b}, {cold.Status}");
+                }
+                if (isThere && clear)
+                {
+                    Assert.True(
+                        Math.Abs(warm.Distance - cold.Distance) <= 1e-5f,
+                        $"{message}: {a}, {b}, {warm.Distance:R}, cold {cold.Distance:R}");
+                }
             }
         }
     }
@@ -156,6 +176,9 @@ public class SceneEqualityTests
         Assert.True(expected.Select(p => p.Pair).SequenceEqual(found.Select(p => p.Pair)), message);
         Assert.True(Hashes(expected).SequenceEqual(Hashes(found)), message);
     }
+
+    private static float DistanceOf(MovingWorld world, int a, int b) =>
+        ConvexQuery.Distance(world.Shapes[a], world.Poses[a], world.Shapes[b], world.Poses[b]).Distance;
 
     private static IEnumerable<string> Hashes(List<PairDistance> pairs) =>
         pairs.Select(p => ResultHash.Of(p.Pair.A, p.Pair.B, p.Result));

@@ -18,10 +18,16 @@ public class SceneRefusalTests
     {
         CollisionScene scene = CollisionSceneTests.Row(kind, bound, 0, 1, 2, 3);
         scene.Remove(2);
-        RigidPose[] noPoses = [default, NaNPose(new Quaternion(float.NaN, 0, 0, 1), default), NaNPose(Quaternion.Identity, new Vector3(0, float.NaN, 0)), NaNPose(Quaternion.Identity, new Vector3(float.PositiveInfinity))];
+        RigidPose[] noPoses =
+        [
+            default, NaNPose(new Quaternion(float.NaN, 0, 0, 1), default),
+            NaNPose(Quaternion.Identity, new Vector3(0, float.NaN, 0)),
+            NaNPose(Quaternion.Identity, new Vector3(float.PositiveInfinity)),
+        ];
         foreach (RigidPose pose in noPoses)
         {
-            Assert.Equal("pose", Assert.Throws<ArgumentException>(() => scene.Add(CollisionSceneTests.Ball, pose)).ParamName);
+            Assert.Equal(
+                "pose", Assert.Throws<ArgumentException>(() => scene.Add(CollisionSceneTests.Ball, pose)).ParamName);
             Assert.Equal("pose", Assert.Throws<ArgumentException>(() => scene.Move(0, pose)).ParamName);
         }
 
@@ -39,7 +45,11 @@ public class SceneRefusalTests
     {
         var workers = new Workers(2);
         workers.Dispose();
-        CollisionScene[] scenes = [.. Enumerable.Range(0, 2).Select(_ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box))];
+        CollisionScene[] scenes =
+        [
+            .. Enumerable.Range(0, 2).Select(
+                _ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box))
+        ];
         List<PairDistance> one = [], other = [];
         for (int frame = 0; frame < 4; frame++)
         {
@@ -58,8 +68,13 @@ public class SceneRefusalTests
     [Fact]
     public void UnknownKindsAreRefused()
     {
-        Assert.Equal("broadPhase", Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene((BroadPhaseKind)4)).ParamName);
-        Assert.Equal("bound", Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene(BroadPhaseKind.AllPairs, (BoundKind)2)).ParamName);
+        Assert.Equal(
+            "broadPhase",
+            Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene((BroadPhaseKind)4)).ParamName);
+        Assert.Equal(
+            "bound",
+            Assert.Throws<ArgumentOutOfRangeException>(
+                () => new CollisionScene(BroadPhaseKind.AllPairs, (BoundKind)2)).ParamName);
     }
 
     private static void RefusesIds(CollisionScene scene)
@@ -68,17 +83,27 @@ public class SceneRefusalTests
         {
             Action[] calls =
             [
-                () => scene.Move(id, RigidPose.Identity), () => scene.Remove(id), () => scene.GetPose(id), () => scene.GetShape(id), () => scene.TryFindNearest(id, out _, out _),
+                () => scene.Move(id, RigidPose.Identity), () => scene.Remove(id), () => scene.GetPose(id),
+                () => scene.GetShape(id), () => scene.TryFindNearest(id, out _, out _),
             ];
             foreach (Action call in calls)
             {
                 var e = Assert.Throws<ArgumentOutOfRangeException>(call);
-                Assert.True(e.ParamName == "id" && e.Message.StartsWith(id == 2 ? "The object with this id was removed." : "There was never an object with this id.", StringComparison.Ordinal), e.Message);
+                Assert.True(
+                    e.ParamName == "id"
+                        && e.Message.StartsWith(
+                            id == 2
+                                ? "The object with this id was removed."
+                                : "There was never an object with this id.",
+                            StringComparison.Ordinal),
+                    e.Message);
             }
 
             Assert.Equal("idA", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(id, 0)).ParamName);
             Assert.Equal("idB", Assert.Throws<ArgumentOutOfRangeException>(() => scene.Distance(0, id)).ParamName);
-            Assert.Contains("Pair 1, ", Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong([new(0, 1), new(0, id)], [])).Message);
+            Assert.Contains(
+                "Pair 1, ",
+                Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong([new(0, 1), new(0, id)], [])).Message);
             Assert.False(scene.Contains(id));
         }
 
@@ -90,22 +115,34 @@ public class SceneRefusalTests
         List<ObjectPair> pairs = [new(0, 1)];
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindOverlaps(null!)).ParamName);
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindPairsWithin(0, null!)).ParamName);
-        Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindOverlapsAmong(pairs, null!)).ParamName);
-        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.FindOverlapsAmong(null!, pairs)).ParamName);
-        Assert.Equal("candidates", Assert.Throws<ArgumentNullException>(() => scene.CollectCandidates(null!)).ParamName);
-        Assert.Equal("results", Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong(pairs, pairs)).ParamName);
+        Assert.Equal(
+            "results", Assert.Throws<ArgumentNullException>(() => scene.FindOverlapsAmong(pairs, null!)).ParamName);
+        Assert.Equal(
+            "candidates", Assert.Throws<ArgumentNullException>(() => scene.FindOverlapsAmong(null!, pairs)).ParamName);
+        Assert.Equal(
+            "candidates", Assert.Throws<ArgumentNullException>(() => scene.CollectCandidates(null!)).ParamName);
+        Assert.Equal(
+            "results", Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong(pairs, pairs)).ParamName);
         var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
         foreach (float distance in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
         {
-            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindPairsWithin(distance, [])).ParamName);
-            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindPairsWithin(distance, ref visitor)).ParamName);
-            Assert.Equal("distance", Assert.Throws<ArgumentOutOfRangeException>(() => scene.CollectCandidates(pairs, distance)).ParamName);
+            Assert.Equal(
+                "distance",
+                Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindPairsWithin(distance, [])).ParamName);
+            Assert.Equal(
+                "distance",
+                Assert.Throws<ArgumentOutOfRangeException>(
+                    () => scene.FindPairsWithin(distance, ref visitor)).ParamName);
+            Assert.Equal(
+                "distance",
+                Assert.Throws<ArgumentOutOfRangeException>(() => scene.CollectCandidates(pairs, distance)).ParamName);
         }
 
         Assert.Equal([new(0, 1)], pairs);
     }
 
-    private static IEnumerable<string> Hashes(List<PairDistance> pairs) => pairs.Select(p => ResultHash.Of(p.Pair.A, p.Pair.B, p.Result));
+    private static IEnumerable<string> Hashes(List<PairDistance> pairs) =>
+        pairs.Select(p => ResultHash.Of(p.Pair.A, p.Pair.B, p.Result));
 
     /// <summary>What no constructor makes, but a copy of raw memory may.</summary>
     private static RigidPose NaNPose(Quaternion rotation, Vector3 position)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 
@@ -39,8 +40,8 @@ public class WorldAllocationTests
         }
 
         /// <summary>
-        /// What two runs, there and back, allocate in all threads, the measure's own included. The runtime and the test host allocate now and then too, hence many short tries; what the
-        /// work allocates, it allocates in every one.
+        /// What two runs, there and back, allocate in all threads, the measure's own included. The runtime and the test
+        /// host allocate now and then too, hence many short tries; what the work allocates, it allocates in every one.
         /// </summary>
         private static long Least(Action work)
         {
@@ -61,7 +62,8 @@ public class WorldAllocationTests
     {
         var world = new MovingWorld(21, Objects, ["box", "hull", "sphere", "cylinder"]);
         var there = new RigidPose[Objects];
-        for (int i = 0; i < Objects; i++) there[i] = new RigidPose(world.Rng.Rotation(), world.Poses[i].Position + world.Rng.Vector(-0.1, 0.1));
+        for (int i = 0; i < Objects; i++)
+            there[i] = new RigidPose(world.Rng.Rotation(), world.Poses[i].Position + world.Rng.Vector(-0.1, 0.1));
         RigidPose[] here = [.. world.Poses];
         CollisionScene scene = world.Scene(kind, bound);
         List<ObjectPair> overlaps = [], candidates = [];
@@ -70,7 +72,8 @@ public class WorldAllocationTests
         var distances = new DistanceResult[1000];
         ConvexShape[] shapes = [.. world.Shapes];
         var pairs = new ObjectPair[1000];
-        for (int i = 0; i < pairs.Length; i++) pairs[i] = new ObjectPair(world.Rng.Below(Objects), world.Rng.Below(Objects));
+        for (int i = 0; i < pairs.Length; i++)
+            pairs[i] = new ObjectPair(world.Rng.Below(Objects), world.Rng.Below(Objects));
         bool back = false;
         return () =>
         {

@@ -27,15 +27,20 @@ public class WorldBoundsTests
             {
                 for (int axis = 0; axis < 3; axis++)
                 {
-                    double at = Vector3D.Dot(pose.Position, Axes[axis]), high = at + body.Height(Axes[axis]), low = at - body.Height(-Axes[axis]);
-                    Assert.True(Component(box.Min, axis) <= low && high <= Component(box.Max, axis), $"seed {seed}, axis {axis}: {shape} at {TestShape.T(pose)}, {low:R} to {high:R}");
+                    double at = Vector3D.Dot(pose.Position, Axes[axis]), high = at + body.Height(Axes[axis]);
+                    double low = at - body.Height(-Axes[axis]);
+                    Assert.True(
+                        Component(box.Min, axis) <= low && high <= Component(box.Max, axis),
+                        $"seed {seed}, axis {axis}: {shape} at {TestShape.T(pose)}, {low:R} to {high:R}");
                 }
             }
 
             Vector3D n = rng.Direction();
             n *= 1 / n.Length;
             Vector3D centre = bounds.CenterAt(pose);
-            Assert.True(body.Height(n) - Vector3D.Dot(centre - pose.Position, n) <= bounds.Radius + 1e-13 * (spread + 1), $"seed {seed}: {shape} at {TestShape.T(pose)}, ball");
+            Assert.True(
+                body.Height(n) - Vector3D.Dot(centre - pose.Position, n) <= bounds.Radius + 1e-13 * (spread + 1),
+                $"seed {seed}: {shape} at {TestShape.T(pose)}, ball");
         }
     }
 
@@ -55,7 +60,10 @@ public class WorldBoundsTests
             for (int axis = 0; axis < 3; axis++)
             {
                 double at = Vector3D.Dot(pose.Position, Axes[axis]);
-                Assert.True(Component(box.Min, axis) <= at - body.Height(-Axes[axis]) && at + body.Height(Axes[axis]) <= Component(box.Max, axis), $"seed {seed}");
+                Assert.True(
+                    Component(box.Min, axis) <= at - body.Height(-Axes[axis])
+                        && at + body.Height(Axes[axis]) <= Component(box.Max, axis),
+                    $"seed {seed}");
             }
         }
     }
@@ -78,13 +86,16 @@ public class WorldBoundsTests
     {
         var bounds = new WorldBounds(ConvexShape.Box(new Vector3(1, 2, 3)));
         var rng = new Rng(3);
-        Assert.Equal(bounds.BallBoxAt(new RigidPose(rng.Rotation(), Vector3.One)), bounds.BallBoxAt(new RigidPose(rng.Rotation(), Vector3.One)));
+        Assert.Equal(
+            bounds.BallBoxAt(new RigidPose(rng.Rotation(), Vector3.One)),
+            bounds.BallBoxAt(new RigidPose(rng.Rotation(), Vector3.One)));
     }
 
     [Fact]
     public void PositionsAtTheEndOfTheRangeGiveFiniteBoxes()
     {
-        Aabb box = new WorldBounds(ConvexShape.Sphere(1e38f)).BoxAt(new RigidPose(new Vector3(float.MaxValue, -float.MaxValue, 0)));
+        Aabb box = new WorldBounds(ConvexShape.Sphere(1e38f)).BoxAt(
+            new RigidPose(new Vector3(float.MaxValue, -float.MaxValue, 0)));
         Assert.Equal(float.MaxValue, box.Max.X);
         Assert.Equal(-float.MaxValue, box.Min.Y);
     }
@@ -95,5 +106,6 @@ public class WorldBoundsTests
 
     private static float Component(Vector3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 
-    private static void Near(Vector3D expected, Vector3 actual) => Assert.True((expected - actual).Length < 1e-5, $"{expected} is not {actual}");
+    private static void Near(Vector3D expected, Vector3 actual) =>
+        Assert.True((expected - actual).Length < 1e-5, $"{expected} is not {actual}");
 }

@@ -3,8 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Meshes;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;

@@ -5,7 +5,6 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
 using Xunit;
 

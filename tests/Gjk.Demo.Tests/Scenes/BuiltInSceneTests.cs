@@ -1,7 +1,6 @@
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;

@@ -77,6 +77,9 @@ internal sealed class HullCells
     /// <summary>What a direction is stretched by, along each axis: half the hull's extents.</summary>
     public readonly Vector3D Stretch;
 
+    /// <summary>The corners that the lists are of.</summary>
+    public readonly HullVertices Vertices;
+
     /// <summary>Prepares directions.</summary>
     public readonly HullDirection Direction;
 
@@ -119,6 +122,7 @@ internal sealed class HullCells
 
     public HullCells(HullVertices hull)
     {
+        Vertices = hull;
         Direction = new HullDirection(hull);
         Stretch = Direction.Stretch;
         var lists = new HullCellLists(hull, Direction.Stretch);

@@ -1,7 +1,6 @@
 using System;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Fuzz.Meshes;
 using static Gjk.Demo.Fuzz.IntegerRotation;
 
 namespace Gjk.Demo.Fuzz.Families;

@@ -1,6 +1,5 @@
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Fuzz.Meshes;
 
 namespace Gjk.Demo.Fuzz.Families;
 

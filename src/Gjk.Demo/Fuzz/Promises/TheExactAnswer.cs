@@ -1,6 +1,5 @@
 using System;
 using Gjk.Core;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Demo.Fuzz.Promises;
 

@@ -8,7 +8,6 @@ using System.Numerics;
 using System.Text;
 using System.Threading;
 using Gjk.Core;
-using Gjk.Demo.Queries;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;

@@ -1,0 +1,144 @@
+using System;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The vertex of a hull that is furthest in a direction: the lowest id among those whose dot product, in double, is
+/// largest.
+/// </summary>
+/// <remarks>
+/// <see cref="Scan"/> is the definition. It counts coordinates from the hull's origin (<see cref="HullOrigin"/>) and
+/// prepares the direction first (<see cref="HullDirection"/>). <see cref="Find"/> gets the same vertex by the signs of
+/// the direction for a box, from the direction's cell for a large hull (<see cref="HullCells"/>), and by a scan for a
+/// small one.
+/// </remarks>
+internal static class HullSupport
+{
+    /// <summary>The furthest vertex of a hull.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Find(HullCells cells, in Vector3D direction, out Vector3D point)
+    {
+        double dx = direction.X, dy = direction.Y, dz = direction.Z;
+        if (cells.Kind == HullCells.LookupKind.Box)
+        {
+            double x = Math.Abs(dx), y = Math.Abs(dy), z = Math.Abs(dz), tie = (x + y + z) * cells.BoxTie;
+            int corner = x > tie && y > tie && z > tie
+                ? cells.BoxSlots[Signs(dx, dy, dz)]
+                : FindRarely(cells, dx, dy, dz);
+            return HullBlocks.Read(cells.Points, corner, out point);
+        }
+
+        if (cells.Kind == HullCells.LookupKind.Scan)
+        {
+            int id = HullDirection.IsSafe(Math.Abs(dx) + Math.Abs(dy) + Math.Abs(dz))
+                ? HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, direction)
+                : FindRarely(cells, dx, dy, dz);
+            return HullBlocks.Read(cells.Points, id, out point);
+        }
+
+        int cell = cells.Kind == HullCells.LookupKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
+        int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
+        int slot = end > start
+            ? HullBlocks.Best(cells.Coordinates, start, end, direction)
+            : FindRarely(cells, dx, dy, dz);
+        return cells.Ids[HullBlocks.Read(cells.Points, slot, out point)];
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Signs(double x, double y, double z) =>
+        BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
+
+    /// <summary>The definition that every faster way must agree with.</summary>
+    public static int Scan(HullCells cells, in Vector3D direction)
+    {
+        Vector3D d = direction;
+        if (!cells.Direction.TryPrepare(ref d)) return 0;
+        HullVertices hull = cells.Vertices;
+        float[] xs = hull.X, ys = hull.Y, zs = hull.Z;
+        int best = 0;
+        double bestDot = double.NegativeInfinity;
+        for (int i = 0; i < hull.Count; i++)
+        {
+            double dot = d.X * xs[i] + d.Y * ys[i] + d.Z * zs[i];
+            if (dot > bestDot)
+            {
+                bestDot = dot;
+                best = i;
+            }
+        }
+
+        return best;
+    }
+
+    /// <summary>
+    /// The slot of the furthest vertex where <see cref="Find"/> has no short cut: flat hulls, cells without a list,
+    /// ties of box corners, directions of extreme length.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static int FindRarely(HullCells cells, double dx, double dy, double dz)
+    {
+        var d = new Vector3D(dx, dy, dz);
+        if (!cells.Direction.TryPrepare(ref d)) return cells.FirstSlot;
+        if (cells.Side == 0) return HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, d);
+        int cell = cells.Direction.IsPlanar ? SquareCell(cells, d) : CubeCell(cells, d.X, d.Y, d.Z);
+        int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
+        return end > start ? HullBlocks.Best(cells.Coordinates, start, end, d) : cells.Tree!.Find(cells, d, start);
+    }
+
+    /// <summary>
+    /// The cube's face by the largest stretched component, then the cell by the other two over it. A direction of
+    /// extreme length has the cell after the last, which is empty.
+    /// </summary>
+    private static int CubeCell(HullCells cells, double dx, double dy, double dz)
+    {
+        double x = dx * cells.Stretch.X, y = dy * cells.Stretch.Y, z = dz * cells.Stretch.Z;
+        double ax = Math.Abs(x), ay = Math.Abs(y), az = Math.Abs(z);
+        if (!HullDirection.IsSafe(Math.Abs(dx) + Math.Abs(dy) + Math.Abs(dz))) return cells.NoCell;
+        int face;
+        double u, v, w;
+        if (ax >= ay && ax >= az)
+        {
+            (u, v, w) = (y, z, ax);
+            face = x < 0 ? 1 : 0;
+        }
+        else if (ay >= az)
+        {
+            (u, v, w) = (x, z, ay);
+            face = y < 0 ? 3 : 2;
+        }
+        else
+        {
+            (u, v, w) = (x, y, az);
+            face = z < 0 ? 5 : 4;
+        }
+
+        int side = cells.Side;
+        double middle = cells.HalfSide, scale = middle / w;
+        return (face * side + Index(v * scale + middle, side)) * side + Index(u * scale + middle, side);
+    }
+
+    /// <summary>The same on the sides of a square, for a flat hull, with the two components that matter.</summary>
+    private static int SquareCell(HullCells cells, in Vector3D direction)
+    {
+        Vector3D stretch = cells.Direction.Stretch, s = Vector3D.Multiply(direction, stretch);
+        double a = stretch.X > 0 ? s.X : s.Y, b = stretch.Z > 0 ? s.Z : s.Y;
+        bool isA = Math.Abs(a) >= Math.Abs(b);
+        double u = isA ? b : a, w = isA ? a : b;
+        int face = (isA ? 0 : 2) + (w < 0 ? 1 : 0), side = cells.Side;
+        return face * side + Index(u * (cells.HalfSide / Math.Abs(w)) + cells.HalfSide, side);
+    }
+
+    /// <summary>The integer part of a position from 0 to side, held below side.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Index(double position, int side)
+    {
+#if NET9_0_OR_GREATER
+        // A cast would also care for positions that are no int.
+        int index = double.ConvertToIntegerNative<int>(position);
+#else
+        int index = (int)position;
+#endif
+        return index < side ? index : side - 1;
+    }
+}

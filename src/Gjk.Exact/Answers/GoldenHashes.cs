@@ -1,0 +1,24 @@
+using System;
+using System.Collections.Generic;
+
+namespace Gjk.Exact.Answers;
+
+/// <summary>The hashes of cold results, per target framework of the library (contract 7).</summary>
+public static class GoldenHashes
+{
+    /// <summary>
+    /// One table serves all: no build contracts or reorders the arithmetic, so all targets give the same bits on x64.
+    /// </summary>
+    private static readonly Dictionary<string, string> Golden = new()
+    {
+        ["cases"] = "13a70c3db2e84ab4",
+        ["allCases"] = "4cd2ad573f4638ef",
+        ["random"] = "bba608ef5fee06a0",
+    };
+
+    public static IReadOnlyDictionary<string, string> Of(string targetFramework) => targetFramework switch
+    {
+        ".NETCoreApp,Version=v10.0" or ".NETStandard,Version=v2.0" or ".NETStandard,Version=v2.1" => Golden,
+        _ => throw new ArgumentException($"No golden hashes for {targetFramework}.", nameof(targetFramework)),
+    };
+}

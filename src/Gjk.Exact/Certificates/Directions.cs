@@ -1,0 +1,39 @@
+using System.Collections.Generic;
+using Gjk.Core;
+using Gjk.Exact.Randomness;
+
+namespace Gjk.Exact.Certificates;
+
+/// <summary>Unit directions to look at a shape from.</summary>
+public static class Directions
+{
+    /// <summary>Across the faces, edges and corners of a cube.</summary>
+    public static readonly Vector3D[] Few = Lattice(1);
+
+    /// <summary>Those and finer ones, and some that are on no lattice.</summary>
+    public static readonly Vector3D[] Many = [.. Lattice(2), .. Scattered(60)];
+
+    private static Vector3D[] Lattice(int reach)
+    {
+        var found = new List<Vector3D>();
+        for (int x = -reach; x <= reach; x++)
+        {
+            for (int y = -reach; y <= reach; y++)
+            {
+                for (int z = -reach; z <= reach; z++)
+                {
+                    var v = new Vector3D(x, y, z);
+                    if (v.LengthSquared > 0) found.Add(v * (1 / v.Length));
+                }
+            }
+        }
+
+        return [.. found];
+    }
+
+    private static IEnumerable<Vector3D> Scattered(int count)
+    {
+        var random = new FuzzRandom(1);
+        for (int i = 0; i < count; i++) yield return random.Direction();
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core;
+using Gjk.Exact.Randomness;
+
+namespace Gjk.Exact.Meshes;
+
+/// <summary>A cloud with more points than it needs, or with each of them a little off.</summary>
+public static class Copies
+{
+    /// <summary>Each point several times more, every copy's coordinates up to one float away.</summary>
+    public static Vector3[] OneFloatApart(FuzzRandom random, Vector3[] cloud, int times)
+    {
+        var copies = new List<Vector3>(cloud);
+        for (int i = 0; i < times; i++)
+            copies.AddRange(
+                cloud.Select(p => new Vector3(Beside(random, p.X), Beside(random, p.Y), Beside(random, p.Z))));
+        return [.. copies];
+    }
+
+    /// <summary>Each point once for every triangle that meets there: from two to six times, in no order.</summary>
+    public static Vector3[] Unwelded(FuzzRandom random, Vector3[] cloud)
+    {
+        Vector3[] copies = [.. cloud.SelectMany(p => Enumerable.Repeat(p, 2 + random.Below(5)))];
+        for (int i = copies.Length - 1; i > 0; i--)
+        {
+            int k = random.Below(i + 1);
+            (copies[i], copies[k]) = (copies[k], copies[i]);
+        }
+
+        return copies;
+    }
+
+    /// <summary>Without repeats, to the last bit.</summary>
+    public static Vector3[] Welded(Vector3[] cloud) => [.. cloud.Distinct()];
+
+    /// <summary>Measured, with an error of a given size.</summary>
+    public static Vector3[] Scanned(FuzzRandom random, Vector3[] cloud, double noise) =>
+        Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p + Error(random, noise)));
+
+    private static Vector3D Error(FuzzRandom random, double noise) =>
+        new(random.Range(-noise, noise), random.Range(-noise, noise), random.Range(-noise, noise));
+
+    private static float Beside(FuzzRandom random, float x) =>
+        random.Below(3) switch { 0 => x, 1 => MathF.BitIncrement(x), _ => MathF.BitDecrement(x) };
+}

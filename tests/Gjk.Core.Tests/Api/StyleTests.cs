@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Api;
+
+/// <summary>
+/// What the format check cannot hold: lines of at most 120 columns (.editorconfig only tells editors), files of at most
+/// 300 lines, functions of at most 60.
+/// </summary>
+public class StyleTests
+{
+    private const int LineColumns = 120, FileLines = 300, FunctionLines = 60;
+
+    private static readonly string[] Roots = ["src", "tests", "bench", "unity"];
+
+    [Fact]
+    public void LinesFilesAndFunctionsAreShort()
+    {
+        var faults = new List<string>();
+        int files = 0;
+        foreach (string file in Sources())
+        {
+            files++;
+            string[] lines = File.ReadAllLines(file);
+            string name = Path.GetRelativePath(ProjectFolder.Root, file);
+            if (lines.Length > FileLines) faults.Add($"{name} has {lines.Length} lines");
+            for (int i = 0; i < lines.Length; i++)
+            {
+                if (lines[i].Length > LineColumns) faults.Add($"{name}:{i + 1} has {lines[i].Length} columns");
+            }
+
+            faults.AddRange(LongFunctions(lines).Select(f => $"{name}:{f.Line} is a function of {f.Length} lines"));
+        }
+
+        Assert.True(files > 300, $"only {files} sources were found");
+        Assert.Empty(faults);
+    }
+
+    /// <summary>Tables and links cannot be broken.</summary>
+    [Theory]
+    [InlineData("README.md")]
+    [InlineData("CHANGELOG.md")]
+    public void TextIsWrapped(string file)
+    {
+        string[] lines = File.ReadAllLines(Path.Combine(ProjectFolder.Root, file));
+        Assert.DoesNotContain(lines, l => l.Length > LineColumns && !l.StartsWith('|') && !l.Contains("]("));
+    }
+
+    private static IEnumerable<string> Sources() =>
+        Roots.Select(r => Path.Combine(ProjectFolder.Root, r)).Where(Directory.Exists)
+            .SelectMany(r => Directory.EnumerateFiles(r, "*.cs", SearchOption.AllDirectories))
+            .Where(f => !Regex.IsMatch(f, @"[\\/](bin|obj|node_modules)[\\/]"));
+
+    /// <summary>
+    /// A function's body begins with a brace of its own in the column of a type's members, behind a line that ends its
+    /// signature, and ends with the brace of the same column.
+    /// </summary>
+    private static IEnumerable<(int Line, int Length)> LongFunctions(string[] lines)
+    {
+        for (int i = 1; i < lines.Length; i++)
+        {
+            if (lines[i] != "    {" || !IsSignature(lines[i - 1])) continue;
+            int end = Array.IndexOf(lines, "    }", i);
+            if (end - i - 1 > FunctionLines) yield return (i, end - i - 1);
+        }
+    }
+
+    private static bool IsSignature(string line) =>
+        Regex.IsMatch(line, @"\)$|^\s+where ") && !Regex.IsMatch(line, @"\b(class|struct|record)\b| = ");
+}

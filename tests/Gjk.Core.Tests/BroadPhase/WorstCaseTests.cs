@@ -1,0 +1,118 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.BroadPhase;
+
+/// <summary>
+/// What boxes of any arrangement cost, counted in nodes, kept pairs, comparisons and exchanges, so that no clock is
+/// needed. The pairs are those of <see cref="AllPairs"/>.
+/// </summary>
+public class WorstCaseTests
+{
+    /// <summary>Objects: a quadratic cost is 600 times n log n then.</summary>
+    private const int Many = 8000;
+
+    /// <summary>Objects, where every two are a pair.</summary>
+    private const int Few = 500;
+    private const int Frames = 40;
+
+    public static TheoryData<string> Kinds => [.. WorstBoxes.Sparse, .. WorstBoxes.Dense];
+
+    /// <summary>
+    /// Nodes for each n log n and each true pair: twice the most that was measured, 10 for rods in three directions,
+    /// which grow with n^1.5; cubes need 1.5.
+    /// </summary>
+    private const double MostVisits = 20;
+
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void TheTreeStaysNearNLogN(string kind)
+    {
+        var boxes = new WorstBoxes(kind, CountOf(kind));
+        var phase = new DynamicAabbTree();
+        boxes.AddTo(phase);
+        List<ObjectPair> pairs = [];
+        for (int frame = 0; frame <= Frames; frame++)
+        {
+            long before = phase.Leaves.Tree.Visits;
+            phase.CollectPairs(0, pairs);
+            string message = $"{kind}, frame {frame}, {pairs.Count} pairs";
+            double visits = (phase.Leaves.Tree.Visits - before) / (NLogN(boxes.Count) + pairs.Count);
+            Assert.True(visits <= MostVisits, $"{message}: {visits:0.0} visits");
+            int kept = phase.Pairs.Count, depth = phase.Leaves.Tree.Depth();
+            Assert.True(kept <= PairBudget.Of(boxes.Count, pairs.Count), $"{message}: {kept} kept");
+            Assert.True(depth <= AabbTree.MaxDepth, $"{message}: depth {depth}");
+            boxes.Step(frame);
+            boxes.MoveIn(phase);
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void SweepsStayWithinTheirMethod(string kind)
+    {
+        // No axis tells these apart; then the method compares all pairs, three times as it tries each axis first.
+        bool isQuadratic = kind is "rods in three directions" or "plates and rods";
+        var boxes = new WorstBoxes(kind, CountOf(kind));
+        var sweep = new SortAndSweep();
+        var prune = new SweepAndPrune();
+        boxes.AddTo(sweep);
+        boxes.AddTo(prune);
+        List<ObjectPair> pairs = [];
+        long total = 0;
+        double n = boxes.Count, usual = isQuadratic ? 2 * n * n : 5 * Math.Pow(n, 5 / 3.0);
+        for (int frame = 0; frame <= Frames; frame++)
+        {
+            long before = sweep.Comparisons;
+            sweep.CollectPairs(0, pairs);
+            long comparisons = sweep.Comparisons - before;
+            Assert.True(comparisons <= usual + 4.0 * pairs.Count, $"{kind}, frame {frame}: {comparisons} comparisons");
+            before = prune.Comparisons;
+            prune.CollectPairs(0, pairs);
+            total += prune.Comparisons - before;
+            boxes.Step(frame);
+            boxes.MoveIn(sweep);
+            boxes.MoveIn(prune);
+        }
+
+        // A failed try costs 512 exchanges per object, and is followed by ever more frames without one.
+        double exchanges = prune.Exchanges / n / Frames;
+        Assert.True(exchanges <= 150, $"{kind}: {exchanges:0.0} exchanges per object and frame");
+        Assert.True(total <= (Frames + 1) * (usual + 4.0 * pairs.Count), $"{kind}: {total} comparisons");
+    }
+
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void PairsAreThoseOfAllPairs(string kind)
+    {
+        var boxes = new WorstBoxes(kind, Few, 7);
+        var all = new AllPairs();
+        IBroadPhase[] phases = [all, new SortAndSweep(), new SweepAndPrune(), new DynamicAabbTree()];
+        foreach (IBroadPhase phase in phases) boxes.AddTo(phase);
+        List<ObjectPair> expected = [], found = [];
+        List<int> expectedIds = [], foundIds = [];
+        for (int frame = 0; frame < Budget.Count(100); frame++)
+        {
+            float margin = frame % 5 == 4 ? frame % 3 : 0;
+            all.CollectPairs(margin, expected);
+            all.CollectInBox(boxes.Box(frame % Few), expectedIds);
+            foreach (IBroadPhase phase in phases)
+            {
+                phase.CollectPairs(margin, found);
+                string message = $"{kind}, frame {frame}, {phase.GetType().Name}";
+                Assert.True(expected.SequenceEqual(found), message);
+                phase.CollectInBox(boxes.Box(frame % Few), foundIds);
+                Assert.True(expectedIds.SequenceEqual(foundIds), message + ", in a box");
+            }
+
+            boxes.Step(frame);
+            foreach (IBroadPhase phase in phases) boxes.MoveIn(phase);
+        }
+    }
+
+    private static int CountOf(string kind) => WorstBoxes.Dense.Contains(kind) ? Few : Many;
+
+    private static double NLogN(int n) => n * Math.Log2(n);
+}

@@ -1,0 +1,59 @@
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Minkowski;
+
+/// <summary>Supports of the difference of two clouds, against all its vertices in integers.</summary>
+public class MinkowskiDifferenceTests
+{
+    /// <summary>Ratio to the size of the pair: roundings to double (2^-53 each).</summary>
+    private const double Rounding = 64.0 / (1L << 53);
+
+    [Fact]
+    public void TheSupportIsTheVertexNearestTheOriginAlongTheNormal()
+    {
+        for (ulong seed = 0; seed < (ulong)Budget.Count(100); seed++)
+        {
+            var rng = new Rng(seed);
+            TestShape a = TestShape.Mesh(Generators.Cloud(rng, 10, Vector3.One));
+            TestShape b = TestShape.Mesh(Generators.Cloud(rng, 10, Vector3.One));
+            RigidPose poseB = Generators.Pose(rng, rng.Vector(-3, 3));
+            var problem = new ExactProblem(a.Vertices!, 0, RigidPose.Identity, b.Vertices!, 0, poseB);
+            ConvexShape shapeA = a.Shape, shapeB = b.Shape;
+            PairFrame.Compose(ref shapeA, RigidPose.Identity, ref shapeB, poseB, out PairFrame frame);
+            foreach (Vector3D normal in Directions.Few)
+            {
+                MinkowskiDifference.Support(
+                    ref shapeA, ref shapeB, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
+                    out Vector3D w);
+                Assert.True(shapeA.TryGetVertex(idA, out Vector3D vertexA) && vertexA == onA);
+                Assert.True(shapeB.TryGetVertex(idB, out Vector3D vertexB) && vertexB == onB);
+                Assert.Equal(w, MinkowskiDifference.VertexOf(frame, onA, onB));
+                Assert.Equal(Lowest(problem, a, b, normal), Vector3D.Dot(normal, w), 10 * Rounding);
+            }
+        }
+    }
+
+    /// <summary>The least height of all differences of two points.</summary>
+    private static double Lowest(ExactProblem problem, TestShape a, TestShape b, in Vector3D normal)
+    {
+        double lowest = double.PositiveInfinity;
+        for (int i = 0; i < a.Vertices!.Length; i++)
+        {
+            for (int j = 0; j < b.Vertices!.Length; j++)
+            {
+                Int3 v = problem.Vertex(i, j);
+                Fraction height = (Fraction)normal.X * Whole(v.X) + (Fraction)normal.Y * Whole(v.Y)
+                    + (Fraction)normal.Z * Whole(v.Z);
+                Fraction scaled = height / Whole(problem.Denominator);
+                int shift = 128;
+                var quotient = (scaled.Numerator << shift) / scaled.Denominator;
+                lowest = System.Math.Min(lowest, Dyadic.ToDouble(quotient, problem.Exponent - shift));
+            }
+        }
+
+        return lowest;
+    }
+
+    private static Fraction Whole(BigInteger n) => new(n, 1);
+}
