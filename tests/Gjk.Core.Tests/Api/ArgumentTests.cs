@@ -54,7 +54,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void Aabb()
+    public void ABoxOfBoundsIsChecked()
     {
         Refused(NotFinite, "min", FiniteVector, v => new Aabb(v, V));
         Refused(NotFinite, "max", FiniteVector, v => new Aabb(-V, v));
@@ -65,7 +65,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void Segments()
+    public void SegmentsAreChecked()
     {
         Refused(NotFinite, "a", FiniteVector, v => new SegmentShape(v, V));
         Refused(NotFinite, "b", FiniteVector, v => new SegmentShape(V, v));
@@ -74,7 +74,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void Triangles()
+    public void TrianglesAreChecked()
     {
         Refused(NotFinite, "a", FiniteVector, v => new TriangleShape(v, V, V));
         Refused(NotFinite, "b", FiniteVector, v => new TriangleShape(V, v, V));
@@ -85,7 +85,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void RoundShapes()
+    public void RoundShapesAreChecked()
     {
         Refused(NotASize, "radius", Size, x => new SphereShape(x));
         Refused(NotASize, "radius", Size, x => ConvexShape.Sphere(x));
@@ -105,7 +105,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void BoxesAndEllipsoids()
+    public void BoxesAndEllipsoidsAreChecked()
     {
         Refused(NotSizes, "halfExtents", SizeVector, v => new BoxShape(v));
         Refused(NotSizes, "halfExtents", SizeVector, v => ConvexShape.Box(v));
@@ -114,7 +114,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void Scales()
+    public void ScalesAreChecked()
     {
         Refused(NotAScale, "scale", ScaleVector, v => new Scaled<PointShape>(default, v));
         Refused([0f, float.NaN, float.PositiveInfinity], "scale", ScaleVector, x => new Scaled<PointShape>(default, x));
@@ -146,7 +146,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void RadiiOfRoundedShapes()
+    public void RadiiOfRoundedShapesAreChecked()
     {
         foreach (float radius in new[] { -1, float.NaN, float.PositiveInfinity })
         {
@@ -160,7 +160,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void PosesOfPlacedShapes()
+    public void PosesOfPlacedShapesAreChecked()
     {
         Assert.Equal(
             "pose", Assert.Throws<ArgumentOutOfRangeException>(() => ConvexShape.Box(V).Placed(default)).ParamName);
@@ -170,7 +170,7 @@ public class ArgumentTests
     }
 
     [Fact]
-    public void Meshes()
+    public void MeshesAreChecked()
     {
         Assert.Equal("hull", Assert.Throws<ArgumentNullException>(() => new ConvexMesh((ConvexHull)null!)).ParamName);
         Assert.Equal("hull", Assert.Throws<ArgumentNullException>(() => ConvexShape.Mesh((ConvexHull)null!)).ParamName);

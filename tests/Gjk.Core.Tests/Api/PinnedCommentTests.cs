@@ -9,8 +9,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Api;
 
 /// <summary>
-/// Comments of the library say "Pinned by" and name the tests that hold a constant where it is: as SomeTests, as
-/// SomeTests.SomeMethod, or as SomeMethod in SomeTests and OtherTests. The tests must exist.
+/// Comments of the library and of the oracle say "Pinned by" and name the tests that hold a constant where it is: as
+/// SomeTests, as SomeTests.SomeMethod, or as SomeMethod in SomeTests and OtherTests. The tests must exist.
 /// </summary>
 public partial class PinnedCommentTests
 {
@@ -23,15 +23,16 @@ public partial class PinnedCommentTests
         Dictionary<string, Type> classes = TestClasses();
         var faults = new List<string>();
         int found = 0;
-        string library = Path.Combine(ProjectFolder.Root, "src", "Gjk.Core");
-        foreach (string file in Sources(library))
+        string sources = Path.Combine(ProjectFolder.Root, "src");
+        string[] libraries = [Path.Combine(sources, "Gjk.Core"), Path.Combine(sources, "Gjk.Exact")];
+        foreach (string file in libraries.SelectMany(Sources))
         {
             foreach (Match pin in Pin().Matches(Comments(File.ReadAllText(file))))
             {
                 found++;
                 string said = pin.Groups["names"].Value;
                 if (Fault(said, classes) is { } fault)
-                    faults.Add($"{Path.GetRelativePath(library, file)}: '{said}': {fault}");
+                    faults.Add($"{Path.GetRelativePath(sources, file)}: '{said}': {fault}");
             }
         }
 

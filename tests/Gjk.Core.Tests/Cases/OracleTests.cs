@@ -80,7 +80,7 @@ public class OracleTests
     }
 
     [Fact]
-    public void ClosedForms()
+    public void TheOracleAgreesWithClosedForms()
     {
         static RigidPose At(float x, float y, float z) => new(new Vector3(x, y, z));
         Assert.Equal(

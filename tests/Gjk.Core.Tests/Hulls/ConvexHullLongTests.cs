@@ -38,7 +38,7 @@ public class ConvexHullLongTests
     [InlineData("grid", 1000000)]
     [InlineData("tilted", 1000000)]
     [InlineData("line", 1000000)]
-    public void LargeClouds(string family, int count)
+    public void LargeCloudsAreHulled(string family, int count)
     {
         if (IsShortRun) return;
         const int Seed = 5;
@@ -59,7 +59,7 @@ public class ConvexHullLongTests
     }
 
     [Fact]
-    public void ManySmallClouds()
+    public void ManySmallCloudsAreHulled()
     {
         if (IsShortRun) return;
         for (int seed = 0; seed < 100000; seed++)
@@ -71,7 +71,7 @@ public class ConvexHullLongTests
 
     [Theory]
     [MemberData(nameof(ConvexHullSupportTests.Families), MemberType = typeof(ConvexHullSupportTests))]
-    public void AMillionDirections(string family)
+    public void AMillionDirectionsGetTheirSupport(string family)
     {
         if (IsShortRun) return;
         Vector3[] cloud = ConvexHullSupportTests.Cloud(family);

@@ -85,7 +85,7 @@ public class ConvexHullSupportTests
     }
 
     [Fact]
-    public void SameCloudSameTriangles()
+    public void TheSameCloudGivesTheSameTriangles()
     {
         Vector3[] cloud = Cloud("integers");
         ConvexHull first = new(cloud), second = new(cloud);

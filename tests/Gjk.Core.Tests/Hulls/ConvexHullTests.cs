@@ -8,7 +8,7 @@ namespace Gjk.Core.Tests;
 public class ConvexHullTests
 {
     [Fact]
-    public void OnePoint()
+    public void OnePointIsAHull()
     {
         Vector3[] cloud = [new Vector3(1, -2, 3), new Vector3(1, -2, 3)];
         var hull = new ConvexHull(cloud);
@@ -90,7 +90,7 @@ public class ConvexHullTests
     }
 
     [Fact]
-    public void FlatCloudsInAnyPlane()
+    public void FlatCloudsInAnyPlaneAreHulled()
     {
         for (int seed = 0; seed < 60; seed++)
         {
@@ -110,7 +110,7 @@ public class ConvexHullTests
     [InlineData(1e30f)]
     [InlineData(1e-42f)]
     [InlineData(1e38f)]
-    public void BallsOfAnySize(float radius)
+    public void BallsOfAnySizeAreHulled(float radius)
     {
         for (int seed = 0; seed < 5; seed++)
         {
@@ -120,7 +120,7 @@ public class ConvexHullTests
     }
 
     [Fact]
-    public void MixedMagnitudes()
+    public void MixedMagnitudesAreHulled()
     {
         for (int seed = 0; seed < 200; seed++)
         {
@@ -130,7 +130,7 @@ public class ConvexHullTests
     }
 
     [Fact]
-    public void TheLargestFloats()
+    public void TheLargestFloatsAreHulled()
     {
         Vector3[] cloud = HullClouds.Grid(2, 2).Select(p => float.MaxValue * (p - Vector3.One)).ToArray();
         var hull = new ConvexHull(cloud);
@@ -189,7 +189,7 @@ public class ConvexHullTests
     }
 
     [Fact]
-    public void CapsOfManyCoplanarPoints()
+    public void CapsOfManyCoplanarPointsAreHulled()
     {
         // Two copies of a circle's corners: a prism, whose caps are facets with 64 corners.
         var cloud = new List<Vector3>();
@@ -209,7 +209,7 @@ public class ConvexHullTests
     }
 
     [Fact]
-    public void SphereOf515()
+    public void ASphereOf515PointsKeepsThemAll()
     {
         Vector3[] cloud = HullClouds.Spiral(515);
         var hull = new ConvexHull(cloud);
@@ -218,7 +218,7 @@ public class ConvexHullTests
     }
 
     [Fact]
-    public void DenseSpiral()
+    public void ADenseSpiralIsHulled()
     {
         Vector3[] cloud = HullClouds.Spiral(4096, 0.37f);
         var hull = new ConvexHull(cloud);
@@ -227,7 +227,7 @@ public class ConvexHullTests
     }
 
     [Fact]
-    public void CenterOfACloudFarAway()
+    public void TheCenterOfACloudFarAwayIsItsOwn()
     {
         var offset = new Vector3(1 << 23, -(1 << 23), 0);
         Vector3[] cloud = HullClouds.Grid(2).Select(p => p + offset).ToArray();

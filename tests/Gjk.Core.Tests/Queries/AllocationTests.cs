@@ -13,7 +13,7 @@ public class AllocationTests
 
     [Theory]
     [MemberData(nameof(Kinds))]
-    public void ThroughConvexShape(string kind)
+    public void NothingIsAllocatedThroughConvexShape(string kind)
     {
         TestPair[] pairs =
             [.. Enumerable.Range(0, Pairs).Select(i => Generators.Pair((ulong)i, [kind, "hull", "sphere"]))];
@@ -29,7 +29,7 @@ public class AllocationTests
     }
 
     [Fact]
-    public void ThroughTheStructsAndTheirDecorators()
+    public void NothingIsAllocatedThroughTheStructsAndTheirDecorators()
     {
         TestPair[] pairs = [.. Enumerable.Range(0, Pairs).Select(i => Generators.Pair((ulong)i, ["hull"]))];
         AssertNone(() =>
@@ -47,7 +47,7 @@ public class AllocationTests
     }
 
     [Fact]
-    public void OnTheHardestPairs()
+    public void NothingIsAllocatedOnTheHardestPairs()
     {
         HardCase[] cases = [.. CaseFamily.Load("touch").Cases, .. CaseFamily.Load("degenerate").Cases];
         var warm = default(WarmStart);

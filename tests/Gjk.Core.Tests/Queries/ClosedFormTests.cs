@@ -10,7 +10,7 @@ public class ClosedFormTests
     private const int Count = 300;
 
     [Fact]
-    public void SphereAgainstSphere() => Each(1, rng =>
+    public void SphereAgainstSphereIsItsFormula() => Each(1, rng =>
     {
         float ra = rng.Float(0, 1), rb = rng.Float(0, 1);
         RigidPose a = Generators.Pose(rng, rng.Vector(-2, 2)), b = Generators.Pose(rng, rng.Vector(-2, 2));
@@ -19,7 +19,7 @@ public class ClosedFormTests
     });
 
     [Fact]
-    public void PointAgainstBox() => Each(2, rng =>
+    public void PointAgainstBoxIsItsFormula() => Each(2, rng =>
     {
         Vector3 h = rng.Vector(0, 1), p = rng.Vector(-2, 2);
         var box = new RigidPose(rng.Vector(-100, 100));
@@ -30,7 +30,7 @@ public class ClosedFormTests
     });
 
     [Fact]
-    public void BoxAgainstAlignedBox() => Each(3, rng =>
+    public void BoxAgainstAlignedBoxIsItsFormula() => Each(3, rng =>
     {
         Vector3 h = rng.Vector(0, 1), k = rng.Vector(0, 1);
         RigidPose a = new(rng.Vector(-2, 2)), b = new(rng.Vector(-2, 2));
@@ -41,7 +41,7 @@ public class ClosedFormTests
     });
 
     [Fact]
-    public void SegmentAgainstSegment() => Each(4, rng =>
+    public void SegmentAgainstSegmentIsItsFormula() => Each(4, rng =>
     {
         Vector3 p = rng.Vector(-1, 1), q = rng.Vector(-1, 1), r = rng.Vector(-1, 1), s = rng.Vector(-1, 1);
         DistanceResult found = ConvexQuery.Distance(
@@ -50,7 +50,7 @@ public class ClosedFormTests
     });
 
     [Fact]
-    public void CapsuleAgainstCapsule() => Each(5, rng =>
+    public void CapsuleAgainstCapsuleIsItsFormula() => Each(5, rng =>
     {
         float ra = rng.Float(0, 0.5), rb = rng.Float(0, 0.5), ha = rng.Float(0, 1), hb = rng.Float(0, 1);
         RigidPose a = Generators.Pose(rng, rng.Vector(-1.5, 1.5)), b = Generators.Pose(rng, rng.Vector(-1.5, 1.5));
@@ -60,7 +60,7 @@ public class ClosedFormTests
     });
 
     [Fact]
-    public void PointAgainstCylinder() => Curved(6, (rng, p) =>
+    public void PointAgainstCylinderIsItsFormula() => Curved(6, (rng, p) =>
     {
         float r = rng.Float(0.1, 1), h = rng.Float(0.1, 1);
         double radial = Past(Math.Sqrt((double)p.X * p.X + (double)p.Z * p.Z), r), axial = Past(p.Y, h);
@@ -68,7 +68,7 @@ public class ClosedFormTests
     });
 
     [Fact]
-    public void PointAgainstCone() => Curved(7, (rng, p) =>
+    public void PointAgainstConeIsItsFormula() => Curved(7, (rng, p) =>
     {
         float r = rng.Float(0.1, 1), h = rng.Float(0.1, 1);
         double radial = Math.Sqrt((double)p.X * p.X + (double)p.Z * p.Z);
@@ -82,7 +82,7 @@ public class ClosedFormTests
     });
 
     [Fact]
-    public void SphereAgainstEllipsoidOnItsAxes()
+    public void SphereAgainstEllipsoidOnItsAxesIsItsFormula()
     {
         var radii = new Vector3(0.5f, 1, 2);
         foreach (Vector3 axis in new[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ })

@@ -9,14 +9,14 @@ public class InvalidInputTests
     private static readonly RigidPose Apart = new(new Vector3(5, 0, 0));
 
     [Fact]
-    public void ADefaultPose()
+    public void ADefaultPoseIsInvalid()
     {
         AssertInvalid(new SphereShape(1), default, new SphereShape(1), Apart);
         AssertInvalid(new SphereShape(1), RigidPose.Identity, new BoxShape(Vector3.One), default);
     }
 
     [Fact]
-    public void ADefaultConvexShape()
+    public void ADefaultConvexShapeIsInvalid()
     {
         AssertInvalid(default(ConvexShape), RigidPose.Identity, new SphereShape(1), Apart);
         AssertInvalid(new SphereShape(1), RigidPose.Identity, default(ConvexShape), Apart);
@@ -24,18 +24,18 @@ public class InvalidInputTests
     }
 
     [Fact]
-    public void ADefaultMesh()
+    public void ADefaultMeshIsInvalid()
     {
         AssertInvalid(default(ConvexMesh), RigidPose.Identity, new SphereShape(1), Apart);
         AssertInvalid(new BoxShape(Vector3.One), RigidPose.Identity, default(ConvexMesh), RigidPose.Identity);
     }
 
     [Fact]
-    public void ADefaultScaledShape() =>
+    public void ADefaultScaledShapeIsInvalid() =>
         AssertInvalid(default(Scaled<BoxShape>), RigidPose.Identity, new SphereShape(1), Apart);
 
     [Fact]
-    public void APoseThatWasOverwrittenWithNaN()
+    public void APoseThatWasOverwrittenWithNaNIsInvalid()
     {
         AssertInvalid(
             new SphereShape(1), Forge(new Quaternion(float.NaN, 0, 0, 1), default), new SphereShape(1), Apart);

@@ -21,7 +21,7 @@ public class InvarianceTests
     [InlineData(0.125f)]
     [InlineData(7.5f)]
     [InlineData(1e3f)]
-    public void AUniformScale(float factor) => Each(pair =>
+    public void AUniformScaleMultipliesTheDistance(float factor) => Each(pair =>
     {
         // A at the origin and B where the product of its position and the factor is a float, so that nothing is
         // rounded.
@@ -33,7 +33,7 @@ public class InvarianceTests
     [Theory]
     [InlineData(16)]
     [InlineData(4096)]
-    public void ATranslationOfBoth(float offset) => Each(pair =>
+    public void ATranslationOfBothChangesNothing(float offset) => Each(pair =>
     {
         TestPair near = pair with { PoseA = OnGrid(pair.PoseA), PoseB = OnGrid(pair.PoseB) };
         var shift = new Vector3(offset, -2 * offset, 3 * offset);
@@ -46,7 +46,7 @@ public class InvarianceTests
     });
 
     [Fact]
-    public void ATurnByAThirdOfBoth() => Each(pair =>
+    public void ATurnByAThirdOfBothChangesNothing() => Each(pair =>
     {
         // (x, y, z) to (y, z, x) turns the world, the shapes and the quaternions' axes without rounding anything.
         var turned = new TestPair(
@@ -55,14 +55,14 @@ public class InvarianceTests
     }, "hull", "flat", "needle");
 
     [Fact]
-    public void TheOppositeQuaternion() => Each(pair =>
+    public void TheOppositeQuaternionChangesNothing() => Each(pair =>
         (
             pair.Distance(),
             (pair with { PoseB = new RigidPose(-pair.PoseB.Rotation, pair.PoseB.Position) }).Distance(),
             1, pair.Scale));
 
     [Fact]
-    public void AQuaternionOfAnotherLength() => Each(pair =>
+    public void AQuaternionOfAnotherLengthChangesNothing() => Each(pair =>
     {
         // Each component's product rounds, which turns the shape by 1e-7 at most.
         RigidPose longer = new(Quaternion.Multiply(pair.PoseB.Rotation, 1.0009f), pair.PoseB.Position);
@@ -73,7 +73,7 @@ public class InvarianceTests
     });
 
     [Fact]
-    public void RepeatedVertices() => Each(pair =>
+    public void RepeatedVerticesChangeNothing() => Each(pair =>
     {
         Vector3[] points = [.. pair.A.Vertices!.Select(v => (Vector3)v)];
         Vector3[] more = [.. points, .. points.Reverse(), points[0], -(-points[0])];
@@ -82,7 +82,7 @@ public class InvarianceTests
     }, "hull", "flat", "needle");
 
     [Fact]
-    public void TheMinkowskiSumOfTheMargin() => Each(pair =>
+    public void TheMarginIsSubtractedFromTheDistance() => Each(pair =>
     {
         // Widening both by r brings them nearer by 2 r.
         const float R = 0.0625f;

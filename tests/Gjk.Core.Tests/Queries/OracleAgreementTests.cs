@@ -8,7 +8,7 @@ public class OracleAgreementTests
     [Theory]
     [InlineData(1000)]
     [InlineData(2000)]
-    public void RandomPairs(ulong seed)
+    public void RandomPairsAgree(ulong seed)
     {
         int count = Budget.Count(150), hits = 0;
         for (ulong i = 0; i < (ulong)count; i++)
@@ -63,7 +63,7 @@ public class OracleAgreementTests
     [InlineData(1e-6)]
     [InlineData(1e6)]
     [InlineData(1e15)]
-    public void PairsOfAnySize(double size)
+    public void PairsOfAnySizeAgree(double size)
     {
         for (ulong i = 0; i < (ulong)Budget.Count(40); i++)
         {
@@ -77,7 +77,7 @@ public class OracleAgreementTests
     [Theory]
     [InlineData(1e3)]
     [InlineData(1e6)]
-    public void PairsOfVeryDifferentSize(double ratio)
+    public void PairsOfVeryDifferentSizeAgree(double ratio)
     {
         for (ulong i = 0; i < (ulong)Budget.Count(60); i++)
         {

@@ -23,22 +23,23 @@ public class SameBitsTests
             Child("TieredPGO", "0"));
 
     [Fact]
-    public void WithoutWideVectors() =>
+    public void TheBitsAreTheSameWithoutWideVectors() =>
         Assert.Equal(
             $"False {Vector128.IsHardwareAccelerated} {HashProgram.OfAllCases(false)}", Child("EnableAVX2", "0"));
 
     [Fact]
-    public void WithoutAnyVectors() =>
+    public void TheBitsAreTheSameWithoutAnyVectors() =>
         Assert.Equal($"False False {HashProgram.OfAllCases(false)}", Child("EnableHWIntrinsic", "0"));
 
     /// <summary>
     /// What the compiler makes of a debug build: every value through memory, nothing inlined or merged.
     /// </summary>
     [Fact]
-    public void WithoutOptimisation() => Assert.EndsWith(" " + HashProgram.OfAllCases(false), Child("JITMinOpts", "1"));
+    public void TheBitsAreTheSameWithoutOptimisation() =>
+        Assert.EndsWith(" " + HashProgram.OfAllCases(false), Child("JITMinOpts", "1"));
 
     [Fact]
-    public void OptimisedAtOnce() =>
+    public void TheBitsAreTheSameWhenOptimisedAtOnce() =>
         Assert.EndsWith(" " + HashProgram.OfAllCases(false), Child("TieredCompilation", "0"));
 
     /// <summary>

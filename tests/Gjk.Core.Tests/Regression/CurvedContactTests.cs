@@ -34,7 +34,7 @@ public class CurvedContactTests
     }
 
     [Fact]
-    public void AtEveryDepthOfContact()
+    public void TheTwoQueriesAgreeAtEveryDepthOfContact()
     {
         foreach (double gap in new[] { 0, 1e-13, 1e-11, 1e-9, -1e-13, -1e-11, -1e-9 })
         {

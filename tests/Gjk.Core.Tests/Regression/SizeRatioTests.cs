@@ -30,7 +30,7 @@ public class SizeRatioTests
     [Theory]
     [InlineData(1e-3f)]
     [InlineData(1e-6f)]
-    public void AGrainBesideAMountain(float grain)
+    public void AGrainBesideAMountainIsAnsweredExactly(float grain)
     {
         TestShape small = TestShape.Box(new Vector3(0.5f * grain));
         TestShape large = TestShape.Mesh(

@@ -16,16 +16,17 @@ public class SlowHullTests
     private const int Count = 40000;
 
     [Fact]
-    public void ALogSpiral() => BuildsQuickly(WorstHullClouds.LogSpiral(Count), Count);
+    public void ALogSpiralIsBuiltInTime() => BuildsQuickly(WorstHullClouds.LogSpiral(Count), Count);
 
     [Fact]
-    public void AShrinkingMomentCurve() => BuildsQuickly(WorstHullClouds.ShrinkingMomentCurve(Count), Count - 20);
+    public void AShrinkingMomentCurveIsBuiltInTime() =>
+        BuildsQuickly(WorstHullClouds.ShrinkingMomentCurve(Count), Count - 20);
 
     [Fact]
-    public void ADeepFacet() => BuildsQuickly(WorstHullClouds.DeepFacets(Count), Count / 2);
+    public void ADeepFacetIsBuiltInTime() => BuildsQuickly(WorstHullClouds.DeepFacets(Count), Count / 2);
 
     [Fact]
-    public void AnApexOfHighDegree()
+    public void AnApexOfHighDegreeIsBuiltInTime()
     {
         // The float circle is rounded, and not all of its points are corners.
         HullMesh mesh = BuildsQuickly(WorstHullClouds.Cone(Count), 20000);
@@ -48,7 +49,7 @@ public class SlowHullTests
     }
 
     [Fact]
-    public void CollidingPointsWithNegativeZeros()
+    public void CollidingPointsWithNegativeZerosAreBuiltInTime()
     {
         Vector3[] cloud = WorstHullClouds.Colliding(1000);
         Vector3[] twice = [.. cloud.Select(p => new Vector3(p.X, p.Y, -0f)), .. cloud];

@@ -15,7 +15,7 @@ public class WitnessPointTests
     [InlineData(1e8f)]
     [InlineData(1e10f)]
     [InlineData(1e12f)]
-    public void ASmallShapeBesideALargeOne(float ratio)
+    public void ASmallShapeBesideALargeOneKeepsItsPoint(float ratio)
     {
         int separated = 0, count = Budget.Count(300);
         for (ulong seed = 0; seed < (ulong)count; seed++)

@@ -72,24 +72,24 @@ public class SupportTests
     }
 
     [Fact]
-    public void CylinderHeight() => EachDirection(6, d =>
+    public void TheCylindersHeightIsItsFormula() => EachDirection(6, d =>
         AssertHeight(new CylinderShape(0.7f, 1.3f), d, 0.7f * Radial(d) + 1.3f * Math.Abs(d.Y)));
 
     [Fact]
-    public void ConeHeight() => EachDirection(7, d =>
+    public void TheConesHeightIsItsFormula() => EachDirection(7, d =>
         AssertHeight(new ConeShape(0.7f, 1.3f), d, Math.Max(1.3f * d.Y, 0.7f * Radial(d) - 1.3f * d.Y)));
 
     [Fact]
-    public void EllipsoidHeight() => EachDirection(8, d =>
+    public void TheEllipsoidsHeightIsItsFormula() => EachDirection(8, d =>
         AssertHeight(new EllipsoidShape(new Vector3(0.25f, 1, 3)), d, new Vector3D(0.25 * d.X, d.Y, 3 * d.Z).Length));
 
     [Fact]
-    public void BoxHeight() => EachDirection(9, d =>
+    public void TheBoxesHeightIsItsFormula() => EachDirection(9, d =>
         AssertHeight(
             new BoxShape(new Vector3(0.25f, 1, 3)), d, 0.25 * Math.Abs(d.X) + Math.Abs(d.Y) + 3 * Math.Abs(d.Z)));
 
     [Fact]
-    public void CapsuleAndSphereHeight() => EachDirection(10, d =>
+    public void TheHeightsOfCapsuleAndSphereAreTheirFormulas() => EachDirection(10, d =>
     {
         AssertHeight(new CapsuleShape(0.5f, 2), d, 2 * Math.Abs(d.Y) + 0.5 * d.Length);
         AssertHeight(new SphereShape(0.5f), d, 0.5 * d.Length);

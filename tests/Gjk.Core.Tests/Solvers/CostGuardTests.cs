@@ -28,13 +28,13 @@ public class CostGuardTests
     [InlineData("large", 1770)]
     [InlineData("degenerate", 2601)]
     [InlineData("dense", 3580)]
-    public void DistanceOnTheHardFamilies(string family, int bound) =>
+    public void DistanceStaysInBoundsOnTheHardFamilies(string family, int bound) =>
         AssertCost(family, bound, CaseFamily.Load(family).Cases.Sum(c => c.Pair.Distance().Iterations));
 
     [Theory]
     [InlineData("cubes", 588)]
     [InlineData("spheres", 546)]
-    public void DistanceOnTheReportScenes(string scene, int bound) =>
+    public void DistanceStaysInBoundsOnTheReportScenes(string scene, int bound) =>
         AssertCost(scene, bound, ScenePairs(scene).Sum(p => p.Distance().Iterations));
 
     [Theory]
@@ -44,7 +44,7 @@ public class CostGuardTests
     [InlineData("capsule", 6875)]
     [InlineData("cylinder", 16199)]
     [InlineData("ellipsoid", 21602)]
-    public void DistanceOnRandomPairs(string kind, int bound) =>
+    public void DistanceStaysInBoundsOnRandomPairs(string kind, int bound) =>
         AssertCost(kind, bound, Random(kind).Sum(p => p.Distance().Iterations));
 
     [Theory]
@@ -56,20 +56,21 @@ public class CostGuardTests
     [InlineData("large", 883)]
     [InlineData("degenerate", 2506)]
     [InlineData("dense", 2422)]
-    public void OverlapsOnTheHardFamilies(string family, int bound) =>
+    public void OverlapsStaysInBoundsOnTheHardFamilies(string family, int bound) =>
         AssertCost(family, bound, OverlapCalls(CaseFamily.Load(family).Cases.Select(c => c.Pair)));
 
     [Theory]
     [InlineData("cubes", 20)]
     [InlineData("spheres", 20)]
-    public void OverlapsOnTheReportScenes(string scene, int bound) =>
+    public void OverlapsStaysInBoundsOnTheReportScenes(string scene, int bound) =>
         AssertCost(scene, bound, OverlapCalls(ScenePairs(scene)));
 
     [Theory]
     [InlineData("box", 7280)]
     [InlineData("hull", 6152)]
     [InlineData("bigHull", 6960)]
-    public void OverlapsOnRandomPairs(string kind, int bound) => AssertCost(kind, bound, OverlapCalls(Random(kind)));
+    public void OverlapsStaysInBoundsOnRandomPairs(string kind, int bound) =>
+        AssertCost(kind, bound, OverlapCalls(Random(kind)));
 
     /// <summary>A pair of separated polytopes that has not moved is proved by one look along the old normal.</summary>
     [Theory]

@@ -24,7 +24,7 @@ public class TerminationTests
 
     [Theory]
     [MemberData(nameof(Families))]
-    public void TheHardCases(string family)
+    public void TheHardCasesTakeFewRounds(string family)
     {
         foreach (HardCase c in CaseFamily.Load(family).Cases) AssertFew(c.Pair, MostForHulls);
     }
@@ -41,14 +41,14 @@ public class TerminationTests
     }
 
     [Fact]
-    public void RandomPolytopes()
+    public void RandomPolytopesTakeFewRounds()
     {
         for (ulong i = 0; i < (ulong)Budget.Count(1000); i++)
             AssertFew(Generators.Pair(130_000 + i, [.. Generators.PolytopeKinds, "bigHull"]), MostForHulls);
     }
 
     [Fact]
-    public void RandomCurvedShapes()
+    public void RandomCurvedShapesTakeFewRounds()
     {
         for (ulong i = 0; i < (ulong)Budget.Count(1000); i++)
             AssertFew(Generators.Pair(140_000 + i, Generators.AllKinds), MostForCurved);

@@ -24,7 +24,7 @@ public class CollisionSceneTests
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void AFewBallsInARow(BroadPhaseKind kind, BoundKind bound)
+    public void AFewBallsInARowAreAnswered(BroadPhaseKind kind, BoundKind bound)
     {
         CollisionScene scene = Row(kind, bound, 0, 2, 5, 9);
         Assert.Equal([new(0, 1)], Overlaps(scene));
@@ -178,7 +178,7 @@ public class CollisionSceneTests
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void EmptyAndLonelyScenes(BroadPhaseKind kind, BoundKind bound)
+    public void EmptyAndLonelyScenesFindNothing(BroadPhaseKind kind, BoundKind bound)
     {
         var scene = new CollisionScene(kind, bound);
         Assert.Empty(Overlaps(scene));

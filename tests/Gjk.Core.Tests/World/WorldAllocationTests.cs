@@ -15,7 +15,7 @@ public class WorldAllocationTests
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void OnOneThread(BroadPhaseKind kind, BoundKind bound)
+    public void NothingIsAllocatedOnOneThread(BroadPhaseKind kind, BoundKind bound)
     {
         Action frame = Frame(kind, bound, null);
         for (int i = 0; i < WarmUpFrames; i++) frame();
@@ -29,7 +29,7 @@ public class WorldAllocationTests
     public class OnManyThreads
     {
         [Fact]
-        public void InTotal()
+        public void NothingIsAllocatedInTotal()
         {
             using var workers = new Workers(2);
             Action frame = Frame(BroadPhaseKind.DynamicTree, BoundKind.Box, workers);

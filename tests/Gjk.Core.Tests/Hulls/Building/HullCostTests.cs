@@ -46,7 +46,7 @@ public class HullCostTests
 
     [Theory]
     [MemberData(nameof(Families))]
-    public void WorkOfTheRandomOrder(string family)
+    public void TheRandomOrderBoundsTheWork(string family)
     {
         double work = Work(WorstHullClouds.Create(family, Count), 0, out int points);
         Assert.InRange(work / points / Math.Log2(points), 0, MostRandomWork);
@@ -93,7 +93,7 @@ public class HullCostTests
 
     [Theory]
     [MemberData(nameof(Families))]
-    public void HundredThousandPoints(string family)
+    public void AHundredThousandPointsTakeLittleWork(string family)
     {
         if (IsShortRun) return;
         Vector3[] cloud = WorstHullClouds.Create(family, 100000);

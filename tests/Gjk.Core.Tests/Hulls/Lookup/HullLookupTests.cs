@@ -25,7 +25,7 @@ public class HullLookupTests
 
     [Theory]
     [MemberData(nameof(Families))]
-    public void OnTheHullsOfTheCases(string family)
+    public void ItIsRightOnTheHullsOfTheCases(string family)
     {
         var clouds = CaseFamily.Load(family).Cases.SelectMany(c => new[] { c.Pair.A, c.Pair.B }).Distinct()
             .Where(s => s.Vertices is not null).Select(s => Array.ConvertAll(s.Vertices!, v => (Vector3)v)).ToList();
@@ -59,7 +59,7 @@ public class HullLookupTests
 
     [Theory]
     [MemberData(nameof(Large))]
-    public void OnLargeHulls(string kind)
+    public void ItIsRightOnLargeHulls(string kind)
     {
         ConvexHull hull = Check(LargeClouds.Make(kind), kind, 77, Directions / 5);
         Assert.Equal(kind is not ("turned disc" or "cluster"), hull.Cells.Tree is not null);
@@ -73,7 +73,7 @@ public class HullLookupTests
     [InlineData("huge")]
     [InlineData("far")]
     [InlineData("spiral")]
-    public void OnTheCloudsOfTheHullTests(string family) =>
+    public void ItIsRightOnTheCloudsOfTheHullTests(string family) =>
         Check(ConvexHullSupportTests.Cloud(family), family, 78, Directions);
 
     private static ConvexHull Check(Vector3[] cloud, string label, ulong seed, int directions)
