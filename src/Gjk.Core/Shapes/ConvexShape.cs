@@ -39,7 +39,7 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
         _margin = _scale.Margin(parts.InnerMargin) + parts.Rounding;
         Vector3D center = CoreCenter(parts);
         _scale.Place(center, out _center, out _centerError);
-        _boundingRadius = (CoreRadius(parts, center) + parts.InnerMargin) * _scale.Largest;
+        _boundingRadius = (CoreRadius(parts, center) + parts.InnerMargin) * _scale.Largest + _centerError.Length;
         if (!_scale.KeepsBalls) _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this));
         _boundingRadius += parts.Rounding;
     }

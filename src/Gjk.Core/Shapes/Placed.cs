@@ -20,6 +20,7 @@ public readonly struct Placed<T> : ISupportMap
     private readonly RigidPose _pose;
     private readonly RotationD _rotation;
     private readonly Vector3D _center, _centerError;
+    private readonly double _boundingRadius;
 
     /// <summary>Places a shape.</summary>
     /// <param name="inner">The shape.</param>
@@ -33,6 +34,7 @@ public readonly struct Placed<T> : ISupportMap
         VectorDD center = VectorDD.Place(pose, inner.Center);
         _center = (Vector3D)center;
         _centerError = (Vector3D)(center - _center);
+        _boundingRadius = inner.BoundingRadius * RoundingUp + _centerError.Length;
     }
 
     /// <summary>The shape inside.</summary>
@@ -50,7 +52,7 @@ public readonly struct Placed<T> : ISupportMap
     /// <summary>
     /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
     /// </summary>
-    public double BoundingRadius => _pose.IsValid ? _inner.BoundingRadius * RoundingUp : double.NaN;
+    public double BoundingRadius => _pose.IsValid ? _boundingRadius : double.NaN;
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -35,7 +35,7 @@ public readonly struct Scaled<T> : ISupportMap
         _inner = inner;
         _scale = new AxisScale(Guard.Scale(scale, nameof(scale)));
         _scale.Place(inner.Center, out _center, out _centerError);
-        _boundingRadius = inner.BoundingRadius * _scale.Largest;
+        _boundingRadius = inner.BoundingRadius * _scale.Largest + _centerError.Length;
         if (!(_boundingRadius >= 0) || (_scale.KeepsBalls && TightBounds<T>.Are)) return;
         _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this) + Margin);
     }

@@ -88,6 +88,19 @@ public class PlacedTests
         Assert.True(count >= 100);
     }
 
+    /// <summary>Their places differ by 2^-43 at 10^6 from the origin, where doubles are 2^-33 apart.</summary>
+    [Fact]
+    public void PointsThatArePlacedTwiceKeepWhatADoubleLoses()
+    {
+        var quarter = Quaternion.Normalize(new Quaternion(0, 0, 1, 1));
+        var far = new RigidPose(quarter, new Vector3(0, 1e6f, 0));
+        const float near = 1f / (1 << 20), beside = near + 1f / (1L << 43);
+        ConvexShape a = ConvexShape.Point().Placed(new RigidPose(new Vector3(near, 0, 0))).Placed(far);
+        ConvexShape b = ConvexShape.Point().Placed(new RigidPose(new Vector3(beside, 0, 0))).Placed(far);
+        DistanceResult r = ConvexQuery.Distance(a, RigidPose.Identity, b, RigidPose.Identity);
+        Assert.Equal(1f / (1L << 43), r.Distance);
+    }
+
     [Fact]
     public void PointsAreInTheFrameOfThePlacedShape()
     {
