@@ -37,10 +37,17 @@ internal static class DirectionRange
     /// range of double.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D ToSafe(in Vector3D direction)
+    public static Vector3D ToSafe(in Vector3D direction) => IsOrdinary(direction) ? direction : ToUnit(direction);
+
+    /// <summary>
+    /// Whether a vector is so large and so small that no product of it with a number of ordinary size leaves the range
+    /// of double.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsOrdinary(in Vector3D v)
     {
-        double size = Math.Abs(direction.X) + Math.Abs(direction.Y) + Math.Abs(direction.Z);
-        return size > LeastSize && size < MostSize ? direction : ToUnit(direction);
+        double size = v.SumOfMagnitudes;
+        return size > LeastSize && size < MostSize;
     }
 
     /// <summary>

@@ -37,6 +37,13 @@ public readonly struct Vector3D : IEquatable<Vector3D>
         get => X * X + Y * Y + Z * Z;
     }
 
+    /// <summary>The sum of the components' magnitudes, in their units.</summary>
+    internal double SumOfMagnitudes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Math.Abs(X) + Math.Abs(Y) + Math.Abs(Z);
+    }
+
     /// <summary>The length, in the units of the components.</summary>
     public double Length => Math.Sqrt(LengthSquared);
 

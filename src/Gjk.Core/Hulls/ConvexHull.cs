@@ -21,18 +21,6 @@ public sealed class ConvexHull
     /// <summary>The corners.</summary>
     internal readonly HullVertices Vertices;
 
-    /// <inheritdoc cref="HullVertices.X"/>
-    internal float[] X => Vertices.X;
-
-    /// <inheritdoc cref="HullVertices.X"/>
-    internal float[] Y => Vertices.Y;
-
-    /// <inheritdoc cref="HullVertices.X"/>
-    internal float[] Z => Vertices.Z;
-
-    /// <inheritdoc cref="HullVertices.Origin"/>
-    internal Vector3 Origin => Vertices.Origin;
-
     /// <summary>
     /// The neighbours of vertex i are <see cref="Neighbors"/> from NeighborStart[i] up to, not including,
     /// NeighborStart[i + 1]; ascending.
@@ -198,7 +186,7 @@ public sealed class ConvexHull
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void GetVertex(int id, out Vector3D point) =>
-        point = new Vector3D((double)Origin.X + X[id], (double)Origin.Y + Y[id], (double)Origin.Z + Z[id]);
+        point = Vertices.GetVertex(id);
 
     private static Vector3[] CheckedCopy(IReadOnlyList<Vector3> points)
     {

@@ -132,7 +132,7 @@ internal struct PairFrame
         frame.MarginA = a.Margin;
         frame.MarginB = b.Margin;
         frame.Unit = 1;
-        double radius = frame.RadiusA + frame.RadiusB, offset = SumOfSizes(centerA) + SumOfSizes(centerB);
+        double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         double tightRadius = (TightBounds<TA>.Are ? frame.RadiusA : 0) + (TightBounds<TB>.Are ? frame.RadiusB : 0);
         Vector3D between = (Vector3D)poseB.Position - poseA.Position;
         if (!(offset > FarCenter * tightRadius))
@@ -145,7 +145,7 @@ internal struct PairFrame
             frame.Translation = frame.RotationA.InverseRotate(BetweenFarCenters(poseA, poseB, centerA, centerB));
         }
 
-        frame.Magnitude = radius + (frame.MarginA + frame.MarginB) + SumOfSizes(frame.Translation);
+        frame.Magnitude = radius + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
         frame._areRotations = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB);
     }
 
@@ -161,7 +161,7 @@ internal struct PairFrame
     {
         if (!TightBounds<TA>.Are) RadiusA = Math.Min(RadiusA, CoreExtent.Radius(ref a) + MarginA);
         if (!TightBounds<TB>.Are) RadiusB = Math.Min(RadiusB, CoreExtent.Radius(ref b) + MarginB);
-        Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + SumOfSizes(Translation);
+        Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + Translation.SumOfMagnitudes;
     }
 
     /// <summary>
@@ -180,9 +180,6 @@ internal struct PairFrame
         Unit = 1 / factor;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double SumOfSizes(in Vector3D v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
-
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Vector3D BetweenFarCenters(
         in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB)
@@ -190,6 +187,7 @@ internal struct PairFrame
         VectorDD between = (VectorDD)(Vector3D)poseB.Position - (Vector3D)poseA.Position;
         between += VectorDD.Rotate(poseB.Rotation, centerB) - VectorDD.Rotate(poseA.Rotation, centerA);
         var rounded = (Vector3D)between;
-        return SumOfSizes(rounded) > ExtendedError * (SumOfSizes(centerA) + SumOfSizes(centerB)) ? rounded : default;
+        double error = ExtendedError * (centerA.SumOfMagnitudes + centerB.SumOfMagnitudes);
+        return rounded.SumOfMagnitudes > error ? rounded : default;
     }
 }

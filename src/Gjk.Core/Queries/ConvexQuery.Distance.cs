@@ -37,7 +37,7 @@ public static partial class ConvexQuery
     /// <param name="poseB">Where it is.</param>
     /// <param name="simplex">
     /// The support points of the nearest feature with their weights; empty when the input is invalid. When the shapes
-    /// are further apart than asked, the last feature.
+    /// are further apart than asked, the last feature, if there was one.
     /// </param>
     /// <param name="maxDistance">As in the first overload.</param>
     /// <returns>See <see cref="DistanceResult"/>.</returns>

@@ -69,8 +69,7 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsFarApart(in SolverState state, in PairFrame frame, double distance) =>
         distance > FarApart * frame.Unit * state.Size.Value
-        && distance > FarApart * frame.Unit
-            * (Math.Abs(frame.CenterB.X) + Math.Abs(frame.CenterB.Y) + Math.Abs(frame.CenterB.Z));
+        && distance > FarApart * frame.Unit * frame.CenterB.SumOfMagnitudes;
 
     private static DistanceResult Invalid(in SolverState state) =>
         DistanceResult.Invalid(

@@ -9,12 +9,6 @@ namespace Gjk.Core;
 /// </summary>
 internal readonly struct AxisScale
 {
-    /// <summary>
-    /// Sums of components between which no product of a factor and a component has overflowed or become a denormal
-    /// number. Outside, the direction is brought to unit size first. Pinned by DirectionLengthTests.
-    /// </summary>
-    private const double LeastSize = 1e-200, MostSize = 1e200;
-
     public readonly Vector3D Factors;
     public readonly bool KeepsBalls;
 
@@ -46,8 +40,7 @@ internal readonly struct AxisScale
     public Vector3D Inward(in Vector3D direction)
     {
         Vector3D inward = Vector3D.Multiply(Factors, direction);
-        double size = Math.Abs(inward.X) + Math.Abs(inward.Y) + Math.Abs(inward.Z);
-        return size > LeastSize && size < MostSize ? inward : FromUnit(direction);
+        return DirectionRange.IsOrdinary(inward) ? inward : FromUnit(direction);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -104,8 +104,7 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
         }
 
         bool found = CoreVertex(id, out point);
-        point -= CoreCenter(_parts);
-        if (!_isPlain) point = Vector3D.Multiply(_parts.Scale, point) + _centerError;
+        point = _isPlain ? point - _center : Vector3D.Multiply(_parts.Scale, point - CoreCenter(_parts)) + _centerError;
         return found;
     }
 

@@ -19,7 +19,7 @@ internal static class ExtendedFeatureStep
     /// AggressiveOptimization, which netstandard2.0 has no name for. This code runs so seldom that the runtime would
     /// leave it unoptimised, some hundred times slower.
     /// </summary>
-    private const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
+    public const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
 
     /// <summary>
     /// Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.

@@ -23,14 +23,8 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class GjkExtendedPrecision
 {
-    /// <summary>
-    /// AggressiveOptimization, which netstandard2.0 has no name for: this code runs so seldom that the runtime would
-    /// leave it unoptimised, some hundred times slower.
-    /// </summary>
-    private const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
-
     /// <summary>Solves from the beginning, in the first direction.</summary>
-    [MethodImpl(OptimizeAtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(ExtendedFeatureStep.OptimizeAtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, double maxDistance, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap

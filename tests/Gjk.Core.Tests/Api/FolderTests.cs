@@ -39,7 +39,7 @@ public class FolderTests(ITestOutputHelper output)
     public void EachFolderUsesOnlyWhatLiesBelowIt()
     {
         string root = Path.Combine(ProjectFolder.Root, "src", "Gjk.Core");
-        Dictionary<string, string> sources = Sources(root);
+        Dictionary<string, string> sources = Sources();
         Dictionary<string, string> folderOf = DeclaredTypes(root, sources);
         Assert.True(folderOf.Count > 80, $"only {folderOf.Count} types were found");
         SortedDictionary<string, SortedSet<string>> graph = [];
@@ -89,18 +89,8 @@ public class FolderTests(ITestOutputHelper output)
         Path.GetRelativePath(root, Path.GetDirectoryName(file)!).Replace('\\', '/');
 
     /// <summary>The sources without comments and strings.</summary>
-    private static Dictionary<string, string> Sources(string root)
-    {
-        var sources = new Dictionary<string, string>();
-        foreach (string folder in Directory.GetDirectories(root))
-        {
-            if (Path.GetFileName(folder) is "bin" or "obj") continue;
-            foreach (string file in Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
-                sources.Add(file, Regex.Replace(File.ReadAllText(file), @"//[^\n]*|""(\\.|[^""\\\n])*""", " "));
-        }
-
-        return sources;
-    }
+    private static Dictionary<string, string> Sources() => ProjectFolder.Sources("src/Gjk.Core").ToDictionary(
+        file => file, file => Regex.Replace(File.ReadAllText(file), @"//[^\n]*|""(\\.|[^""\\\n])*""", " "));
 
     /// <summary>The types that begin a line; nested ones are known by the type around them.</summary>
     private static Dictionary<string, string> DeclaredTypes(string root, Dictionary<string, string> sources)

@@ -23,16 +23,14 @@ public partial class PinnedCommentTests
         Dictionary<string, Type> classes = TestClasses();
         var faults = new List<string>();
         int found = 0;
-        string sources = Path.Combine(ProjectFolder.Root, "src");
-        string[] libraries = [Path.Combine(sources, "Gjk.Core"), Path.Combine(sources, "Gjk.Exact")];
-        foreach (string file in libraries.SelectMany(Sources))
+        foreach (string file in ProjectFolder.Sources("src/Gjk.Core", "src/Gjk.Exact"))
         {
             foreach (Match pin in Pin().Matches(Comments(File.ReadAllText(file))))
             {
                 found++;
                 string said = pin.Groups["names"].Value;
                 if (Fault(said, classes) is { } fault)
-                    faults.Add($"{Path.GetRelativePath(sources, file)}: '{said}': {fault}");
+                    faults.Add($"{Path.GetRelativePath(ProjectFolder.Root, file)}: '{said}': {fault}");
             }
         }
 
@@ -80,10 +78,6 @@ public partial class PinnedCommentTests
         typeof(PinnedCommentTests).Assembly.GetTypes()
             .Where(t => t.IsPublic && t.GetMethods(OwnMethods).Any(m => m.IsDefined(typeof(FactAttribute))))
             .ToDictionary(t => t.Name);
-
-    private static IEnumerable<string> Sources(string library) =>
-        Directory.GetDirectories(library).Where(d => Path.GetFileName(d) is not ("bin" or "obj"))
-            .SelectMany(d => Directory.GetFiles(d, "*.cs", SearchOption.AllDirectories));
 
     /// <summary>The text of all comments, without the marks of lines and the tags.</summary>
     private static string Comments(string source)

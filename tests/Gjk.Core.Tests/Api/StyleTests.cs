@@ -15,14 +15,12 @@ public class StyleTests
 {
     private const int LineColumns = 120, FileLines = 300, FunctionLines = 60;
 
-    private static readonly string[] Roots = ["src", "tests", "bench", "unity"];
-
     [Fact]
     public void LinesFilesAndFunctionsAreShort()
     {
         var faults = new List<string>();
         int files = 0;
-        foreach (string file in Sources())
+        foreach (string file in ProjectFolder.Sources("src", "tests", "bench", "unity"))
         {
             files++;
             string[] lines = File.ReadAllLines(file);
@@ -49,11 +47,6 @@ public class StyleTests
         string[] lines = File.ReadAllLines(Path.Combine(ProjectFolder.Root, file));
         Assert.DoesNotContain(lines, l => l.Length > LineColumns && !l.StartsWith('|') && !l.Contains("]("));
     }
-
-    private static IEnumerable<string> Sources() =>
-        Roots.Select(r => Path.Combine(ProjectFolder.Root, r)).Where(Directory.Exists)
-            .SelectMany(r => Directory.EnumerateFiles(r, "*.cs", SearchOption.AllDirectories))
-            .Where(f => !Regex.IsMatch(f, @"[\\/](bin|obj|node_modules)[\\/]"));
 
     /// <summary>
     /// A function's body begins with a brace of its own in the column of a type's members, behind a line that ends its

@@ -23,10 +23,13 @@ public class ConvexHullTests
     {
         var hull = new ConvexHull([new Vector3(-0f, 0, -0f), new Vector3(0, -0f, 0), new Vector3(1, -0f, 0)]);
         Assert.Equal(2, hull.VertexCount);
-        for (int i = 0; i < hull.X.Length; i++)
+        HullVertices v = hull.Vertices;
+        for (int i = 0; i < v.X.Length; i++)
+        {
             Assert.False(
-                float.IsNegative(hull.X[i]) || float.IsNegative(hull.Y[i]) || float.IsNegative(hull.Z[i]),
+                float.IsNegative(v.X[i]) || float.IsNegative(v.Y[i]) || float.IsNegative(v.Z[i]),
                 $"slot {i} holds -0");
+        }
     }
 
     [Fact]

@@ -61,9 +61,9 @@ public class OffsetSupportTests
             hull.GetVertex(i, out Vector3D wide);
             Assert.Equal(cloud[hull.SourceIndex(i)], vertex);
             Assert.Equal((Vector3D)vertex, wide);
-            Assert.InRange(Math.Abs(hull.X[i]), 0, 4 * half.X);
-            Assert.InRange(Math.Abs(hull.Y[i]), 0, 4 * half.Y);
-            Assert.InRange(Math.Abs(hull.Z[i]), 0, 4 * half.Z);
+            Assert.InRange(Math.Abs(hull.Vertices.X[i]), 0, 4 * half.X);
+            Assert.InRange(Math.Abs(hull.Vertices.Y[i]), 0, 4 * half.Y);
+            Assert.InRange(Math.Abs(hull.Vertices.Z[i]), 0, 4 * half.Z);
         }
     }
 

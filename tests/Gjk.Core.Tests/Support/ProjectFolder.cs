@@ -1,13 +1,22 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
 
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>The project's folder, for tests that read the sources.</summary>
-internal static class ProjectFolder
+internal static partial class ProjectFolder
 {
     /// <summary>The folder with the solution, above the one that the tests run in.</summary>
     public static string Root { get; } = Find();
+
+    /// <summary>All C# files below some folders of the project, without what builds leave there.</summary>
+    public static IEnumerable<string> Sources(params string[] folders) =>
+        folders.Select(f => Path.Combine(Root, f)).Where(Directory.Exists)
+            .SelectMany(f => Directory.EnumerateFiles(f, "*.cs", SearchOption.AllDirectories))
+            .Where(f => !Built().IsMatch(f));
 
     private static string Find()
     {
@@ -16,4 +25,7 @@ internal static class ProjectFolder
             folder = Path.GetDirectoryName(folder);
         return folder ?? throw new InvalidOperationException("The tests do not run inside the project's folder.");
     }
+
+    [GeneratedRegex(@"[\\/](bin|obj|node_modules)[\\/]")]
+    private static partial Regex Built();
 }

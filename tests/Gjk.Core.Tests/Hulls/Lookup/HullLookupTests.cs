@@ -102,7 +102,7 @@ public class HullLookupTests
         double x = extents.X > 0 ? Math.Abs(direction.X) : 0, y = extents.Y > 0 ? Math.Abs(direction.Y) : 0;
         double largest = Math.Max(Math.Max(x, y), extents.Z > 0 ? Math.Abs(direction.Z) : 0);
         if (!(largest is > 1e-250 and < 1e250)) return;
-        Vector3D d = direction * (1 / largest), origin = hull.Origin;
+        Vector3D d = direction * (1 / largest), origin = hull.Vertices.Origin;
         double height = Vector3D.Dot(point - origin, d), most = double.NegativeInfinity, size = 0;
         foreach (Vector3 p in cloud)
         {
