@@ -40,8 +40,8 @@ public class SimplexSteps
     public void Setup()
     {
         BenchScene scene = RandomPairs.Create(Set);
-        _distance = Repeated(RecordedStep.OfDistance(scene).Where(s => s.Simplex.Count == Vertices));
-        _overlap = Repeated(RecordedStep.OfOverlap(scene).Where(s => s.Simplex.Count == Vertices));
+        _distance = Repeated(RecordedStep.Of(scene, nearest: true).Where(s => s.Count == Vertices));
+        _overlap = Repeated(RecordedStep.Of(scene, nearest: false).Where(s => s.Count == Vertices));
         _report = [.. _overlap.Select(s => s.ForReport())];
     }
 
@@ -62,59 +62,45 @@ public class SimplexSteps
 
     /// <summary>The step of the distance query. It finds the nearest feature and its normal.</summary>
     [Benchmark(OperationsPerInvoke = StepCount)]
-    public double Reduce()
+    public double Nearest()
     {
         double sum = 0;
         foreach (ref readonly RecordedStep step in _distance.AsSpan())
         {
-            Simplex simplex = step.Simplex;
-            ClosestFeature feature = step.Feature;
-            if (ClosestFeatureStep.Reduce(ref simplex, ref feature)) sum += feature.Height;
+            FeatureVertices vertices = step.Vertices;
+            ClosestFeature feature = default;
+            if (Core.NextSimplex.TryAdvance(ref vertices, step.Newest, ref feature, nearest: true))
+                sum += feature.Height;
         }
 
         return sum;
     }
 
-    /// <summary>The step of a warm start. It does the same for a simplex of which nothing is known.</summary>
+    /// <summary>The step of the boolean query, which takes the first face that the origin sees.</summary>
     [Benchmark(OperationsPerInvoke = StepCount)]
-    public double ReduceAny()
-    {
-        double sum = 0;
-        foreach (ref readonly RecordedStep step in _distance.AsSpan())
-        {
-            Simplex simplex = step.Simplex;
-            ClosestFeature feature = step.Feature;
-            if (ClosestFeatureStep.ReduceAny(ref simplex, ref feature)) sum += feature.Height;
-        }
-
-        return sum;
-    }
-
-    /// <summary>Muratori's step, which the boolean query uses.</summary>
-    [Benchmark(OperationsPerInvoke = StepCount)]
-    public double Advance()
+    public double First()
     {
         double sum = 0;
         foreach (ref readonly RecordedStep step in _overlap.AsSpan())
         {
-            Simplex simplex = step.Simplex;
-            Vector3D normal = step.Feature.Normal;
-            if (!Core.NextSimplex.Advance(ref simplex, ref normal)) sum += normal.X;
+            FeatureVertices vertices = step.Vertices;
+            ClosestFeature feature = default;
+            if (Core.NextSimplex.TryAdvance(ref vertices, step.Newest, ref feature, nearest: false))
+                sum += feature.Normal.X;
         }
 
         return sum;
     }
 
-    /// <summary>The time that <see cref="Reduce"/> spends on copies. The solver does not make these copies.</summary>
+    /// <summary>The time that the others spend on copies. The solver does not make these copies.</summary>
     [Benchmark(OperationsPerInvoke = StepCount)]
     public double Copy()
     {
         double sum = 0;
         foreach (ref readonly RecordedStep step in _distance.AsSpan())
         {
-            Simplex simplex = step.Simplex;
-            ClosestFeature feature = step.Feature;
-            sum += Touch(ref simplex, ref feature);
+            FeatureVertices vertices = step.Vertices;
+            sum += Touch(ref vertices);
         }
 
         return sum;
@@ -122,7 +108,7 @@ public class SimplexSteps
 
     /// <summary>Not inlined, so that the copies are really made.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static double Touch(ref Simplex simplex, ref ClosestFeature feature) => feature.Height + simplex.Count;
+    private static double Touch(ref FeatureVertices vertices) => vertices.Winding + vertices.Count;
 
     private static RecordedStep[] Repeated(IEnumerable<RecordedStep> steps)
     {

@@ -18,19 +18,28 @@ internal readonly struct RecordedStep
     /// </summary>
     private const double LeastProgress = 1e-10;
 
-    public readonly Simplex Simplex;
+    /// <summary>What the last step left.</summary>
+    public readonly FeatureVertices Vertices;
 
-    /// <summary>The feature that the last step found. For the boolean walk only its normal is set.</summary>
-    public readonly ClosestFeature Feature;
+    /// <summary>The vertex found beyond it.</summary>
+    public readonly MinkowskiVertex Newest;
 
-    private RecordedStep(in Simplex simplex, in ClosestFeature feature)
+    private readonly Simplex _points;
+
+    private RecordedStep(in Walk walk)
     {
-        Simplex = simplex;
-        Feature = feature;
+        Vertices = walk.Vertices;
+        Newest = walk.Newest;
+        _points = walk.Points;
     }
 
-    /// <summary>The steps of the distance walks of a scene of meshes.</summary>
-    public static List<RecordedStep> OfDistance(BenchScene scene)
+    /// <summary>How many vertices the step begins with.</summary>
+    public int Count => Vertices.Count + 1;
+
+    /// <summary>The steps of the walks of a scene of meshes.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="nearest">The distance's walk; otherwise the boolean's.</param>
+    public static List<RecordedStep> Of(BenchScene scene, bool nearest)
     {
         var steps = new List<RecordedStep>();
         foreach (BenchScene.Pair pair in scene.Pairs)
@@ -38,34 +47,11 @@ internal readonly struct RecordedStep
             var walk = new Walk(scene, pair);
             for (int i = 0; i < MostSteps; i++)
             {
-                double plane = walk.Push();
-                if (i > 0 && walk.Feature.Height - plane <= LeastProgress * walk.Feature.Height) break;
-                steps.Add(new RecordedStep(walk.Simplex, walk.Feature));
-                if (!ClosestFeatureStep.Reduce(ref walk.Simplex, ref walk.Feature)) break;
-            }
-        }
-
-        return steps;
-    }
-
-    /// <summary>The steps of the boolean walks of a scene of meshes.</summary>
-    public static List<RecordedStep> OfOverlap(BenchScene scene)
-    {
-        var steps = new List<RecordedStep>();
-        foreach (BenchScene.Pair pair in scene.Pairs)
-        {
-            var walk = new Walk(scene, pair);
-            for (int i = 0; i < MostSteps; i++)
-            {
-                if (walk.Push() > 0) break;
-                if (i == 0)
-                {
-                    walk.Feature.Normal = walk.Simplex.WA;
-                    continue;
-                }
-
-                steps.Add(new RecordedStep(walk.Simplex, walk.Feature));
-                if (Core.NextSimplex.Advance(ref walk.Simplex, ref walk.Feature.Normal)) break;
+                double plane = walk.Ask();
+                if (nearest && i > 0 && walk.Feature.Height - plane <= LeastProgress * walk.Feature.Height) break;
+                if (!nearest && plane > 0) break;
+                steps.Add(new RecordedStep(walk));
+                if (!Core.NextSimplex.TryAdvance(ref walk.Vertices, walk.Newest, ref walk.Feature, nearest)) break;
             }
         }
 
@@ -75,12 +61,14 @@ internal readonly struct RecordedStep
     /// <summary>The simplex in the order of the report's step, with the newest vertex last.</summary>
     public MinkowskiPoint[] ForReport()
     {
-        var points = new MinkowskiPoint[Simplex.Count];
+        var points = new MinkowskiPoint[Count];
         for (int i = 0; i < points.Length; i++)
         {
-            int slot = Simplex[points.Length - 1 - i];
-            Vector3D onA = Simplex.OnA(slot);
-            points[i] = new MinkowskiPoint((Vector3)onA, (Vector3)(onA - Simplex.W(slot)));
+            int place = points.Length - 1 - i;
+            MinkowskiVertex vertex = place == 0 ? Newest
+                : place == 1 ? Vertices.A : place == 2 ? Vertices.B : Vertices.C;
+            Vector3D onA = _points.OnA((int)vertex.Slot);
+            points[i] = new MinkowskiPoint((Vector3)onA, (Vector3)(onA - vertex.W));
         }
 
         return points;
@@ -89,7 +77,9 @@ internal readonly struct RecordedStep
     /// <summary>The state of a query between two steps.</summary>
     private struct Walk
     {
-        public Simplex Simplex;
+        public Simplex Points;
+        public FeatureVertices Vertices;
+        public MinkowskiVertex Newest;
         public ClosestFeature Feature;
         private readonly PairFrame _frame;
         private ConvexMesh _a, _b;
@@ -102,14 +92,13 @@ internal readonly struct RecordedStep
             Feature.Normal = -_frame.Translation;
         }
 
-        /// <summary>Adds the vertex that lies furthest against the normal.</summary>
+        /// <summary>Asks for the vertex that lies furthest against the normal.</summary>
         /// <returns>The value of the plane through it.</returns>
-        public double Push()
+        public double Ask()
         {
-            MinkowskiDifference.Support(
-                ref _a, ref _b, _frame, Feature.Normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
-                out Vector3D w);
-            Simplex.Push(w, onA, onB, idA, idB);
+            int slot = Vertices.FreeSlot;
+            Vector3D w = MinkowskiDifference.Support(ref _a, ref _b, _frame, Feature.Normal, ref Points, slot, out _);
+            Newest = new MinkowskiVertex(w, slot);
             return Vector3D.Dot(Feature.Normal, w);
         }
     }

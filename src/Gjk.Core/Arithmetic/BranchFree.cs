@@ -1,6 +1,4 @@
-#if NET
 using System;
-#endif
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -26,4 +24,9 @@ internal static class BranchFree
         return x < 0 ? -size : size;
 #endif
     }
+
+    /// <summary>-x where the bit is 1, x where it is 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double NegatedBy(double x, int bit) =>
+        BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(x) ^ ((long)bit << 63));
 }

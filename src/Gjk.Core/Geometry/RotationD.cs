@@ -1,5 +1,8 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Gjk.Core;
 
@@ -9,7 +12,10 @@ namespace Gjk.Core;
 /// </summary>
 internal struct RotationD
 {
-    public double M00, M01, M02, M10, M11, M12, M20, M21, M22;
+    /// <summary>
+    /// Row and column. A column is followed by a 0, so that it can be read as a register of four doubles.
+    /// </summary>
+    public double M00, M10, M20, _end0, M01, M11, M21, _end1, M02, M12, M22, _end2;
 
     public RotationD(Quaternion q) =>
         Set(
@@ -35,6 +41,49 @@ internal struct RotationD
         matrix.M20 = xz - wy;
         matrix.M21 = yz + wx;
         matrix.M22 = 1 - (xx + yy) * s;
+        matrix._end0 = matrix._end1 = matrix._end2 = 0;
+    }
+
+#if NET
+    /// <summary>The image of the x axis, and a 0.</summary>
+    public Vector256<double> Column0
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        readonly get => Vector256.LoadUnsafe(in M00);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        set => value.StoreUnsafe(ref M00);
+    }
+
+    /// <summary>The image of the y axis, and a 0.</summary>
+    public Vector256<double> Column1
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        readonly get => Vector256.LoadUnsafe(in M01);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        set => value.StoreUnsafe(ref M01);
+    }
+
+    /// <summary>The image of the z axis, and a 0.</summary>
+    public Vector256<double> Column2
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        readonly get => Vector256.LoadUnsafe(in M02);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        set => value.StoreUnsafe(ref M02);
+    }
+#endif
+
+    public readonly RotationD Transposed
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            RotationD t;
+            (t.M00, t.M10, t.M20, t._end0) = (M00, M01, M02, 0);
+            (t.M01, t.M11, t.M21, t._end1) = (M10, M11, M12, 0);
+            (t.M02, t.M12, t.M22, t._end2) = (M20, M21, M22, 0);
+            return t;
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

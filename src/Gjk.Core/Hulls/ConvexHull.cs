@@ -41,6 +41,17 @@ public sealed class ConvexHull
     /// </summary>
     private const double RadiusSlack = 8.0 / (1L << 53);
 
+    /// <summary>
+    /// Whether the corners are the eight of <see cref="Bounds"/>, and lie at exactly half the extents on either side of
+    /// <see cref="Center"/>.
+    /// </summary>
+    internal readonly bool IsExactBox;
+
+#if NET
+    /// <summary>The corners measured from <see cref="Center"/>: x, y, z and a 0 each.</summary>
+    internal readonly double[] Centered;
+#endif
+
     private const string NoPoints = "At least one point is needed.";
 
     private readonly int[] _sources;
@@ -73,9 +84,14 @@ public sealed class ConvexHull
         Bounds = MeasureBounds(corners);
         Vertices = new HullVertices(corners, mesh.Dimension, Bounds, HullOrigin.Of(Bounds));
         HullAdjacency.Build(mesh, out NeighborStart, out Neighbors);
-        Center = ((Vector3D)Bounds.Min + Bounds.Max) * 0.5;
+        Center = Vertices.Center;
         BoundingRadius = MeasureRadius();
         Cells = new HullCells(Vertices);
+#if NET
+        Centered = Vertices.Centered();
+#endif
+        IsExactBox = Cells.Kind == HullCells.LookupKind.Box
+            && Bounds.Max - Center == Cells.Stretch && Center - Bounds.Min == Cells.Stretch;
     }
 
     /// <summary>

@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// The support function of the Minkowski difference: the two shapes intersect exactly when A - B holds the origin, and
 /// its point nearest the origin is the vector between the closest points (Gilbert, Johnson and Keerthi 1988).
 /// </summary>
-internal static class MinkowskiDifference
+internal static partial class MinkowskiDifference
 {
     /// <summary>
     /// The vertex of A - B that lies furthest against <paramref name="normal"/>, that is nearest the origin along it:
@@ -16,25 +16,45 @@ internal static class MinkowskiDifference
     /// <param name="b">The second shape.</param>
     /// <param name="frame">Where B is, seen from A.</param>
     /// <param name="normal">In A's frame, of any length.</param>
-    /// <param name="idA">The id of A's support point; -1 where it has none.</param>
-    /// <param name="idB">The same for B.</param>
-    /// <param name="onA">The support point of A, from A's centre, in A's axes.</param>
-    /// <param name="onB">The support point of B, from B's centre, in B's own axes.</param>
-    /// <param name="w">The vertex: A's support point less B's, in A's frame.</param>
+    /// <param name="simplex">Gets the vertex, with the support points that it is made from and their ids.</param>
+    /// <param name="slot">Where in the simplex.</param>
+    /// <param name="ids">Both ids in one: negative where a support point has none.</param>
+    /// <returns>The vertex: A's support point less B's, in A's frame.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, out int idA, out int idB, out Vector3D onA,
-        out Vector3D onB, out Vector3D w)
+    public static Vector3D Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref Simplex simplex, int slot, out int ids)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        idA = a.Support(-normal, out onA);
-        idB = b.Support(frame.Rotation.InverseRotate(normal), out onB);
-        w = VertexOf(frame, onA, onB);
+#if NET
+        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, ref simplex, slot, out ids);
+#endif
+        int idA = a.Support(-normal, out Vector3D onA);
+        int idB = b.Support(frame.Rotation.InverseRotate(normal), out Vector3D onB);
+        Vector3D w = VertexOf(frame, onA, onB);
+        simplex.Fill(slot, w, onA, onB, idA, idB);
+        ids = idA | idB;
+        return w;
+    }
+
+    /// <summary>Puts the vertex made of two support points, where they are now, into a slot.</summary>
+    /// <returns>False when a shape has no vertex with the id.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool TryPlace<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, int idA, int idB, ref Simplex simplex, int slot)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+#if NET
+        if (HaveLanes<TA, TB>()) return TryPlaceLanes(ref a, ref b, frame, idA, idB, ref simplex, slot);
+#endif
+        if (!a.TryGetVertex(idA, out Vector3D onA) | !b.TryGetVertex(idB, out Vector3D onB)) return false;
+        simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, idA, idB);
+        return true;
     }
 
     /// <summary>The vertex made of a point of each shape, measured from its centre in its own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D VertexOf(in PairFrame frame, in Vector3D onA, in Vector3D onB) =>
+    private static Vector3D VertexOf(in PairFrame frame, in Vector3D onA, in Vector3D onB) =>
         onA - (frame.Rotation.Rotate(onB) + frame.Translation);
 }

@@ -1,6 +1,8 @@
 using System;
-using System.Numerics;
 using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Gjk.Core;
 
@@ -46,11 +48,26 @@ internal struct PairFrame
     /// <summary>B's axes in A's frame.</summary>
     public RotationD Rotation;
 
+    /// <summary>A's axes in B's frame.</summary>
+    public RotationD Inverse;
+
     /// <summary>A's axes in the world.</summary>
     public RotationD RotationA;
 
     /// <summary>From A's centre to B's, in A's frame.</summary>
     public Vector3D Translation;
+
+    /// <summary>0, so that the translation can be read as a register of four doubles.</summary>
+    public double End;
+
+#if NET
+    /// <summary><see cref="Translation"/> and a 0.</summary>
+    public readonly Vector256<double> TranslationLanes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.LoadUnsafe(in Translation.X);
+    }
+#endif
 
     /// <summary>The shapes' centres in their own frames.</summary>
     public Vector3D CenterA, CenterB;
@@ -83,6 +100,10 @@ internal struct PairFrame
     /// <summary>Whether the pair can be solved in its own units.</summary>
     public readonly bool IsOrdinary => Magnitude <= MostOrdinary & Magnitude >= LeastOrdinary;
 
+    /// <summary>Whether a squared distance is one of a pair that can be solved in its own units.</summary>
+    public static bool IsOrdinarySize(double distanceSquared) =>
+        distanceSquared >= LeastOrdinary * LeastOrdinary & distanceSquared <= MostOrdinary * MostOrdinary;
+
     /// <summary>Both bounding radii.</summary>
     public readonly double Radius => RadiusA + RadiusB;
 
@@ -106,24 +127,13 @@ internal struct PairFrame
     /// <summary>
     /// Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the composition.
     /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Compose<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Quaternion qa = poseA.Rotation, qb = poseB.Rotation;
-        double ax = qa.X, ay = qa.Y, az = qa.Z, aw = qa.W, bx = qb.X, by = qb.Y, bz = qb.Z, bw = qb.W;
-        double normA = ax * ax + ay * ay + az * az + aw * aw, normB = bx * bx + by * by + bz * bz + bw * bw;
-        double inverse = 1 / (normA * normB);
-        RotationD.Set(out frame.RotationA, ax, ay, az, aw, 2 * normB * inverse);
-        RotationD.Set(
-            out frame.Rotation,
-            aw * bx - ax * bw - ay * bz + az * by,
-            aw * by - ay * bw - az * bx + ax * bz,
-            aw * bz - az * bw - ax * by + ay * bx,
-            aw * bw + ax * bx + ay * by + az * bz,
-            2 * inverse);
-
+        PoseComposition.Compose(
+            poseA, poseB, out frame.RotationA, out frame.Rotation, out frame.Inverse, out frame._areRotations);
         Vector3D centerA = a.Center, centerB = b.Center;
         frame.CenterA = new Vector3D(centerA.X, centerA.Y, centerA.Z);
         frame.CenterB = new Vector3D(centerB.X, centerB.Y, centerB.Z);
@@ -132,6 +142,7 @@ internal struct PairFrame
         frame.MarginA = a.Margin;
         frame.MarginB = b.Margin;
         frame.Unit = 1;
+        frame.End = 0;
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         double tightRadius = (TightBounds<TA>.Are ? frame.RadiusA : 0) + (TightBounds<TB>.Are ? frame.RadiusB : 0);
         Vector3D between = (Vector3D)poseB.Position - poseA.Position;
@@ -146,7 +157,6 @@ internal struct PairFrame
         }
 
         frame.Magnitude = radius + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
-        frame._areRotations = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB);
     }
 
     /// <summary>The power of two that brings the magnitude to between 1 and 2.</summary>

@@ -14,7 +14,7 @@ public static partial class ConvexQuery
     private const double FarApart = 1 << 20;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     private static DistanceResult Finish(
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance)
     {
@@ -22,12 +22,12 @@ public static partial class ConvexQuery
         if (state.Verdict == Verdict.Beyond) return Beyond(state, frame);
         if (state.Verdict == Verdict.Enclosed)
         {
-            Weights weights = ClosestPointWeights.Of(state.Simplex);
-            return Common(state, frame, poseA, poseB, state.Simplex.PointOnA(weights), state.Simplex.PointOnB(weights));
+            return Common(
+                state, frame, poseA, poseB, state.Simplex.PointOnA(state.Weights),
+                state.Simplex.PointOnB(state.Weights));
         }
 
-        Weights w = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
-        Vector3D onA = state.Simplex.PointOnA(w), onB = state.Simplex.PointOnB(w);
+        Vector3D onA = state.Simplex.PointOnA(state.Weights), onB = state.Simplex.PointOnB(state.Weights);
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
         Vector3D toA = state.Feature.Normal * scale;
         Vector3D toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;

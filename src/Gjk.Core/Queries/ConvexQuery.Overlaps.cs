@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -35,31 +36,53 @@ public static partial class ConvexQuery
     {
         TA copyA = default;
         TB copyB = default;
-        return OverlapsOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, out status);
+        status = StatusOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB);
+        return status == GjkStatus.Overlapping;
     }
 
-    private static bool OverlapsOf<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out GjkStatus status)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static GjkStatus StatusOf<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (PairDispatch.AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
-            return OverlapsOf(ref meshA, poseA, ref meshB, poseB, out status);
-        if (PairDispatch.AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
-            return OverlapsOf(ref boxA, poseA, ref boxB, poseB, out status);
+#if NET
+        CoreKind kindA = PairDispatch.KindOf(ref a), kindB = PairDispatch.KindOf(ref b);
+        if (kindA == CoreKind.Box && kindB == CoreKind.Box) return StatusOfBoxes(ref a, poseA, ref b, poseB);
+        if (kindA == CoreKind.Hull && kindB == CoreKind.Hull) return StatusOfHulls(ref a, poseA, ref b, poseB);
+        if (kindA == CoreKind.Box && kindB == CoreKind.Hull) return StatusOfBoxAndHull(ref a, poseA, ref b, poseB);
+        if (kindA == CoreKind.Hull && kindB == CoreKind.Box) return StatusOfHullAndBox(ref a, poseA, ref b, poseB);
+#endif
+        return StatusOfCores(ref a, poseA, ref b, poseB);
+    }
 
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    private static GjkStatus StatusOfCores<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (AreBallsApart(ref a, poseA, ref b, poseB)) return GjkStatus.Separated;
         PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
-        if (!frame.IsValid)
-        {
-            status = GjkStatus.InvalidInput;
-            return false;
-        }
-
+        if (!frame.IsValid) return GjkStatus.InvalidInput;
         Verdict verdict = frame.IsOrdinary ? QuickVerdict(ref a, ref b, frame) : Verdict.Undecided;
-        status = verdict == Verdict.Undecided
-            ? StatusByDistance(ref a, ref b, ref frame)
-            : verdict == Verdict.Enclosed ? GjkStatus.Overlapping : GjkStatus.Separated;
-        return status == GjkStatus.Overlapping;
+        if (verdict == Verdict.Undecided) return StatusByDistance(ref a, ref b, ref frame);
+        return verdict == Verdict.Enclosed ? GjkStatus.Overlapping : GjkStatus.Separated;
+    }
+
+    /// <summary>
+    /// Whether valid shapes are so far apart that their balls show it, wherever their centres are turned to: by more
+    /// than rounding could close. No rotation is looked at.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreBallsApart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double radiusA = a.BoundingRadius + a.Center.SumOfMagnitudes;
+        double radiusB = b.BoundingRadius + b.Center.SumOfMagnitudes;
+        double reach = (radiusA + radiusB) * (1 + GjkTolerances.SeparatedBandCurved);
+        double distanceSquared = ((Vector3D)poseB.Position - poseA.Position).LengthSquared;
+        return distanceSquared > reach * reach & a.Margin >= 0 & b.Margin >= 0 & radiusA >= 0 & radiusB >= 0
+            && PairFrame.IsOrdinarySize(distanceSquared) && poseA.IsValid && poseB.IsValid;
     }
 
     /// <summary>Apart or Enclosed where rounding cannot change the answer.</summary>

@@ -27,7 +27,7 @@ public static partial class ConvexQuery
 #endif
     }
 
-    /// <summary>The whole pipeline, for every distance but the one that gives out its simplex.</summary>
+    /// <summary>The whole pipeline: boxes and meshes are unwrapped first, so that supports need not switch.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static DistanceResult Ask<TA, TB, TTrace>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
@@ -38,15 +38,23 @@ public static partial class ConvexQuery
     {
         TA copyA = default;
         TB copyB = default;
-        Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref warmStart, isWarm,
-            ref trace, out PairFrame frame, out SolverState state);
-        return Finish(state, frame, poseA, poseB, maxDistance);
+        ref TA shapeA = ref Inward(a, ref copyA);
+        ref TB shapeB = ref Inward(b, ref copyB);
+#if NET
+        CoreKind kindA = PairDispatch.KindOf(ref shapeA), kindB = PairDispatch.KindOf(ref shapeB);
+        if (kindA == CoreKind.Box && kindB == CoreKind.Box)
+            return AskBoxes(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
+        if (kindA == CoreKind.Hull && kindB == CoreKind.Hull)
+            return AskHulls(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
+        if (kindA == CoreKind.Box && kindB == CoreKind.Hull)
+            return AskBoxAndHull(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
+        if (kindA == CoreKind.Hull && kindB == CoreKind.Box)
+            return AskHullAndBox(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
+#endif
+        return AskCores(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
     }
 
-    /// <summary>
-    /// The pipeline up to the margins. A verdict of Contradiction without iterations stands for invalid input.
-    /// </summary>
+    /// <summary>The pipeline.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Where it is.</param>
     /// <param name="b">The second shape.</param>
@@ -57,8 +65,24 @@ public static partial class ConvexQuery
     /// </param>
     /// <param name="isWarm">Whether this is a warm query.</param>
     /// <param name="trace">Told what the solvers do.</param>
-    /// <param name="frame">The pair's frame.</param>
-    /// <param name="state">What the solvers found.</param>
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    private static DistanceResult AskCores<TA, TB, TTrace>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
+        bool isWarm, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        Solve(
+            ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace, out PairFrame frame,
+            out SolverState state);
+        return Finish(state, frame, poseA, poseB, maxDistance);
+    }
+
+    /// <summary>
+    /// The pipeline up to the margins. A verdict of Contradiction without iterations stands for invalid input.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Solve<TA, TB, TTrace>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
         bool isWarm, ref TTrace trace, out PairFrame frame, out SolverState state)
@@ -66,21 +90,6 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        if (PairDispatch.AreMeshes(ref a, ref b, out ConvexMesh meshA, out ConvexMesh meshB))
-        {
-            Solve(
-                ref meshA, poseA, ref meshB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame,
-                out state);
-            return;
-        }
-
-        if (PairDispatch.AreBoxes(ref a, ref b, out BoxCore boxA, out BoxCore boxB))
-        {
-            Solve(
-                ref boxA, poseA, ref boxB, poseB, maxDistance, ref warmStart, isWarm, ref trace, out frame, out state);
-            return;
-        }
-
         PairFrame.Compose(ref a, poseA, ref b, poseB, out frame);
         SolverState.Begin<TA, TB>(frame, out state);
         if (!frame.IsValid || float.IsNaN(maxDistance)) state.Verdict = Verdict.Contradiction;
@@ -166,7 +175,7 @@ public static partial class ConvexQuery
         where TTrace : struct, IGjkTrace
     {
         trace.OnSupport(
-            new TracedSupport(frame, frame.FirstNormal, default, -frame.Translation, 0, 0, isExtended: false));
+            new TracedSupport(frame, frame.FirstNormal, state.Simplex, state.Simplex.A, isExtended: false));
         trace.OnReduced(new TracedSimplex(state.Simplex, frame.Unit, isExtended: false));
     }
 }

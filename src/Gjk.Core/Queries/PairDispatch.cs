@@ -1,40 +1,41 @@
+#if NET
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
 /// <summary>
-/// Unwraps two unscaled meshes or two boxes behind <see cref="ConvexShape"/>, so that supports need not switch on the
-/// shape's kind. For all other types the answers are known to be false when the code is compiled.
+/// Unwraps boxes and meshes, so that supports need not switch on the shape's kind. For all other types the answers are
+/// known when the code is compiled.
 /// </summary>
 internal static class PairDispatch
 {
+    /// <summary>What a shape can be unwrapped to.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool AreMeshes<TA, TB>(ref TA a, ref TB b, out ConvexMesh meshA, out ConvexMesh meshB)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static CoreKind KindOf<T>(ref T shape)
+        where T : struct, ISupportMap
     {
-        meshA = default;
-        meshB = default;
-#if NET
-        if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
-            return Unsafe.As<TA, ConvexShape>(ref a).TryGetMesh(out meshA)
-                && Unsafe.As<TB, ConvexShape>(ref b).TryGetMesh(out meshB);
-#endif
-        return false;
+        if (typeof(T) == typeof(ConvexShape)) return Unsafe.As<T, ConvexShape>(ref shape).Core;
+        if (typeof(T) == typeof(BoxShape)) return CoreKind.Box;
+        return typeof(T) == typeof(ConvexMesh) ? Unsafe.As<T, ConvexMesh>(ref shape).Core : CoreKind.Other;
     }
 
+    /// <summary>The box that a shape is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool AreBoxes<TA, TB>(ref TA a, ref TB b, out BoxCore boxA, out BoxCore boxB)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static void Get<T>(ref T shape, out BoxCore box)
+        where T : struct, ISupportMap
     {
-        boxA = default;
-        boxB = default;
-#if NET
-        if (typeof(TA) == typeof(ConvexShape) && typeof(TB) == typeof(ConvexShape))
-            return Unsafe.As<TA, ConvexShape>(ref a).TryGetBox(out boxA)
-                && Unsafe.As<TB, ConvexShape>(ref b).TryGetBox(out boxB);
-#endif
-        return false;
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out box);
+        else if (typeof(T) == typeof(ConvexMesh)) Unsafe.As<T, ConvexMesh>(ref shape).Get(out box);
+        else Unsafe.As<T, BoxShape>(ref shape).Get(out box);
+    }
+
+    /// <summary>The mesh that a shape is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Get<T>(ref T shape, out HullCore hull)
+        where T : struct, ISupportMap
+    {
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out hull);
+        else Unsafe.As<T, ConvexMesh>(ref shape).Get(out hull);
     }
 }
+#endif

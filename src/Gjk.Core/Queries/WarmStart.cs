@@ -42,20 +42,13 @@ public struct WarmStart
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        // Oldest first: the newest vertex becomes A again. A stray count is only a wrong guess.
+        // A stray count is only a wrong guess.
         int count = (uint)_count <= 4u ? _count : 0;
-        for (int i = count - 1; i >= 0; i--)
-        {
-            int idA = i == 0 ? _a0 : i == 1 ? _a1 : i == 2 ? _a2 : _a3;
-            int idB = i == 0 ? _b0 : i == 1 ? _b1 : i == 2 ? _b2 : _b3;
-            if (!a.TryGetVertex(idA, out Vector3D onA) || !b.TryGetVertex(idB, out Vector3D onB))
-            {
-                simplex.Count = 0;
-                return;
-            }
-
-            simplex.Push(MinkowskiDifference.VertexOf(frame, onA, onB), onA, onB, idA, idB);
-        }
+        bool found = count > 0 && MinkowskiDifference.TryPlace(ref a, ref b, frame, _a0, _b0, ref simplex, 0);
+        if (count > 1) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a1, _b1, ref simplex, 1);
+        if (count > 2) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a2, _b2, ref simplex, 2);
+        if (count > 3) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a3, _b3, ref simplex, 3);
+        if (found) simplex.Select(count, 0, 1, 2, 3);
     }
 
     /// <summary>Remembers where a query ended.</summary>

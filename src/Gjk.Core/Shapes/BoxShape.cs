@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A box about the local origin, its faces square to the local axes.</summary>
-public readonly struct BoxShape : ISupportMap
+public readonly struct BoxShape : ISupportMap, ITightBounds
 {
     /// <summary>Half the side lengths, each at least 0.</summary>
     public readonly Vector3 HalfExtents;
@@ -21,10 +21,14 @@ public readonly struct BoxShape : ISupportMap
     /// <inheritdoc/>
     public double BoundingRadius => ((Vector3D)HalfExtents).Length;
 
-    /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point) =>
-        PrimitiveSupport.Box(HalfExtents, direction, out point);
+    /// <summary>This, as queries ask it.</summary>
+    internal void Get(out BoxCore box) =>
+        BoxCore.Make(HalfExtents, default, BoxCorners.Plain, BoundingRadius, 0, out box);
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point) => PrimitiveSupport.TryBoxVertex(HalfExtents, id, out point);
+    public int Support(in Vector3D direction, out Vector3D point) =>
+        BoxSupport.Furthest(HalfExtents, direction, out point);
+
+    /// <inheritdoc/>
+    public bool TryGetVertex(int id, out Vector3D point) => BoxSupport.TryGetVertex(HalfExtents, id, out point);
 }

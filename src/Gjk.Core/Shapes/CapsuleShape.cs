@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A capsule along the local y axis: a segment core with the radius as its margin.</summary>
-public readonly struct CapsuleShape : ISupportMap
+public readonly struct CapsuleShape : ISupportMap, ITightBounds
 {
     /// <summary>The radius, at least 0.</summary>
     public readonly float Radius;

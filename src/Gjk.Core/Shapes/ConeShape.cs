@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A cone about the local y axis: the apex at +HalfHeight, the base's disc at -HalfHeight.</summary>
-public readonly struct ConeShape : ISupportMap
+public readonly struct ConeShape : ISupportMap, ITightBounds
 {
     /// <summary>The radius of the disc, at least 0.</summary>
     public readonly float Radius;

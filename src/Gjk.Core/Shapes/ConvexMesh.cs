@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// <summary>
 /// The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.
 /// </summary>
-public readonly struct ConvexMesh : ISupportMap
+public readonly struct ConvexMesh : ISupportMap, ITightBounds
 {
     private readonly ConvexHull? _hull;
 
@@ -30,6 +30,16 @@ public readonly struct ConvexMesh : ISupportMap
 
     /// <summary>NaN in <c>default(ConvexMesh)</c>, which no query accepts.</summary>
     public double BoundingRadius => _hull is null ? double.NaN : _hull.BoundingRadius;
+
+    /// <summary>What a query may unwrap this to.</summary>
+    internal CoreKind Core => _hull is null ? CoreKind.Other : _hull.IsExactBox ? CoreKind.Box : CoreKind.Hull;
+
+    /// <summary>This, known to be a box.</summary>
+    internal void Get(out BoxCore box) =>
+        BoxCore.Make(_hull!.Cells.Stretch, _hull.Center, _hull.Cells.Corners, _hull.BoundingRadius, 0, out box);
+
+    /// <summary>This, known to be a mesh.</summary>
+    internal void Get(out HullCore hull) => hull = new HullCore(_hull!, _hull!.BoundingRadius, 0);
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

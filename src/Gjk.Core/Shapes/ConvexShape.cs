@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -11,7 +12,7 @@ namespace Gjk.Core;
 /// Immutable. Scales are multiplied in where the product is exact (points, segments, triangles, boxes, ellipsoids); a
 /// mesh, cylinder or cone, and a capsule scaled unevenly, keep their factors and apply them to each support.
 /// </remarks>
-public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape>
+public readonly partial struct ConvexShape : ISupportMap, ITightBounds, IEquatable<ConvexShape>
 {
     private static readonly Vector3D Unscaled = new(1, 1, 1);
 
@@ -21,6 +22,7 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
     private readonly Vector3D _center, _centerError;
     private readonly double _boundingRadius;
     private readonly bool _isPlain;
+    private readonly CoreKind _core;
 
     internal ConvexShape(in ShapeParts parts)
     {
@@ -36,6 +38,10 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
         }
 
         _isPlain = parts.Scale == Unscaled;
+        _core = !_isPlain ? CoreKind.Other
+            : parts.Kind == ShapeKind.Box ? CoreKind.Box
+            : parts.Kind != ShapeKind.Mesh ? CoreKind.Other
+            : parts.Hull!.IsExactBox ? CoreKind.Box : CoreKind.Hull;
         _margin = _scale.Margin(parts.InnerMargin) + parts.Rounding;
         Vector3D center = CoreCenter(parts);
         _scale.Place(center, out _center, out _centerError);
@@ -108,21 +114,21 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
         return found;
     }
 
-    /// <summary>The mesh that this is, when it is one and neither scaled nor decorated.</summary>
-    internal bool TryGetMesh(out ConvexMesh mesh)
+    /// <summary>What a query may unwrap this to.</summary>
+    internal CoreKind Core => _core;
+
+    /// <summary>This, known to be a box.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal void Get(out BoxCore box)
     {
-        bool isMesh = _parts.Kind == ShapeKind.Mesh && _isPlain && _parts.Rounding == 0;
-        mesh = isMesh ? new ConvexMesh(_parts.Hull!) : default;
-        return isMesh;
+        ConvexHull? hull = _parts.Hull;
+        if (hull is null) BoxCore.Make(_parts.A, default, BoxCorners.Plain, _boundingRadius, _margin, out box);
+        else BoxCore.Make(hull.Cells.Stretch, _center, hull.Cells.Corners, _boundingRadius, _margin, out box);
     }
 
-    /// <summary>The box that this is, when it is one and not decorated.</summary>
-    internal bool TryGetBox(out BoxCore box)
-    {
-        bool isBox = _parts.Kind == ShapeKind.Box && _isPlain && _parts.Rounding == 0;
-        box = isBox ? new BoxCore(_parts.A, _boundingRadius) : default;
-        return isBox;
-    }
+    /// <summary>This, known to be a mesh.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal void Get(out HullCore hull) => hull = new HullCore(_parts.Hull!, _boundingRadius, _margin);
 
     private static Vector3D CoreCenter(in ShapeParts parts) => parts.Kind switch
     {
@@ -151,7 +157,7 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
             case ShapeKind.Mesh:
                 return HullSupport.Find(_parts.Hull!.Cells, direction, out point);
             case ShapeKind.Box:
-                return PrimitiveSupport.Box(_parts.A, direction, out point);
+                return BoxSupport.Furthest(_parts.A, direction, out point);
             case ShapeKind.Point or ShapeKind.Sphere:
                 point = default;
                 return 0;
@@ -182,7 +188,7 @@ public readonly partial struct ConvexShape : ISupportMap, IEquatable<ConvexShape
                 _parts.Hull.GetVertex(id, out point);
                 return true;
             case ShapeKind.Box:
-                return PrimitiveSupport.TryBoxVertex(_parts.A, id, out point);
+                return BoxSupport.TryGetVertex(_parts.A, id, out point);
             case ShapeKind.Point or ShapeKind.Sphere:
                 point = default;
                 return id == 0;

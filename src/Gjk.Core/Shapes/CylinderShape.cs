@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A cylinder about the local y axis, centred at the local origin.</summary>
-public readonly struct CylinderShape : ISupportMap
+public readonly struct CylinderShape : ISupportMap, ITightBounds
 {
     /// <summary>The radius of the disc, at least 0.</summary>
     public readonly float Radius;

@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>An ellipsoid about the local origin, its axes along the local ones. A radius of 0 flattens it.</summary>
-public readonly struct EllipsoidShape : ISupportMap
+public readonly struct EllipsoidShape : ISupportMap, ITightBounds
 {
     /// <summary>The semi-axes, each at least 0.</summary>
     public readonly Vector3 Radii;

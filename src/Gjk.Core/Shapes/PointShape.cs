@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A single point: the local origin.</summary>
-public readonly struct PointShape : ISupportMap
+public readonly struct PointShape : ISupportMap, ITightBounds
 {
     /// <inheritdoc/>
     public Vector3D Center => default;

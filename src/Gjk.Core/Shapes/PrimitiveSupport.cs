@@ -44,23 +44,6 @@ internal static class PrimitiveSupport
         return id;
     }
 
-    /// <summary>Corner ids: bit 0, 1, 2 set where x, y, z is at its negative end.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Box(in Vector3D half, in Vector3D direction, out Vector3D point)
-    {
-        double x = direction.X, y = direction.Y, z = direction.Z;
-        point = new Vector3D(
-            BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z));
-        return BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
-    }
-
-    public static bool TryBoxVertex(in Vector3D half, int id, out Vector3D point)
-    {
-        point = new Vector3D(
-            (id & 1) != 0 ? -half.X : half.X, (id & 2) != 0 ? -half.Y : half.Y, (id & 4) != 0 ? -half.Z : half.Z);
-        return (uint)id < 8u;
-    }
-
     /// <summary>
     /// The disc of the given radius about the y axis: the rim point in the direction, the centre where the direction
     /// has no radial part.

@@ -12,8 +12,7 @@ namespace Gjk.Core;
 /// the margin's ball into an ellipsoid, which then belongs to the core.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-[MeasuresRadius]
-public readonly struct Scaled<T> : ISupportMap
+public readonly struct Scaled<T> : ISupportMap, ITightBounds
     where T : struct, ISupportMap
 {
     private readonly T _inner;

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>The straight line between two points, both included; they may coincide.</summary>
-public readonly struct SegmentShape : ISupportMap
+public readonly struct SegmentShape : ISupportMap, ITightBounds
 {
     /// <summary>One end.</summary>
     public readonly Vector3 A;

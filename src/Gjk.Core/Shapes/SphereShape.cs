@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A ball about the local origin: a point core with the radius as its margin.</summary>
-public readonly struct SphereShape : ISupportMap
+public readonly struct SphereShape : ISupportMap, ITightBounds
 {
     /// <summary>The radius, at least 0.</summary>
     public readonly float Radius;

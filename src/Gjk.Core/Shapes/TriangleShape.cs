@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A triangle, filled; it may be degenerate (a segment or a point).</summary>
-public readonly struct TriangleShape : ISupportMap
+public readonly struct TriangleShape : ISupportMap, ITightBounds
 {
     /// <summary>The first corner.</summary>
     public readonly Vector3 A;

@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -27,6 +28,19 @@ internal static class ClosestPointWeights
     /// </summary>
     private const double Needle = 1.0 / (1L << 40);
 
+    /// <summary>
+    /// Ratio of a volume to the cube of the root of the vertices' squared lengths, added: 4 roundings. The determinant
+    /// of three of these vertices, whose lengths' product is at most 0.2 of that cube, is off by less than 16 roundings
+    /// of the product. Pinned by ClosestPointWeightsTests.
+    /// </summary>
+    private const double ClearVolume = 4 * RoundOff.Unit;
+
+    /// <summary>
+    /// The same for the sum of the volumes: what keeps the weights' errors, 16 roundings over it, below
+    /// <see cref="Residual"/>. Pinned by ClosestPointWeightsTests.
+    /// </summary>
+    private const double ClearSum = 1e-5;
+
     /// <summary>The nearest point of a simplex of one to four vertices.</summary>
     public static Weights Of(in Simplex s) => s.Count switch
     {
@@ -35,6 +49,29 @@ internal static class ClosestPointWeights
         3 => Triangle(s.WA, s.WB, s.WC),
         _ => Tetrahedron(s.WA, s.WB, s.WC, s.WD),
     };
+
+    /// <summary>
+    /// Reduces a simplex of any origin, about which nothing is known, to its feature nearest the origin.
+    /// </summary>
+    /// <returns>False when the origin is inside the tetrahedron, or as near as its weights can tell.</returns>
+    public static bool TrySelect(ref Simplex simplex)
+    {
+        Weights w = Of(simplex);
+        int kept = 0;
+        for (int i = 0; i < simplex.Count; i++)
+        {
+            if (!(w[i] > 0)) continue;
+            int vertex = simplex[i];
+            if (kept == 0) simplex.A = vertex;
+            else if (kept == 1) simplex.B = vertex;
+            else if (kept == 2) simplex.C = vertex;
+            kept++;
+        }
+
+        if (kept == 4) return false;
+        simplex.Count = kept;
+        return true;
+    }
 
     /// <summary>
     /// The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to
@@ -59,6 +96,37 @@ internal static class ClosestPointWeights
         double b = -Vector3D.Dot(ac, inPlane) * scale, c = Vector3D.Dot(ab, inPlane) * scale;
         var weights = new Weights(1 - b - c, b, c, 0);
         return weights.IsInside ? weights : weights.Clamped;
+    }
+
+    /// <summary>
+    /// The weights of the origin in a tetrahedron that holds it clearly: by so much that rounding can neither turn the
+    /// sign of a volume nor take more than a billionth of the size from the weighted point.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool TryInside(in Simplex s, out Weights weights)
+    {
+        Vector3D a = s.WA, b = s.WB, c = s.WC, d = s.WD;
+        weights = VolumeWeights(a, b, c, d, out double sum, out double least);
+        double cube = CubeOf(a, b, c, d);
+        return IsClear(least, cube) & sum * sum > ClearSum * ClearSum * cube;
+    }
+
+    /// <summary>Whether the origin clearly is inside a tetrahedron: by more than rounding could turn.</summary>
+    public static bool IsInside(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    {
+        VolumeWeights(a, b, c, d, out _, out double least);
+        return IsClear(least, CubeOf(a, b, c, d));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsClear(double least, double cube) =>
+        least > 0 & least * least > ClearVolume * ClearVolume * cube;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double CubeOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    {
+        double size = a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared;
+        return size * size * size;
     }
 
     /// <summary>The nearest point of the segment AB.</summary>
@@ -90,7 +158,7 @@ internal static class ClosestPointWeights
     /// <summary>The nearest point of the tetrahedron ABCD; the origin itself when that is inside.</summary>
     public static Weights Tetrahedron(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
     {
-        Weights inside = VolumeWeights(a, b, c, d);
+        Weights inside = VolumeWeights(a, b, c, d, out _, out _);
         if (inside.IsInside && IsOrigin(inside, a, b, c, d)) return inside;
         inside = VolumeWeightsExtended(a, b, c, d);
         if (inside.IsInside && IsOrigin(inside, a, b, c, d)) return inside;
@@ -131,13 +199,19 @@ internal static class ClosestPointWeights
     }
 
     /// <summary>
-    /// The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum.
+    /// The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum; and the least
+    /// of them, negative where the origin is outside.
     /// </summary>
-    private static Weights VolumeWeights(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Weights VolumeWeights(
+        in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d, out double sum, out double least)
     {
-        double va = Vector3D.Dot(b, Vector3D.Cross(c, d)), vb = -Vector3D.Dot(a, Vector3D.Cross(c, d));
+        Vector3D cd = Vector3D.Cross(c, d);
+        double va = Vector3D.Dot(b, cd), vb = -Vector3D.Dot(a, cd);
         double vc = Vector3D.Dot(a, Vector3D.Cross(b, d)), vd = -Vector3D.Dot(a, Vector3D.Cross(b, c));
-        double sum = va + vb + vc + vd;
+        sum = va + vb + vc + vd;
+        double turn = BranchFree.WithSign(1, sum);
+        least = Math.Min(Math.Min(va * turn, vb * turn), Math.Min(vc * turn, vd * turn));
         return new Weights(va / sum, vb / sum, vc / sum, vd / sum);
     }
 

@@ -10,21 +10,15 @@ namespace Gjk.Core;
 /// <remarks>
 /// Johnson's theorem (in Gilbert, Johnson and Keerthi 1988) says that this sub-simplex exists and is unique. So no
 /// region is missed, and nothing rests on the order in which the points came, as it does in
-/// <see cref="ClosestFeatureStep"/>. The determinants of three doubles need at most 160 bits. 106 leave an error of
+/// <see cref="NextSimplex"/>. The determinants of three doubles need at most 160 bits. 106 leave an error of
 /// 1e-31 of their size, which is 1e-16 of what the vertices' own rounding does.
 /// </remarks>
 internal static class ExtendedFeatureStep
 {
     /// <summary>
-    /// AggressiveOptimization, which netstandard2.0 has no name for. This code runs so seldom that the runtime would
-    /// leave it unoptimised, some hundred times slower.
-    /// </summary>
-    public const MethodImplOptions OptimizeAtOnce = (MethodImplOptions)512;
-
-    /// <summary>
     /// Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.
     /// </summary>
-    [MethodImpl(OptimizeAtOnce)]
+    [MethodImpl(Jit.AtOnce)]
     public static bool TryReduce(ref Simplex simplex, out ClosestFeature feature, out DoubleDouble distanceSquared)
     {
         feature = default;
@@ -50,7 +44,7 @@ internal static class ExtendedFeatureStep
     }
 
     /// <summary>The subset's normal and height, when its nearest point is inside it.</summary>
-    [MethodImpl(OptimizeAtOnce)]
+    [MethodImpl(Jit.AtOnce)]
     private static bool TryFeature(
         in Simplex simplex, int subset, out VectorDD normal, out DoubleDouble height, out bool flipped)
     {
@@ -102,7 +96,7 @@ internal static class ExtendedFeatureStep
     }
 
     /// <summary>The four volumes that the origin spans with the faces all have the sign of the whole.</summary>
-    [MethodImpl(OptimizeAtOnce)]
+    [MethodImpl(Jit.AtOnce)]
     private static bool Encloses(in Simplex simplex)
     {
         VectorDD a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;

@@ -1,4 +1,7 @@
 using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Gjk.Core;
 
@@ -20,9 +23,9 @@ internal unsafe struct Simplex
     public int Count;
 
     private fixed int _ids[8];
-    private fixed double _w[12];
-    private fixed double _onA[12];
-    private fixed double _onB[12];
+    private fixed double _w[16];
+    private fixed double _onA[16];
+    private fixed double _onB[16];
 
     public readonly Vector3D WA => W(A);
 
@@ -37,15 +40,15 @@ internal unsafe struct Simplex
 
     /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D W(int slot) => new(_w[3 * slot], _w[3 * slot + 1], _w[3 * slot + 2]);
+    public readonly Vector3D W(int slot) => new(_w[4 * slot], _w[4 * slot + 1], _w[4 * slot + 2]);
 
     /// <summary>The support point of A that it was made from.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D OnA(int slot) => new(_onA[3 * slot], _onA[3 * slot + 1], _onA[3 * slot + 2]);
+    public readonly Vector3D OnA(int slot) => new(_onA[4 * slot], _onA[4 * slot + 1], _onA[4 * slot + 2]);
 
     /// <summary>The support point of B that it was made from, from B's centre in B's own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D OnB(int slot) => new(_onB[3 * slot], _onB[3 * slot + 1], _onB[3 * slot + 2]);
+    public readonly Vector3D OnB(int slot) => new(_onB[4 * slot], _onB[4 * slot + 1], _onB[4 * slot + 2]);
 
     public readonly int IdA(int slot) => _ids[2 * slot];
 
@@ -73,23 +76,84 @@ internal unsafe struct Simplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Push(in Vector3D w, in Vector3D onA, in Vector3D onB, int idA, int idB)
     {
-        int slot = FreeSlot();
+        int slot = FreeSlot;
+        Fill(slot, w, onA, onB, idA, idB);
+        Push(slot);
+    }
+
+    /// <summary>Makes the vertex in a free slot the newest one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Push(int slot)
+    {
         D = C;
         C = B;
         B = A;
         A = slot;
         Count++;
-        _w[3 * slot] = w.X;
-        _w[3 * slot + 1] = w.Y;
-        _w[3 * slot + 2] = w.Z;
-        _onA[3 * slot] = onA.X;
-        _onA[3 * slot + 1] = onA.Y;
-        _onA[3 * slot + 2] = onA.Z;
-        _onB[3 * slot] = onB.X;
-        _onB[3 * slot + 1] = onB.Y;
-        _onB[3 * slot + 2] = onB.Z;
+    }
+
+    /// <summary>Writes a vertex of A - B, and the support points that it is made from, into a slot.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Fill(int slot, in Vector3D w, in Vector3D onA, in Vector3D onB, int idA, int idB)
+    {
+        _w[4 * slot] = w.X;
+        _w[4 * slot + 1] = w.Y;
+        _w[4 * slot + 2] = w.Z;
+        _onA[4 * slot] = onA.X;
+        _onA[4 * slot + 1] = onA.Y;
+        _onA[4 * slot + 2] = onA.Z;
+        _onB[4 * slot] = onB.X;
+        _onB[4 * slot + 1] = onB.Y;
+        _onB[4 * slot + 2] = onB.Z;
         _ids[2 * slot] = idA;
         _ids[2 * slot + 1] = idB;
+    }
+
+#if NET
+    /// <inheritdoc cref="Fill(int, in Vector3D, in Vector3D, in Vector3D, int, int)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Fill(
+        int slot, Vector256<double> w, Vector256<double> onA, Vector256<double> onB, int idA, int idB)
+    {
+        w.StoreUnsafe(ref _w[0], (nuint)(4 * slot));
+        onA.StoreUnsafe(ref _onA[0], (nuint)(4 * slot));
+        onB.StoreUnsafe(ref _onB[0], (nuint)(4 * slot));
+        _ids[2 * slot] = idA;
+        _ids[2 * slot + 1] = idB;
+    }
+#endif
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Select(int count, int a, int b, int c, int d)
+    {
+        Count = count;
+        A = a;
+        B = b;
+        C = c;
+        D = d;
+    }
+
+    /// <summary>The lowest slot that no vertex holds.</summary>
+    public readonly int FreeSlot
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            int used = Count > 0 ? 1 << A : 0;
+            if (Count > 1) used |= 1 << B;
+            if (Count > 2) used |= 1 << C;
+            return (used & 1) == 0 ? 0 : (used & 2) == 0 ? 1 : (used & 4) == 0 ? 2 : 3;
+        }
+    }
+
+    /// <summary>The weighted sum of the vertices.</summary>
+    public readonly Vector3D PointOf(in Weights w)
+    {
+        Vector3D point = WA * w.A;
+        if (Count > 1) point += WB * w.B;
+        if (Count > 2) point += WC * w.C;
+        if (Count > 3) point += WD * w.D;
+        return point;
     }
 
     /// <summary>The weighted sum of A's support points.</summary>
@@ -112,15 +176,5 @@ internal unsafe struct Simplex
         if (Count > 2) point += OnB(C) * w.C;
         if (Count > 3) point += OnB(D) * w.D;
         return point;
-    }
-
-    /// <summary>The lowest slot that no vertex holds.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly int FreeSlot()
-    {
-        int used = Count > 0 ? 1 << A : 0;
-        if (Count > 1) used |= 1 << B;
-        if (Count > 2) used |= 1 << C;
-        return (used & 1) == 0 ? 0 : (used & 2) == 0 ? 1 : (used & 4) == 0 ? 2 : 3;
     }
 }

@@ -32,72 +32,79 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class GjkDistance
 {
+    /// <summary>What the newest plane says about the nearest feature.</summary>
+    private enum Ending
+    {
+        /// <summary>The walk goes on.</summary>
+        None,
+
+        /// <summary>The plane is further than asked.</summary>
+        Beyond,
+
+        /// <summary>The two meet.</summary>
+        Closed,
+
+        /// <summary>They seem to, but the feature's corners are not level.</summary>
+        Tilted,
+
+        /// <summary>The plane lies behind the feature, which no convex shape's can.</summary>
+        Behind,
+    }
+
     /// <summary>
     /// Runs the loop from <c>state.Feature.Normal</c> (cold), or from <c>state.Simplex</c> when that has vertices
     /// (warm).
     /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, double maxDistance, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        ref Simplex simplex = ref state.Simplex;
-        ref ClosestFeature feature = ref state.Feature;
-        double distanceSquared = double.PositiveInfinity;
-        if (simplex.Count == 0) feature.NormalSquared = feature.Normal.LengthSquared;
-        else if (!TryBegin(ref state, out distanceSquared)) return;
-
-        double touchSquared = state.TouchSquared, noise = state.Noise;
+        if (state.Simplex.Count != 0 && !TryBegin(ref state)) return;
+        Load(state, out FeatureVertices vertices, out ClosestFeature feature);
+        double distanceSquared = vertices.Count == 0 ? double.PositiveInfinity : feature.DistanceSquared;
+        double touchSquared = state.TouchSquared, noise = state.Noise, reachSquared = maxDistance * maxDistance;
         bool separated = false;
-        state.Verdict = Verdict.Undecided;
-        while (state.Iterations < GjkTolerances.MaxIterations)
+        for (int rounds = 1; ; rounds++)
         {
-            var normal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
-            MinkowskiDifference.Support(
-                ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
-                out Vector3D w);
-            state.Iterations++;
-            if (state.Matters<TA, TB>(idA | idB))
+            int slot = vertices.FreeSlot;
+            Vector3D w = MinkowskiDifference.Support(
+                ref a, ref b, frame, feature.Normal, ref state.Simplex, slot, out int ids);
+            if (state.Matters<TA, TB>(ids))
             {
-                state.See(frame, onA, onB, idA | idB);
+                state.See(frame, state.Simplex, slot);
                 (touchSquared, noise) = (state.TouchSquared, state.Noise);
             }
 
-            if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: false));
-            double plane = Vector3D.Dot(normal, w);
-            if (plane > 0)
+            if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, feature.Normal, state.Simplex, slot, false));
+            double plane = Vector3D.Dot(feature.Normal, w);
+            separated |= plane > 0 && plane * plane > touchSquared * feature.NormalSquared;
+            Ending ending = Judge(state, vertices, feature, plane, reachSquared, noise);
+            if (ending != Ending.None)
             {
-                separated |= plane * plane > touchSquared * feature.NormalSquared;
-                if (plane * plane > maxDistance * maxDistance * feature.NormalSquared)
-                {
-                    state.Verdict = Verdict.Beyond;
-                    state.Plane.Set(feature, plane);
-                    return;
-                }
-            }
-
-            if (simplex.Count != 0 && IsEnd(ref state, plane, noise)) return;
-
-            simplex.Push(w, onA, onB, idA, idB);
-            bool isOutside = ClosestFeatureStep.Reduce(ref simplex, ref feature);
-            if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, frame.Unit, isExtended: false));
-            if (!isOutside)
-            {
-                if (!separated) state.Verdict = Proofs.Enclosed(simplex, touchSquared);
+                state.Iterations += rounds;
+                Settle(ref state, vertices, feature, plane, ending);
                 return;
             }
 
+            var newest = new MinkowskiVertex(w, slot);
+            if (!NextSimplex.TryAdvance(ref vertices, newest, ref feature, nearest: true))
+            {
+                state.Iterations += rounds;
+                Surround(ref state, vertices, slot, separated, touchSquared);
+                return;
+            }
+
+            if (trace.IsOn) Tell(state, vertices, frame.Unit, ref trace);
             double before = distanceSquared;
             distanceSquared = feature.DistanceSquared;
-            if (!(distanceSquared > touchSquared))
-            {
-                state.Verdict = Proofs.Touching(simplex, feature, distanceSquared, touchSquared);
-                return;
-            }
-
-            if (!(distanceSquared < before)) return;
+            if (distanceSquared > touchSquared & distanceSquared < before & rounds < GjkTolerances.MaxIterations)
+                continue;
+            state.Iterations += rounds;
+            Stop(ref state, vertices, feature, distanceSquared, touchSquared);
+            return;
         }
     }
 
@@ -109,54 +116,135 @@ internal static class GjkDistance
     {
         state.Simplex.Push(-frame.Translation, default, default, 0, 0);
         state.Iterations = 1;
-        ClosestFeatureStep.Reduce(ref state.Simplex, ref state.Feature);
+        FeatureVertices vertices = default;
+        NextSimplex.KeepVertex(ref vertices, ref state.Feature, -frame.Translation);
         state.Verdict = state.Feature.Height > 0 ? Verdict.Apart : Verdict.Enclosed;
         state.Plane.Set(state.Feature, state.Feature.Height);
+        state.Weights = new Weights(1, 0, 0, 0);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Ending Judge(
+        in SolverState state, in FeatureVertices vertices, in ClosestFeature feature, double plane,
+        double reachSquared, double noise)
+    {
+        if (plane > 0 && plane * plane > reachSquared * feature.NormalSquared) return Ending.Beyond;
+        if (vertices.Count == 0) return Ending.None;
+        double gap = feature.Height - plane;
+        if (!Proofs.IsClosed(gap, feature, state.IsCurved, noise)) return gap > 0 ? Ending.None : Ending.Behind;
+
+        // The normal of a needle of a triangle can be tilted so far by rounding that its corners no longer are level:
+        // then the height of one proves nothing.
+        return vertices.Count != 3 || state.IsCurved
+            || Proofs.IsLevel(vertices, feature, plane, GjkTolerances.Level * state.Size.Value)
+            ? Ending.Closed
+            : Ending.Tilted;
+    }
+
+    /// <summary>Brings the vertices and the feature of a state into locals.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Load(in SolverState state, out FeatureVertices vertices, out ClosestFeature feature)
+    {
+        vertices.Count = state.Simplex.Count;
+        vertices.A = new MinkowskiVertex(state.Simplex.WA, state.Simplex.A);
+        vertices.B = new MinkowskiVertex(state.Simplex.WB, state.Simplex.B);
+        vertices.C = new MinkowskiVertex(state.Simplex.WC, state.Simplex.C);
+        vertices.Winding = 1;
+        feature.Normal = new Vector3D(state.Feature.Normal.X, state.Feature.Normal.Y, state.Feature.Normal.Z);
+        feature.Height = state.Feature.Height;
+        feature.NormalSquared = feature.Normal.LengthSquared;
+    }
+
+    /// <summary>The other way; a triangle is wound as <see cref="Simplex"/> asks.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Store(ref SolverState state, in FeatureVertices vertices, in ClosestFeature feature)
+    {
+        int b = (int)vertices.B.Slot, c = (int)vertices.C.Slot;
+        bool turned = vertices.Count == 3 & vertices.Winding < 0;
+        state.Simplex.Select(vertices.Count, (int)vertices.A.Slot, turned ? c : b, turned ? b : c, 0);
+        state.Feature = feature;
+    }
+
+    /// <summary>The plane has ended the walk.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Settle(
+        ref SolverState state, in FeatureVertices vertices, in ClosestFeature feature, double plane, Ending ending)
+    {
+        Store(ref state, vertices, feature);
+        state.Plane.Set(feature, plane);
+        if (ending == Ending.Closed)
+        {
+            state.Verdict = Verdict.Apart;
+            state.Weights = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
+        }
+        else if (ending == Ending.Behind)
+        {
+            Proofs.SettleStall(ref state, plane, plane - feature.Height);
+        }
+        else
+        {
+            state.Verdict = ending == Ending.Beyond ? Verdict.Beyond : Verdict.Undecided;
+        }
+    }
+
+    /// <summary>The origin seems to be inside the tetrahedron of the feature and the newest vertex.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Surround(
+        ref SolverState state, in FeatureVertices vertices, int newest, bool separated, double touchSquared)
+    {
+        int b = (int)vertices.B.Slot, c = (int)vertices.C.Slot;
+        bool turned = vertices.Winding < 0;
+        state.Simplex.Select(4, newest, (int)vertices.A.Slot, turned ? c : b, turned ? b : c);
+        if (separated) state.Verdict = Verdict.Undecided;
+        else Proofs.Enclose(ref state, touchSquared);
+    }
+
+    /// <summary>The feature touches the origin, or is no nearer than the last, or there were too many rounds.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Stop(
+        ref SolverState state, FeatureVertices vertices, ClosestFeature feature, double distanceSquared,
+        double touchSquared)
+    {
+        Store(ref state, vertices, feature);
+        if (distanceSquared > touchSquared) state.Verdict = Verdict.Undecided;
+        else Proofs.Touch(ref state, distanceSquared, touchSquared);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Tell<TTrace>(in SolverState state, FeatureVertices vertices, double unit, ref TTrace trace)
+        where TTrace : struct, IGjkTrace
+    {
+        SolverState copy = state;
+        Store(ref copy, vertices, default);
+        trace.OnReduced(new TracedSimplex(copy.Simplex, unit, isExtended: false));
     }
 
     /// <summary>
     /// Reduces a warm start's simplex; false when that settles the query already, or leaves it undecided.
     /// </summary>
-    private static bool TryBegin(ref SolverState state, out double distanceSquared)
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool TryBegin(ref SolverState state)
     {
-        distanceSquared = 0;
         double touchSquared = state.TouchSquared;
-        if (!ClosestFeatureStep.ReduceAny(ref state.Simplex, ref state.Feature))
+        if (state.Simplex.Count == 4 && Proofs.TryEncloseClearly(ref state)) return false;
+        Load(state, out FeatureVertices vertices, out ClosestFeature feature);
+        if (vertices.Count == 4 || !NextSimplex.TryKeepAll(ref vertices, ref feature))
         {
-            state.Verdict = Proofs.Enclosed(state.Simplex, touchSquared);
-            return false;
-        }
-
-        distanceSquared = state.Feature.DistanceSquared;
-        if (distanceSquared > touchSquared) return true;
-        state.Verdict = Proofs.Touching(state.Simplex, state.Feature, distanceSquared, touchSquared);
-        return false;
-    }
-
-    /// <summary>
-    /// The bounds have met, or the newest plane lies behind the feature, which no convex shape's can.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsEnd(ref SolverState state, double plane, double noise)
-    {
-        double gap = state.Feature.Height - plane;
-        if (Proofs.IsClosed(gap, state.Feature, state.IsCurved, noise))
-        {
-            // The normal of a needle of a triangle can be tilted so far by rounding that its corners no longer are
-            // level: then the height of one proves nothing.
-            if (state.Simplex.Count == 3 && !state.IsCurved
-                && !Proofs.IsLevel(state.Simplex, state.Feature, plane, GjkTolerances.Level * state.Size.Value))
+            // The pair has moved so far that another feature of the simplex is the nearest.
+            if (!ClosestPointWeights.TrySelect(ref state.Simplex))
             {
-                return true;
+                Proofs.Enclose(ref state, touchSquared);
+                return false;
             }
 
-            state.Verdict = Verdict.Apart;
-            state.Plane.Set(state.Feature, plane);
-            return true;
+            Load(state, out vertices, out feature);
+            NextSimplex.Reduce(ref vertices, ref feature);
         }
 
-        if (gap > 0) return false;
-        Proofs.SettleStall(ref state, plane, -gap);
-        return true;
+        double distanceSquared = feature.DistanceSquared;
+        Store(ref state, vertices, feature);
+        if (distanceSquared > touchSquared) return true;
+        Proofs.Touch(ref state, distanceSquared, touchSquared);
+        return false;
     }
 }

@@ -24,7 +24,7 @@ namespace Gjk.Core;
 internal static class GjkExtendedPrecision
 {
     /// <summary>Solves from the beginning, in the first direction.</summary>
-    [MethodImpl(ExtendedFeatureStep.OptimizeAtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, double maxDistance, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
@@ -39,17 +39,16 @@ internal static class GjkExtendedPrecision
         state.Plane.NormalSquared = 0;
         while (true)
         {
-            MinkowskiDifference.Support(
-                ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
-                out Vector3D w);
+            int slot = simplex.FreeSlot;
+            Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out int ids);
             state.Iterations++;
-            if (state.Matters<TA, TB>(idA | idB)) state.See(frame, onA, onB, idA | idB);
-            if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, onA, w, idA, idB, isExtended: true));
+            if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, slot);
+            if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, simplex, slot, isExtended: true));
             double plane = Vector3D.Dot(normal, w);
             if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, limit)) return;
 
             Simplex before = simplex;
-            simplex.Push(w, onA, onB, idA, idB);
+            simplex.Push(slot);
             bool outside = ExtendedFeatureStep.TryReduce(
                 ref simplex, out ClosestFeature next, out DoubleDouble nextSquared);
             if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, frame.Unit, isExtended: true));
@@ -59,6 +58,7 @@ internal static class GjkExtendedPrecision
                 state.Verdict = isNumber ? Verdict.Enclosed : Verdict.Contradiction;
                 state.Simplex = simplex;
                 state.Feature = next;
+                state.Weights = ClosestPointWeights.Of(simplex);
                 return;
             }
 
@@ -66,6 +66,7 @@ internal static class GjkExtendedPrecision
             {
                 state.Simplex = before;
                 state.Feature = feature;
+                state.Weights = ClosestPointWeights.OfFeature(before, feature);
                 Proofs.SettleStall(ref state, plane, feature.Height - plane);
                 return;
             }
@@ -87,6 +88,7 @@ internal static class GjkExtendedPrecision
         if (state.Plane.NormalSquared == 0 || plane / Math.Sqrt(feature.NormalSquared) > state.Plane.Distance)
             state.Plane.Set(feature, plane);
 
+        state.Weights = ClosestPointWeights.OfFeature(simplex, feature);
         if (plane > 0 && plane * plane > maxDistance * maxDistance * feature.NormalSquared)
         {
             state.Verdict = Verdict.Beyond;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -28,33 +30,36 @@ internal static class GjkOverlap
     private const int MaxRounds = 40;
 
     /// <summary>Apart, Enclosed or Undecided.</summary>
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static Verdict Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Simplex.Begin(out Simplex simplex);
-        Vector3D normal = frame.FirstNormal;
+        Simplex.Begin(out Simplex points);
+        FeatureVertices.Begin(out FeatureVertices vertices);
+        ClosestFeature feature = default;
+        Vector3D first = frame.FirstNormal;
+        feature.Normal = new Vector3D(first.X, first.Y, first.Z);
         for (int round = 0; round < MaxRounds; round++)
         {
-            MinkowskiDifference.Support(
-                ref a, ref b, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
-                out Vector3D w);
-            double plane = Vector3D.Dot(normal, w);
-            bool curved = (idA | idB) < 0;
+            Vector3D w = MinkowskiDifference.Support(
+                ref a, ref b, frame, feature.Normal, ref points, 0, out int ids);
+            double plane = Vector3D.Dot(feature.Normal, w);
+            bool curved = ids < 0;
             if (plane > 0)
             {
                 double band = (curved ? GjkTolerances.SeparatedBandCurved : GjkTolerances.SeparatedBand) * frame.Radius;
-                return plane * plane > band * band * normal.LengthSquared ? Verdict.Apart : Verdict.Undecided;
+                return plane * plane > band * band * feature.Normal.LengthSquared ? Verdict.Apart : Verdict.Undecided;
             }
 
-            simplex.Push(w, onA, onB, idA, idB);
-            if (simplex.Count == 1)
-                normal = w;
-            else if (NextSimplex.Advance(ref simplex, ref normal))
+            var newest = new MinkowskiVertex(w, 0);
+            if (!NextSimplex.TryAdvance(ref vertices, newest, ref feature, nearest: false))
             {
                 // The distance solver may have ended on a curved core within its tolerance of contact, before the
                 // origin was enclosed: let it say.
-                return !curved && Proofs.IsCertainlyInside(simplex) ? Verdict.Enclosed : Verdict.Undecided;
+                return !curved && Proofs.IsCertainlyInside(w, vertices.A.W, vertices.B.W, vertices.C.W)
+                    ? Verdict.Enclosed
+                    : Verdict.Undecided;
             }
         }
 

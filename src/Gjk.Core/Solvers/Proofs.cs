@@ -23,10 +23,10 @@ internal static class Proofs
     /// The other two corners of a triangle lie no further above the plane than the bounds may be apart.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsLevel(in Simplex simplex, in ClosestFeature feature, double plane, double level)
+    public static bool IsLevel(in FeatureVertices vertices, in ClosestFeature feature, double plane, double level)
     {
-        double b = Vector3D.Dot(feature.Normal, simplex.WB) - plane;
-        double c = Vector3D.Dot(feature.Normal, simplex.WC) - plane;
+        double b = Vector3D.Dot(feature.Normal, vertices.B.W) - plane;
+        double c = Vector3D.Dot(feature.Normal, vertices.C.W) - plane;
         return IsClosed(b, feature, false, level) && IsClosed(c, feature, false, level);
     }
 
@@ -34,42 +34,45 @@ internal static class Proofs
     /// The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could
     /// turn; either way round.
     /// </summary>
-    public static bool IsCertainlyInside(in Simplex simplex)
+    public static bool IsCertainlyInside(Vector3D a, Vector3D b, Vector3D c, Vector3D d)
     {
-        Vector3D a = simplex.WA, b = simplex.WB, c = simplex.WC, d = simplex.WD;
+        if (ClosestPointWeights.IsInside(a, b, c, d)) return true;
         if (Vector3D.Dot(Vector3D.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
         return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a)
             && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
     }
 
     /// <summary>
-    /// A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can still
-    /// prove what a sign leaves open where the origin lies on a face or an edge, as it does for flush boxes.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public static bool HoldsPointNear(in Simplex simplex, double touchSquared)
-    {
-        Weights w = ClosestPointWeights.Of(simplex);
-        return w.PointOf(simplex.WA, simplex.WB, simplex.WC, simplex.WD).LengthSquared <= touchSquared;
-    }
-
-    /// <summary>
     /// The verdict on a tetrahedron that seems to hold the origin. Signs that rounding could turn decide nothing, but a
     /// point of the simplex near enough does.
     /// </summary>
-    public static Verdict Enclosed(in Simplex simplex, double touchSquared) =>
-        IsCertainlyInside(simplex) || HoldsPointNear(simplex, touchSquared) ? Verdict.Enclosed : Verdict.Undecided;
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Enclose(ref SolverState state, double touchSquared)
+    {
+        if (TryEncloseClearly(ref state)) return;
+        ref Simplex s = ref state.Simplex;
+        bool isProved = IsCertainlyInside(s.WA, s.WB, s.WC, s.WD) | HoldsPointNear(ref state, touchSquared);
+        state.Verdict = isProved ? Verdict.Enclosed : Verdict.Undecided;
+    }
+
+    /// <summary>The verdict Enclosed where the volumes that the weights are made of leave no doubt.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool TryEncloseClearly(ref SolverState state)
+    {
+        if (!ClosestPointWeights.TryInside(state.Simplex, out state.Weights)) return false;
+        state.Verdict = Verdict.Enclosed;
+        return true;
+    }
 
     /// <summary>
     /// The verdict on a feature that seems no further than rounding can tell from contact. The normal of a needle of a
     /// triangle may be rounding itself, and then its height says nothing, so a point of the feature must prove it. A
     /// distance that is NaN for another reason than a height of 0 over 0 comes from a shape.
     /// </summary>
-    public static Verdict Touching(
-        in Simplex simplex, in ClosestFeature feature, double distanceSquared, double touchSquared)
+    public static void Touch(ref SolverState state, double distanceSquared, double touchSquared)
     {
-        if (!(feature.Height == 0 || distanceSquared >= 0)) return Verdict.Contradiction;
-        return HoldsPointNear(simplex, touchSquared) ? Verdict.Enclosed : Verdict.Undecided;
+        if (!(state.Feature.Height == 0 || distanceSquared >= 0)) state.Verdict = Verdict.Contradiction;
+        else state.Verdict = HoldsPointNear(ref state, touchSquared) ? Verdict.Enclosed : Verdict.Undecided;
     }
 
     /// <summary>
@@ -81,6 +84,7 @@ internal static class Proofs
         double limit = GjkTolerances.Contradiction * state.Size.Value;
         bool small = gap * gap <= limit * limit * state.Feature.NormalSquared;
         state.Verdict = small ? Verdict.Apart : Verdict.Contradiction;
+        state.Weights = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
         state.Plane.Set(state.Feature, Math.Min(plane, state.Feature.Height));
     }
 
@@ -99,5 +103,15 @@ internal static class Proofs
         double error = GjkTolerances.DeterminantError;
         return determinant > 0
             && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;
+    }
+
+    /// <summary>
+    /// A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can still
+    /// prove what a sign leaves open where the origin lies on a face or an edge, as it does for flush boxes.
+    /// </summary>
+    private static bool HoldsPointNear(ref SolverState state, double touchSquared)
+    {
+        state.Weights = ClosestPointWeights.Of(state.Simplex);
+        return state.Simplex.PointOf(state.Weights).LengthSquared <= touchSquared;
     }
 }

@@ -24,6 +24,9 @@ internal struct SolverState
     /// </summary>
     public ClosestFeature Feature;
 
+    /// <summary>The weights of the simplex in the nearest point, or in the common one.</summary>
+    public Weights Weights;
+
     /// <summary>The best separating plane.</summary>
     public SupportPlane Plane;
 
@@ -74,7 +77,7 @@ internal struct SolverState
     }
 
     /// <summary>
-    /// Whether a support says anything that the tolerances depend on, so that <see cref="See"/> must be told of it.
+    /// Whether a support says anything that the tolerances depend on, so that See must be told of it.
     /// </summary>
     /// <param name="ids">Both ids; negative where one is.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -85,9 +88,9 @@ internal struct SolverState
 
     /// <summary>Takes note of what a support says about the shapes; the tolerances may have changed then.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void See(in PairFrame frame, in Vector3D onA, in Vector3D onB, int ids)
+    public void See(in PairFrame frame, in Simplex simplex, int slot)
     {
-        IsCurved |= ids < 0;
-        Size.See(frame, onA, onB);
+        IsCurved |= (simplex.IdA(slot) | simplex.IdB(slot)) < 0;
+        Size.See(frame, simplex.OnA(slot), simplex.OnB(slot));
     }
 }

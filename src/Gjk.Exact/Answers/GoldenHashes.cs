@@ -11,8 +11,8 @@ public static class GoldenHashes
     /// </summary>
     private static readonly Dictionary<string, string> Golden = new()
     {
-        ["cases"] = "13a70c3db2e84ab4",
-        ["allCases"] = "4cd2ad573f4638ef",
+        ["cases"] = "472da24ad165bdef",
+        ["allCases"] = "3fa1e20f8a287e40",
         ["random"] = "bba608ef5fee06a0",
     };
 

@@ -34,7 +34,8 @@ internal static class ApiText
             : t.IsInterface ? "interface"
             : t.IsValueType ? (IsReadOnly(t) ? "readonly struct" : "struct")
             : t.IsAbstract && t.IsSealed ? "static class" : t.IsSealed ? "sealed class" : "class";
-        IEnumerable<string> bases = t.GetInterfaces().Select(Name).Order(StringComparer.Ordinal);
+        IEnumerable<string> bases = t.GetInterfaces().Where(i => i.IsVisible).Select(Name)
+            .Order(StringComparer.Ordinal);
         string inherits = t.IsEnum || !bases.Any() ? "" : " : " + string.Join(", ", bases);
         return $"{kind} {Name(t)}{inherits}{Constraints(t.IsGenericTypeDefinition ? t.GetGenericArguments() : [])}";
     }

@@ -23,12 +23,16 @@ public class MinkowskiDifferenceTests
             PairFrame.Compose(ref shapeA, RigidPose.Identity, ref shapeB, poseB, out PairFrame frame);
             foreach (Vector3D normal in Directions.Few)
             {
-                MinkowskiDifference.Support(
-                    ref shapeA, ref shapeB, frame, normal, out int idA, out int idB, out Vector3D onA, out Vector3D onB,
-                    out Vector3D w);
-                Assert.True(shapeA.TryGetVertex(idA, out Vector3D vertexA) && vertexA == onA);
-                Assert.True(shapeB.TryGetVertex(idB, out Vector3D vertexB) && vertexB == onB);
-                Assert.Equal(w, MinkowskiDifference.VertexOf(frame, onA, onB));
+                Simplex simplex = default;
+                Vector3D w = MinkowskiDifference.Support(
+                    ref shapeA, ref shapeB, frame, normal, ref simplex, 2, out int ids);
+                (int idA, int idB) = (simplex.IdA(2), simplex.IdB(2));
+                Assert.Equal(idA | idB, ids);
+                Assert.Equal(w, simplex.W(2));
+                Assert.True(shapeA.TryGetVertex(idA, out Vector3D vertexA) && vertexA == simplex.OnA(2));
+                Assert.True(shapeB.TryGetVertex(idB, out Vector3D vertexB) && vertexB == simplex.OnB(2));
+                Assert.True(MinkowskiDifference.TryPlace(ref shapeA, ref shapeB, frame, idA, idB, ref simplex, 1));
+                Assert.Equal(w, simplex.W(1));
                 Assert.Equal(Lowest(problem, a, b, normal), Vector3D.Dot(normal, w), 10 * Rounding);
             }
         }

@@ -20,10 +20,27 @@ public class ClosestFeatureTests
     public void ReduceKeepsTheNearestFeature(int n, int subset, double distance, int side)
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
-        Simplex simplex = Wound(c.Vertices);
+        Simplex simplex = Filled(c.Vertices);
+        FeatureVertices vertices = Older(simplex);
         ClosestFeature feature = default;
-        Assert.Equal(subset != 15, ClosestFeatureStep.Reduce(ref simplex, ref feature));
-        if (subset != 15) Check(c, simplex, feature, subset);
+        var newest = new MinkowskiVertex(simplex.WA, simplex.A);
+        Assert.Equal(subset != 15, NextSimplex.TryAdvance(ref vertices, newest, ref feature, nearest: true));
+        if (subset != 15) Check(c, Selected(simplex, vertices), feature, subset);
+    }
+
+    /// <summary>The boolean's step may take any face that the origin sees; here it sees one.</summary>
+    [Theory]
+    [MemberData(nameof(WithNewest))]
+    public void TheFirstFaceWillDoWhereThereIsNoOther(int n, int subset, double distance, int side)
+    {
+        SimplexCase c = SimplexCase.Make(n, subset, distance, side);
+        if (n == 4 && (BitOperations.PopCount((uint)subset) < 3 || distance >= 1)) return;
+        Simplex simplex = Filled(c.Vertices);
+        FeatureVertices vertices = Older(simplex);
+        ClosestFeature feature = default;
+        var newest = new MinkowskiVertex(simplex.WA, simplex.A);
+        Assert.Equal(subset != 15, NextSimplex.TryAdvance(ref vertices, newest, ref feature, nearest: false));
+        if (subset != 15) Check(c, Selected(simplex, vertices), feature, subset);
     }
 
     /// <summary>None of the kinds of simplex has lost all its cases to the preconditions.</summary>
@@ -36,13 +53,30 @@ public class ClosestFeatureTests
 
     [Theory]
     [MemberData(nameof(Any))]
-    public void ReduceAnyNeedsNoPrecondition(int n, int subset, double distance, int side)
+    public void WeightsSelectWithoutAPrecondition(int n, int subset, double distance, int side)
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
         Simplex simplex = Filled(c.Vertices);
+        Assert.Equal(subset != 15, ClosestPointWeights.TrySelect(ref simplex));
+        if (subset == 15) return;
+        FeatureVertices vertices = All(simplex);
         ClosestFeature feature = default;
-        Assert.Equal(subset != 15, ClosestFeatureStep.ReduceAny(ref simplex, ref feature));
-        if (subset != 15) Check(c, simplex, feature, subset);
+        NextSimplex.Reduce(ref vertices, ref feature);
+        Check(c, Selected(simplex, vertices), feature, subset);
+    }
+
+    /// <summary>A simplex that is its own nearest feature is kept as a whole, any other one is not.</summary>
+    [Theory]
+    [MemberData(nameof(Any))]
+    public void AllIsKeptWhereAllIsNearest(int n, int subset, double distance, int side)
+    {
+        SimplexCase c = SimplexCase.Make(n, subset, distance, side);
+        if (n == 4) return;
+        Simplex simplex = Filled(c.Vertices);
+        FeatureVertices vertices = All(simplex);
+        ClosestFeature feature = default;
+        Assert.Equal(subset == (1 << n) - 1, NextSimplex.TryKeepAll(ref vertices, ref feature));
+        if (subset == (1 << n) - 1) Check(c, Selected(simplex, vertices), feature, subset);
     }
 
     [Theory]
@@ -80,24 +114,47 @@ public class ClosestFeatureTests
         return simplex;
     }
 
-    /// <summary>With the triangle of the older vertices wound away from the origin, as the solver leaves it.</summary>
-    private static Simplex Wound(Vector3D[] v)
+    private static FeatureVertices All(in Simplex s) => new()
     {
-        if (v.Length == 4 && Vector3D.Dot(Vector3D.Cross(v[2] - v[1], v[3] - v[1]), v[1]) < 0)
-            v = [v[0], v[1], v[3], v[2]];
-        return Filled(v);
+        A = new MinkowskiVertex(s.WA, s.A),
+        B = new MinkowskiVertex(s.WB, s.B),
+        C = new MinkowskiVertex(s.WC, s.C),
+        Count = s.Count,
+    };
+
+    /// <summary>All vertices but the newest, the way the solver leaves them.</summary>
+    private static FeatureVertices Older(in Simplex s)
+    {
+        var older = new FeatureVertices
+        {
+            A = new MinkowskiVertex(s.WB, s.B),
+            B = new MinkowskiVertex(s.WC, s.C),
+            C = new MinkowskiVertex(s.WD, s.D),
+            Count = s.Count - 1,
+        };
+        older.Winding = Vector3D.Dot(Vector3D.Cross(s.WC - s.WB, s.WD - s.WB), s.WB) < 0 ? -1 : 1;
+        return older;
+    }
+
+    private static Simplex Selected(Simplex s, in FeatureVertices vertices)
+    {
+        bool turned = vertices.Count == 3 && vertices.Winding < 0;
+        int b = (int)vertices.B.Slot, c = (int)vertices.C.Slot;
+        s.Select(vertices.Count, (int)vertices.A.Slot, turned ? c : b, turned ? b : c, 0);
+        return s;
     }
 
     private static bool IsReached(object[] c)
     {
         SimplexCase made = SimplexCase.Make((int)c[0], (int)c[1], (double)c[2], (int)c[3]);
-        return made.Vertices.Length < 4 || IsBeyond(Wound(made.Vertices));
+        return made.Vertices.Length < 4 || IsBeyond(Filled(made.Vertices));
     }
 
     /// <summary>A lies on the origin's side of BCD: GJK would not have found it otherwise.</summary>
     private static bool IsBeyond(in Simplex s)
     {
         Vector3D normal = Vector3D.Cross(s.WC - s.WB, s.WD - s.WB);
+        if (Vector3D.Dot(normal, s.WB) < 0) normal = -normal;
         return Vector3D.Dot(normal, s.WA) < Vector3D.Dot(normal, s.WB);
     }
 }

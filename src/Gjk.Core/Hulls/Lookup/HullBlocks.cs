@@ -84,7 +84,7 @@ internal static class HullBlocks
 
     /// <summary>The largest lane, in every lane.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Highest(Vector256<double> v)
+    public static Vector256<double> Highest(Vector256<double> v)
     {
         v = Larger(v, Vector256.Shuffle(v, Vector256.Create(2L, 3, 0, 1)));
         return Larger(v, Vector256.Shuffle(v, Vector256.Create(1L, 0, 3, 2)));
@@ -92,7 +92,7 @@ internal static class HullBlocks
 
     /// <summary>One bit for each lane with a value.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static uint LanesOf(Vector256<double> v, Vector256<double> value) =>
+    public static uint LanesOf(Vector256<double> v, Vector256<double> value) =>
         Vector256.Equals(v, value).ExtractMostSignificantBits();
 
     /// <summary>
@@ -100,7 +100,7 @@ internal static class HullBlocks
     /// comparisons that follow.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
+    public static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
 #if NET9_0_OR_GREATER
         Vector256.MaxNative(a, b);
 #else

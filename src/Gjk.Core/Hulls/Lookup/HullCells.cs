@@ -35,7 +35,7 @@ internal sealed class HullCells
     /// SupportAlone benchmark.
     /// </summary>
 #if NET
-    private const int ScanLimit = 24;
+    private const int ScanLimit = HullScan.MostVertices;
 #else
     private const int ScanLimit = 12;
 #endif
@@ -48,13 +48,6 @@ internal sealed class HullCells
 
     /// <summary>Count: vertices per cell of a flat hull.</summary>
     private const int FlatVerticesPerCell = 2;
-
-    /// <summary>
-    /// Relative. The dot products of two corners that differ along an axis i differ by 2 |d_i| h_i or more. Each is
-    /// rounded by less than 12 u times the sum of all |d_j| h_j: three products of at most 4 |d_j| h_j and two sums, u
-    /// = 2^-53. So a sign decides where |d_i| h_i exceeds 12 u times that sum; this is 16 u. Pinned by BoxTieTests.
-    /// </summary>
-    private const double Tie = 1.0 / (1L << 49);
 
     /// <summary>
     /// How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are not
@@ -83,18 +76,8 @@ internal sealed class HullCells
     /// <summary>Prepares directions.</summary>
     public readonly HullDirection Direction;
 
-    /// <summary>
-    /// For a hull whose vertices are the eight corners of its bounds, the slot of each by the signs of the direction
-    /// (bit 0, 1, 2 set where x, y, z is negative); empty for any other. Boxes are the commonest mesh, and their
-    /// support needs no dot product.
-    /// </summary>
-    public readonly byte[] BoxSlots;
-
-    /// <summary>
-    /// Ratio: each component of a direction must exceed so much of the sum of all, so that its sign decides between a
-    /// box's corners.
-    /// </summary>
-    public readonly double BoxTie;
+    /// <summary>The ids of the corners of a hull that is a box; others have none.</summary>
+    public readonly BoxCorners Corners;
 
     /// <summary>
     /// The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Cells can share blocks. Where
@@ -110,6 +93,11 @@ internal sealed class HullCells
     /// The same in the hull's own frame: what a support gives out. The same array where the hull's origin is 0.
     /// </summary>
     public readonly float[] Points;
+
+#if NET
+    /// <summary>What <see cref="HullScan"/> reads; empty where it is not used.</summary>
+    public readonly double[] ScanBlocks;
+#endif
 
     /// <summary>Per block the ids of its four vertices.</summary>
     public readonly int[] Ids;
@@ -147,13 +135,14 @@ internal sealed class HullCells
         Coordinates = Gather(hull, default);
         Points = hull.Origin == default ? Coordinates : Gather(hull, hull.Origin);
         FirstSlot = Array.IndexOf(Ids, 0);
-        BoxSlots = FindBoxSlots(hull);
-        double most = Math.Max(Math.Max(Stretch.X, Stretch.Y), Stretch.Z);
-        BoxTie = Tie * most / Math.Min(Math.Min(Stretch.X, Stretch.Y), Stretch.Z);
+        bool isBox = BoxCorners.TryFind(hull, out Corners);
         BlockCount = Runs[1];
-        Kind = BoxSlots.Length > 0 ? LookupKind.Box
+        Kind = isBox ? LookupKind.Box
             : !Direction.IsSpatial ? LookupKind.Flat
             : Side > 0 ? LookupKind.Cells : LookupKind.Scan;
+#if NET
+        ScanBlocks = Kind == LookupKind.Scan ? HullScan.Gather(hull) : [];
+#endif
     }
 
     public enum LookupKind
@@ -171,26 +160,6 @@ internal sealed class HullCells
         /// As Scan or Cells, but for a hull without extent in some direction: the direction must be prepared first.
         /// </summary>
         Flat,
-    }
-
-    private static byte[] FindBoxSlots(HullVertices hull)
-    {
-        if (hull.Count != 8 || hull.Dimension != 3) return [];
-        Vector3 min = hull.Bounds.Min, max = hull.Bounds.Max;
-        var slots = new byte[8];
-        int found = 0;
-        for (int id = 0; id < 8; id++)
-        {
-            Vector3 p = hull.GetVertex(id);
-            if (p.X != min.X && p.X != max.X) return [];
-            if (p.Y != min.Y && p.Y != max.Y) return [];
-            if (p.Z != min.Z && p.Z != max.Z) return [];
-            int signs = (p.X == min.X ? 1 : 0) | (p.Y == min.Y ? 2 : 0) | (p.Z == min.Z ? 4 : 0);
-            slots[signs] = (byte)id;
-            found |= 1 << signs;
-        }
-
-        return found == 0xFF ? slots : [];
     }
 
     /// <summary>

@@ -1,5 +1,8 @@
 using System;
 using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Gjk.Core;
 
@@ -22,18 +25,18 @@ internal static class HullSupport
         double dx = direction.X, dy = direction.Y, dz = direction.Z;
         if (cells.Kind == HullCells.LookupKind.Box)
         {
-            double x = Math.Abs(dx), y = Math.Abs(dy), z = Math.Abs(dz), tie = (x + y + z) * cells.BoxTie;
-            int corner = x > tie && y > tie && z > tie
-                ? cells.BoxSlots[Signs(dx, dy, dz)]
-                : FindRarely(cells, dx, dy, dz);
-            return HullBlocks.Read(cells.Points, corner, out point);
+            return HullBlocks.Read(cells.Points, cells.Corners.Id(Signs(dx, dy, dz)), out point);
         }
 
         if (cells.Kind == HullCells.LookupKind.Scan)
         {
+#if NET
+            int id = FindByScan(cells, direction);
+#else
             int id = HullDirection.IsSafe(Math.Abs(dx) + Math.Abs(dy) + Math.Abs(dz))
                 ? HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, direction)
                 : FindRarely(cells, dx, dy, dz);
+#endif
             return HullBlocks.Read(cells.Points, id, out point);
         }
 
@@ -45,6 +48,29 @@ internal static class HullSupport
         return cells.Ids[HullBlocks.Read(cells.Points, slot, out point)];
     }
 
+#if NET
+    /// <summary>The id of the furthest vertex of a hull.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int FindId(HullCells cells, in Vector3D direction)
+    {
+        if (cells.Kind == HullCells.LookupKind.Scan) return FindByScan(cells, direction);
+        double dx = direction.X, dy = direction.Y, dz = direction.Z;
+        if (cells.Kind == HullCells.LookupKind.Box) return cells.Corners.Id(Signs(dx, dy, dz));
+        int cell = cells.Kind == HullCells.LookupKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
+        int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
+        int slot = end > start
+            ? HullBlocks.Best(cells.Coordinates, start, end, direction)
+            : FindRarely(cells, dx, dy, dz);
+        return cells.Ids[slot];
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int FindByScan(HullCells cells, in Vector3D d) =>
+        HullDirection.IsSafe(Math.Abs(d.X) + Math.Abs(d.Y) + Math.Abs(d.Z))
+            ? HullScan.Best(cells.ScanBlocks, d.X, d.Y, d.Z)
+            : FindRarely(cells, d.X, d.Y, d.Z);
+#endif
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Signs(double x, double y, double z) =>
         BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
@@ -53,6 +79,7 @@ internal static class HullSupport
     public static int Scan(HullCells cells, in Vector3D direction)
     {
         Vector3D d = direction;
+        if (cells.Kind == HullCells.LookupKind.Box) return cells.Corners.Id(Signs(d.X, d.Y, d.Z));
         if (!cells.Direction.TryPrepare(ref d)) return 0;
         HullVertices hull = cells.Vertices;
         float[] xs = hull.X, ys = hull.Y, zs = hull.Z;
@@ -90,29 +117,30 @@ internal static class HullSupport
     /// The cube's face by the largest stretched component, then the cell by the other two over it. A direction of
     /// extreme length has the cell after the last, which is empty.
     /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int CubeCell(HullCells cells, double dx, double dy, double dz)
     {
         double x = dx * cells.Stretch.X, y = dy * cells.Stretch.Y, z = dz * cells.Stretch.Z;
-        double ax = Math.Abs(x), ay = Math.Abs(y), az = Math.Abs(z);
         if (!HullDirection.IsSafe(Math.Abs(dx) + Math.Abs(dy) + Math.Abs(dz))) return cells.NoCell;
-        int face;
-        double u, v, w;
-        if (ax >= ay && ax >= az)
-        {
-            (u, v, w) = (y, z, ax);
-            face = x < 0 ? 1 : 0;
-        }
-        else if (ay >= az)
-        {
-            (u, v, w) = (x, z, ay);
-            face = y < 0 ? 3 : 2;
-        }
-        else
-        {
-            (u, v, w) = (x, y, az);
-            face = z < 0 ? 5 : 4;
-        }
-
+#if NET
+        // Which component is the largest is a guess that a processor would lose every other time.
+        Vector128<double> sx = Vector128.CreateScalarUnsafe(x), sy = Vector128.CreateScalarUnsafe(y);
+        Vector128<double> sz = Vector128.CreateScalarUnsafe(z), lx = Vector128.Abs(sx), ly = Vector128.Abs(sy);
+        Vector128<double> lz = Vector128.Abs(sz);
+        Vector128<double> isX = Vector128.GreaterThanOrEqual(lx, ly) & Vector128.GreaterThanOrEqual(lx, lz);
+        Vector128<double> isY = Vector128.AndNot(Vector128.GreaterThanOrEqual(ly, lz), isX);
+        Vector128<double> main = Vector128.ConditionalSelect(isX, sx, Vector128.ConditionalSelect(isY, sy, sz));
+        double u = Vector128.ConditionalSelect(isX, sy, sx).ToScalar();
+        double v = Vector128.ConditionalSelect(isX | isY, sz, sy).ToScalar();
+        double w = Vector128.Abs(main).ToScalar();
+        int face = (int)(4 + 4 * isX.AsInt64().ToScalar() + 2 * isY.AsInt64().ToScalar())
+            + BranchFree.IsNegative(main.ToScalar());
+#else
+        double ax = Math.Abs(x), ay = Math.Abs(y), az = Math.Abs(z);
+        bool isX = ax >= ay && ax >= az, isY = !isX && ay >= az;
+        double u = isX ? y : x, v = isX || isY ? z : y, w = isX ? ax : isY ? ay : az;
+        int face = isX ? BranchFree.IsNegative(x) : isY ? 2 + BranchFree.IsNegative(y) : 4 + BranchFree.IsNegative(z);
+#endif
         int side = cells.Side;
         double middle = cells.HalfSide, scale = middle / w;
         return (face * side + Index(v * scale + middle, side)) * side + Index(u * scale + middle, side);

@@ -23,6 +23,9 @@ internal sealed class HullVertices
     /// <summary>The smallest axis-aligned box around them.</summary>
     public readonly Aabb Bounds;
 
+    /// <summary>The middle of <see cref="Bounds"/>.</summary>
+    public Vector3D Center => ((Vector3D)Bounds.Min + Bounds.Max) * 0.5;
+
     /// <param name="points">The corners, in the order of their ids.</param>
     /// <param name="dimension">What they span.</param>
     /// <param name="bounds">The box around them.</param>
@@ -50,4 +53,19 @@ internal sealed class HullVertices
     /// from.
     /// </summary>
     public Vector3 GetVertex(int id) => new(Origin.X + X[id], Origin.Y + Y[id], Origin.Z + Z[id]);
+
+#if NET
+    /// <summary>The vertices measured from <see cref="Center"/>: x, y, z and a 0 each.</summary>
+    public double[] Centered()
+    {
+        double[] centered = new double[4 * Count];
+        for (int id = 0; id < Count; id++)
+        {
+            Vector3D p = (Vector3D)GetVertex(id) - Center;
+            (centered[4 * id], centered[4 * id + 1], centered[4 * id + 2]) = (p.X, p.Y, p.Z);
+        }
+
+        return centered;
+    }
+#endif
 }

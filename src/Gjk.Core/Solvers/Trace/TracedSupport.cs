@@ -4,13 +4,13 @@ namespace Gjk.Core;
 public readonly struct TracedSupport
 {
     internal TracedSupport(
-        in PairFrame frame, in Vector3D normal, in Vector3D onA, in Vector3D w, int idA, int idB, bool isExtended)
+        in PairFrame frame, in Vector3D normal, in Simplex simplex, int slot, bool isExtended)
     {
         Normal = normal;
-        PointOnA = (onA + frame.CenterA) * frame.Unit;
-        Vertex = w * frame.Unit;
-        IdA = idA;
-        IdB = idB;
+        PointOnA = (simplex.OnA(slot) + frame.CenterA) * frame.Unit;
+        Vertex = simplex.W(slot) * frame.Unit;
+        IdA = simplex.IdA(slot);
+        IdB = simplex.IdB(slot);
         IsExtended = isExtended;
     }
 

@@ -1,0 +1,64 @@
+using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Any of the library's shapes that is a box, with or without a margin: a box, or a mesh whose vertices are the eight
+/// corners of its bounds.
+/// </summary>
+internal struct BoxCore : ISupportMap, ITightBounds
+{
+    /// <summary>Half the side lengths: in double, since a scale may have been multiplied into them.</summary>
+    public Vector3D Half;
+
+    /// <summary>0, so that the half extents can be read as a register of four doubles.</summary>
+    public double End;
+
+    /// <summary>The ids of the corners.</summary>
+    public BoxCorners Corners;
+
+    private Vector3D _center;
+    private double _margin, _radius;
+
+    /// <summary>Written where it is to be, without a copy.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Make(
+        in Vector3D half, in Vector3D center, BoxCorners corners, double radius, double margin, out BoxCore box)
+    {
+        box.Half = new Vector3D(half.X, half.Y, half.Z);
+        box.End = 0;
+        box._center = new Vector3D(center.X, center.Y, center.Z);
+        box.Corners = corners;
+        box._margin = margin;
+        box._radius = radius;
+    }
+
+#if NET
+    /// <summary><see cref="Half"/> and a 0.</summary>
+    public readonly Vector256<double> HalfLanes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.LoadUnsafe(in Half.X);
+    }
+#endif
+
+    public readonly Vector3D Center => _center;
+
+    public readonly double Margin => _margin;
+
+    public readonly double BoundingRadius => _radius;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly int Support(in Vector3D direction, out Vector3D point) =>
+        Corners.Id(BoxSupport.Furthest(Half, direction, out point));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool TryGetVertex(int id, out Vector3D point)
+    {
+        BoxSupport.TryGetVertex(Half, Corners.Signs(id & 7), out point);
+        return (uint)id < 8u;
+    }
+}

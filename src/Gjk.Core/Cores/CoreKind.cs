@@ -1,0 +1,14 @@
+namespace Gjk.Core;
+
+/// <summary>The cores that queries have a support of their own for.</summary>
+internal enum CoreKind : byte
+{
+    /// <summary>Asked through its own type.</summary>
+    Other,
+
+    /// <summary><see cref="BoxCore"/>.</summary>
+    Box,
+
+    /// <summary><see cref="HullCore"/>.</summary>
+    Hull,
+}

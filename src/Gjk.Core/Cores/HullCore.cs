@@ -1,0 +1,62 @@
+using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>Any of the library's shapes that is a mesh, unscaled, with or without a margin.</summary>
+internal readonly struct HullCore : ISupportMap, ITightBounds
+{
+    private readonly ConvexHull _hull;
+    private readonly double _margin, _radius;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public HullCore(ConvexHull hull, double radius, double margin)
+    {
+        _hull = hull;
+        _margin = margin;
+        _radius = radius;
+    }
+
+    public Vector3D Center => _hull.Center;
+
+    public double Margin => _margin;
+
+    public double BoundingRadius => _radius;
+
+    public int Support(in Vector3D direction, out Vector3D point)
+    {
+        int id = HullSupport.Find(_hull.Cells, direction, out Vector3D vertex);
+        point = vertex - _hull.Center;
+        return id;
+    }
+
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        bool found = (uint)id < (uint)_hull.VertexCount;
+        _hull.GetVertex(found ? id : 0, out point);
+        point -= _hull.Center;
+        return found;
+    }
+
+#if NET
+    /// <summary>The id of the furthest vertex.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int SupportId(in Vector3D direction) => HullSupport.FindId(_hull.Cells, direction);
+
+    /// <summary>A vertex, measured from the centre, and a 0; some vertex where there is none with the id.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector256<double> Lanes(int id)
+    {
+        double[] centered = _hull.Centered;
+        uint at = 4 * (uint)id;
+        return Vector256.LoadUnsafe(
+            ref MemoryMarshal.GetArrayDataReference(centered), at < (uint)centered.Length ? at : 0);
+    }
+
+    /// <summary>Whether there is a vertex with the id.</summary>
+    public bool Has(int id) => (uint)id < (uint)_hull.VertexCount;
+#endif
+}

@@ -1,0 +1,103 @@
+#if NET
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace Gjk.Core;
+
+/// <remarks>
+/// Boxes and meshes, the commonest pairs, are asked in registers of four doubles: x, y, z and a 0. Each product and sum
+/// is that of the general support, so the answers have the same bits. Whether a pair is one of these is known when the
+/// code is compiled.
+/// </remarks>
+internal static partial class MinkowskiDifference
+{
+    /// <summary>Permutations that fill a register with one of its lanes.</summary>
+    private const byte AllX = 0b00_00_00_00, AllY = 0b01_01_01_01, AllZ = 0b10_10_10_10;
+
+    private const int XyzBits = 7;
+
+    private static Vector256<double> SignBits
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.Create(-0.0, -0.0, -0.0, 0);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool HaveLanes<TA, TB>() => HasLanes<TA>() && HasLanes<TB>() && Avx2.IsSupported;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool HasLanes<T>() => typeof(T) == typeof(BoxCore) || typeof(T) == typeof(HullCore);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector3D SupportInLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref Simplex simplex, int slot, out int ids)
+    {
+        Vector256<double> x = Vector256.Create(normal.X), y = Vector256.Create(normal.Y);
+        Vector256<double> inB = frame.Inverse.Column0 * x + frame.Inverse.Column1 * y
+            + frame.Inverse.Column2 * Vector256.Create(normal.Z);
+        Vector256<double> opposite = Vector256.Create(-normal.X, -normal.Y, -normal.Z, 0);
+        Vector256<double> onA = Furthest(ref a, opposite, out int idA), onB = Furthest(ref b, inB, out int idB);
+        Vector256<double> w = VertexOf(frame, onA, onB);
+        simplex.Fill(slot, w, onA, onB, idA, idB);
+        ids = idA | idB;
+        return Xyz(w);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool TryPlaceLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, int idA, int idB, ref Simplex simplex, int slot)
+    {
+        bool found = TryGet(ref a, idA, out Vector256<double> onA) & TryGet(ref b, idB, out Vector256<double> onB);
+        simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, idA, idB);
+        return found;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Furthest<T>(ref T shape, Vector256<double> direction, out int id)
+    {
+        if (typeof(T) == typeof(HullCore))
+        {
+            ref HullCore hull = ref Unsafe.As<T, HullCore>(ref shape);
+            id = hull.SupportId(Xyz(direction));
+            return hull.Lanes(id);
+        }
+
+        // A zero of either sign counts as positive.
+        ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
+        Vector256<double> negative = Vector256.LessThan(direction, Vector256<double>.Zero);
+        id = box.Corners.Id((int)negative.ExtractMostSignificantBits() & XyzBits);
+        return box.HalfLanes ^ (negative & SignBits);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool TryGet<T>(ref T shape, int id, out Vector256<double> vertex)
+    {
+        if (typeof(T) == typeof(HullCore))
+        {
+            ref HullCore hull = ref Unsafe.As<T, HullCore>(ref shape);
+            vertex = hull.Lanes(id);
+            return hull.Has(id);
+        }
+
+        ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
+        vertex = box.HalfLanes ^ SignsOf(box.Corners.Signs(id & XyzBits));
+        return (uint)id <= XyzBits;
+    }
+
+    /// <summary>The sign bit of lane i where bit i is set.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> SignsOf(int bits) =>
+        Avx2.ShiftLeftLogicalVariable(Vector256.Create((ulong)bits), Vector256.Create(63UL, 62, 61, 64)).AsDouble()
+        & SignBits;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> VertexOf(in PairFrame frame, Vector256<double> onA, Vector256<double> onB) =>
+        onA - (frame.Rotation.Column0 * Avx2.Permute4x64(onB, AllX)
+            + frame.Rotation.Column1 * Avx2.Permute4x64(onB, AllY)
+            + frame.Rotation.Column2 * Avx2.Permute4x64(onB, AllZ) + frame.TranslationLanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector3D Xyz(Vector256<double> v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
+}
+#endif

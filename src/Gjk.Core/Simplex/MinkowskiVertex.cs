@@ -1,0 +1,41 @@
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A vertex of A - B, and the slot of the <see cref="Simplex"/> that holds the support points that it was made from.
+/// </summary>
+internal struct MinkowskiVertex
+{
+    public double X, Y, Z;
+
+    /// <summary>As wide as the coordinates, so that the four fit registers without a gap.</summary>
+    public long Slot;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public MinkowskiVertex(in Vector3D w, int slot)
+    {
+        X = w.X;
+        Y = w.Y;
+        Z = w.Z;
+        Slot = slot;
+    }
+
+    public readonly Vector3D W
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(X, Y, Z);
+    }
+
+    /// <summary>
+    /// Takes another's place number by number, which stays in registers where a copy of the whole would not.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set(in MinkowskiVertex other)
+    {
+        X = other.X;
+        Y = other.Y;
+        Z = other.Z;
+        Slot = other.Slot;
+    }
+}
