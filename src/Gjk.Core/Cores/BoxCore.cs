@@ -1,7 +1,4 @@
 using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Gjk.Core;
 
@@ -12,10 +9,7 @@ namespace Gjk.Core;
 internal struct BoxCore : ISupportMap, ITightBounds
 {
     /// <summary>Half the side lengths: in double, since a scale may have been multiplied into them.</summary>
-    public Vector3D Half;
-
-    /// <summary>0, so that the half extents can be read as a register of four doubles.</summary>
-    public double End;
+    public LaneVector Half;
 
     /// <summary>The ids of the corners.</summary>
     public BoxCorners Corners;
@@ -28,22 +22,12 @@ internal struct BoxCore : ISupportMap, ITightBounds
     public static void Make(
         in Vector3D half, in Vector3D center, BoxCorners corners, double radius, double margin, out BoxCore box)
     {
-        box.Half = new Vector3D(half.X, half.Y, half.Z);
-        box.End = 0;
+        box.Half = new LaneVector(half);
         box._center = new Vector3D(center.X, center.Y, center.Z);
         box.Corners = corners;
         box._margin = margin;
         box._radius = radius;
     }
-
-#if NET
-    /// <summary><see cref="Half"/> and a 0.</summary>
-    public readonly Vector256<double> HalfLanes
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Vector256.LoadUnsafe(in Half.X);
-    }
-#endif
 
     public readonly Vector3D Center => _center;
 
@@ -53,12 +37,12 @@ internal struct BoxCore : ISupportMap, ITightBounds
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly int Support(in Vector3D direction, out Vector3D point) =>
-        Corners.Id(BoxSupport.Furthest(Half, direction, out point));
+        Corners.Id(BoxSupport.Furthest(Half.Xyz, direction, out point));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool TryGetVertex(int id, out Vector3D point)
     {
-        BoxSupport.TryGetVertex(Half, Corners.Signs(id & 7), out point);
+        BoxSupport.TryGetVertex(Half.Xyz, Corners.Signs(id & 7), out point);
         return (uint)id < 8u;
     }
 }

@@ -11,4 +11,7 @@ internal enum CoreKind : byte
 
     /// <summary><see cref="HullCore"/>.</summary>
     Hull,
+
+    /// <summary><see cref="SegmentCore"/>.</summary>
+    Segment,
 }

@@ -27,7 +27,8 @@ internal static partial class MinkowskiDifference
     private static bool HaveLanes<TA, TB>() => HasLanes<TA>() && HasLanes<TB>() && Avx2.IsSupported;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool HasLanes<T>() => typeof(T) == typeof(BoxCore) || typeof(T) == typeof(HullCore);
+    private static bool HasLanes<T>() =>
+        typeof(T) == typeof(BoxCore) || typeof(T) == typeof(HullCore) || typeof(T) == typeof(SegmentCore);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3D SupportInLanes<TA, TB>(
@@ -63,11 +64,18 @@ internal static partial class MinkowskiDifference
             return hull.Lanes(id);
         }
 
+        if (typeof(T) == typeof(SegmentCore))
+        {
+            ref SegmentCore segment = ref Unsafe.As<T, SegmentCore>(ref shape);
+            id = segment.SupportId(Xyz(direction));
+            return segment.Lanes(id);
+        }
+
         // A zero of either sign counts as positive.
         ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
         Vector256<double> negative = Vector256.LessThan(direction, Vector256<double>.Zero);
         id = box.Corners.Id((int)negative.ExtractMostSignificantBits() & XyzBits);
-        return box.HalfLanes ^ (negative & SignBits);
+        return box.Half.Lanes ^ (negative & SignBits);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -80,8 +88,15 @@ internal static partial class MinkowskiDifference
             return hull.Has(id);
         }
 
+        if (typeof(T) == typeof(SegmentCore))
+        {
+            ref SegmentCore segment = ref Unsafe.As<T, SegmentCore>(ref shape);
+            vertex = segment.Lanes(id);
+            return segment.Has(id);
+        }
+
         ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
-        vertex = box.HalfLanes ^ SignsOf(box.Corners.Signs(id & XyzBits));
+        vertex = box.Half.Lanes ^ SignsOf(box.Corners.Signs(id & XyzBits));
         return (uint)id <= XyzBits;
     }
 

@@ -37,7 +37,7 @@ internal struct PairFrame
     /// Length: larger sizes and distances count as invalid input. It is far above every shape that is made of floats,
     /// and its square is a finite double. Pinned by InvalidInputTests.
     /// </summary>
-    private const double MaxMagnitude = 1e150;
+    public const double MaxMagnitude = 1e150;
 
     /// <summary>
     /// Lengths: 2^-60 and 2^60. In between, the eighth power of a length, the highest that a solver forms, neither
@@ -189,6 +189,14 @@ internal struct PairFrame
         Magnitude *= factor;
         Unit = 1 / factor;
     }
+
+    /// <summary>From A's centre to B's, in the world's axes, as exact as the poses are.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D BetweenCenters(
+        in RigidPose poseA, in Vector3D centerA, in RigidPose poseB, in Vector3D centerB) =>
+        centerA.SumOfMagnitudes + centerB.SumOfMagnitudes == 0
+            ? (Vector3D)poseB.Position - poseA.Position
+            : BetweenFarCenters(poseA, poseB, centerA, centerB);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Vector3D BetweenFarCenters(

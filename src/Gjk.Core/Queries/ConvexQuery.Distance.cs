@@ -51,12 +51,16 @@ public static partial class ConvexQuery
         TB copyB = default;
         NoTrace trace = default;
         WarmStart unused = default;
+        ref TA shapeA = ref Inward(a, ref copyA);
+        ref TB shapeB = ref Inward(b, ref copyB);
         Solve(
-            ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB, maxDistance, ref unused, false, ref trace,
-            out PairFrame frame, out SolverState state);
+            ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref unused, false, ref trace, out PairFrame frame,
+            out SolverState state);
         bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
         simplex = isEmpty ? default : new FinalSimplex(state.Simplex, frame);
-        return Finish(state, frame, poseA, poseB, maxDistance);
+        return frame.ArePoints
+            ? AskBalls(ref shapeA, poseA, ref shapeB, poseB, maxDistance)
+            : Finish(state, frame, poseA, poseB, maxDistance);
     }
 
     /// <summary>

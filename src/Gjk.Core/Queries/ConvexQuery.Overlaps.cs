@@ -45,14 +45,12 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        if (AreBalls(ref a, ref b)) return StatusOfBalls(ref a, poseA, ref b, poseB);
 #if NET
-        CoreKind kindA = PairDispatch.KindOf(ref a), kindB = PairDispatch.KindOf(ref b);
-        if (kindA == CoreKind.Box && kindB == CoreKind.Box) return StatusOfBoxes(ref a, poseA, ref b, poseB);
-        if (kindA == CoreKind.Hull && kindB == CoreKind.Hull) return StatusOfHulls(ref a, poseA, ref b, poseB);
-        if (kindA == CoreKind.Box && kindB == CoreKind.Hull) return StatusOfBoxAndHull(ref a, poseA, ref b, poseB);
-        if (kindA == CoreKind.Hull && kindB == CoreKind.Box) return StatusOfHullAndBox(ref a, poseA, ref b, poseB);
-#endif
+        return StatusByKind(ref a, poseA, ref b, poseB);
+#else
         return StatusOfCores(ref a, poseA, ref b, poseB);
+#endif
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]

@@ -40,18 +40,13 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
+        if (!trace.IsOn && AreBalls(ref shapeA, ref shapeB))
+            return AskBalls(ref shapeA, poseA, ref shapeB, poseB, maxDistance);
 #if NET
-        CoreKind kindA = PairDispatch.KindOf(ref shapeA), kindB = PairDispatch.KindOf(ref shapeB);
-        if (kindA == CoreKind.Box && kindB == CoreKind.Box)
-            return AskBoxes(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-        if (kindA == CoreKind.Hull && kindB == CoreKind.Hull)
-            return AskHulls(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-        if (kindA == CoreKind.Box && kindB == CoreKind.Hull)
-            return AskBoxAndHull(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-        if (kindA == CoreKind.Hull && kindB == CoreKind.Box)
-            return AskHullAndBox(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-#endif
+        return AskByKind(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
+#else
         return AskCores(ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref warmStart, isWarm, ref trace);
+#endif
     }
 
     /// <summary>The pipeline.</summary>
@@ -76,7 +71,9 @@ public static partial class ConvexQuery
         Solve(
             ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace, out PairFrame frame,
             out SolverState state);
-        return Finish(state, frame, poseA, poseB, maxDistance);
+        return trace.IsOn && frame.ArePoints
+            ? AskBalls(ref a, poseA, ref b, poseB, maxDistance)
+            : Finish(state, frame, poseA, poseB, maxDistance);
     }
 
     /// <summary>

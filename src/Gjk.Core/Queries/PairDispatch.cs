@@ -4,8 +4,8 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// Unwraps boxes and meshes, so that supports need not switch on the shape's kind. For all other types the answers are
-/// known when the code is compiled.
+/// Unwraps shapes to the cores that queries have a support of their own for, so that supports need not switch on the
+/// shape's kind. Which kinds a type can have is known when the code is compiled.
 /// </summary>
 internal static class PairDispatch
 {
@@ -15,27 +15,49 @@ internal static class PairDispatch
         where T : struct, ISupportMap
     {
         if (typeof(T) == typeof(ConvexShape)) return Unsafe.As<T, ConvexShape>(ref shape).Core;
+        if (typeof(T) == typeof(ConvexMesh)) return Unsafe.As<T, ConvexMesh>(ref shape).Core;
         if (typeof(T) == typeof(BoxShape)) return CoreKind.Box;
-        return typeof(T) == typeof(ConvexMesh) ? Unsafe.As<T, ConvexMesh>(ref shape).Core : CoreKind.Other;
+        return typeof(T) == typeof(CapsuleShape) || typeof(T) == typeof(SegmentShape)
+            || typeof(T) == typeof(SphereShape) || typeof(T) == typeof(PointShape)
+            ? CoreKind.Segment
+            : CoreKind.Other;
     }
 
-    /// <summary>The box that a shape is.</summary>
+    /// <summary>The core of a shape that is known to have it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Get<T>(ref T shape, out BoxCore box)
+    public static void Get<T, TCore>(ref T shape, out TCore core)
         where T : struct, ISupportMap
+        where TCore : struct, ISupportMap
+    {
+        Unsafe.SkipInit(out core);
+        if (typeof(TCore) == typeof(BoxCore)) GetBox(ref shape, out Unsafe.As<TCore, BoxCore>(ref core));
+        else if (typeof(TCore) == typeof(HullCore)) GetHull(ref shape, out Unsafe.As<TCore, HullCore>(ref core));
+        else GetSegment(ref shape, out Unsafe.As<TCore, SegmentCore>(ref core));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GetBox<T>(ref T shape, out BoxCore box)
     {
         if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out box);
         else if (typeof(T) == typeof(ConvexMesh)) Unsafe.As<T, ConvexMesh>(ref shape).Get(out box);
         else Unsafe.As<T, BoxShape>(ref shape).Get(out box);
     }
 
-    /// <summary>The mesh that a shape is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Get<T>(ref T shape, out HullCore hull)
-        where T : struct, ISupportMap
+    private static void GetHull<T>(ref T shape, out HullCore hull)
     {
         if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out hull);
         else Unsafe.As<T, ConvexMesh>(ref shape).Get(out hull);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GetSegment<T>(ref T shape, out SegmentCore segment)
+    {
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(CapsuleShape)) Unsafe.As<T, CapsuleShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(SegmentShape)) Unsafe.As<T, SegmentShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(SphereShape)) Unsafe.As<T, SphereShape>(ref shape).Get(out segment);
+        else Unsafe.As<T, PointShape>(ref shape).Get(out segment);
     }
 }
 #endif

@@ -26,6 +26,12 @@ public readonly struct CapsuleShape : ISupportMap, ITightBounds
     /// <inheritdoc/>
     public double BoundingRadius => (double)Radius + HalfHeight;
 
+    /// <summary>This, as queries ask it.</summary>
+    internal void Get(out SegmentCore segment) =>
+        SegmentCore.Make(
+            new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), 2, default, BoundingRadius, Radius,
+            out segment);
+
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)
     {

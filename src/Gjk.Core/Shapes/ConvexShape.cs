@@ -40,6 +40,8 @@ public readonly partial struct ConvexShape : ISupportMap, ITightBounds, IEquatab
         _isPlain = parts.Scale == Unscaled;
         _core = !_isPlain ? CoreKind.Other
             : parts.Kind == ShapeKind.Box ? CoreKind.Box
+            : parts.Kind is ShapeKind.Segment or ShapeKind.Capsule or ShapeKind.Point or ShapeKind.Sphere
+                ? CoreKind.Segment
             : parts.Kind != ShapeKind.Mesh ? CoreKind.Other
             : parts.Hull!.IsExactBox ? CoreKind.Box : CoreKind.Hull;
         _margin = _scale.Margin(parts.InnerMargin) + parts.Rounding;
@@ -129,6 +131,14 @@ public readonly partial struct ConvexShape : ISupportMap, ITightBounds, IEquatab
     /// <summary>This, known to be a mesh.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void Get(out HullCore hull) => hull = new HullCore(_parts.Hull!, _boundingRadius, _margin);
+
+    /// <summary>This, known to be a segment, a capsule, a point or a sphere.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal void Get(out SegmentCore segment)
+    {
+        int count = _parts.Kind is ShapeKind.Segment or ShapeKind.Capsule ? 2 : 1;
+        SegmentCore.Make(_parts.A, _parts.B, count, _center, _boundingRadius, _margin, out segment);
+    }
 
     private static Vector3D CoreCenter(in ShapeParts parts) => parts.Kind switch
     {

@@ -12,6 +12,10 @@ public readonly struct PointShape : ISupportMap, ITightBounds
     /// <inheritdoc/>
     public double BoundingRadius => 0;
 
+    /// <summary>This, as queries ask it.</summary>
+    internal void Get(out SegmentCore segment) =>
+        SegmentCore.Make(default, default, 1, default, 0, 0, out segment);
+
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)
     {

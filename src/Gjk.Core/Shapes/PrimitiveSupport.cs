@@ -20,10 +20,7 @@ internal static class PrimitiveSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Segment(in Vector3D a, in Vector3D b, in Vector3D direction, out Vector3D point)
     {
-        Vector3D toA = a - b;
-        double dot = Vector3D.Dot(direction, toA);
-        if (!DirectionRange.IsSafe(dot)) dot = Vector3D.Dot(DirectionRange.ToUnit(direction), toA);
-        bool first = dot >= 0;
+        bool first = SegmentCore.FurthestEnd(a - b, direction) == 0;
         point = first ? a : b;
         return first ? 0 : 1;
     }

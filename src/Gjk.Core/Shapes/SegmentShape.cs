@@ -28,6 +28,10 @@ public readonly struct SegmentShape : ISupportMap, ITightBounds
     /// <inheritdoc/>
     public double BoundingRadius => ((Vector3D)B - A).Length * 0.5;
 
+    /// <summary>This, as queries ask it.</summary>
+    internal void Get(out SegmentCore segment) =>
+        SegmentCore.Make(A, B, 2, Center, BoundingRadius, 0, out segment);
+
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)
     {

@@ -19,6 +19,10 @@ public readonly struct SphereShape : ISupportMap, ITightBounds
     /// <inheritdoc/>
     public double BoundingRadius => Radius;
 
+    /// <summary>This, as queries ask it.</summary>
+    internal void Get(out SegmentCore segment) =>
+        SegmentCore.Make(default, default, 1, default, Radius, Radius, out segment);
+
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)
     {

@@ -1,0 +1,90 @@
+using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Any of the library's shapes whose core is a segment or a point: a segment, a capsule, a point or a sphere.
+/// </summary>
+internal struct SegmentCore : ISupportMap, ITightBounds
+{
+    /// <summary>The ends, measured from the centre.</summary>
+    private LaneVector _first, _second;
+
+    /// <summary>From the second end to the first.</summary>
+    private Vector3D _toFirst;
+
+    private Vector3D _center;
+    private double _margin, _radius;
+    private int _count;
+
+    /// <summary>Written where it is to be, without a copy.</summary>
+    /// <param name="first">One end; or the point.</param>
+    /// <param name="second">The other end.</param>
+    /// <param name="count">How many vertices there are, 1 or 2.</param>
+    /// <param name="center">The middle.</param>
+    /// <param name="radius">The bounding radius.</param>
+    /// <param name="margin">The margin.</param>
+    /// <param name="core">The segment.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Make(
+        in Vector3D first, in Vector3D second, int count, in Vector3D center, double radius, double margin,
+        out SegmentCore core)
+    {
+        core._first = new LaneVector(first - center);
+        core._second = new LaneVector(second - center);
+        core._toFirst = first - second;
+        core._center = new Vector3D(center.X, center.Y, center.Z);
+        core._margin = margin;
+        core._radius = radius;
+        core._count = count;
+    }
+
+    public readonly Vector3D Center => _center;
+
+    public readonly double Margin => _margin;
+
+    public readonly double BoundingRadius => _radius;
+
+    public readonly int Support(in Vector3D direction, out Vector3D point)
+    {
+        int id = FurthestEnd(_toFirst, direction);
+        point = (id == 0 ? _first : _second).Xyz;
+        return id;
+    }
+
+    public readonly bool TryGetVertex(int id, out Vector3D point)
+    {
+        point = (id == 0 ? _first : _second).Xyz;
+        return Has(id);
+    }
+
+    /// <summary>Whether there is a vertex with the id.</summary>
+    public readonly bool Has(int id) => (uint)id < (uint)_count;
+
+    /// <summary>Which end of a segment is furthest: 0, also where they are level, or 1.</summary>
+    /// <param name="toFirst">
+    /// From the second end to the first: by it a segment far from its local origin is asked as exactly as one at it.
+    /// </param>
+    /// <param name="direction">Any.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int FurthestEnd(in Vector3D toFirst, in Vector3D direction)
+    {
+        double dot = Vector3D.Dot(direction, toFirst);
+        if (!DirectionRange.IsSafe(dot)) dot = Vector3D.Dot(DirectionRange.ToUnit(direction), toFirst);
+        return BranchFree.IsNegative(dot);
+    }
+
+#if NET
+    /// <summary>The id of the furthest end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly int SupportId(in Vector3D direction) => FurthestEnd(_toFirst, direction);
+
+    /// <summary>An end, measured from the centre, and a 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector256<double> Lanes(int id) =>
+        (id & 1) == 0 ? _first.Lanes : _second.Lanes;
+#endif
+}

@@ -1,0 +1,35 @@
+using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>A vector with a 0 behind it, so that it can be read as a register of four doubles.</summary>
+internal struct LaneVector
+{
+    public double X, Y, Z, End;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public LaneVector(in Vector3D v)
+    {
+        X = v.X;
+        Y = v.Y;
+        Z = v.Z;
+        End = 0;
+    }
+
+    public readonly Vector3D Xyz
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(X, Y, Z);
+    }
+
+#if NET
+    public readonly Vector256<double> Lanes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.LoadUnsafe(in X);
+    }
+#endif
+}

@@ -1,0 +1,116 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <remarks>
+/// Two balls (or points), in closed form: the line through their centres gives the distance and all points. It is done
+/// in the world's axes, so no rotation stands between the positions and the answer. Any pair of shapes of which the
+/// margins leave nothing comes here, whatever its types, so all of them have the same bits.
+/// </remarks>
+public static partial class ConvexQuery
+{
+    /// <summary>Nothing is left of either shape without its margin.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreBalls<TA, TB>(ref TA a, ref TB b)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        a.BoundingRadius + b.BoundingRadius == a.Margin + b.Margin;
+
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    private static DistanceResult AskBalls<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double turnA = InverseTurn(poseA.Rotation), turnB = InverseTurn(poseB.Rotation);
+        Vector3D between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
+        double gap = BallGap(between, a.Margin, b.Margin, out double root);
+        if (!IsBallGap(gap, a.Margin, b.Margin) || !(turnA > 0) || !(turnB > 0) || float.IsNaN(maxDistance))
+            return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+
+        double margins = a.Margin + b.Margin;
+        Vector3D normal = root > 0 ? between * (1 / root) : default;
+        Vector3D inA = Back(poseA.Rotation, turnA, normal), inB = Back(poseB.Rotation, turnB, normal);
+        bool touching = gap <= GjkTolerances.Touch * margins;
+        if (!touching && (float)gap > Math.Max(maxDistance, 0))
+        {
+            return DistanceResult.Beyond(BallBound(root, margins), (Vector3)normal, 1);
+        }
+
+        // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
+        double share = touching && margins > 0 ? root / margins : 1;
+        double reachA = share * a.Margin, reachB = share * b.Margin;
+        Vector3D worldA = Place(poseA, a.Center) + normal * reachA, worldB = Place(poseB, b.Center) - normal * reachB;
+        var localA = (Vector3)(inA * reachA + a.Center);
+        var localB = (Vector3)(inB * -reachB + b.Center);
+        if (!touching)
+        {
+            return new DistanceResult(
+                GjkStatus.Separated, (float)gap, BallBound(root, margins), (Vector3)worldA, (Vector3)worldB,
+                (Vector3)normal, localA, localB, 1);
+        }
+
+        var common = (Vector3)(b.Margin * FarApart < a.Margin ? worldB : worldA);
+        return new DistanceResult(GjkStatus.Overlapping, 0, 0, common, common, Vector3.Zero, localA, localB, 1);
+    }
+
+    /// <summary>Overlapping, separated or invalid, as <see cref="AskBalls"/> says.</summary>
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    private static GjkStatus StatusOfBalls<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Vector3D between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
+        double gap = BallGap(between, a.Margin, b.Margin, out _);
+        if (!IsBallGap(gap, a.Margin, b.Margin) || !(InverseTurn(poseA.Rotation) > 0)
+            || !(InverseTurn(poseB.Rotation) > 0))
+        {
+            return GjkStatus.InvalidInput;
+        }
+
+        return gap <= GjkTolerances.Touch * (a.Margin + b.Margin) ? GjkStatus.Overlapping : GjkStatus.Separated;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double BallGap(in Vector3D between, double marginA, double marginB, out double root)
+    {
+        root = between.Length;
+        return root - marginA - marginB;
+    }
+
+    /// <summary>Whether the gap is that of valid balls; it is NaN or infinite where a position is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsBallGap(double gap, double marginA, double marginB) =>
+        marginA >= 0 & marginB >= 0 & Math.Abs(gap) + marginA + marginB <= PairFrame.MaxMagnitude;
+
+    /// <summary>The distance of the centres less the radii, and less what rounding may have done.</summary>
+    private static float BallBound(double root, double margins)
+    {
+        double value = root - margins - GjkTolerances.LowerBoundError * (2 * margins + root);
+        return value > 0 ? RoundOff.Down(value) : 0;
+    }
+
+    /// <summary>2 / |q|², or 0 where that is no rotation.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double InverseTurn(Quaternion q)
+    {
+        double norm = (double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W;
+        return RigidPose.IsUnit(norm) ? 2 / norm : 0;
+    }
+
+    /// <summary>v turned by the inverse of q: v + w t + t × u with t = s v × u and s = 2 / |q|².</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector3D Back(Quaternion q, double s, in Vector3D v)
+    {
+        var u = new Vector3D(q.X, q.Y, q.Z);
+        Vector3D t = Vector3D.Cross(v, u) * s;
+        return v + t * q.W + Vector3D.Cross(t, u);
+    }
+
+    /// <summary>A shape's centre in the world.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector3D Place(in RigidPose pose, in Vector3D center) =>
+        center.SumOfMagnitudes == 0 ? pose.Position : ToWorld(pose, center);
+}
