@@ -110,6 +110,13 @@ public static class PairBatch
     {
         public void Run(int begin, int end)
         {
+#if NET
+            if (WideBatch.IsSupported)
+            {
+                new WideBatch(shapes, poses, ref pairs[begin], ref results[begin]).Distance(end - begin, maxDistance);
+                return;
+            }
+#endif
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);

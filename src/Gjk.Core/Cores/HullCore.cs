@@ -48,9 +48,13 @@ internal readonly struct HullCore : ISupportMap, ITightBounds
 
     /// <summary>A vertex, measured from the centre, and a 0; some vertex where there is none with the id.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<double> Lanes(int id)
+    public Vector256<double> Lanes(int id) => Lanes(_hull, id);
+
+    /// <inheritdoc cref="Lanes(int)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<double> Lanes(ConvexHull hull, int id)
     {
-        double[] centered = _hull.Centered;
+        double[] centered = hull.Centered;
         uint at = 4 * (uint)id;
         return Vector256.LoadUnsafe(
             ref MemoryMarshal.GetArrayDataReference(centered), at < (uint)centered.Length ? at : 0);

@@ -78,6 +78,9 @@ internal struct SegmentCore : ISupportMap, ITightBounds
     }
 
 #if NET
+    /// <summary>From the second end to the first, and a 0.</summary>
+    public readonly Vector256<double> ToFirst => Vector256.Create(_toFirst.X, _toFirst.Y, _toFirst.Z, 0);
+
     /// <summary>The id of the furthest end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly int SupportId(in Vector3D direction) => FurthestEnd(_toFirst, direction);

@@ -26,7 +26,7 @@ internal static class DirectionRange
     /// <summary>
     /// Sizes between which a dot product of a direction of any length has lost nothing to the limits of double.
     /// </summary>
-    private const double LeastDot = 1e-270, MostDot = 1e300;
+    public const double LeastDot = 1e-270, MostDot = 1e300;
 
     /// <summary>Whether a dot product can be trusted; false for 0, which may be what is left of a tiny one.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -24,7 +24,7 @@ internal struct PairFrame
     /// Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised 1e-14 of
     /// the scale, so it is done in double-double. Pinned by OffsetMeshTests.
     /// </summary>
-    private const double FarCenter = 4;
+    public const double FarCenter = 4;
 
     /// <summary>
     /// Ratio to the centres' distances from their local origins: 2^-90, more than double-double loses when it rotates
@@ -103,6 +103,13 @@ internal struct PairFrame
     /// <summary>Whether a squared distance is one of a pair that can be solved in its own units.</summary>
     public static bool IsOrdinarySize(double distanceSquared) =>
         distanceSquared >= LeastOrdinary * LeastOrdinary & distanceSquared <= MostOrdinary * MostOrdinary;
+
+#if NET
+    /// <summary>Lanes of magnitudes of pairs that can be solved in their own units.</summary>
+    public static Vector256<double> AreOrdinary(Vector256<double> magnitudes) =>
+        Vector256.LessThanOrEqual(magnitudes, Vector256.Create(MostOrdinary))
+            & Vector256.GreaterThanOrEqual(magnitudes, Vector256.Create(LeastOrdinary));
+#endif
 
     /// <summary>Both bounding radii.</summary>
     public readonly double Radius => RadiusA + RadiusB;

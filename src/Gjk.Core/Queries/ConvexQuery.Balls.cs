@@ -13,7 +13,7 @@ public static partial class ConvexQuery
 {
     /// <summary>Nothing is left of either shape without its margin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreBalls<TA, TB>(ref TA a, ref TB b)
+    internal static bool AreBalls<TA, TB>(ref TA a, ref TB b)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         a.BoundingRadius + b.BoundingRadius == a.Margin + b.Margin;

@@ -11,7 +11,7 @@ public static partial class ConvexQuery
     /// that is reached from A over the distance would lie beside B by rounding alone, so it is placed from B's own
     /// pose. Pinned by WitnessPointTests.
     /// </summary>
-    private const double FarApart = 1 << 20;
+    internal const double FarApart = 1 << 20;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]

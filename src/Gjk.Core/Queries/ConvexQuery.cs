@@ -161,11 +161,12 @@ public static partial class ConvexQuery
     /// How far apart the cores may be before the query may end early; the bands keep its answer that of the full query.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double CoreReach(float maxDistance, in PairFrame frame)
-    {
-        double reach = Math.Max(maxDistance, 0.0) * (1 + GjkTolerances.FloatBand) + float.Epsilon;
-        return reach / frame.Unit + frame.Margins + GjkTolerances.SeparatedBandCurved * frame.Radius;
-    }
+    private static double CoreReach(float maxDistance, in PairFrame frame) =>
+        ShapeReach(maxDistance) / frame.Unit + frame.Margins + GjkTolerances.SeparatedBandCurved * frame.Radius;
+
+    /// <summary>How far apart the shapes may be, in world units.</summary>
+    internal static double ShapeReach(float maxDistance) =>
+        Math.Max(maxDistance, 0.0) * (1 + GjkTolerances.FloatBand) + float.Epsilon;
 
     /// <summary>The closed form of two points, told as the loop's only round.</summary>
     private static void TellPoints<TTrace>(in PairFrame frame, in SolverState state, ref TTrace trace)

@@ -26,7 +26,7 @@ internal static class ClosestPointWeights
     /// Squared sine of the angle at a triangle's corner, 2^-40: below it the face's weights have lost half of their
     /// digits, and an edge may be the better answer. Pinned by ClosestPointWeightsTests.NeedleTriangles.
     /// </summary>
-    private const double Needle = 1.0 / (1L << 40);
+    public const double Needle = 1.0 / (1L << 40);
 
     /// <summary>
     /// Ratio of a volume to the cube of the root of the vertices' squared lengths, added: 4 roundings. The determinant
@@ -40,6 +40,9 @@ internal static class ClosestPointWeights
     /// <see cref="Residual"/>. Pinned by ClosestPointWeightsTests.
     /// </summary>
     private const double ClearSum = 1e-5;
+
+    /// <summary>The squares of the last two, which the squares of volumes and sums are compared with.</summary>
+    public const double ClearVolumeSquared = ClearVolume * ClearVolume, ClearSumSquared = ClearSum * ClearSum;
 
     /// <summary>The nearest point of a simplex of one to four vertices.</summary>
     public static Weights Of(in Simplex s) => s.Count switch

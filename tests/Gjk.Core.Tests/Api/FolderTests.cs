@@ -34,7 +34,13 @@ public class FolderTests(ITestOutputHelper output)
             ["Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace"]),
         ("Diagnostics", ["Geometry", "Hulls", "Shapes", "Queries"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
-        ("Batch", ["Geometry", "Shapes", "Queries", "Threading", "BroadPhase"]),
+        (
+            "Wide",
+            [
+                "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
+                "Queries", "BroadPhase",
+            ]),
+        ("Batch", ["Geometry", "Shapes", "Queries", "Threading", "BroadPhase", "Wide"]),
         ("World", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Batch"]),
     ];
 

@@ -1,0 +1,166 @@
+#if NET
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using Lanes = System.Runtime.Intrinsics.Vector256<double>;
+
+namespace Gjk.Core;
+
+/// <summary>The first, or the second, shapes of four pairs.</summary>
+internal interface IWideSide
+{
+    /// <summary>Takes a shape, which is known to be of the side's kind, into a lane.</summary>
+    void Load(int lane, in ConvexShape shape);
+
+    /// <summary>The furthest vertex of each, measured from its centre, and its slot.</summary>
+    /// <param name="direction">A direction for each.</param>
+    /// <param name="live">
+    /// One bit for each lane whose answer is wanted. The others, whose directions have not changed, answer as before.
+    /// </param>
+    /// <param name="slots">Names the vertices, for <see cref="Vertex"/>.</param>
+    WideVector Support(in WideVector direction, uint live, out Vector256<long> slots);
+
+    /// <summary>The vertices in slots, as <see cref="Support"/> gave them.</summary>
+    WideVector Vertex(Vector256<long> slots);
+
+    /// <summary>The id of the vertex in a lane's slot.</summary>
+    int IdOf(int lane, int slot);
+}
+
+/// <summary>Boxes, and meshes that are boxes. A slot is a corner's signs.</summary>
+internal unsafe struct WideBoxes : IWideSide
+{
+    private fixed double _half[12];
+    private fixed ulong _corners[4];
+
+    private WideVector Half
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(
+            Vector256.LoadUnsafe(ref _half[0]), Vector256.LoadUnsafe(ref _half[4]), Vector256.LoadUnsafe(ref _half[8]));
+    }
+
+    private static Lanes SignBit
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.Create(-0.0);
+    }
+
+    public void Load(int lane, in ConvexShape shape)
+    {
+        shape.Get(out BoxCore box);
+        _half[lane] = box.Half.X;
+        _half[lane + 4] = box.Half.Y;
+        _half[lane + 8] = box.Half.Z;
+        _corners[lane] = Unsafe.BitCast<BoxCorners, ulong>(box.Corners);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public WideVector Support(in WideVector direction, uint live, out Vector256<long> slots)
+    {
+        // A zero of either sign counts as positive.
+        Lanes x = Vector256.LessThan(direction.X, Lanes.Zero), y = Vector256.LessThan(direction.Y, Lanes.Zero);
+        Lanes z = Vector256.LessThan(direction.Z, Lanes.Zero);
+        slots = (x.AsInt64() & Vector256.Create(1L)) | (y.AsInt64() & Vector256.Create(2L))
+            | (z.AsInt64() & Vector256.Create(4L));
+        WideVector half = Half;
+        return new WideVector(half.X ^ (x & SignBit), half.Y ^ (y & SignBit), half.Z ^ (z & SignBit));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public WideVector Vertex(Vector256<long> slots)
+    {
+        WideVector half = Half;
+        return new WideVector(
+            half.X ^ (Vector256.ShiftLeft(slots, 63).AsDouble() & SignBit),
+            half.Y ^ (Vector256.ShiftLeft(slots, 62).AsDouble() & SignBit),
+            half.Z ^ (Vector256.ShiftLeft(slots, 61).AsDouble() & SignBit));
+    }
+
+    public int IdOf(int lane, int slot) => Unsafe.BitCast<ulong, BoxCorners>(_corners[lane]).Id(slot);
+}
+
+/// <summary>Segments, capsules, points and spheres. A slot is an end's id.</summary>
+internal struct WideSegments : IWideSide
+{
+    private FourSegments _cores;
+    private WideVector _first, _second, _toFirst;
+
+    public void Load(int lane, in ConvexShape shape)
+    {
+        shape.Get(out _cores[lane]);
+        if (lane < 3) return;
+        _first = WideVector.Transpose(
+            _cores[0].Lanes(0), _cores[1].Lanes(0), _cores[2].Lanes(0), _cores[3].Lanes(0));
+        _second = WideVector.Transpose(
+            _cores[0].Lanes(1), _cores[1].Lanes(1), _cores[2].Lanes(1), _cores[3].Lanes(1));
+        _toFirst = WideVector.Transpose(
+            _cores[0].ToFirst, _cores[1].ToFirst, _cores[2].ToFirst, _cores[3].ToFirst);
+    }
+
+    public WideVector Support(in WideVector direction, uint live, out Vector256<long> slots)
+    {
+        Lanes dot = WideVector.Dot(direction, _toFirst), size = Vector256.Abs(dot);
+        Lanes safe = Vector256.GreaterThan(size, Vector256.Create(DirectionRange.LeastDot))
+            & Vector256.LessThan(size, Vector256.Create(DirectionRange.MostDot));
+        slots = Vector256.LessThan(dot, Lanes.Zero).AsInt64() & Vector256<long>.One;
+        uint rest = live & ~safe.ExtractMostSignificantBits();
+        for (int lane = 0; rest != 0; lane++, rest >>= 1)
+        {
+            if ((rest & 1) != 0) slots = slots.WithElement(lane, _cores[lane].SupportId(direction[lane]));
+        }
+
+        return Vertex(slots);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public WideVector Vertex(Vector256<long> slots) =>
+        WideVector.Select(Vector256.Equals(slots, Vector256<long>.Zero).AsDouble(), _first, _second);
+
+    public int IdOf(int lane, int slot) => slot;
+
+    [InlineArray(4)]
+    private struct FourSegments
+    {
+        private SegmentCore _first;
+    }
+}
+
+/// <summary>Meshes. A slot is a vertex's id. Each lane looks its vertex up by itself.</summary>
+internal struct WideHulls : IWideSide
+{
+    private FourHulls _hulls;
+    private Vector256<long> _last;
+
+    public void Load(int lane, in ConvexShape shape)
+    {
+        _hulls[lane] = shape.Hull!;
+        _last = Vector256<long>.Zero;
+    }
+
+    public WideVector Support(in WideVector direction, uint live, out Vector256<long> slots)
+    {
+        long a = _last.ToScalar(), b = _last.GetElement(1), c = _last.GetElement(2), d = _last.GetElement(3);
+        if ((live & 1) != 0) a = Find(_hulls[0], direction[0]);
+        if ((live & 2) != 0) b = Find(_hulls[1], direction[1]);
+        if ((live & 4) != 0) c = Find(_hulls[2], direction[2]);
+        if ((live & 8) != 0) d = Find(_hulls[3], direction[3]);
+        slots = _last = Vector256.Create(a, b, c, d);
+        return Vertex(slots);
+    }
+
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    private static int Find(ConvexHull hull, Vector3D direction) => HullSupport.FindId(hull.Cells, direction);
+
+    public WideVector Vertex(Vector256<long> slots) => WideVector.Transpose(
+        HullCore.Lanes(_hulls[0], (int)slots.ToScalar()), HullCore.Lanes(_hulls[1], (int)slots.GetElement(1)),
+        HullCore.Lanes(_hulls[2], (int)slots.GetElement(2)), HullCore.Lanes(_hulls[3], (int)slots.GetElement(3)));
+
+    public int IdOf(int lane, int slot) => slot;
+
+    [InlineArray(4)]
+    private struct FourHulls
+    {
+        private ConvexHull _first;
+    }
+}
+#endif

@@ -1,0 +1,189 @@
+#if NET
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace Gjk.Core;
+
+/// <summary>A part of a batch: its pairs by kind, four at a time where that is faster, else one by one.</summary>
+internal readonly unsafe ref struct WideBatch
+{
+    /// <summary>Count of pairs in a part at most.</summary>
+    public const int MostPairs = 256;
+
+    /// <summary>
+    /// Count: fewer pairs of a kind than this are asked one by one, since four cost as much as two alone. A matter of
+    /// speed only.
+    /// </summary>
+    private const int LeastPairs = 3;
+
+    /// <summary>Count: kinds of pairs, by the kinds of their cores.</summary>
+    private const int Kinds = 16;
+
+    private readonly ref ConvexShape _shapes;
+    private readonly ref RigidPose _poses;
+    private readonly ref ObjectPair _pairs;
+    private readonly ref DistanceResult _results;
+
+    public WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs, ref DistanceResult results)
+    {
+        _results = ref results;
+        _shapes = ref MemoryMarshal.GetArrayDataReference(shapes);
+        _poses = ref MemoryMarshal.GetArrayDataReference(poses);
+        _pairs = ref pairs;
+    }
+
+    /// <summary>Whether four pairs can be solved at once on this machine.</summary>
+    public static bool IsSupported
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Avx2.IsSupported;
+    }
+
+    public ref ConvexShape ShapeA(int pair) => ref Unsafe.Add(ref _shapes, Unsafe.Add(ref _pairs, pair).A);
+
+    public ref ConvexShape ShapeB(int pair) => ref Unsafe.Add(ref _shapes, Unsafe.Add(ref _pairs, pair).B);
+
+    public ref RigidPose PoseA(int pair) => ref Unsafe.Add(ref _poses, Unsafe.Add(ref _pairs, pair).A);
+
+    public ref RigidPose PoseB(int pair) => ref Unsafe.Add(ref _poses, Unsafe.Add(ref _pairs, pair).B);
+
+    private ref DistanceResult Result(int pair) => ref Unsafe.Add(ref _results, pair);
+
+    /// <summary>Reads the centres, margins and radii of four pairs.</summary>
+    public void ReadSizes(int* index, ref WidePairs s)
+    {
+        ref ConvexShape a0 = ref ShapeA(index[0]), a1 = ref ShapeA(index[1]);
+        ref ConvexShape a2 = ref ShapeA(index[2]), a3 = ref ShapeA(index[3]);
+        ReadSizes(a0, a1, a2, a3, out s.CenterA, out s.MarginA, out s.RadiusA);
+        ref ConvexShape b0 = ref ShapeB(index[0]), b1 = ref ShapeB(index[1]);
+        ref ConvexShape b2 = ref ShapeB(index[2]), b3 = ref ShapeB(index[3]);
+        ReadSizes(b0, b1, b2, b3, out s.CenterB, out s.MarginB, out s.RadiusB);
+    }
+
+    /// <summary>The distances of the part's pairs.</summary>
+    public void Distance(int count, float maxDistance)
+    {
+        int* byKind = stackalloc int[MostPairs];
+        int* starts = stackalloc int[Kinds + 1];
+        Sort(count, byKind, starts);
+        for (int kind = 0; kind < Kinds; kind++)
+        {
+            int* first = byKind + starts[kind];
+            int length = starts[kind + 1] - starts[kind];
+            if (length > 0) DistanceOfKind(kind, first, length, maxDistance);
+        }
+    }
+
+    private void DistanceOfKind(int kind, int* index, int count, float maxDistance)
+    {
+        switch (((CoreKind)(kind >> 2), (CoreKind)(kind & 3)))
+        {
+            case (CoreKind.Box, CoreKind.Box):
+                Distance<WideBoxes, WideBoxes>(index, count, maxDistance);
+                break;
+            case (CoreKind.Hull, CoreKind.Hull):
+                Distance<WideHulls, WideHulls>(index, count, maxDistance);
+                break;
+            case (CoreKind.Segment, CoreKind.Segment):
+                Distance<WideSegments, WideSegments>(index, count, maxDistance);
+                break;
+            case (CoreKind.Box, CoreKind.Hull):
+                Distance<WideBoxes, WideHulls>(index, count, maxDistance);
+                break;
+            case (CoreKind.Hull, CoreKind.Box):
+                Distance<WideHulls, WideBoxes>(index, count, maxDistance);
+                break;
+            case (CoreKind.Box, CoreKind.Segment):
+                Distance<WideBoxes, WideSegments>(index, count, maxDistance);
+                break;
+            case (CoreKind.Segment, CoreKind.Box):
+                Distance<WideSegments, WideBoxes>(index, count, maxDistance);
+                break;
+            case (CoreKind.Hull, CoreKind.Segment):
+                Distance<WideHulls, WideSegments>(index, count, maxDistance);
+                break;
+            case (CoreKind.Segment, CoreKind.Hull):
+                Distance<WideSegments, WideHulls>(index, count, maxDistance);
+                break;
+            default:
+                for (int i = 0; i < count; i++) Alone(index[i], maxDistance);
+                break;
+        }
+    }
+
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    private void Distance<TA, TB>(int* index, int count, float maxDistance)
+        where TA : struct, IWideSide
+        where TB : struct, IWideSide
+    {
+        Unsafe.SkipInit(out WidePairs pairs);
+        Unsafe.SkipInit(out WideResults found);
+        TA a = default;
+        TB b = default;
+        int* four = stackalloc int[4];
+        double reach = ConvexQuery.ShapeReach(maxDistance);
+        for (int begin = 0; begin < count; begin += 4)
+        {
+            int lanes = count - begin < 4 ? count - begin : 4;
+            if (lanes < LeastPairs)
+            {
+                for (int i = 0; i < lanes; i++) Alone(index[begin + i], maxDistance);
+                return;
+            }
+
+            for (int i = 0; i < 4; i++)
+            {
+                four[i] = index[begin + (i < lanes ? i : 0)];
+                a.Load(i, ShapeA(four[i]));
+                b.Load(i, ShapeB(four[i]));
+            }
+
+            WideFrame.Begin(this, four, reach, ref pairs);
+            WideDistance.Solve(ref a, ref b, ref pairs);
+            uint done = WideFinish.Finish(ref a, ref b, ref pairs, maxDistance, ref found);
+            for (int i = 0; i < lanes; i++)
+            {
+                if ((done >> i & 1) != 0) found.Write(i, out Result(four[i]));
+                else Alone(four[i], maxDistance);
+            }
+        }
+    }
+
+    private void Alone(int pair, float maxDistance) =>
+        Result(pair) = ConvexQuery.Distance(ShapeA(pair), PoseA(pair), ShapeB(pair), PoseB(pair), maxDistance);
+
+    /// <summary>Puts the indices of the pairs in the order of their kinds.</summary>
+    private void Sort(int count, int* byKind, int* starts)
+    {
+        byte* kinds = stackalloc byte[MostPairs];
+        for (int i = 0; i <= Kinds; i++) starts[i] = 0;
+        for (int i = 0; i < count; i++)
+        {
+            ref ConvexShape a = ref ShapeA(i), b = ref ShapeB(i);
+            int kind = ConvexQuery.AreBalls(ref a, ref b) ? 0 : (int)a.Core << 2 | (int)b.Core;
+            kinds[i] = (byte)kind;
+            starts[kind + 1]++;
+        }
+
+        for (int i = 0; i < Kinds; i++) starts[i + 1] += starts[i];
+        int* next = stackalloc int[Kinds];
+        for (int i = 0; i < Kinds; i++) next[i] = starts[i];
+        for (int i = 0; i < count; i++) byKind[next[kinds[i]]++] = i;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void ReadSizes(
+        in ConvexShape a, in ConvexShape b, in ConvexShape c, in ConvexShape d, out WideVector centers,
+        out Vector256<double> margins, out Vector256<double> radii)
+    {
+        Vector3D ca = a.Center, cb = b.Center, cc = c.Center, cd = d.Center;
+        centers = new WideVector(
+            Vector256.Create(ca.X, cb.X, cc.X, cd.X), Vector256.Create(ca.Y, cb.Y, cc.Y, cd.Y),
+            Vector256.Create(ca.Z, cb.Z, cc.Z, cd.Z));
+        margins = Vector256.Create(a.Margin, b.Margin, c.Margin, d.Margin);
+        radii = Vector256.Create(a.BoundingRadius, b.BoundingRadius, c.BoundingRadius, d.BoundingRadius);
+    }
+}
+#endif

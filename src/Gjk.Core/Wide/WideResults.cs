@@ -1,0 +1,75 @@
+#if NET
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+using Lanes = System.Runtime.Intrinsics.Vector256<double>;
+
+namespace Gjk.Core;
+
+/// <summary>The results of four pairs, number by number, and the weights that they are made with.</summary>
+internal unsafe struct WideResults
+{
+    public Lanes WeightA, WeightB, WeightC, WeightD;
+
+    /// <summary>One bit for each lane that overlaps, or is further apart than asked; the others are apart.</summary>
+    public uint IsOverlapping, IsBeyond;
+
+    /// <summary>Counts of supports.</summary>
+    public Vector128<int> Iterations;
+
+    /// <summary>Rows of four floats: distance, bound, and the five vectors of a result.</summary>
+    private fixed float _rows[4 * 17];
+
+    /// <summary>Rounds the distances; the bounds are floats already.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void SetDistance(Lanes distance, Lanes bound)
+    {
+        Row(0, distance);
+        Row(1, bound);
+    }
+
+    /// <summary>Rounds the vectors.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set(
+        in WideVector pointA, in WideVector pointB, in WideVector normal, in WideVector localA, in WideVector localB)
+    {
+        Rows(2, pointA);
+        Rows(5, pointB);
+        Rows(8, normal);
+        Rows(11, localA);
+        Rows(14, localB);
+    }
+
+    /// <summary>Writes the result of a lane to its place.</summary>
+    public void Write(int lane, out DistanceResult result)
+    {
+        if ((IsBeyond >> lane & 1) != 0)
+        {
+            result = DistanceResult.Beyond(_rows[4 + lane], Vector(8, lane), Iterations.GetElement(lane));
+            return;
+        }
+
+        bool overlaps = (IsOverlapping >> lane & 1) != 0;
+        result = new DistanceResult(
+            overlaps ? GjkStatus.Overlapping : GjkStatus.Separated, _rows[lane], _rows[4 + lane], Vector(2, lane),
+            Vector(5, lane), Vector(8, lane), Vector(11, lane), Vector(14, lane), Iterations.GetElement(lane));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector3 Vector(int row, int lane) =>
+        new(_rows[4 * row + lane], _rows[4 * row + 4 + lane], _rows[4 * row + 8 + lane]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Rows(int row, in WideVector v)
+    {
+        Row(row, v.X);
+        Row(row + 1, v.Y);
+        Row(row + 2, v.Z);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Row(int row, Lanes value) =>
+        Avx.ConvertToVector128Single(value).StoreUnsafe(ref _rows[4 * row]);
+}
+#endif

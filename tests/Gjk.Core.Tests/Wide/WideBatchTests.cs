@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Wide;
+
+/// <summary>A batch solves four pairs at once where it can; every field has the bits of the query alone.</summary>
+public class WideBatchTests
+{
+    /// <summary>Pairs per batch: whole parts, and one that is not filled.</summary>
+    private const int BatchLength = 1000;
+
+    private const int Batches = 1000, ShapesPerKind = 12;
+
+    public static TheoryData<string> Families => [.. CaseFamily.Names];
+
+    [Theory]
+    [MemberData(nameof(Families))]
+    public void TheHardCasesHaveTheBitsOfTheQuery(string family)
+    {
+        TestPair[] cases = [.. CaseFamily.Load(family).Cases.Select(c => c.Pair)];
+        ConvexShape[] shapes = [.. cases.SelectMany(p => new[] { p.A.Shape, p.B.Shape })];
+        RigidPose[] poses = [.. cases.SelectMany(p => new[] { p.PoseA, p.PoseB })];
+        ObjectPair[] pairs = [.. cases.Select((_, i) => new ObjectPair(2 * i, 2 * i + 1))];
+        ObjectPair[] swapped = [.. pairs.Select(p => new ObjectPair(p.B, p.A))];
+        foreach (ObjectPair[] some in new[] { pairs, swapped })
+        {
+            Check(shapes, poses, some, float.PositiveInfinity, family);
+            Check(shapes, poses, some, 0, family);
+            Check(shapes, poses, some, 1e-3f, family);
+        }
+    }
+
+    /// <summary>A million pairs of mixed kinds and sizes, some of them square to each other and flush.</summary>
+    [Fact]
+    public void RandomPairsOfMixedKindsHaveTheBitsOfTheQuery()
+    {
+        var rng = new Rng(1);
+        string[] kinds = [.. Generators.AllKinds, "bigHull", .. Generators.MadeKinds];
+        var shapes = new List<ConvexShape>();
+        foreach (string kind in kinds)
+            for (int i = 0; i < ShapesPerKind; i++) shapes.Add(Generators.Shape(rng, kind).Shape);
+        foreach (ConvexShape shape in shapes.ToArray()) shapes.Add(shape.Rounded(rng.Float(0.01, 0.3)));
+        for (int seed = 0; seed < Batches; seed++) CheckRandom(shapes, (ulong)seed, seed % 4);
+    }
+
+    [Fact]
+    public void BoxesOfAnySizeAndPlaceHaveTheBitsOfTheQuery()
+    {
+        for (int seed = 0; seed < 200; seed++)
+        {
+            var rng = new Rng((ulong)seed);
+            float size = (float)Math.Pow(10, rng.Range(-25, 25));
+            ConvexShape[] shapes = [.. Enumerable.Range(0, 64).Select(_ => ConvexShape.Box(rng.Vector(0, 1) * size))];
+            RigidPose[] poses = [.. shapes.Select(_ => Generators.Pose(rng, rng.Vector(-1.5, 1.5) * size))];
+            if (seed % 3 == 0) poses = [.. poses.Select(p => new RigidPose(Snapped(p.Position, size)))];
+            poses[seed % 64] = default;
+            shapes[seed * 7 % 64] = default;
+            Check(shapes, poses, Pairs(rng, 64, 300), float.PositiveInfinity, $"seed {seed}");
+        }
+    }
+
+    private static void CheckRandom(List<ConvexShape> all, ulong seed, int kind)
+    {
+        var rng = new Rng(seed);
+        const int count = 100;
+        var shapes = new ConvexShape[count];
+        var poses = new RigidPose[count];
+        Vector3 away = kind == 3 ? rng.Vector(-1e4, 1e4) : default;
+        for (int i = 0; i < count; i++)
+        {
+            shapes[i] = all[rng.Below(all.Count)];
+            poses[i] = Generators.Pose(rng, rng.Vector(-1.2, 1.2) + away);
+            if (kind == 2) poses[i] = new RigidPose(Snapped(poses[i].Position, 1));
+        }
+
+        float most = kind == 1 ? rng.Float(0, 0.5) : float.PositiveInfinity;
+        Check(shapes, poses, Pairs(rng, count, BatchLength), most, $"seed {seed}");
+    }
+
+    private static Vector3 Snapped(Vector3 v, float size) =>
+        new Vector3(MathF.Round(v.X / size * 4), MathF.Round(v.Y / size * 4), MathF.Round(v.Z / size * 4))
+            * (0.25f * size);
+
+    private static ObjectPair[] Pairs(Rng rng, int objects, int count) =>
+        [.. Enumerable.Range(0, count).Select(_ => new ObjectPair(rng.Below(objects), rng.Below(objects)))];
+
+    private static void Check(
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, float maxDistance, string name)
+    {
+        var results = new DistanceResult[pairs.Length];
+        PairBatch.Distance(shapes, poses, pairs, results, maxDistance);
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            (int a, int b) = (pairs[i].A, pairs[i].B);
+            DistanceResult alone = ConvexQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance);
+            if (ResultBits.AreSame(alone, results[i])) continue;
+            string record = new QueryRecord(shapes[a], poses[a], shapes[b], poses[b]).ToString();
+            Assert.Fail($"{name}, up to {maxDistance}: alone {alone}, in the batch {results[i]}: {record}");
+        }
+    }
+}
