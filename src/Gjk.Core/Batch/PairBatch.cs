@@ -96,6 +96,14 @@ public static class PairBatch
     {
         public void Run(int begin, int end)
         {
+#if NET9_0_OR_GREATER
+            if (WideBatch.IsSupported)
+            {
+                var question = new WideOverlaps(ref results[begin]);
+                new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
+                return;
+            }
+#endif
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
@@ -110,10 +118,11 @@ public static class PairBatch
     {
         public void Run(int begin, int end)
         {
-#if NET
+#if NET9_0_OR_GREATER
             if (WideBatch.IsSupported)
             {
-                new WideBatch(shapes, poses, ref pairs[begin], ref results[begin]).Distance(end - begin, maxDistance);
+                var question = new WideDistances(ref results[begin], maxDistance);
+                new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
                 return;
             }
 #endif

@@ -71,7 +71,7 @@ public static partial class ConvexQuery
     /// than rounding could close. No rotation is looked at.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreBallsApart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+    internal static bool AreBallsApart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {

@@ -1,4 +1,4 @@
-#if NET
+#if NET9_0_OR_GREATER
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -21,14 +21,15 @@ internal readonly unsafe ref struct WideBatch
     /// <summary>Count: kinds of pairs, by the kinds of their cores.</summary>
     private const int Kinds = 16;
 
+    /// <summary>Stands for the kind of a pair that was answered when it was sorted.</summary>
+    private const int Answered = Kinds;
+
     private readonly ref ConvexShape _shapes;
     private readonly ref RigidPose _poses;
     private readonly ref ObjectPair _pairs;
-    private readonly ref DistanceResult _results;
 
-    public WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs, ref DistanceResult results)
+    public WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs)
     {
-        _results = ref results;
         _shapes = ref MemoryMarshal.GetArrayDataReference(shapes);
         _poses = ref MemoryMarshal.GetArrayDataReference(poses);
         _pairs = ref pairs;
@@ -49,8 +50,6 @@ internal readonly unsafe ref struct WideBatch
 
     public ref RigidPose PoseB(int pair) => ref Unsafe.Add(ref _poses, Unsafe.Add(ref _pairs, pair).B);
 
-    private ref DistanceResult Result(int pair) => ref Unsafe.Add(ref _results, pair);
-
     /// <summary>Reads the centres, margins and radii of four pairs.</summary>
     public void ReadSizes(int* index, ref WidePairs s)
     {
@@ -62,115 +61,115 @@ internal readonly unsafe ref struct WideBatch
         ReadSizes(b0, b1, b2, b3, out s.CenterB, out s.MarginB, out s.RadiusB);
     }
 
-    /// <summary>The distances of the part's pairs.</summary>
-    public void Distance(int count, float maxDistance)
+    /// <summary>Asks about the part's pairs.</summary>
+    /// <param name="count">How many there are.</param>
+    /// <param name="question">What to ask, and where the answers go.</param>
+    public void Ask<TQuestion>(int count, ref TQuestion question)
+        where TQuestion : struct, IWideQuestion, allows ref struct
     {
         int* byKind = stackalloc int[MostPairs];
         int* starts = stackalloc int[Kinds + 1];
-        Sort(count, byKind, starts);
+        Sort(count, byKind, starts, ref question);
         for (int kind = 0; kind < Kinds; kind++)
         {
-            int* first = byKind + starts[kind];
             int length = starts[kind + 1] - starts[kind];
-            if (length > 0) DistanceOfKind(kind, first, length, maxDistance);
+            if (length > 0) AskKind(kind, byKind + starts[kind], length, ref question);
         }
     }
 
-    private void DistanceOfKind(int kind, int* index, int count, float maxDistance)
+    private void AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
+        where TQuestion : struct, IWideQuestion, allows ref struct
     {
         switch (((CoreKind)(kind >> 2), (CoreKind)(kind & 3)))
         {
             case (CoreKind.Box, CoreKind.Box):
-                Distance<WideBoxes, WideBoxes>(index, count, maxDistance);
-                break;
-            case (CoreKind.Hull, CoreKind.Hull):
-                Distance<WideHulls, WideHulls>(index, count, maxDistance);
-                break;
-            case (CoreKind.Segment, CoreKind.Segment):
-                Distance<WideSegments, WideSegments>(index, count, maxDistance);
+                Ask<WideBoxes, WideBoxes, TQuestion>(index, count, ref question);
                 break;
             case (CoreKind.Box, CoreKind.Hull):
-                Distance<WideBoxes, WideHulls>(index, count, maxDistance);
-                break;
-            case (CoreKind.Hull, CoreKind.Box):
-                Distance<WideHulls, WideBoxes>(index, count, maxDistance);
+                Ask<WideBoxes, WideHulls, TQuestion>(index, count, ref question);
                 break;
             case (CoreKind.Box, CoreKind.Segment):
-                Distance<WideBoxes, WideSegments>(index, count, maxDistance);
+                Ask<WideBoxes, WideSegments, TQuestion>(index, count, ref question);
                 break;
-            case (CoreKind.Segment, CoreKind.Box):
-                Distance<WideSegments, WideBoxes>(index, count, maxDistance);
+            case (CoreKind.Hull, CoreKind.Box):
+                Ask<WideHulls, WideBoxes, TQuestion>(index, count, ref question);
+                break;
+            case (CoreKind.Hull, CoreKind.Hull):
+                Ask<WideHulls, WideHulls, TQuestion>(index, count, ref question);
                 break;
             case (CoreKind.Hull, CoreKind.Segment):
-                Distance<WideHulls, WideSegments>(index, count, maxDistance);
+                Ask<WideHulls, WideSegments, TQuestion>(index, count, ref question);
+                break;
+            case (CoreKind.Segment, CoreKind.Box):
+                Ask<WideSegments, WideBoxes, TQuestion>(index, count, ref question);
                 break;
             case (CoreKind.Segment, CoreKind.Hull):
-                Distance<WideSegments, WideHulls>(index, count, maxDistance);
+                Ask<WideSegments, WideHulls, TQuestion>(index, count, ref question);
+                break;
+            case (CoreKind.Segment, CoreKind.Segment):
+                Ask<WideSegments, WideSegments, TQuestion>(index, count, ref question);
                 break;
             default:
-                for (int i = 0; i < count; i++) Alone(index[i], maxDistance);
+                for (int i = 0; i < count; i++) question.Alone(this, index[i]);
                 break;
         }
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private void Distance<TA, TB>(int* index, int count, float maxDistance)
+    private void Ask<TA, TB, TQuestion>(int* index, int count, ref TQuestion question)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
+        where TQuestion : struct, IWideQuestion, allows ref struct
     {
         Unsafe.SkipInit(out WidePairs pairs);
-        Unsafe.SkipInit(out WideResults found);
         TA a = default;
         TB b = default;
         int* four = stackalloc int[4];
-        double reach = ConvexQuery.ShapeReach(maxDistance);
         for (int begin = 0; begin < count; begin += 4)
         {
             int lanes = count - begin < 4 ? count - begin : 4;
-            if (lanes < LeastPairs)
+            uint done = 0;
+            for (int i = 0; i < 4; i++) four[i] = index[begin + (i < lanes ? i : 0)];
+            if (lanes >= LeastPairs)
             {
-                for (int i = 0; i < lanes; i++) Alone(index[begin + i], maxDistance);
-                return;
+                for (int i = 0; i < 4; i++)
+                {
+                    a.Load(i, ShapeA(four[i]));
+                    b.Load(i, ShapeB(four[i]));
+                }
+
+                WideFrame.Begin(this, four, question.Reach, ref pairs);
+                done = question.AskFour(ref a, ref b, ref pairs, four, lanes);
             }
 
-            for (int i = 0; i < 4; i++)
-            {
-                four[i] = index[begin + (i < lanes ? i : 0)];
-                a.Load(i, ShapeA(four[i]));
-                b.Load(i, ShapeB(four[i]));
-            }
-
-            WideFrame.Begin(this, four, reach, ref pairs);
-            WideDistance.Solve(ref a, ref b, ref pairs);
-            uint done = WideFinish.Finish(ref a, ref b, ref pairs, maxDistance, ref found);
             for (int i = 0; i < lanes; i++)
-            {
-                if ((done >> i & 1) != 0) found.Write(i, out Result(four[i]));
-                else Alone(four[i], maxDistance);
-            }
+                if ((done >> i & 1) == 0) question.Alone(this, four[i]);
         }
     }
 
-    private void Alone(int pair, float maxDistance) =>
-        Result(pair) = ConvexQuery.Distance(ShapeA(pair), PoseA(pair), ShapeB(pair), PoseB(pair), maxDistance);
-
     /// <summary>Puts the indices of the pairs in the order of their kinds.</summary>
-    private void Sort(int count, int* byKind, int* starts)
+    private void Sort<TQuestion>(int count, int* byKind, int* starts, ref TQuestion question)
+        where TQuestion : struct, IWideQuestion, allows ref struct
     {
         byte* kinds = stackalloc byte[MostPairs];
         for (int i = 0; i <= Kinds; i++) starts[i] = 0;
         for (int i = 0; i < count; i++)
         {
+            int ahead = i + Prefetch.PairsAhead;
+            if (ahead < count) Prefetch.Objects(ref ShapeB(ahead), ref PoseB(ahead));
             ref ConvexShape a = ref ShapeA(i), b = ref ShapeB(i);
-            int kind = ConvexQuery.AreBalls(ref a, ref b) ? 0 : (int)a.Core << 2 | (int)b.Core;
+            int kind = question.TryAnswer(this, i) ? Answered
+                : ConvexQuery.AreBalls(ref a, ref b) || !question.IsWide(a, b) ? 0
+                : (int)a.Core << 2 | (int)b.Core;
             kinds[i] = (byte)kind;
-            starts[kind + 1]++;
+            if (kind != Answered) starts[kind + 1]++;
         }
 
         for (int i = 0; i < Kinds; i++) starts[i + 1] += starts[i];
         int* next = stackalloc int[Kinds];
         for (int i = 0; i < Kinds; i++) next[i] = starts[i];
-        for (int i = 0; i < count; i++) byKind[next[kinds[i]]++] = i;
+        for (int i = 0; i < count; i++)
+            if (kinds[i] != Answered) byKind[next[kinds[i]]++] = i;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

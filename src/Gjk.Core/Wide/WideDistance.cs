@@ -1,4 +1,4 @@
-#if NET
+#if NET9_0_OR_GREATER
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
@@ -34,14 +34,14 @@ internal static class WideDistance
             Ask(ref a, ref b, ref s);
             Judge(ref s);
             if (s.Live == Lanes.Zero) return;
-            WideStep.Advance(ref s);
+            WideStep.Advance(ref s, nearest: true);
             Progress(ref s);
         }
     }
 
     /// <summary>As <see cref="MinkowskiDifference.Support"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Ask<TA, TB>(ref TA a, ref TB b, ref WidePairs s)
+    public static void Ask<TA, TB>(ref TA a, ref TB b, ref WidePairs s)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {

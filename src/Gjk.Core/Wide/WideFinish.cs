@@ -1,4 +1,4 @@
-#if NET
+#if NET9_0_OR_GREATER
 using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
@@ -37,6 +37,20 @@ internal static class WideFinish
         }
 
         return (good | s.Beyond).ExtractMostSignificantBits() & Points(s, onA, onB, maxDistance, ref results);
+    }
+
+    /// <summary>Which lanes are apart and which overlap; what is in neither is for the scalar query.</summary>
+    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    public static void Statuses(ref WidePairs s, out uint apart, out uint overlapping)
+    {
+        Unsafe.SkipInit(out WideResults unused);
+        Lanes scale = Lanes.One / Vector256.Sqrt(s.NormalSquared);
+        Lanes distance = s.Height * scale - s.MarginA - s.MarginB;
+        Lanes touching = s.Closed & Vector256.LessThanOrEqual(
+            distance, Vector256.Create(GjkTolerances.Touch) * (s.RadiusA + s.RadiusB));
+        apart = (s.Beyond | Vector256.AndNot(s.Closed, touching)).ExtractMostSignificantBits();
+        Lanes inside = s.Inside == Lanes.Zero ? Lanes.Zero : WeightsOfInside(ref s, ref unused);
+        overlapping = (touching | inside).ExtractMostSignificantBits();
     }
 
     /// <summary>As <see cref="ClosestPointWeights.OfFeature"/>; the lanes whose weights leave no doubt.</summary>

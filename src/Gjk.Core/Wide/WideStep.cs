@@ -1,4 +1,4 @@
-#if NET
+#if NET9_0_OR_GREATER
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
@@ -33,11 +33,13 @@ internal static class WideStep
     /// Chooses the face that the origin sees for the lanes that have four vertices, moves the older vertices up in the
     /// others, and reduces all to their nearest features.
     /// </summary>
+    /// <param name="s">The four pairs.</param>
+    /// <param name="nearest">As in <see cref="NextSimplex.TryAdvance"/>.</param>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    public static void Advance(ref WidePairs s)
+    public static void Advance(ref WidePairs s, bool nearest)
     {
         Lanes full = Vector256.Equals(s.Count, Three);
-        if ((full & s.Live) != Lanes.Zero) TakeFace(ref s, full);
+        if ((full & s.Live) != Lanes.Zero) TakeFace(ref s, full, nearest);
         else Shift(ref s, s.Live);
         Reduce(ref s);
     }
@@ -51,7 +53,7 @@ internal static class WideStep
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private static void TakeFace(ref WidePairs s, Lanes full)
+    private static void TakeFace(ref WidePairs s, Lanes full, bool nearest)
     {
         WideVector a = s.W, ab = s.A - a, ac = s.B - a, ad = s.C - a;
         Lanes winding = s.Winding, zero = Lanes.Zero;
@@ -64,7 +66,7 @@ internal static class WideStep
         s.Inside |= Vector256.AndNot(inside, s.Separated);
         s.Live = Vector256.AndNot(s.Live, inside);
         Lanes several = full & s.Live & ((abc & (acd | adb)) | (acd & adb));
-        if (several != zero) Nearest(s, several, ref abc, ref acd, ref adb);
+        if (nearest && several != zero) Nearest(s, several, ref abc, ref acd, ref adb);
 
         // ABC keeps A and B, ACD the last two as they are, ADB turns round.
         Lanes stays = full & Vector256.AndNot(acd, abc), turns = full & Vector256.AndNot(adb, abc | acd);

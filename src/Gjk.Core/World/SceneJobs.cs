@@ -1,4 +1,10 @@
+#if NET9_0_OR_GREATER
+using System;
+#endif
 using System.Collections.Generic;
+#if NET9_0_OR_GREATER
+using System.Runtime.InteropServices;
+#endif
 
 namespace Gjk.Core;
 
@@ -9,10 +15,25 @@ internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> 
     {
         ConvexShape[] shapes = objects.Shapes;
         RigidPose[] poses = objects.Poses;
+#if NET9_0_OR_GREATER
+        if (WideBatch.IsSupported)
+        {
+            Span<GjkStatus> statuses = stackalloc GjkStatus[end - begin];
+            var question = new WideOverlaps(ref statuses[0]);
+            new WideBatch(shapes, poses, ref CollectionsMarshal.AsSpan(pairs)[begin]).Ask(end - begin, ref question);
+            for (int i = begin; i < end; i++) overlaps[i] = statuses[i - begin] == GjkStatus.Overlapping;
+            return;
+        }
+#endif
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            if (i + Prefetch.PairsAhead < end) Prefetch.Objects(shapes, poses, pairs[i + Prefetch.PairsAhead]);
+            if (i + Prefetch.PairsAhead < end)
+            {
+                int next = pairs[i + Prefetch.PairsAhead].B;
+                Prefetch.Objects(ref shapes[next], ref poses[next]);
+            }
+
             overlaps[i] = ConvexQuery.Overlaps(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]);
         }
     }

@@ -38,10 +38,10 @@ public class FolderTests(ITestOutputHelper output)
             "Wide",
             [
                 "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
-                "Queries", "BroadPhase",
+                "Queries", "BroadPhase", "Threading",
             ]),
         ("Batch", ["Geometry", "Shapes", "Queries", "Threading", "BroadPhase", "Wide"]),
-        ("World", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Batch"]),
+        ("World", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Wide", "Batch"]),
     ];
 
     [Fact]

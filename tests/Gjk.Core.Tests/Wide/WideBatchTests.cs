@@ -91,10 +91,14 @@ public class WideBatchTests
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, float maxDistance, string name)
     {
         var results = new DistanceResult[pairs.Length];
+        var statuses = new GjkStatus[pairs.Length];
         PairBatch.Distance(shapes, poses, pairs, results, maxDistance);
+        PairBatch.Overlaps(shapes, poses, pairs, statuses);
         for (int i = 0; i < pairs.Length; i++)
         {
             (int a, int b) = (pairs[i].A, pairs[i].B);
+            ConvexQuery.Overlaps(shapes[a], poses[a], shapes[b], poses[b], out GjkStatus status);
+            Assert.True(status == statuses[i], $"{name}, pair {i}: alone {status}, in the batch {statuses[i]}");
             DistanceResult alone = ConvexQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance);
             if (ResultBits.AreSame(alone, results[i])) continue;
             string record = new QueryRecord(shapes[a], poses[a], shapes[b], poses[b]).ToString();

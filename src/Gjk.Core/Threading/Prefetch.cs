@@ -27,18 +27,18 @@ internal static class Prefetch
     /// The shape and the pose of the pair's second object; the first is near that of the pair before.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Objects(ConvexShape[] shapes, RigidPose[] poses, ObjectPair pair)
+    public static void Objects<TShape, TPose>(ref TShape shape, ref TPose pose)
     {
-        Item(shapes, pair.B);
-        Item(poses, pair.B);
+        Item(ref shape);
+        Item(ref pose);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static unsafe void Item<T>(T[] items, int index)
+    private static unsafe void Item<T>(ref T item)
     {
 #if NET
         if (!Sse.IsSupported) return;
-        byte* start = (byte*)Unsafe.AsPointer(ref items[index]);
+        byte* start = (byte*)Unsafe.AsPointer(ref item);
         for (int offset = 0; offset < Unsafe.SizeOf<T>(); offset += CacheLine) Sse.Prefetch0(start + offset);
 #endif
     }
