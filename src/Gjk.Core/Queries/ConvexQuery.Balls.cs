@@ -42,7 +42,11 @@ public static partial class ConvexQuery
         // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
         double share = touching && margins > 0 ? root / margins : 1;
         double reachA = share * a.Margin, reachB = share * b.Margin;
-        Vector3D worldA = Place(poseA, a.Center) + normal * reachA, worldB = Place(poseB, b.Center) - normal * reachB;
+        Vector3D worldA = Place(poseA, a.Center) + normal * reachA;
+        bool isFromB = touching
+            ? b.Margin * FarApart < a.Margin
+            : gap > FarApart * margins && gap > FarApart * b.Center.SumOfMagnitudes;
+        Vector3D worldB = isFromB ? Place(poseB, b.Center) - normal * reachB : worldA + normal * gap;
         var localA = (Vector3)(inA * reachA + a.Center);
         var localB = (Vector3)(inB * -reachB + b.Center);
         if (!touching)
@@ -52,7 +56,7 @@ public static partial class ConvexQuery
                 (Vector3)normal, localA, localB, 1);
         }
 
-        var common = (Vector3)(b.Margin * FarApart < a.Margin ? worldB : worldA);
+        var common = (Vector3)(isFromB ? worldB : worldA);
         return new DistanceResult(GjkStatus.Overlapping, 0, 0, common, common, Vector3.Zero, localA, localB, 1);
     }
 

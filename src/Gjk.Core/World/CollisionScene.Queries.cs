@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Numerics;
 using System.Threading;
 
 namespace Gjk.Core;
@@ -13,17 +12,10 @@ public sealed partial class CollisionScene
     /// </summary>
     private const float MarginSlack = 1 + 4f / (1 << 24);
 
-    /// <summary>
-    /// Ratio: by how much the search for the nearest object widens while it finds none. A matter of speed only.
-    /// </summary>
-    private const float SearchGrowth = 4;
-
     private readonly List<ObjectPair> _candidates = [];
-    private readonly List<int> _near = [];
     private readonly PairWarmStarts _pairWarmStarts = new();
     private readonly WarmStartTable _singleWarmStarts = new();
     private bool[] _overlaps = [];
-    private DistanceResult[] _distances = [];
 
     /// <summary>How many warm starts are kept, for the tests.</summary>
     internal int WarmStartCount => _pairWarmStarts.Count + _singleWarmStarts.Count;
@@ -121,7 +113,8 @@ public sealed partial class CollisionScene
     }
 
     /// <summary>
-    /// The pairs no further apart than a distance, and how far. The query of a pair that the last call reported begins
+    /// The pairs no further apart than a distance, and how far. A pair whose objects have not moved since the last call
+    /// reported it keeps its answer, bit for bit. The query of any other pair that the last call reported begins
     /// where that one ended; so the results are those of <see cref="ConvexQuery"/> within the accuracy, not always to
     /// the last bit. They depend on what was reported for the pair before, and are the same bits for every broad phase
     /// and bound.
@@ -143,8 +136,8 @@ public sealed partial class CollisionScene
         FindDistances(distance, workers);
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_distances[i].Status != GjkStatus.BeyondMaxDistance)
-                results.Add(new PairDistance(IdsOf(_candidates[i]), _distances[i]));
+            if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
+                results.Add(new PairDistance(IdsOf(_candidates[i]), _pairWarmStarts.Results[i]));
     }
 
     /// <summary>
@@ -170,43 +163,13 @@ public sealed partial class CollisionScene
         try
         {
             for (int i = 0; i < _candidates.Count; i++)
-                if (_distances[i].Status != GjkStatus.BeyondMaxDistance)
-                    visitor.Visit(IdsOf(_candidates[i]), _distances[i]);
+                if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
+                    visitor.Visit(IdsOf(_candidates[i]), _pairWarmStarts.Results[i]);
         }
         finally
         {
             _visiting = false;
         }
-    }
-
-    /// <summary>The object nearest to one; of several the one with the least id.</summary>
-    /// <param name="id">The object.</param>
-    /// <param name="other">The nearest other object, or -1 where there is none.</param>
-    /// <param name="result">
-    /// The distance from the object (A) to the other (B), as <see cref="ConvexQuery"/> has it.
-    /// </param>
-    /// <returns>False when there is no other object.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public bool TryFindNearest(int id, out int other, out DistanceResult result)
-    {
-        CheckNotVisiting();
-        int slot = _objects.Checked(id, nameof(id));
-        other = -1;
-        result = default;
-        if (_objects.Count == 1) return false;
-
-        int best = -1;
-        float reach = (float)Math.Min(Math.Max(_objects.Bounds[slot].Radius, float.Epsilon), float.MaxValue);
-        while (best < 0)
-        {
-            NearestWithin(slot, reach, ref best, ref result);
-            if (best < 0) reach *= SearchGrowth;
-        }
-
-        // What lies nearer than the one found may be outside the box in which it was found.
-        if (result.Distance > reach) NearestWithin(slot, result.Distance, ref best, ref result);
-        other = _objects.Ids[best];
-        return true;
     }
 
     /// <summary>
@@ -259,40 +222,11 @@ public sealed partial class CollisionScene
     {
         Workers.Check(workers);
         CollectSlots(distance, _candidates);
-        if (_distances.Length < _candidates.Count)
-            _distances = new DistanceResult[BoundsTable.Grown(_distances.Length, _candidates.Count)];
         _pairWarmStarts.Begin(_candidates, _objects.Ids);
+        long lastCall = _distanceCalls++;
         Workers.Run(
-            workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance, _distances),
+            workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance, lastCall),
             _candidates.Count, PairBatch.PartLength, CancellationToken.None);
-    }
-
-    /// <summary>Improves the nearest object found so far by those whose bounds are within reach.</summary>
-    private void NearestWithin(int slot, float reach, ref int best, ref DistanceResult result)
-    {
-        _phase.CollectInBox(Widened(_objects.Bounds[slot].BoxAt(_objects.Poses[slot]), reach), _near);
-        for (int i = 0; i < _near.Count; i++)
-        {
-            int other = _near[i];
-            if (other == slot) continue;
-
-            // A little more than the best, so that equals are found and the one of several does not depend on the order
-            // of the search.
-            float limit = best < 0 ? float.PositiveInfinity : result.Distance * MarginSlack + float.Epsilon;
-            DistanceResult found = ConvexQuery.Distance(
-                _objects.Shapes[slot], _objects.Poses[slot], _objects.Shapes[other], _objects.Poses[other], limit);
-            bool better = best < 0 || found.Distance < result.Distance
-                || (found.Distance == result.Distance && other < best);
-            if (!better) continue;
-            best = other;
-            result = found;
-        }
-    }
-
-    private static Aabb Widened(in Aabb box, float reach)
-    {
-        var widening = new Vector3(reach * MarginSlack);
-        var limit = new Vector3(float.MaxValue);
-        return new Aabb(Vector3.Max(box.Min - widening, -limit), Vector3.Min(box.Max + widening, limit));
+        _pairWarmStarts.Complete();
     }
 }

@@ -29,6 +29,9 @@ public sealed partial class CollisionScene
 
     private bool _asked;
 
+    /// <summary>Counts the calls of the distance finder.</summary>
+    private long _distanceCalls;
+
     /// <summary>Makes an empty scene.</summary>
     /// <param name="broadPhase">How pairs are found; changes the speed only.</param>
     /// <param name="bound">What stands for an object there; changes the speed only.</param>
@@ -69,15 +72,30 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public ConvexShape GetShape(int id) => _objects.Shapes[_objects.Checked(id, nameof(id))];
 
+    /// <summary>How an object is treated.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public ObjectSettings GetSettings(int id) => _objects.Settings[_objects.Checked(id, nameof(id))];
+
+    /// <summary>Treats an object in another way from now on.</summary>
+    /// <param name="id">The object.</param>
+    /// <param name="settings">What it is tested against, and its tag.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public void SetSettings(int id, in ObjectSettings settings)
+    {
+        CheckNotVisiting();
+        _objects.SetSettings(_objects.Checked(id, nameof(id)), settings);
+    }
+
     /// <summary>Adds an object.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct.</param>
     /// <param name="pose">Where it is.</param>
+    /// <param name="settings">What it is tested against, and a tag; by default all others, and 0.</param>
     /// <returns>Its id: the next number, from 0.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="InvalidOperationException">
     /// There are 16,777,216 objects, or 2,147,483,647 ids were given out.
     /// </exception>
-    public int Add(in ConvexShape shape, in RigidPose pose)
+    public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
         CheckNotVisiting();
         var bounds = new WorldBounds(shape);
@@ -87,12 +105,12 @@ public sealed partial class CollisionScene
         if (Bound == BoundKind.Ball && _centers.Length < _objects.Ids.Length)
             Array.Resize(ref _centers, _objects.Ids.Length);
         _phase.Add(slot, PlaceBound(slot, bounds, pose));
-        _objects.Add(shape, pose, bounds);
+        _objects.Add(shape, pose, bounds, settings, _distanceCalls);
         NoteChange();
         return _objects.Ids[slot];
     }
 
-    /// <summary>Puts an object somewhere else.</summary>
+    /// <summary>Puts an object somewhere else. Where it already is there, it rests.</summary>
     /// <param name="id">The object.</param>
     /// <param name="pose">Where it is now.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
@@ -102,9 +120,11 @@ public sealed partial class CollisionScene
         CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
         CheckPose(pose);
-        _objects.Poses[slot] = pose;
-        _phase.Move(slot, PlaceBound(slot, _objects.Bounds[slot], pose));
         NoteChange();
+        if (_objects.Poses[slot] == pose) return;
+        _objects.Poses[slot] = pose;
+        _objects.MovedAfter[slot] = _distanceCalls;
+        _phase.Move(slot, PlaceBound(slot, _objects.Bounds[slot], pose));
     }
 
     /// <summary>Removes an object; its id is not given again.</summary>
@@ -155,17 +175,19 @@ public sealed partial class CollisionScene
         _asked = false;
     }
 
-    /// <summary>The pairs of slots whose bounds are within a distance.</summary>
+    /// <summary>The pairs of slots that are tested, and whose bounds are within a distance.</summary>
     private void CollectSlots(float distance, List<ObjectPair> pairs)
     {
         _phase.CollectPairs(distance * MarginSlack, pairs);
-        if (Bound != BoundKind.Ball) return;
+        if (Bound != BoundKind.Ball && _objects.AreAllTested) return;
+        bool isBall = Bound == BoundKind.Ball;
         int kept = 0;
         for (int i = 0; i < pairs.Count; i++)
         {
             (int a, int b) = (pairs[i].A, pairs[i].B);
+            if (!_objects.AreTested(a, b)) continue;
             double radiusA = _objects.Bounds[a].Radius, radiusB = _objects.Bounds[b].Radius;
-            bool isNear = WorldBounds.BallsNear(_centers[a], radiusA, _centers[b], radiusB, distance);
+            bool isNear = !isBall || WorldBounds.BallsNear(_centers[a], radiusA, _centers[b], radiusB, distance);
             if (isNear) pairs[kept++] = pairs[i];
         }
 

@@ -20,14 +20,24 @@ internal sealed class PairWarmStarts
     /// <summary>How many pairs the last frame had.</summary>
     public int Count => _now.Count;
 
+    /// <summary>The answers of the frame, one for each pair.</summary>
+    public DistanceResult[] Results => _now.Results;
+
     /// <summary>A new frame with these pairs of slots; their ids ascend as they do.</summary>
     public void Begin(List<ObjectPair> pairs, int[] ids)
     {
         _last.Reserve(pairs.Count);
         (_now, _last) = (_last, _now);
         _now.Count = pairs.Count;
+        _now.IsComplete = false;
+
+        // What an interrupted frame left is not all its own.
+        if (!_last.IsComplete) _last.Count = 0;
         for (int i = 0; i < _now.Count; i++) _now.Keys[i] = PairKeys.Key(ids[pairs[i].A], ids[pairs[i].B]);
     }
+
+    /// <summary>All pairs of the frame have their answers.</summary>
+    public void Complete() => _now.IsComplete = true;
 
     /// <summary>Where among the last frame's pairs to look for the i-th and those after it.</summary>
     public int Seek(int i)
@@ -51,6 +61,9 @@ internal sealed class PairWarmStarts
         return ref start;
     }
 
+    /// <summary>The answer that the pair had in the last frame; for the value of last that found it.</summary>
+    public ref readonly DistanceResult LastResult(int last) => ref _last.Results[last];
+
     /// <summary>Whether the i-th pair is reported in this frame; once for each pair.</summary>
     public void SetReported(int i, bool isReported) => _now.Reported[i] = isReported;
 
@@ -59,7 +72,9 @@ internal sealed class PairWarmStarts
         public ulong[] Keys = [];
         public WarmStart[] Starts = [];
         public bool[] Reported = [];
+        public DistanceResult[] Results = [];
         public int Count;
+        public bool IsComplete;
 
         /// <summary>Nothing changes if there is no memory for it.</summary>
         public void Reserve(int count)
@@ -69,7 +84,8 @@ internal sealed class PairWarmStarts
             var starts = new WarmStart[capacity];
             bool[] reported = new bool[capacity];
             ulong[] keys = new ulong[capacity];
-            (Keys, Starts, Reported) = (keys, starts, reported);
+            var results = new DistanceResult[capacity];
+            (Keys, Starts, Reported, Results) = (keys, starts, reported, results);
         }
     }
 }

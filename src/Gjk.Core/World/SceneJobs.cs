@@ -44,11 +44,10 @@ internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> 
 /// The bits of an answer depend on the answers that were reported for the pair, and on nothing else. A pair that was
 /// reported in the frame before begins where it ended. A pair that was not may have been looked at or not, which
 /// depends on the bounds; what it remembers is used only to see quickly that it still is too far apart, and else it
-/// begins cold.
+/// begins cold. A pair that was reported and whose objects have not moved since keeps its answer.
 /// </remarks>
 internal readonly struct SceneDistanceJob(
-    SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance,
-    DistanceResult[] results)
+    SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance, long lastCall)
     : IPartJob
 {
     /// <summary>
@@ -67,7 +66,14 @@ internal readonly struct SceneDistanceJob(
         {
             ObjectPair pair = pairs[i];
             ref WarmStart start = ref warmStarts.Resume(i, ref last, out PairState state);
-            ref DistanceResult result = ref results[i];
+            ref DistanceResult result = ref warmStarts.Results[i];
+            if (state == PairState.Reported && Rests(pair) && warmStarts.LastResult(last).Distance <= maxDistance)
+            {
+                result = warmStarts.LastResult(last);
+                warmStarts.SetReported(i, true);
+                continue;
+            }
+
             if (state == PairState.Beyond)
             {
                 result = ConvexQuery.Distance(
@@ -82,6 +88,10 @@ internal readonly struct SceneDistanceJob(
             warmStarts.SetReported(i, result.Status != GjkStatus.BeyondMaxDistance);
         }
     }
+
+    /// <summary>Neither object has moved since the last call.</summary>
+    private bool Rests(ObjectPair pair) =>
+        objects.MovedAfter[pair.A] < lastCall && objects.MovedAfter[pair.B] < lastCall;
 
     private bool IsClearlyBeyond(ObjectPair pair, in DistanceResult result)
     {

@@ -18,6 +18,15 @@ internal sealed class SceneObjects
     /// <inheritdoc cref="Shapes"/>
     public WorldBounds[] Bounds = [];
 
+    /// <inheritdoc cref="Shapes"/>
+    public ObjectSettings[] Settings = [];
+
+    /// <summary>The call of the distance finder that was the last before the object was added or moved.</summary>
+    public long[] MovedAfter = [];
+
+    /// <summary>Whether all settings are the default ones, so that no pair need be looked at for them.</summary>
+    public bool AreAllTested = true;
+
     /// <summary>The id of each slot, ascending.</summary>
     public int[] Ids = [];
 
@@ -50,17 +59,29 @@ internal sealed class SceneObjects
     }
 
     /// <summary>The slot of the new object, for which there is room.</summary>
-    public int Add(in ConvexShape shape, in RigidPose pose, in WorldBounds bounds)
+    public int Add(
+        in ConvexShape shape, in RigidPose pose, in WorldBounds bounds, in ObjectSettings settings, long call)
     {
         int slot = End++;
         Shapes[slot] = shape;
         Poses[slot] = pose;
         Bounds[slot] = bounds;
+        MovedAfter[slot] = call;
+        SetSettings(slot, settings);
         Ids[slot] = _nextId++;
         Alive[slot] = true;
         Count++;
         return slot;
     }
+
+    public void SetSettings(int slot, in ObjectSettings settings)
+    {
+        Settings[slot] = settings;
+        AreAllTested &= ObjectSettings.AreTested(settings, default) && !settings.IsStatic;
+    }
+
+    /// <summary>Whether the objects in two slots are tested against each other.</summary>
+    public bool AreTested(int a, int b) => AreAllTested || ObjectSettings.AreTested(Settings[a], Settings[b]);
 
     /// <summary>Lets go of the hull, too.</summary>
     public void Remove(int slot)
@@ -97,6 +118,8 @@ internal sealed class SceneObjects
             Shapes[kept] = Shapes[slot];
             Poses[kept] = Poses[slot];
             Bounds[kept] = Bounds[slot];
+            Settings[kept] = Settings[slot];
+            MovedAfter[kept] = MovedAfter[slot];
             Ids[kept] = Ids[slot];
             Alive[kept++] = true;
         }
@@ -113,6 +136,8 @@ internal sealed class SceneObjects
         Array.Resize(ref Shapes, capacity);
         Array.Resize(ref Poses, capacity);
         Array.Resize(ref Bounds, capacity);
+        Array.Resize(ref Settings, capacity);
+        Array.Resize(ref MovedAfter, capacity);
         Array.Resize(ref Alive, capacity);
 
         // Last: its length says that there is room in all of them.
