@@ -37,9 +37,9 @@ public sealed class BenchOptions
                             to MACHINE-worst.csv. Otherwise BenchmarkDotNet's figures go to
                             MACHINE-benchmarkdotnet.csv, which is replaced as a whole, so use it with --filter '*'.
           --machine NAME    Use this name for those files and for their first line (default: the CPU's model).
-          --factor          Check that both algorithms agree on the report's scenes, time them in turn without
-                            BenchmarkDotNet, and print the factor per scene. Exit with 1 if a factor is below the
-                            wanted one. Takes about ten seconds.
+          --factor          Check that both algorithms agree on the report's scenes, and that the library takes no more
+                            supports there than it should, and no memory. Counts, not times, so a busy machine changes
+                            nothing. Exit with 1 if a count is above its limit.
           --help            Print this text. '--help all' adds BenchmarkDotNet's.
 
         Every run writes its figures to BenchmarkDotNet.Artifacts/summary.csv in the current folder. The columns are

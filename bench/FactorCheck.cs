@@ -1,5 +1,4 @@
 using System;
-using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using Gjk.Bench.Baseline;
@@ -10,24 +9,20 @@ using Gjk.Core;
 namespace Gjk.Bench;
 
 /// <summary>
-/// Compares the library with the baseline in one process. They run in turn, so that a busy or slow machine slows both.
-/// The factor is that of the two fastest samples, because a disturbance can only add time.
+/// Guards the cost of the library by counts, which are the same on every machine, however busy: the answers agree with
+/// the baseline's, the walks take no more supports than they should, and nothing is allocated. Times are printed by
+/// --table.
 /// </summary>
 public static class FactorCheck
 {
     /// <summary>
-    /// How many times faster than the baseline the library must be on cubes of 24 vertices. This is a guard and not a
-    /// goal. The goals and the reached factors are printed by --table. A busy machine changes the factor by a third, so
-    /// the guard is well below it. An allocation, or a simplex copied in the loop, still fails the check.
+    /// Count: supports of all 190 pairs of the report's scenes, cold: what the walks take, to the support. The bits of
+    /// the answers are fixed, so this is, too; a walk that takes one more has changed.
     /// </summary>
-    private const double MinFactorCubes = 1.8;
+    private const int MostCubes = 590, MostSpheres = 546;
 
-    /// <summary>
-    /// How many times faster than the baseline the library must be on spheres of 515 vertices. The margin is as wide.
-    /// Nearly all of the baseline's time is the linear search. Below this factor the library has fallen back to a
-    /// linear search too.
-    /// </summary>
-    private const double MinFactorSpheres = 6;
+    /// <summary>Count: supports of a warm query of a pair that has not moved.</summary>
+    private const int MostResting = 1;
 
     /// <summary>
     /// Units, on objects of size 1. The baseline stops while it can still gain up to its
@@ -38,26 +33,12 @@ public static class FactorCheck
     /// <summary>Both scenes have five pairs that overlap by construction.</summary>
     private const int OverlappingPairs = 5;
 
-    /// <summary>
-    /// Seconds per algorithm and scene. After this time the runtime has optimised both with the profile it collected.
-    /// </summary>
-    private const double WarmUpSeconds = 1.0;
-
-    /// <summary>Seconds per scene for both algorithms.</summary>
-    private const double MeasureSeconds = 3.0;
-
-    /// <summary>
-    /// Milliseconds per sample. This is long compared with the clock's resolution, and short compared with a time slice
-    /// of the scheduler.
-    /// </summary>
-    private const double SampleMilliseconds = 1.0;
-
-    /// <summary>Prints a line per scene. Returns false if a factor is below its minimum.</summary>
+    /// <summary>Prints a line per scene. Returns false if a count is above its limit.</summary>
     /// <exception cref="FactorCheckException">The answers differ.</exception>
     public static bool Run(TextWriter output)
     {
-        bool cubes = RunScene(output, ReportScenes.Cubes, MinFactorCubes);
-        bool spheres = RunScene(output, ReportScenes.Spheres, MinFactorSpheres);
+        bool cubes = RunScene(output, ReportScenes.Cubes, MostCubes);
+        bool spheres = RunScene(output, ReportScenes.Spheres, MostSpheres);
         return cubes && spheres;
     }
 
@@ -97,45 +78,31 @@ public static class FactorCheck
         }
     }
 
-    private static bool RunScene(TextWriter output, string name, double minFactor)
+    private static bool RunScene(TextWriter output, string name, int mostSupports)
     {
         BenchScene scene = ReportScenes.Create(name);
         CheckAgreement(name, scene);
-
-        Func<BenchScene, float> baseline = SceneQueries.BaselineDistance, library = SceneQueries.Distance;
-        int baselineFrames = WarmUp(baseline, scene), libraryFrames = WarmUp(library, scene);
-        var baselineSamples = new Samples();
-        var librarySamples = new Samples();
-        for (var clock = Stopwatch.StartNew(); clock.Elapsed.TotalSeconds < MeasureSeconds;)
+        var warmStarts = new WarmStart[scene.Pairs.Length];
+        int cold = 0, resting = 0;
+        for (int i = 0; i < scene.Pairs.Length; i++)
         {
-            baselineSamples.Add(NanosecondsPerFrame(baseline, scene, baselineFrames) / scene.Pairs.Length);
-            librarySamples.Add(NanosecondsPerFrame(library, scene, libraryFrames) / scene.Pairs.Length);
+            (int a, int b) = (scene.Pairs[i].A, scene.Pairs[i].B);
+            ref ConvexShape shapeA = ref scene.Shapes[a], shapeB = ref scene.Shapes[b];
+            cold += ConvexQuery.Distance(shapeA, scene.Poses[a], shapeB, scene.Poses[b], ref warmStarts[i]).Iterations;
+            resting = Math.Max(
+                resting,
+                ConvexQuery.Distance(shapeA, scene.Poses[a], shapeB, scene.Poses[b], ref warmStarts[i]).Iterations);
         }
 
-        double factor = baselineSamples.Minimum / librarySamples.Minimum;
-        bool passed = factor >= minFactor;
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        SceneQueries.Distance(scene);
+        SceneQueries.Overlaps(scene);
+        long bytes = GC.GetAllocatedBytesForCurrentThread() - before;
+        bool passed = cold <= mostSupports && resting <= MostResting && bytes == 0;
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{name,-8} ns per pair: baseline {baselineSamples}, library {librarySamples}; "
-            + $"factor {factor:0.00}, wanted {minFactor:0.0}: {(passed ? "passed" : "FAILED")}"));
+            $"{name,-8} {cold} supports for {scene.Pairs.Length} pairs, at most {mostSupports}; resting {resting}, "
+            + $"at most {MostResting}; {bytes} bytes allocated: {(passed ? "passed" : "FAILED")}"));
         return passed;
-    }
-
-    /// <summary>Warms up, and returns how many frames fill a sample.</summary>
-    private static int WarmUp(Func<BenchScene, float> frame, BenchScene scene)
-    {
-        for (var clock = Stopwatch.StartNew(); clock.Elapsed.TotalSeconds < WarmUpSeconds;)
-            NanosecondsPerFrame(frame, scene, 1);
-        double milliseconds = NanosecondsPerFrame(frame, scene, 10) * 1e-6;
-        return Math.Max(1, (int)Math.Ceiling(SampleMilliseconds / milliseconds));
-    }
-
-    private static double NanosecondsPerFrame(Func<BenchScene, float> frame, BenchScene scene, int frames)
-    {
-        long start = Stopwatch.GetTimestamp();
-        float sum = 0;
-        for (int i = 0; i < frames; i++) sum += frame(scene);
-        double elapsed = Stopwatch.GetElapsedTime(start).TotalNanoseconds;
-        return float.IsNaN(sum) ? throw new FactorCheckException("A distance was NaN") : elapsed / frames;
     }
 }

@@ -47,6 +47,28 @@ public static class SceneQueries
         return count;
     }
 
+    /// <summary>All pairs in one call.</summary>
+    public static float BatchDistance(BenchScene scene, ObjectPair[] pairs, DistanceResult[] results)
+    {
+        PairBatch.Distance(scene.Shapes, scene.Poses, pairs, results);
+        return results[0].Distance;
+    }
+
+    /// <inheritdoc cref="BatchDistance"/>
+    public static float BatchWarm(
+        BenchScene scene, ObjectPair[] pairs, DistanceResult[] results, WarmStart[] warmStarts)
+    {
+        PairBatch.Distance(scene.Shapes, scene.Poses, pairs, results, warmStarts);
+        return results[0].Distance;
+    }
+
+    /// <inheritdoc cref="BatchDistance"/>
+    public static float BatchOverlaps(BenchScene scene, ObjectPair[] pairs, GjkStatus[] results)
+    {
+        PairBatch.Overlaps(scene.Shapes, scene.Poses, pairs, results);
+        return (float)results[0];
+    }
+
     public static float BaselineDistance(BenchScene scene)
     {
         SupportCollider[] colliders = scene.Colliders;

@@ -16,4 +16,15 @@ internal enum Query
 
     /// <summary>Whether the shapes overlap. Nothing is kept between the calls.</summary>
     Boolean,
+
+    /// <summary>
+    /// As <see cref="Cold"/>, the whole list in one call of <see cref="Core.PairBatch"/>, on one thread.
+    /// </summary>
+    BatchCold,
+
+    /// <summary>As <see cref="Warm"/>, the whole list in one call.</summary>
+    BatchWarm,
+
+    /// <summary>As <see cref="Boolean"/>, the whole list in one call.</summary>
+    BatchBoolean,
 }

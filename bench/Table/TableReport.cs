@@ -13,15 +13,15 @@ internal static class TableReport
     public static string Markdown(IReadOnlyCollection<TableRow> rows, double meanSlowness)
     {
         var text = new StringBuilder();
-        text.Append("| set | query | library | baseline | factor | goal | goal here | |\n");
-        text.Append("|---|---|--:|--:|--:|--:|--:|---|\n");
+        text.Append("| set | query | library | baseline | factor | goal | goal here | | best other | here | wins |\n");
+        text.Append("|---|---|--:|--:|--:|--:|--:|---|--:|--:|---|\n");
         foreach (TableRow r in rows)
         {
             string met = r.Met switch { true => "met", false => "missed", null => "" };
             text.Append(
                 CultureInfo.InvariantCulture,
                 $"| {r.Set} | {Name(r.Query)} | {Time(r.Library)} | {Time(r.Baseline)} | {r.Factor:0.0} "
-                + $"| {r.Goal:0} | {r.GoalHere:0} | {met} |\n");
+                + $"| {r.Goal:0} | {r.GoalHere:0} | {met} | {Engine(r)} | {r.BestHere:0} | {Winner(r)} |\n");
         }
 
         TableRow[] judged = [.. rows.Where(r => r.Met is not null)];
@@ -33,7 +33,8 @@ internal static class TableReport
             over library. On hulls of 8,192 vertices and more the baseline gets only the first hundred pairs.
             "Goal here" is the goal times the slowness of this machine for that set. The slowness is the time of the
             baseline here, divided by its time where the goals were set. The primitives use its average,
-            {meanSlowness:0.00}.
+            {meanSlowness:0.00}. "Best other" is the best of the engines that were measured beside the goals,
+            and "here" is its time times the same slowness.
             {judged.Count(r => r.Met == true)} of {judged.Length} goals met.
 
             """);
@@ -57,6 +58,13 @@ internal static class TableReport
 
         return text.ToString();
     }
+
+    private static string Engine(TableRow r) => r.Best is (string engine, double time)
+        ? string.Create(CultureInfo.InvariantCulture, $"{engine} {time:0}")
+        : "";
+
+    private static string Winner(TableRow r) =>
+        r.BestHere is not double best ? "" : r.Library < best ? "Gjk" : r.Best!.Value.Engine;
 
     private static string Name(Query query) => query.ToString().ToLowerInvariant();
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Gjk.Bench.Benchmarks;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
@@ -71,11 +72,11 @@ internal sealed class TableSet
     {
         foreach ((Query query, TimedLoop loop) in _library)
         {
-            TimedLoop baseline = query == Query.Boolean && _baselineBoolean is not null ? _baselineBoolean : _baseline;
-            double? goal = Goals.For(Name, query);
+            bool isBoolean = query is Query.Boolean or Query.BatchBoolean && _baselineBoolean is not null;
+            TimedLoop baseline = isBoolean ? _baselineBoolean! : _baseline;
             yield return new TableRow(
-                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline.Nanoseconds, goal,
-                goal * (Slowness ?? meanSlowness));
+                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline.Nanoseconds, Goals.For(Name, query),
+                Goals.BestEngine(Name, query), Slowness ?? meanSlowness);
         }
     }
 
@@ -91,6 +92,14 @@ internal sealed class TableSet
         set.Add(Query.Warm, new TimedLoop(pairs, () => SceneQueries.WarmDistance(scene, scene.Poses, resting)));
         set.Add(Query.Moving, new TimedLoop(pairs * Motion.FramesPerRound, () => Round(scene, motion, moving)));
         set.Add(Query.Boolean, new TimedLoop(pairs, () => SceneQueries.Overlaps(scene)));
+        ObjectPair[] list = [.. scene.Pairs.Select(p => new ObjectPair(p.A, p.B))];
+        var distances = new DistanceResult[pairs];
+        var statuses = new GjkStatus[pairs];
+        set.Add(Query.BatchCold, new TimedLoop(pairs, () => SceneQueries.BatchDistance(scene, list, distances)));
+        var batchStarts = new WarmStart[pairs];
+        set.Add(
+            Query.BatchWarm, new TimedLoop(pairs, () => SceneQueries.BatchWarm(scene, list, distances, batchStarts)));
+        set.Add(Query.BatchBoolean, new TimedLoop(pairs, () => SceneQueries.BatchOverlaps(scene, list, statuses)));
         return set;
     }
 

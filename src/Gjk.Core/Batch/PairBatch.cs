@@ -73,6 +73,39 @@ public static class PairBatch
             cancellation);
     }
 
+    /// <summary>
+    /// As the other, each pair beginning where its last query ended: much faster for pairs that move little.
+    /// </summary>
+    /// <param name="shapes">The shapes.</param>
+    /// <param name="poses">Where they are, one for each shape.</param>
+    /// <param name="pairs">Indices into the two; each pair has the place that it had in the last call.</param>
+    /// <param name="results">At least as long as the pairs.</param>
+    /// <param name="warmStarts">At least as long as the pairs; updated. Cleared ones are cold starts.</param>
+    /// <param name="maxDistance">As in <see cref="ConvexQuery"/>.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <param name="cancellation">Looked at every hundred pairs or so.</param>
+    /// <exception cref="ArgumentNullException">An array is null.</exception>
+    /// <exception cref="ArgumentException">
+    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
+    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The largest distance is NaN.</exception>
+    /// <exception cref="OperationCanceledException">
+    /// Cancelled; some of the results and warm starts are written, the rest is as it was.
+    /// </exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public static void Distance(
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, WarmStart[] warmStarts,
+        float maxDistance = float.PositiveInfinity, Workers? workers = null, CancellationToken cancellation = default)
+    {
+        Check(shapes, poses, pairs, Guard.NotNull(results, nameof(results)).Length);
+        if (Guard.NotNull(warmStarts, nameof(warmStarts)).Length < pairs.Length)
+            throw new ArgumentException("There must be at least as many warm starts as pairs.", nameof(warmStarts));
+        Guard.NotNaN(maxDistance, nameof(maxDistance));
+        Workers.Run(
+            workers, new WarmDistanceJob(shapes, poses, pairs, results, warmStarts, maxDistance), pairs.Length,
+            PartLength, cancellation);
+    }
+
     private static void Check(ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, int resultCount)
     {
         Guard.NotNull(shapes, nameof(shapes));
@@ -130,6 +163,21 @@ public static class PairBatch
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
                 results[i] = ConvexQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance);
+            }
+        }
+    }
+
+    private readonly struct WarmDistanceJob(
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, WarmStart[] warmStarts,
+        float maxDistance) : IPartJob
+    {
+        public void Run(int begin, int end)
+        {
+            for (int i = begin; i < end; i++)
+            {
+                (int a, int b) = (pairs[i].A, pairs[i].B);
+                results[i] = ConvexQuery.Distance(
+                    shapes[a], poses[a], shapes[b], poses[b], ref warmStarts[i], maxDistance);
             }
         }
     }

@@ -42,9 +42,26 @@ internal readonly struct HullCore : ISupportMap, ITightBounds
     }
 
 #if NET
-    /// <summary>The id of the furthest vertex.</summary>
+    /// <summary>The furthest vertex, measured from the centre, and a 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int SupportId(in Vector3D direction) => HullSupport.FindId(_hull.Cells, direction);
+    public Vector256<double> Support(in Vector3D direction, out int id) => Support(_hull, direction, out id);
+
+    /// <inheritdoc cref="Support(in Vector3D, out int)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<double> Support(ConvexHull hull, in Vector3D direction, out int id)
+    {
+        HullCells cells = hull.Cells;
+        if (cells.Kind == HullCells.LookupKind.Scan)
+        {
+            id = HullSupport.FindByScan(cells, direction);
+            return Lanes(hull, id);
+        }
+
+        // The look-up has just read the point beside its candidates; by its id it would come from far away.
+        id = HullSupport.Find(cells, direction, out Vector3D point);
+        point -= hull.Center;
+        return Vector256.Create(point.X, point.Y, point.Z, 0);
+    }
 
     /// <summary>A vertex, measured from the centre, and a 0; some vertex where there is none with the id.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

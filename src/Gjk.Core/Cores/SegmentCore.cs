@@ -73,9 +73,13 @@ internal struct SegmentCore : ISupportMap, ITightBounds
     public static int FurthestEnd(in Vector3D toFirst, in Vector3D direction)
     {
         double dot = Vector3D.Dot(direction, toFirst);
-        if (!DirectionRange.IsSafe(dot)) dot = Vector3D.Dot(DirectionRange.ToUnit(direction), toFirst);
-        return BranchFree.IsNegative(dot);
+        return BranchFree.IsNegative(DirectionRange.IsSafe(dot) ? dot : UnitDot(toFirst, direction));
     }
+
+    /// <summary>The dot product with the direction brought to unit size. By value: callers keep registers.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static double UnitDot(Vector3D toFirst, Vector3D direction) =>
+        Vector3D.Dot(DirectionRange.ToUnit(direction), toFirst);
 
 #if NET
     /// <summary>From the second end to the first, and a 0.</summary>

@@ -59,9 +59,7 @@ internal static partial class MinkowskiDifference
     {
         if (typeof(T) == typeof(HullCore))
         {
-            ref HullCore hull = ref Unsafe.As<T, HullCore>(ref shape);
-            id = hull.SupportId(Xyz(direction));
-            return hull.Lanes(id);
+            return Unsafe.As<T, HullCore>(ref shape).Support(Xyz(direction), out id);
         }
 
         if (typeof(T) == typeof(SegmentCore))

@@ -17,6 +17,9 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
+        // Two capsules of that type have a cheaper support than segments: a sign.
+        if (typeof(TA) == typeof(CapsuleShape) && typeof(TB) == typeof(CapsuleShape))
+            return AskCores(ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
         switch ((PairDispatch.KindOf(ref a), PairDispatch.KindOf(ref b)))
         {
             case (CoreKind.Box, CoreKind.Box):

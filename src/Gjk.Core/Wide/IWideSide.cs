@@ -130,6 +130,7 @@ internal struct WideHulls : IWideSide
 {
     private FourHulls _hulls;
     private Vector256<long> _last;
+    private Lanes _point0, _point1, _point2, _point3;
 
     public void Load(int lane, in ConvexShape shape)
     {
@@ -140,16 +141,20 @@ internal struct WideHulls : IWideSide
     public WideVector Support(in WideVector direction, uint live, out Vector256<long> slots)
     {
         long a = _last.ToScalar(), b = _last.GetElement(1), c = _last.GetElement(2), d = _last.GetElement(3);
-        if ((live & 1) != 0) a = Find(_hulls[0], direction[0]);
-        if ((live & 2) != 0) b = Find(_hulls[1], direction[1]);
-        if ((live & 4) != 0) c = Find(_hulls[2], direction[2]);
-        if ((live & 8) != 0) d = Find(_hulls[3], direction[3]);
+        if ((live & 1) != 0) a = Find(_hulls[0], direction[0], ref _point0);
+        if ((live & 2) != 0) b = Find(_hulls[1], direction[1], ref _point1);
+        if ((live & 4) != 0) c = Find(_hulls[2], direction[2], ref _point2);
+        if ((live & 8) != 0) d = Find(_hulls[3], direction[3], ref _point3);
         slots = _last = Vector256.Create(a, b, c, d);
-        return Vertex(slots);
+        return WideVector.Transpose(_point0, _point1, _point2, _point3);
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private static int Find(ConvexHull hull, Vector3D direction) => HullSupport.FindId(hull.Cells, direction);
+    private static int Find(ConvexHull hull, Vector3D direction, ref Lanes point)
+    {
+        point = HullCore.Support(hull, direction, out int id);
+        return id;
+    }
 
     public WideVector Vertex(Vector256<long> slots) => WideVector.Transpose(
         HullCore.Lanes(_hulls[0], (int)slots.ToScalar()), HullCore.Lanes(_hulls[1], (int)slots.GetElement(1)),

@@ -21,6 +21,9 @@ internal sealed class PairLoop
     private readonly int[] _a;
     private readonly int[] _b;
     private readonly CancellationToken _cancel;
+    private readonly ObjectPair[] _pairs;
+    private readonly DistanceResult[] _results;
+    private readonly GjkStatus[] _statuses;
     private WarmStart[] _warm = [];
 
     public PairLoop(Scene scene, CancellationToken cancel)
@@ -30,6 +33,10 @@ internal sealed class PairLoop
         _a = new int[scene.Pairs.Count];
         _b = new int[scene.Pairs.Count];
         scene.Pairs.CopyTo(_a, _b);
+        _pairs = new ObjectPair[_a.Length];
+        for (int i = 0; i < _a.Length; i++) _pairs[i] = new ObjectPair(_a[i], _b[i]);
+        _results = new DistanceResult[_a.Length];
+        _statuses = new GjkStatus[_a.Length];
         _cancel = cancel;
     }
 
@@ -118,4 +125,17 @@ internal sealed class PairLoop
 
         Overlapping = overlapping;
     }
+
+    /// <summary>Distance without warm starts, the whole list in one call.</summary>
+    public void Batch() => PairBatch.Distance(_shapes, _poses, _pairs, _results, cancellation: _cancel);
+
+    /// <summary>Distance with warm starts, the whole list in one call.</summary>
+    public void BatchWarm()
+    {
+        if (_warm.Length == 0) _warm = new WarmStart[_a.Length];
+        PairBatch.Distance(_shapes, _poses, _pairs, _results, _warm, cancellation: _cancel);
+    }
+
+    /// <summary>The boolean query, the whole list in one call.</summary>
+    public void BatchBoolean() => PairBatch.Overlaps(_shapes, _poses, _pairs, _statuses, cancellation: _cancel);
 }

@@ -29,6 +29,15 @@ internal sealed class SceneTimes
 
     public double? BytesPerCall { get; set; }
 
+    /// <summary>The whole list in one call of <see cref="Core.PairBatch"/>, on one thread.</summary>
+    public double? BatchNs { get; set; }
+
+    /// <inheritdoc cref="BatchNs"/>
+    public double? BatchWarmNs { get; set; }
+
+    /// <inheritdoc cref="BatchNs"/>
+    public double? BatchBooleanNs { get; set; }
+
     /// <summary>Writes one line of JSON and flushes it.</summary>
     public void Write(Stream stream, string scene)
     {
@@ -45,6 +54,11 @@ internal sealed class SceneTimes
             Write(json, "bool_ns", BooleanNs);
             Write(json, "iterations", Iterations);
             Write(json, "bytes_per_call", BytesPerCall);
+            Write(json, "batch_ns", BatchNs);
+            Write(json, "batch_warm_ns", BatchWarmNs);
+            Write(json, "batch_bool_ns", BatchBooleanNs);
+            Write(json, "depth_ns", null);
+            Write(json, "cast_ns", null);
             json.WriteEndObject();
         }
 

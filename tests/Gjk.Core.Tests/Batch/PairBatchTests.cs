@@ -161,6 +161,40 @@ public class PairBatchTests
         Assert.Equal(0, wrong);
     }
 
+    [Fact]
+    public void WarmBatchesAreTheWarmQueries()
+    {
+        (ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs) = Input(3, 800);
+        WarmStart[] batch = new WarmStart[pairs.Length], alone = new WarmStart[pairs.Length];
+        var results = new DistanceResult[pairs.Length];
+        using var workers = new Workers(2);
+        for (int frame = 0; frame < 3; frame++)
+        {
+            PairBatch.Distance(
+                shapes, poses, pairs, results, batch, frame == 2 ? 0.1f : float.PositiveInfinity,
+                frame == 1 ? workers : null);
+            for (int i = 0; i < pairs.Length; i++)
+            {
+                (int a, int b) = (pairs[i].A, pairs[i].B);
+                DistanceResult expected = ConvexQuery.Distance(
+                    shapes[a], poses[a], shapes[b], poses[b], ref alone[i], frame == 2 ? 0.1f : float.PositiveInfinity);
+                Assert.True(ResultBits.AreSame(expected, results[i]), $"frame {frame}, pair {i}");
+            }
+        }
+    }
+
+    [Fact]
+    public void ThereMustBeAWarmStartForEachPair()
+    {
+        (ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs) = Input(3, 8);
+        var results = new DistanceResult[8];
+        Assert.Throws<ArgumentException>(
+            "warmStarts", () => PairBatch.Distance(shapes, poses, pairs, results, new WarmStart[7]));
+        Assert.Throws<ArgumentNullException>(
+            "warmStarts", () => PairBatch.Distance(shapes, poses, pairs, results, null!));
+        Assert.Equal(GjkStatus.None, results[0].Status);
+    }
+
     private static (ConvexShape[] Shapes, RigidPose[] Poses, ObjectPair[] Pairs) Input(
         ulong seed, int count, int objects = 40)
     {

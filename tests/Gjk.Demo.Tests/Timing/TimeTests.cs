@@ -20,7 +20,7 @@ public sealed class TimeTests
     private static readonly string[] Fields =
     [
         "scene", "pairs", "overlapping", "cold_ns", "cold_median_ns", "warm_ns", "moving_ns", "bool_ns", "iterations",
-        "bytes_per_call",
+        "bytes_per_call", "batch_ns", "batch_warm_ns", "batch_bool_ns", "depth_ns", "cast_ns",
     ];
 
     [Fact]
@@ -42,7 +42,9 @@ public sealed class TimeTests
         Assert.Equal(1, figures.GetProperty("overlapping").GetInt32());
         Assert.Equal(0, figures.GetProperty("bytes_per_call").GetDouble());
         Assert.InRange(figures.GetProperty("iterations").GetDouble(), 1, 20);
-        foreach (string time in Fields.Where(f => f.EndsWith("_ns", StringComparison.Ordinal)))
+        foreach (string missing in new[] { "depth_ns", "cast_ns" })
+            Assert.Equal(JsonValueKind.Null, figures.GetProperty(missing).ValueKind);
+        foreach (string time in Fields.Where(f => f.EndsWith("_ns", StringComparison.Ordinal)).SkipLast(2))
             Assert.InRange(figures.GetProperty(time).GetDouble(), 1, 1e6);
         Assert.True(figures.GetProperty("cold_median_ns").GetDouble() >= figures.GetProperty("cold_ns").GetDouble());
 

@@ -49,23 +49,9 @@ internal static class HullSupport
     }
 
 #if NET
-    /// <summary>The id of the furthest vertex of a hull.</summary>
+    /// <summary>The id of the furthest vertex of a hull that is scanned as a whole.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int FindId(HullCells cells, in Vector3D direction)
-    {
-        if (cells.Kind == HullCells.LookupKind.Scan) return FindByScan(cells, direction);
-        double dx = direction.X, dy = direction.Y, dz = direction.Z;
-        if (cells.Kind == HullCells.LookupKind.Box) return cells.Corners.Id(Signs(dx, dy, dz));
-        int cell = cells.Kind == HullCells.LookupKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
-        int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
-        int slot = end > start
-            ? HullBlocks.Best(cells.Coordinates, start, end, direction)
-            : FindRarely(cells, dx, dy, dz);
-        return cells.Ids[slot];
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int FindByScan(HullCells cells, in Vector3D d) =>
+    public static int FindByScan(HullCells cells, in Vector3D d) =>
         HullDirection.IsSafe(Math.Abs(d.X) + Math.Abs(d.Y) + Math.Abs(d.Z))
             ? HullScan.Best(cells.ScanBlocks, d.X, d.Y, d.Z)
             : FindRarely(cells, d.X, d.Y, d.Z);
