@@ -8,13 +8,12 @@ namespace Gjk.Core;
 
 /// <summary>
 /// The vertex of a hull that is furthest in a direction: the lowest id among those whose dot product, in double, is
-/// largest.
+/// largest; of a box the corner that the signs of the direction name, which is the furthest without rounding.
 /// </summary>
 /// <remarks>
 /// <see cref="Scan"/> is the definition. It counts coordinates from the hull's origin (<see cref="HullOrigin"/>) and
-/// prepares the direction first (<see cref="HullDirection"/>). <see cref="Find"/> gets the same vertex by the signs of
-/// the direction for a box, from the direction's cell for a large hull (<see cref="HullCells"/>), and by a scan for a
-/// small one.
+/// prepares the direction first (<see cref="HullDirection"/>). <see cref="Find"/> gets the same vertex from the
+/// direction's cell for a large hull (<see cref="HullCells"/>), and by a scan of all for a small one.
 /// </remarks>
 internal static class HullSupport
 {
