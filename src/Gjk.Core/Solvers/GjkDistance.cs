@@ -94,6 +94,7 @@ internal static class GjkDistance
             {
                 state.Iterations += rounds;
                 Surround(ref state, vertices, slot, separated, touchSquared);
+                if (trace.IsOn) trace.OnReduced(new TracedSimplex(state.Simplex, frame.Unit, isExtended: false));
                 return;
             }
 
