@@ -24,7 +24,8 @@ public sealed class BenchOptions
           --scale           Find the intersecting pairs among 20 to 100,000 cubes, at rest and moving, with every broad
                             phase, on one thread and on all, without BenchmarkDotNet. Print the ms per frame in the
                             broad and in the narrow phase, candidates, pairs, memory and bytes allocated. Measure the
-                            report's scenes too. Compare all of it with the goals. Takes four minutes.
+                            report's scenes too, and the first frames of the process. Compare all of it with the
+                            goals. Takes four minutes.
           --worst           Measure clouds that were made to be slow, of 10,000 and 100,000 points, without
                             BenchmarkDotNet: building their hulls, and the slowest supports and the slowest distance
                             of each. Takes a few minutes.

@@ -91,8 +91,8 @@ public static class Program
     private static int PrintScale(BenchOptions options, string? project)
     {
         double seconds = options.Seconds ?? ScaleRun.DefaultSeconds;
-        List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out double slowness);
-        Console.Write(ScaleReport.Markdown(rows, slowness));
+        List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out double slowness, out string startUp);
+        Console.Write(ScaleReport.Markdown(rows, slowness, startUp));
         if (project is null) return Done;
         string csv = ScaleReport.Csv(rows, MachineLine(options)), figure = ScaleFigure.Draw(rows, MachineName(options));
         Keep(ResultFile(options, project, "-scale"), csv, Figure(project, "scale"), figure);

@@ -13,17 +13,18 @@ internal static class ScaleGoals
     /// <summary>How many seconds are used to measure how slow this machine is.</summary>
     private const double BaselineSeconds = 1;
 
-    /// <summary>The goal of a row. Null if none was set.</summary>
+    /// <summary>The goal of a row. Null if none was set: at rest, no distance is solved.</summary>
     public static double? For(ScaleRow row, int cores) => row switch
     {
+        { Question: Question.Distances, IsMoving: false } => null,
         { Question: Question.Distances, Scene: ReportScenes.Cubes } => 0.010,
         { Question: Question.Distances, Scene: ReportScenes.Spheres } => 0.014,
         { Scene: ReportScenes.Cubes or ReportScenes.Spheres } => 0.004,
         { IsMoving: true, Phase: Core.BroadPhaseKind.DynamicTree } when row.Threads == cores => row.Objects switch
         {
-            2_000 => 0.8,
-            20_000 => 10,
-            100_000 => 70,
+            2_000 => 0.5,
+            20_000 => 6,
+            100_000 => 35,
             _ => null,
         },
         _ => null,

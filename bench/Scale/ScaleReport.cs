@@ -13,7 +13,7 @@ internal static class ScaleReport
         "scene,question,objects,motion,broad_phase,threads,broad_ms,narrow_ms,frame_ms,candidates,pairs,touching_share,"
         + "bytes_per_frame,memory_mb,goal_ms,goal_here_ms,met";
 
-    public static string Markdown(IReadOnlyCollection<ScaleRow> rows, double slowness)
+    public static string Markdown(IReadOnlyCollection<ScaleRow> rows, double slowness, string startUp)
     {
         var text = new StringBuilder();
         text.Append("| objects | | broad phase | threads | move + broad, ms | narrow, ms | frame, ms | candidates ");
@@ -38,16 +38,30 @@ internal static class ScaleReport
                 + $"| {(r.Met == true ? "met" : "missed")} |\n");
         }
 
-        text.Append(CultureInfo.InvariantCulture, $"\n{Growth(rows)}\n");
+        AppendReportScenes(text, rows);
+        text.Append(CultureInfo.InvariantCulture, $"\n{Growth(rows)}\n{startUp}");
         text.Append(
             CultureInfo.InvariantCulture,
             $"""
             The figures are medians over a second of frames, after a second of warm-up. The narrow phase runs on all
-            threads, the broad phase on one. "Here" is the goal times the slowness of this machine, {slowness:0.00}. The
-            slowness is the time of the report's algorithm here, divided by its time where the goals were set.
+            threads, the broad phase on one. At rest, a pair keeps its distance from frame to frame: nothing is solved.
+            "Here" is the goal times the slowness of this machine, {slowness:0.00}. The slowness is the time of the
+            report's algorithm here, divided by its time where the goals were set.
 
             """);
         return text.ToString();
+    }
+
+    private static void AppendReportScenes(StringBuilder text, IEnumerable<ScaleRow> rows)
+    {
+        text.Append("\n| the report's scenes | | frame, ms | pairs | bytes per frame |\n|---|---|--:|--:|--:|\n");
+        foreach (ScaleRow r in rows.Where(r => r.Scene != ScaleRun.Room))
+        {
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"| {r.Scene}, {QuestionName(r)} | {Motion(r)} | {Ms(r.Figures.FrameMs)} | {r.Figures.Pairs:#,0} "
+                + $"| {r.Figures.BytesPerFrame:0.##} |\n");
+        }
     }
 
     /// <summary>One line per row. The first line describes the machine.</summary>
@@ -61,7 +75,7 @@ internal static class ScaleReport
             string met = r.Met switch { true => "true", false => "false", null => "" };
             text.Append(
                 CultureInfo.InvariantCulture,
-                $"{r.Scene},{r.Question.ToString().ToLowerInvariant()},{r.Objects},{Motion(r)},"
+                $"{r.Scene},{r.Question.ToString().ToLowerInvariant()},{r.Objects},{Motion(r).Replace(' ', '-')},"
                 + $"{PhaseName(r.Phase).Replace(' ', '-')},{r.Threads},");
             text.Append(
                 CultureInfo.InvariantCulture,
@@ -105,11 +119,13 @@ internal static class ScaleReport
                 CultureInfo.InvariantCulture, $"{r.Objects:#,0} {Motion(r)} cubes, intersecting pairs");
         }
 
-        string question = r.Question == Question.Distances ? "190 distances, warm" : "intersecting pairs";
-        return $"the report's {r.Scene}, {Motion(r)}, {question}";
+        return $"the report's {r.Scene}, {Motion(r)}, {QuestionName(r)}";
     }
 
-    private static string Motion(ScaleRow r) => r.IsMoving ? "moving" : "static";
+    private static string QuestionName(ScaleRow r) =>
+        r.Question == Question.Distances ? "190 distances, warm" : "intersecting pairs";
+
+    private static string Motion(ScaleRow r) => r.IsMoving ? "moving" : "at rest";
 
     /// <summary>Writes a time with at least three digits.</summary>
     private static string Ms(double? milliseconds) => milliseconds switch

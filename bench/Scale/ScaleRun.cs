@@ -34,8 +34,11 @@ internal static class ScaleRun
     /// <param name="progress">Receives a line per size.</param>
     /// <param name="seconds">How many seconds to measure a row, after a warm-up of one second.</param>
     /// <param name="slowness">How many times slower this machine is than the goals' machine.</param>
-    public static List<ScaleRow> Run(TextWriter progress, double seconds, out double slowness)
+    /// <param name="startUp">The first frames of the process, as text.</param>
+    public static List<ScaleRow> Run(TextWriter progress, double seconds, out double slowness, out string startUp)
     {
+        progress.WriteLine("start-up");
+        startUp = StartUpClock.Measure();
         progress.WriteLine("the baseline");
         double slower = ScaleGoals.Slowness();
         slowness = slower;

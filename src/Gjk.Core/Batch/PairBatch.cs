@@ -1,4 +1,7 @@
 using System;
+#if NET9_0_OR_GREATER
+using System.Runtime.CompilerServices;
+#endif
 using System.Threading;
 
 namespace Gjk.Core;
@@ -173,6 +176,15 @@ public static class PairBatch
     {
         public void Run(int begin, int end)
         {
+#if NET9_0_OR_GREATER
+            if (WideBatch.IsSupported)
+            {
+                var question = new WideWarmDistances(
+                    ref results[begin], ref warmStarts[begin], ref Unsafe.NullRef<bool>(), maxDistance);
+                new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
+                return;
+            }
+#endif
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);

@@ -61,6 +61,9 @@ internal struct SegmentCore : ISupportMap, ITightBounds
         return Has(id);
     }
 
+    /// <summary>How many vertices there are, 1 or 2.</summary>
+    public readonly int Count => _count;
+
     /// <summary>Whether there is a vertex with the id.</summary>
     public readonly bool Has(int id) => (uint)id < (uint)_count;
 

@@ -1,3 +1,7 @@
+#if NET9_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -22,7 +26,7 @@ public struct WarmStart
     /// Squared length: what is stored is a unit vector rounded to float; anything that is longer than this, or NaN, was
     /// not stored by a query.
     /// </summary>
-    private const double LongestNormal = 2;
+    internal const double LongestNormal = 2;
 
     /// <summary>
     /// The first search direction: the last normal in A's frame, or the cold query's where there is none.
@@ -60,10 +64,38 @@ public struct WarmStart
         if (_count > 2) (_a2, _b2) = (simplex.IdA(simplex.C), simplex.IdB(simplex.C));
         if (_count > 3) (_a3, _b3) = (simplex.IdA(simplex.D), simplex.IdB(simplex.D));
 
-        // Only shapes without vertices need the normal, and a query whose first plane was further than asked; brought
-        // to unit length, it is a float for any size of shape.
-        if ((_a0 | _b0) >= 0) return;
+        // Only shapes without vertices need the normal, and a query whose first plane was further than asked.
+        if ((_a0 | _b0) < 0) SetNormal(normal);
+    }
+
+    /// <summary>Brought to unit length, it is a float for any size of shape.</summary>
+    internal void SetNormal(in Vector3D normal)
+    {
         double scale = 1 / System.Math.Sqrt(normal.LengthSquared);
         (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));
     }
+
+#if NET9_0_OR_GREATER
+    /// <summary>How many vertices there seem to be: a warm start can hold anything.</summary>
+    internal readonly int Count => _count;
+
+    /// <summary>The last normal, if there was one.</summary>
+    internal readonly Vector3D Normal => new(_x, _y, _z);
+
+    /// <summary>The ids of A's support points, and of B's, of the four vertices that there may be.</summary>
+    internal readonly Vector128<int> IdsA => Vector128.LoadUnsafe(in _a0);
+
+    /// <inheritdoc cref="IdsA"/>
+    internal readonly Vector128<int> IdsB => Vector128.LoadUnsafe(in _b0);
+
+    /// <summary>Remembers so many vertices.</summary>
+    internal void Set(int count, Vector128<int> idsA, Vector128<int> idsB)
+    {
+        _count = count;
+        Vector128<int> isNew = Vector128.LessThan(Vector128.Create(0, 1, 2, 3), Vector128.Create(count));
+        Vector128.ConditionalSelect(isNew, idsA, IdsA).StoreUnsafe(ref _a0);
+        Vector128.ConditionalSelect(isNew, idsB, IdsB).StoreUnsafe(ref _b0);
+        if (count == 0) (_a0, _b0) = (-1, -1);
+    }
+#endif
 }

@@ -10,13 +10,10 @@ internal unsafe interface IWideQuestion
     /// <summary>How far apart shapes may be before the walk may end early; see <c>ConvexQuery.ShapeReach</c>.</summary>
     double Reach { get; }
 
-    /// <summary>Whether two shapes, of kinds that have lanes, are asked in them.</summary>
-    bool IsWide(in ConvexShape a, in ConvexShape b);
+    /// <summary>Answers a pair that needs no walk, or says how it is to be asked.</summary>
+    WideRoute Route(in WideBatch batch, int pair);
 
-    /// <summary>Answers a pair that needs no walk.</summary>
-    bool TryAnswer(in WideBatch batch, int pair);
-
-    /// <summary>Answers four pairs, whose frames are composed.</summary>
+    /// <summary>Answers four pairs of the same route, whose frames are composed.</summary>
     /// <param name="a">The first shapes.</param>
     /// <param name="b">The second shapes.</param>
     /// <param name="pairs">The frames.</param>
@@ -31,6 +28,25 @@ internal unsafe interface IWideQuestion
     void Alone(in WideBatch batch, int pair);
 }
 
+/// <summary>How a pair is asked.</summary>
+internal enum WideRoute
+{
+    /// <summary>Not at all: it has its answer.</summary>
+    Answered,
+
+    /// <summary>By its own query.</summary>
+    Alone,
+
+    /// <summary>In a lane, if both shapes' kinds have lanes, from a direction.</summary>
+    Cold,
+
+    /// <summary>In a lane, if both shapes' kinds have lanes, from the feature that it ended with.</summary>
+    Warm,
+
+    /// <summary>In a lane, if both shapes' kinds have lanes, from the tetrahedron that it ended with.</summary>
+    Inside,
+}
+
 /// <summary>How far apart each pair is.</summary>
 internal readonly unsafe ref struct WideDistances(ref DistanceResult results, float maxDistance) : IWideQuestion
 {
@@ -39,9 +55,7 @@ internal readonly unsafe ref struct WideDistances(ref DistanceResult results, fl
 
     public double Reach => ConvexQuery.ShapeReach(_maxDistance);
 
-    public bool IsWide(in ConvexShape a, in ConvexShape b) => true;
-
-    public bool TryAnswer(in WideBatch batch, int pair) => false;
+    public WideRoute Route(in WideBatch batch, int pair) => WideRoute.Cold;
 
     public uint AskFour<TA, TB>(ref TA a, ref TB b, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
@@ -50,8 +64,7 @@ internal readonly unsafe ref struct WideDistances(ref DistanceResult results, fl
         Unsafe.SkipInit(out WideResults found);
         WideDistance.Solve(ref a, ref b, ref pairs);
         uint done = WideFinish.Finish(ref a, ref b, ref pairs, _maxDistance, ref found);
-        for (int i = 0; i < lanes; i++)
-            if ((done >> i & 1) != 0) found.Write(i, out Unsafe.Add(ref _results, index[i]));
+        found.Write(done, index, lanes, ref _results);
         return done;
     }
 
@@ -67,21 +80,20 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
 
     public double Reach => ConvexQuery.ShapeReach(0);
 
-    /// <summary>Meshes without margins are as fast alone.</summary>
-    public bool IsWide(in ConvexShape a, in ConvexShape b) =>
-        a.Margin + b.Margin > 0 || (a.Core == CoreKind.Box && b.Core == CoreKind.Box);
-
-    /// <summary>Balls that are apart; see <c>ConvexQuery.AreBallsApart</c>.</summary>
-    public bool TryAnswer(in WideBatch batch, int pair)
+    /// <summary>
+    /// Balls that are apart need no walk (<c>ConvexQuery.AreBallsApart</c>); meshes without margins are as fast alone.
+    /// </summary>
+    public WideRoute Route(in WideBatch batch, int pair)
     {
-        if (!ConvexQuery.AreBallsApart(
-            ref batch.ShapeA(pair), batch.PoseA(pair), ref batch.ShapeB(pair), batch.PoseB(pair)))
+        ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
+        if (ConvexQuery.AreBallsApart(ref a, batch.PoseA(pair), ref b, batch.PoseB(pair)))
         {
-            return false;
+            Unsafe.Add(ref _results, pair) = GjkStatus.Separated;
+            return WideRoute.Answered;
         }
 
-        Unsafe.Add(ref _results, pair) = GjkStatus.Separated;
-        return true;
+        bool isWide = a.Margin + b.Margin > 0 || (a.Core == CoreKind.Box && b.Core == CoreKind.Box);
+        return isWide ? WideRoute.Cold : WideRoute.Alone;
     }
 
     public uint AskFour<TA, TB>(ref TA a, ref TB b, ref WidePairs pairs, int* index, int lanes)

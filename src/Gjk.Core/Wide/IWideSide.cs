@@ -22,8 +22,13 @@ internal interface IWideSide
     /// <summary>The vertices in slots, as <see cref="Support"/> gave them.</summary>
     WideVector Vertex(Vector256<long> slots);
 
-    /// <summary>The id of the vertex in a lane's slot.</summary>
-    int IdOf(int lane, int slot);
+    /// <summary>The ids of the vertices in slots.</summary>
+    Vector256<long> IdsOf(Vector256<long> slots);
+
+    /// <summary>The slots of the vertices with these ids, which are 32 bits without a sign.</summary>
+    /// <param name="ids">The ids.</param>
+    /// <param name="found">The lanes whose shape has no such vertex are taken from it.</param>
+    Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found);
 }
 
 /// <summary>Boxes, and meshes that are boxes. A slot is a corner's signs.</summary>
@@ -39,6 +44,12 @@ internal unsafe struct WideBoxes : IWideSide
             Vector256.LoadUnsafe(ref _half[0]), Vector256.LoadUnsafe(ref _half[4]), Vector256.LoadUnsafe(ref _half[8]));
     }
 
+    private Vector256<ulong> Corners
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.LoadUnsafe(ref _corners[0]);
+    }
+
     private static Lanes SignBit
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -51,7 +62,7 @@ internal unsafe struct WideBoxes : IWideSide
         _half[lane] = box.Half.X;
         _half[lane + 4] = box.Half.Y;
         _half[lane + 8] = box.Half.Z;
-        _corners[lane] = Unsafe.BitCast<BoxCorners, ulong>(box.Corners);
+        _corners[lane] = box.Corners.Packed;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -76,7 +87,13 @@ internal unsafe struct WideBoxes : IWideSide
             half.Z ^ (Vector256.ShiftLeft(slots, 61).AsDouble() & SignBit));
     }
 
-    public int IdOf(int lane, int slot) => Unsafe.BitCast<ulong, BoxCorners>(_corners[lane]).Id(slot);
+    public Vector256<long> IdsOf(Vector256<long> slots) => BoxCorners.Ids(Corners, slots);
+
+    public Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found)
+    {
+        found &= Vector256.LessThan(ids, Vector256.Create(8L)).AsDouble();
+        return BoxCorners.Signs(Corners, ids);
+    }
 }
 
 /// <summary>Segments, capsules, points and spheres. A slot is an end's id.</summary>
@@ -116,7 +133,14 @@ internal struct WideSegments : IWideSide
     public WideVector Vertex(Vector256<long> slots) =>
         WideVector.Select(Vector256.Equals(slots, Vector256<long>.Zero).AsDouble(), _first, _second);
 
-    public int IdOf(int lane, int slot) => slot;
+    public Vector256<long> IdsOf(Vector256<long> slots) => slots;
+
+    public Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found)
+    {
+        var counts = Vector256.Create((long)_cores[0].Count, _cores[1].Count, _cores[2].Count, _cores[3].Count);
+        found &= Vector256.LessThan(ids, counts).AsDouble();
+        return ids & Vector256<long>.One;
+    }
 
     [InlineArray(4)]
     private struct FourSegments
@@ -160,7 +184,16 @@ internal struct WideHulls : IWideSide
         HullCore.Lanes(_hulls[0], (int)slots.ToScalar()), HullCore.Lanes(_hulls[1], (int)slots.GetElement(1)),
         HullCore.Lanes(_hulls[2], (int)slots.GetElement(2)), HullCore.Lanes(_hulls[3], (int)slots.GetElement(3)));
 
-    public int IdOf(int lane, int slot) => slot;
+    public Vector256<long> IdsOf(Vector256<long> slots) => slots;
+
+    public Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found)
+    {
+        var counts = Vector256.Create(
+            (long)_hulls[0].VertexCount, _hulls[1].VertexCount, _hulls[2].VertexCount, _hulls[3].VertexCount);
+        Vector256<long> isThere = Vector256.LessThan(ids, counts);
+        found &= isThere.AsDouble();
+        return ids & isThere;
+    }
 
     [InlineArray(4)]
     private struct FourHulls

@@ -18,8 +18,8 @@ internal readonly unsafe ref struct WideBatch
     /// </summary>
     private const int LeastPairs = 3;
 
-    /// <summary>Count: kinds of pairs, by the kinds of their cores.</summary>
-    private const int Kinds = 16;
+    /// <summary>Count: kinds of pairs, by their routes and the kinds of their cores.</summary>
+    private const int CoreKinds = 16, Kinds = 3 * CoreKinds;
 
     /// <summary>Stands for the kind of a pair that was answered when it was sorted.</summary>
     private const int Answered = Kinds;
@@ -80,7 +80,7 @@ internal readonly unsafe ref struct WideBatch
     private void AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
         where TQuestion : struct, IWideQuestion, allows ref struct
     {
-        switch (((CoreKind)(kind >> 2), (CoreKind)(kind & 3)))
+        switch (((CoreKind)((kind >> 2) & 3), (CoreKind)(kind & 3)))
         {
             case (CoreKind.Box, CoreKind.Box):
                 Ask<WideBoxes, WideBoxes, TQuestion>(index, count, ref question);
@@ -157,10 +157,7 @@ internal readonly unsafe ref struct WideBatch
         {
             int ahead = i + Prefetch.PairsAhead;
             if (ahead < count) Prefetch.Objects(ref ShapeB(ahead), ref PoseB(ahead));
-            ref ConvexShape a = ref ShapeA(i), b = ref ShapeB(i);
-            int kind = question.TryAnswer(this, i) ? Answered
-                : ConvexQuery.AreBalls(ref a, ref b) || !question.IsWide(a, b) ? 0
-                : (int)a.Core << 2 | (int)b.Core;
+            int kind = KindOf(i, question.Route(this, i));
             kinds[i] = (byte)kind;
             if (kind != Answered) starts[kind + 1]++;
         }
@@ -170,6 +167,16 @@ internal readonly unsafe ref struct WideBatch
         for (int i = 0; i < Kinds; i++) next[i] = starts[i];
         for (int i = 0; i < count; i++)
             if (kinds[i] != Answered) byKind[next[kinds[i]]++] = i;
+    }
+
+    /// <summary>Kind 0, of shapes that have no lanes, is asked one by one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int KindOf(int pair, WideRoute route)
+    {
+        if (route == WideRoute.Answered) return Answered;
+        ref ConvexShape a = ref ShapeA(pair), b = ref ShapeB(pair);
+        if (route == WideRoute.Alone || ConvexQuery.AreBalls(ref a, ref b)) return 0;
+        return ((int)a.Core << 2 | (int)b.Core) + CoreKinds * (route - WideRoute.Cold);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

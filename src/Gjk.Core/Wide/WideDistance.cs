@@ -19,7 +19,7 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class WideDistance
 {
-    /// <summary>Walks until no lane is live.</summary>
+    /// <summary>Walks from the normal until no lane is live.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB>(ref TA a, ref TB b, ref WidePairs s)
         where TA : struct, IWideSide
@@ -29,7 +29,16 @@ internal static class WideDistance
         JudgeFirst(ref s);
         WideStep.First(ref s);
         Progress(ref s);
-        for (int round = 1; round < GjkTolerances.MaxIterations && s.Live != Lanes.Zero; round++)
+        Walk(ref a, ref b, ref s, 1);
+    }
+
+    /// <summary>Walks from the features that the live lanes have.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Walk<TA, TB>(ref TA a, ref TB b, ref WidePairs s, int rounds)
+        where TA : struct, IWideSide
+        where TB : struct, IWideSide
+    {
+        for (; rounds < GjkTolerances.MaxIterations && s.Live != Lanes.Zero; rounds++)
         {
             Ask(ref a, ref b, ref s);
             Judge(ref s);

@@ -172,10 +172,10 @@ internal static class WideFinish
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<long> Low(Vector256<long> slots) => slots & Vector256.Create((long)uint.MaxValue);
+    public static Vector256<long> Low(Vector256<long> slots) => slots & Vector256.Create((long)uint.MaxValue);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<long> High(Vector256<long> slots) => Vector256.ShiftRightLogical(slots, 32);
+    public static Vector256<long> High(Vector256<long> slots) => Vector256.ShiftRightLogical(slots, 32);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Lanes Select(Lanes mask, Lanes a, Lanes b) => Vector256.ConditionalSelect(mask, a, b);

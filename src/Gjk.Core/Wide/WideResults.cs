@@ -41,8 +41,14 @@ internal unsafe struct WideResults
         Rows(14, localB);
     }
 
-    /// <summary>Writes the result of a lane to its place.</summary>
-    public void Write(int lane, out DistanceResult result)
+    /// <summary>Writes the results of lanes to their places.</summary>
+    public void Write(uint done, int* index, int lanes, ref DistanceResult results)
+    {
+        for (int i = 0; i < lanes; i++)
+            if ((done >> i & 1) != 0) Write(i, out Unsafe.Add(ref results, index[i]));
+    }
+
+    private void Write(int lane, out DistanceResult result)
     {
         if ((IsBeyond >> lane & 1) != 0)
         {

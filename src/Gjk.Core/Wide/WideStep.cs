@@ -22,7 +22,7 @@ internal static class WideStep
         s.SlotsA = s.SlotsW;
         s.B = s.C = s.A;
         s.SlotsB = s.SlotsC = s.SlotsA;
-        s.Count = Lanes.One;
+        s.Count = s.Live & Lanes.One;
         Lanes squared = s.W.LengthSquared;
         s.Normal = WideVector.Select(s.Live, s.W, s.Normal);
         s.NormalSquared = Select(s.Live, squared, s.NormalSquared);

@@ -23,6 +23,9 @@ internal sealed class PairWarmStarts
     /// <summary>The answers of the frame, one for each pair.</summary>
     public DistanceResult[] Results => _now.Results;
 
+    /// <summary>The warm starts of the frame, one for each pair.</summary>
+    public WarmStart[] Starts => _now.Starts;
+
     /// <summary>A new frame with these pairs of slots; their ids ascend as they do.</summary>
     public void Begin(List<ObjectPair> pairs, int[] ids)
     {
@@ -46,32 +49,34 @@ internal sealed class PairWarmStarts
         return found >= 0 ? found : ~found;
     }
 
-    /// <summary>The i-th pair's warm start, with what the last frame left.</summary>
+    /// <summary>Whether each pair keeps the answer that it had in the last frame.</summary>
+    public bool[] Kept => _now.Kept;
+
+    /// <summary>What is known of each pair: first from the last frame, in the end from this one.</summary>
+    public PairState[] States => _now.States;
+
+    /// <summary>Gives the i-th pair the warm start and the state that the last frame left.</summary>
     /// <param name="i">The pair.</param>
     /// <param name="last">From <see cref="Seek"/>, or as the call for the pair before left it.</param>
-    /// <param name="state">What the last frame said of the pair.</param>
-    public ref WarmStart Resume(int i, ref int last, out PairState state)
+    /// <returns>The state.</returns>
+    public PairState Resume(int i, ref int last)
     {
         ulong key = _now.Keys[i];
         while (last < _last.Count && _last.Keys[last] < key) last++;
-        ref WarmStart start = ref _now.Starts[i];
         bool isKnown = last < _last.Count && _last.Keys[last] == key;
-        start = isKnown ? _last.Starts[last] : default;
-        state = !isKnown ? PairState.Unknown : _last.Reported[last] ? PairState.Reported : PairState.Beyond;
-        return ref start;
+        _now.Starts[i] = isKnown ? _last.Starts[last] : default;
+        return _now.States[i] = isKnown ? _last.States[last] : PairState.Unknown;
     }
 
     /// <summary>The answer that the pair had in the last frame; for the value of last that found it.</summary>
     public ref readonly DistanceResult LastResult(int last) => ref _last.Results[last];
 
-    /// <summary>Whether the i-th pair is reported in this frame; once for each pair.</summary>
-    public void SetReported(int i, bool isReported) => _now.Reported[i] = isReported;
-
     private sealed class Frame
     {
         public ulong[] Keys = [];
         public WarmStart[] Starts = [];
-        public bool[] Reported = [];
+        public PairState[] States = [];
+        public bool[] Kept = [];
         public DistanceResult[] Results = [];
         public int Count;
         public bool IsComplete;
@@ -82,16 +87,17 @@ internal sealed class PairWarmStarts
             if (Keys.Length >= count) return;
             int capacity = BoundsTable.Grown(Keys.Length, count);
             var starts = new WarmStart[capacity];
-            bool[] reported = new bool[capacity];
+            var states = new PairState[capacity];
+            bool[] kept = new bool[capacity];
             ulong[] keys = new ulong[capacity];
             var results = new DistanceResult[capacity];
-            (Keys, Starts, Reported, Results) = (keys, starts, reported, results);
+            (Keys, Starts, States, Kept, Results) = (keys, starts, states, kept, results);
         }
     }
 }
 
 /// <summary>What is known of a pair from the frame before.</summary>
-internal enum PairState
+internal enum PairState : byte
 {
     /// <summary>Nothing: its bounds were too far apart, or one of the two was not there.</summary>
     Unknown = 0,

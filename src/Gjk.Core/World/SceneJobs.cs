@@ -59,34 +59,54 @@ internal readonly struct SceneDistanceJob(
 
     public void Run(int begin, int end)
     {
-        ConvexShape[] shapes = objects.Shapes;
-        RigidPose[] poses = objects.Poses;
         int last = warmStarts.Seek(begin);
         for (int i = begin; i < end; i++)
         {
-            ObjectPair pair = pairs[i];
-            ref WarmStart start = ref warmStarts.Resume(i, ref last, out PairState state);
-            ref DistanceResult result = ref warmStarts.Results[i];
-            if (state == PairState.Reported && Rests(pair) && warmStarts.LastResult(last).Distance <= maxDistance)
-            {
-                result = warmStarts.LastResult(last);
-                warmStarts.SetReported(i, true);
-                continue;
-            }
-
-            if (state == PairState.Beyond)
-            {
-                result = ConvexQuery.Distance(
-                    shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref start, maxDistance);
-                warmStarts.SetReported(i, false);
-                if (IsClearlyBeyond(pair, result)) continue;
-                start.Clear();
-            }
-
-            result = ConvexQuery.Distance(
-                shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref start, maxDistance);
-            warmStarts.SetReported(i, result.Status != GjkStatus.BeyondMaxDistance);
+            PairState state = warmStarts.Resume(i, ref last);
+            bool keeps = state == PairState.Reported && Rests(pairs[i])
+                && warmStarts.LastResult(last).Distance <= maxDistance;
+            warmStarts.Kept[i] = keeps;
+            if (keeps) warmStarts.Results[i] = warmStarts.LastResult(last);
         }
+
+        Ask(begin, end);
+        for (int i = begin; i < end; i++)
+        {
+            ref DistanceResult result = ref warmStarts.Results[i];
+            if (warmStarts.States[i] == PairState.Beyond && !IsClearlyBeyond(pairs[i], result))
+            {
+                warmStarts.Starts[i].Clear();
+                AskAlone(i);
+            }
+
+            bool isBeyond = result.Status == GjkStatus.BeyondMaxDistance;
+            warmStarts.States[i] = isBeyond ? PairState.Beyond : PairState.Reported;
+        }
+    }
+
+    /// <summary>Asks about the pairs that keep no answer, each from its warm start.</summary>
+    private void Ask(int begin, int end)
+    {
+#if NET9_0_OR_GREATER
+        if (WideBatch.IsSupported)
+        {
+            var question = new WideWarmDistances(
+                ref warmStarts.Results[begin], ref warmStarts.Starts[begin], ref warmStarts.Kept[begin],
+                maxDistance);
+            new WideBatch(objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin])
+                .Ask(end - begin, ref question);
+            return;
+        }
+#endif
+        for (int i = begin; i < end; i++)
+            if (!warmStarts.Kept[i]) AskAlone(i);
+    }
+
+    private void AskAlone(int i)
+    {
+        (ConvexShape[] shapes, RigidPose[] poses, ObjectPair pair) = (objects.Shapes, objects.Poses, pairs[i]);
+        warmStarts.Results[i] = ConvexQuery.Distance(
+            shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref warmStarts.Starts[i], maxDistance);
     }
 
     /// <summary>Neither object has moved since the last call.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Wide;
@@ -30,6 +31,8 @@ public class WideBatchTests
             Check(shapes, poses, some, float.PositiveInfinity, family);
             Check(shapes, poses, some, 0, family);
             Check(shapes, poses, some, 1e-3f, family);
+            CheckWarm(shapes, poses, some, float.PositiveInfinity, family);
+            CheckWarm(shapes, poses, some, 1e-3f, family);
         }
     }
 
@@ -43,7 +46,7 @@ public class WideBatchTests
         foreach (string kind in kinds)
             for (int i = 0; i < ShapesPerKind; i++) shapes.Add(Generators.Shape(rng, kind).Shape);
         foreach (ConvexShape shape in shapes.ToArray()) shapes.Add(shape.Rounded(rng.Float(0.01, 0.3)));
-        for (int seed = 0; seed < Batches; seed++) CheckRandom(shapes, (ulong)seed, seed % 4);
+        for (int seed = 0; seed < Batches; seed++) CheckRandom(shapes, (ulong)seed, seed % 4, seed % 5 == 0);
     }
 
     [Fact]
@@ -62,7 +65,7 @@ public class WideBatchTests
         }
     }
 
-    private static void CheckRandom(List<ConvexShape> all, ulong seed, int kind)
+    private static void CheckRandom(List<ConvexShape> all, ulong seed, int kind, bool isWarm)
     {
         var rng = new Rng(seed);
         const int count = 100;
@@ -77,7 +80,9 @@ public class WideBatchTests
         }
 
         float most = kind == 1 ? rng.Float(0, 0.5) : float.PositiveInfinity;
-        Check(shapes, poses, Pairs(rng, count, BatchLength), most, $"seed {seed}");
+        ObjectPair[] pairs = Pairs(rng, count, BatchLength);
+        Check(shapes, poses, pairs, most, $"seed {seed}");
+        if (isWarm) CheckWarm(shapes, poses, pairs, most, $"seed {seed}");
     }
 
     private static Vector3 Snapped(Vector3 v, float size) =>
@@ -104,5 +109,43 @@ public class WideBatchTests
             string record = new QueryRecord(shapes[a], poses[a], shapes[b], poses[b]).ToString();
             Assert.Fail($"{name}, up to {maxDistance}: alone {alone}, in the batch {results[i]}: {record}");
         }
+    }
+
+    /// <summary>
+    /// Frames that rest, creep, jump and rest again: each answer and each warm start is that of the query alone.
+    /// </summary>
+    private static void CheckWarm(
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, float maxDistance, string name)
+    {
+        var results = new DistanceResult[pairs.Length];
+        var starts = new WarmStart[pairs.Length];
+        var alone = new WarmStart[pairs.Length];
+        var rng = new Rng(7);
+        foreach (double step in new[] { 0, 0, 1e-6, 1e-3, 0.05, 1, 0 })
+        {
+            RigidPose[] moved = [.. poses.Select(p => Moved(rng, p, step))];
+            PairBatch.Distance(shapes, moved, pairs, results, starts, maxDistance);
+            for (int i = 0; i < pairs.Length; i++)
+            {
+                (int a, int b) = (pairs[i].A, pairs[i].B);
+                DistanceResult expected = ConvexQuery.Distance(
+                    shapes[a], moved[a], shapes[b], moved[b], ref alone[i], maxDistance);
+                if (ResultBits.AreSame(expected, results[i])) continue;
+                string record = new QueryRecord(shapes[a], moved[a], shapes[b], moved[b]).ToString();
+                Assert.Fail($"{name}, step {step}: alone {expected}, in the batch {results[i]}: {record}");
+            }
+
+            Assert.True(
+                MemoryMarshal.AsBytes(starts.AsSpan()).SequenceEqual(MemoryMarshal.AsBytes(alone.AsSpan())),
+                $"{name}, step {step}: the warm starts differ");
+        }
+    }
+
+    private static RigidPose Moved(Rng rng, RigidPose pose, double step)
+    {
+        if (step == 0 || pose.Rotation == default) return pose;
+        var turn = Quaternion.CreateFromAxisAngle(Vector3.Normalize(rng.Vector(-1, 1)), (float)step);
+        var rotation = Quaternion.Normalize(Quaternion.Concatenate(pose.Rotation, turn));
+        return new RigidPose(rotation, pose.Position + rng.Vector(-1, 1) * (float)step);
     }
 }

@@ -1,5 +1,9 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
+#if NET9_0_OR_GREATER
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace Gjk.Core;
 
@@ -39,6 +43,19 @@ internal readonly struct BoxCorners
     /// <summary>The signs of the corner with this id, from 0 to 7.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Signs(int id) => (int)(_signs >> (BitsEach * id)) & Mask;
+
+#if NET9_0_OR_GREATER
+    /// <summary>Both tables, for a lane.</summary>
+    public ulong Packed => (ulong)_signs << 32 | _ids;
+
+    /// <summary>As <see cref="Id(int)"/>, for lanes of <see cref="Packed"/>.</summary>
+    public static Vector256<long> Ids(Vector256<ulong> corners, Vector256<long> signs) =>
+        Avx2.ShiftRightLogicalVariable(corners, (signs * BitsEach).AsUInt64()).AsInt64() & Vector256.Create((long)Mask);
+
+    /// <summary>As <see cref="Signs(int)"/>, for lanes of <see cref="Packed"/>; nothing for what is no id.</summary>
+    public static Vector256<long> Signs(Vector256<ulong> corners, Vector256<long> ids) =>
+        Ids(Vector256.ShiftRightLogical(corners, 32), ids);
+#endif
 
     /// <summary>False when the hull's vertices are not the eight corners of its bounds.</summary>
     public static bool TryFind(HullVertices hull, out BoxCorners corners)
