@@ -51,8 +51,8 @@ internal static class StartUpClock
 
     private static double Median(double[] times, int frame)
     {
-        double[] some = times[(frame - Around / 2)..(frame + Around / 2 + 1)];
-        Array.Sort(some);
-        return some[some.Length / 2];
+        var samples = new Samples();
+        foreach (double time in times.AsSpan(frame - Around / 2, Around)) samples.Add(time);
+        return samples.Median;
     }
 }

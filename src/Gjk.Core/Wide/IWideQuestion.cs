@@ -63,8 +63,9 @@ internal readonly unsafe ref struct WideDistances(ref DistanceResult results, fl
     {
         Unsafe.SkipInit(out WideResults found);
         WideDistance.Solve(ref a, ref b, ref pairs);
-        uint done = WideFinish.Finish(ref a, ref b, ref pairs, _maxDistance, ref found);
-        found.Write(done, index, lanes, ref _results);
+        uint own = (1u << lanes) - 1;
+        uint done = own & WideFinish.Finish(ref a, ref b, ref pairs, _maxDistance, ref found);
+        found.Write(done, index, ref _results);
         return done;
     }
 

@@ -58,7 +58,7 @@ internal static class WideDistance
         WideVector normal = s.Normal;
         WideVector onA = a.Support(-normal, live, out Vector256<long> slotsA);
         WideVector onB = b.Support(s.Rotation.InverseRotate(normal), live, out Vector256<long> slotsB);
-        s.W = onA - (s.Rotation.Rotate(onB) + s.Translation);
+        s.W = s.Vertex(onA, onB);
         s.SlotsW = slotsA | Vector256.ShiftLeft(slotsB, 32);
         s.Iterations += s.Live & Lanes.One;
     }

@@ -3,6 +3,7 @@ using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
+using static Gjk.Core.WideLanes;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
@@ -60,14 +61,7 @@ internal static class WideFinish
         Lanes isVertex = Vector256.Equals(count, one), isFace = Vector256.Equals(count, Vector256.Create(3.0));
 
         // A face is wound away from the origin first.
-        Lanes turned = s.Closed & isFace & Vector256.LessThan(s.Winding, zero);
-        WideVector vb = s.B;
-        s.B = WideVector.Select(turned, s.C, vb);
-        s.C = WideVector.Select(turned, vb, s.C);
-        Vector256<long> slotsB = s.SlotsB;
-        s.SlotsB = Vector256.ConditionalSelect(turned.AsInt64(), s.SlotsC, slotsB);
-        s.SlotsC = Vector256.ConditionalSelect(turned.AsInt64(), slotsB, s.SlotsC);
-
+        s.TurnFaces(s.Closed & isFace & Vector256.LessThan(s.Winding, zero));
         WideVector a = s.A, ab = s.B - a, ac = s.C - a, inPlane = WideVector.Cross(s.Normal, a);
         Lanes abSquared = ab.LengthSquared, t = -WideVector.Dot(ab, a) / abSquared;
         Lanes scale = one / s.NormalSquared;
@@ -93,7 +87,7 @@ internal static class WideFinish
         WideVector cd = WideVector.Cross(c, d);
         Lanes va = WideVector.Dot(b, cd), vb = -WideVector.Dot(a, cd);
         Lanes vc = WideVector.Dot(a, WideVector.Cross(b, d)), vd = -WideVector.Dot(a, WideVector.Cross(b, c));
-        Lanes sum = va + vb + vc + vd, turn = ((sum + Lanes.Zero) & Vector256.Create(-0.0)) | Lanes.One;
+        Lanes sum = va + vb + vc + vd, turn = SignOf(sum);
         Lanes least = Vector256.Min(
             Vector256.Min(va * turn, vb * turn), Vector256.Min(vc * turn, vd * turn));
         Lanes size = a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared, cube = size * size * size;
@@ -170,18 +164,5 @@ internal static class WideFinish
         Lanes down = Vector256.ConditionalSelect(Vector256.GreaterThan(wide, x), below, wide);
         return down & Vector256.GreaterThan(x, Lanes.Zero);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<long> Low(Vector256<long> slots) => slots & Vector256.Create((long)uint.MaxValue);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<long> High(Vector256<long> slots) => Vector256.ShiftRightLogical(slots, 32);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Lanes Select(Lanes mask, Lanes a, Lanes b) => Vector256.ConditionalSelect(mask, a, b);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<long> Select(Lanes mask, Vector256<long> a, Vector256<long> b) =>
-        Vector256.ConditionalSelect(mask.AsInt64(), a, b);
 }
 #endif

@@ -54,7 +54,7 @@ internal static class WideOverlap
         WideVector a = s.W, b = s.A, c = s.B, d = s.C, cd = WideVector.Cross(c, d);
         Lanes va = WideVector.Dot(b, cd), vb = -WideVector.Dot(a, cd);
         Lanes vc = WideVector.Dot(a, WideVector.Cross(b, d)), vd = -WideVector.Dot(a, WideVector.Cross(b, c));
-        Lanes turn = ((va + vb + vc + vd) & Vector256.Create(-0.0)) | Lanes.One;
+        Lanes turn = WideLanes.SignOf(va + vb + vc + vd);
         Lanes least = Vector256.Min(Vector256.Min(va * turn, vb * turn), Vector256.Min(vc * turn, vd * turn));
         Lanes size = a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared;
         return Vector256.GreaterThan(least, Lanes.Zero) & Vector256.GreaterThan(

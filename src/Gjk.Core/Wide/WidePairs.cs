@@ -1,4 +1,5 @@
 #if NET9_0_OR_GREATER
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
@@ -51,5 +52,24 @@ internal struct WidePairs
     /// and the three vertices; the feature touches the origin. What ended in no way is for the scalar query.
     /// </summary>
     public Lanes Closed, Beyond, Inside, Touching;
+
+    /// <summary>
+    /// The vertices of A - B made of a point of each shape, measured from its centre in its own axes.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly WideVector Vertex(in WideVector onA, in WideVector onB) =>
+        onA - (Rotation.Rotate(onB) + Translation);
+
+    /// <summary>B and C change places in the lanes of the mask.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void TurnFaces(Lanes turned)
+    {
+        WideVector b = B;
+        B = WideVector.Select(turned, C, b);
+        C = WideVector.Select(turned, b, C);
+        Vector256<long> slots = SlotsB;
+        SlotsB = WideLanes.Select(turned, SlotsC, slots);
+        SlotsC = WideLanes.Select(turned, slots, SlotsC);
+    }
 }
 #endif

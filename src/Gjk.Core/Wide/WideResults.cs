@@ -42,10 +42,10 @@ internal unsafe struct WideResults
     }
 
     /// <summary>Writes the results of lanes to their places.</summary>
-    public void Write(uint done, int* index, int lanes, ref DistanceResult results)
+    public void Write(uint done, int* index, ref DistanceResult results)
     {
-        for (int i = 0; i < lanes; i++)
-            if ((done >> i & 1) != 0) Write(i, out Unsafe.Add(ref results, index[i]));
+        for (int lane = 0; done != 0; lane++, done >>= 1)
+            if ((done & 1) != 0) Write(lane, out Unsafe.Add(ref results, index[lane]));
     }
 
     private void Write(int lane, out DistanceResult result)

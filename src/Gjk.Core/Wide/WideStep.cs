@@ -1,6 +1,7 @@
 #if NET9_0_OR_GREATER
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using static Gjk.Core.WideLanes;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
@@ -136,7 +137,7 @@ internal static class WideStep
         Lanes edge = besideAB | besideAC, live = s.Live;
 
         Lanes height = WideVector.Dot(normal, a);
-        Lanes winding = ((height + Lanes.Zero) & Vector256.Create(-0.0)) | Lanes.One;
+        Lanes winding = SignOf(height);
         WideVector e = WideVector.Select(besideAB, ab, ac), moment = WideVector.Cross(e, a);
         WideVector toEdge = WideVector.Cross(moment, e);
         Lanes vertex = a.LengthSquared;
@@ -155,12 +156,5 @@ internal static class WideStep
         s.A = WideVector.Select(live, a, s.A);
         s.SlotsA = Select(live, s.SlotsW, s.SlotsA);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Lanes Select(Lanes mask, Lanes a, Lanes b) => Vector256.ConditionalSelect(mask, a, b);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<long> Select(Lanes mask, Vector256<long> a, Vector256<long> b) =>
-        Vector256.ConditionalSelect(mask.AsInt64(), a, b);
 }
 #endif

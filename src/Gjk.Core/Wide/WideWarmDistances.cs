@@ -23,8 +23,9 @@ internal readonly unsafe ref struct WideWarmDistances(
     {
         if (!Unsafe.IsNullRef(ref _answered) && Unsafe.Add(ref _answered, pair)) return WideRoute.Answered;
         int count = Unsafe.Add(ref _starts, pair).Count;
+        if (count == 0) return WideRoute.Cold;
         if (count == WideWarmStart.MostVertices) return WideRoute.Inside;
-        return count == 0 ? WideRoute.Cold : (uint)count <= 3u ? WideRoute.Warm : WideRoute.Alone;
+        return (uint)count < WideWarmStart.MostVertices ? WideRoute.Warm : WideRoute.Alone;
     }
 
     public uint AskFour<TA, TB>(ref TA a, ref TB b, ref WidePairs pairs, int* index, int lanes)
@@ -43,9 +44,10 @@ internal readonly unsafe ref struct WideWarmDistances(
             WideDistance.Walk(ref a, ref b, ref pairs, 0);
         }
 
-        uint done = WideFinish.Finish(ref a, ref b, ref pairs, _maxDistance, ref found);
-        found.Write(done, index, lanes, ref _results);
-        WideWarmStart.Store(ref a, ref b, pairs, done & ((1u << lanes) - 1), index, ref _starts);
+        uint own = (1u << lanes) - 1;
+        uint done = own & WideFinish.Finish(ref a, ref b, ref pairs, _maxDistance, ref found);
+        found.Write(done, index, ref _results);
+        WideWarmStart.Store(ref a, ref b, pairs, done, index, ref _starts);
         return done;
     }
 

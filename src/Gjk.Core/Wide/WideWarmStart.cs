@@ -2,6 +2,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
+using static Gjk.Core.WideLanes;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
@@ -48,8 +49,8 @@ internal static unsafe class WideWarmStart
         Transpose(p.IdsB, q.IdsB, u.IdsB, v.IdsB, out FourSlots onB);
 
         // Where there is no second or third vertex, the first takes its place.
-        Vector256<long> hasB = Vector256.GreaterThan(s.Count, Lanes.One).AsInt64();
-        Vector256<long> hasC = Vector256.GreaterThan(s.Count, Vector256.Create(2.0)).AsInt64();
+        Lanes hasB = Vector256.GreaterThan(s.Count, Lanes.One);
+        Lanes hasC = Vector256.GreaterThan(s.Count, Vector256.Create(2.0));
         Lanes found = Lanes.AllBitsSet;
         s.SlotsA = Slots(ref a, ref b, onA.A, onB.A, ref found);
         s.SlotsB = Slots(ref a, ref b, Select(hasB, onA.B, onA.A), Select(hasB, onB.B, onB.A), ref found);
@@ -82,8 +83,7 @@ internal static unsafe class WideWarmStart
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
-        WideVector onB = b.Vertex(WideFinish.High(slots));
-        return a.Vertex(WideFinish.Low(slots)) - (s.Rotation.Rotate(onB) + s.Translation);
+        return s.Vertex(a.Vertex(Low(slots)), b.Vertex(High(slots)));
     }
 
     /// <summary>Ends the lanes whose origin is not beside the whole feature, or touches it.</summary>
@@ -101,7 +101,7 @@ internal static unsafe class WideWarmStart
             & Vector256.GreaterThan(WideVector.Dot(WideVector.Cross(normal, ac), a), zero)
             & Vector256.GreaterThan(WideVector.Dot(WideVector.Cross(ac - ab, normal), b), zero);
         Lanes height = WideVector.Dot(normal, a);
-        Lanes winding = ((height + zero) & Vector256.Create(-0.0)) | Lanes.One;
+        Lanes winding = SignOf(height);
         Lanes squared = a.LengthSquared;
         s.Normal = WideVector.Select(isFace, normal * winding, WideVector.Select(isEdge, toEdge, a));
         s.Height = Select(isFace, height * winding, Select(isEdge, moment.LengthSquared, squared));
@@ -111,12 +111,7 @@ internal static unsafe class WideWarmStart
             & Vector256.GreaterThan(s.DistanceSquared, s.TouchSquared);
 
         // A face is wound away from the origin, as a scalar walk takes it over.
-        Lanes turned = isFace & Vector256.LessThan(winding, zero);
-        s.B = WideVector.Select(turned, s.C, b);
-        s.C = WideVector.Select(turned, b, s.C);
-        Vector256<long> slots = s.SlotsB;
-        s.SlotsB = Select(turned.AsInt64(), s.SlotsC, slots);
-        s.SlotsC = Select(turned.AsInt64(), slots, s.SlotsC);
+        s.TurnFaces(isFace & Vector256.LessThan(winding, zero));
     }
 
     /// <summary>Remembers where the lanes that have their results ended: as <see cref="WarmStart.Store"/>.</summary>
@@ -128,18 +123,18 @@ internal static unsafe class WideWarmStart
     {
         // The faces of finished lanes are wound already.
         Lanes isFace = Vector256.Equals(s.Count, Vector256.Create(3.0));
-        Vector256<long> turned = (s.Beyond & isFace & Vector256.LessThan(s.Winding, Lanes.Zero)).AsInt64();
+        Lanes turned = s.Beyond & isFace & Vector256.LessThan(s.Winding, Lanes.Zero);
         Vector256<long> second = Select(turned, s.SlotsC, s.SlotsB), third = Select(turned, s.SlotsB, s.SlotsC);
         var counts = Avx.ConvertToVector128Int32(Select(s.Inside, Vector256.Create((double)MostVertices), s.Count));
         FourSlots onA, onB;
-        onA.A = a.IdsOf(WideFinish.Low(s.SlotsA));
-        onA.B = a.IdsOf(WideFinish.Low(second));
-        onA.C = a.IdsOf(WideFinish.Low(third));
-        onA.D = a.IdsOf(WideFinish.Low(s.SlotsW));
-        onB.A = b.IdsOf(WideFinish.High(s.SlotsA));
-        onB.B = b.IdsOf(WideFinish.High(second));
-        onB.C = b.IdsOf(WideFinish.High(third));
-        onB.D = b.IdsOf(WideFinish.High(s.SlotsW));
+        onA.A = a.IdsOf(Low(s.SlotsA));
+        onA.B = a.IdsOf(Low(second));
+        onA.C = a.IdsOf(Low(third));
+        onA.D = a.IdsOf(Low(s.SlotsW));
+        onB.A = b.IdsOf(High(s.SlotsA));
+        onB.B = b.IdsOf(High(second));
+        onB.C = b.IdsOf(High(third));
+        onB.D = b.IdsOf(High(s.SlotsW));
         onA.Pack(out Vector256<long> evenA, out Vector256<long> oddA);
         onB.Pack(out Vector256<long> evenB, out Vector256<long> oddB);
         for (int lane = 0; done != 0; lane++, done >>= 1)
@@ -163,18 +158,11 @@ internal static unsafe class WideWarmStart
         var even = Vector256.Create(a.AsInt64(), c.AsInt64());
         var odd = Vector256.Create(b.AsInt64(), d.AsInt64());
         Vector256<long> low = Avx2.UnpackLow(even, odd), high = Avx2.UnpackHigh(even, odd);
-        slots.A = WideFinish.Low(low);
-        slots.B = WideFinish.High(low);
-        slots.C = WideFinish.Low(high);
-        slots.D = WideFinish.High(high);
+        slots.A = Low(low);
+        slots.B = High(low);
+        slots.C = Low(high);
+        slots.D = High(high);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<long> Select(Vector256<long> mask, Vector256<long> a, Vector256<long> b) =>
-        Vector256.ConditionalSelect(mask, a, b);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Lanes Select(Lanes mask, Lanes a, Lanes b) => Vector256.ConditionalSelect(mask, a, b);
 
     /// <summary>An id of each lane, four times.</summary>
     private struct FourSlots
