@@ -58,7 +58,7 @@ internal readonly struct HullCore : ISupportMap, ITightBounds
         }
 
         // The look-up has just read the point beside its candidates; by its id it would come from far away.
-        id = HullSupport.Find(cells, direction, out Vector3D point);
+        id = HullSupport.FindInCell(cells, direction, out Vector3D point);
         point -= hull.Center;
         return Vector256.Create(point.X, point.Y, point.Z, 0);
     }

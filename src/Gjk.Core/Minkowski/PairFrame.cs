@@ -134,7 +134,7 @@ internal struct PairFrame
     /// <summary>
     /// Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the composition.
     /// </summary>
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Compose<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

@@ -18,7 +18,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap =>
         a.BoundingRadius + b.BoundingRadius == a.Margin + b.Margin;
 
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult AskBalls<TA, TB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance)
         where TA : struct, ISupportMap
@@ -61,7 +61,7 @@ public static partial class ConvexQuery
     }
 
     /// <summary>Overlapping, separated or invalid, as <see cref="AskBalls"/> says.</summary>
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static GjkStatus StatusOfBalls<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

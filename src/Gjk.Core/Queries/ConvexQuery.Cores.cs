@@ -54,7 +54,7 @@ public static partial class ConvexQuery
         }
     }
 
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult AskAs<TA, TB, TCoreA, TCoreB, TTrace>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
         bool isWarm, ref TTrace trace)
@@ -99,7 +99,7 @@ public static partial class ConvexQuery
         }
     }
 
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static GjkStatus StatusAs<TA, TB, TCoreA, TCoreB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap

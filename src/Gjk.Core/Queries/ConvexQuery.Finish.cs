@@ -14,7 +14,7 @@ public static partial class ConvexQuery
     internal const double FarApart = 1 << 20;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult Finish(
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance)
     {

@@ -53,7 +53,7 @@ public static partial class ConvexQuery
 #endif
     }
 
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static GjkStatus StatusOfCores<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

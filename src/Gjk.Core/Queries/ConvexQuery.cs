@@ -60,7 +60,7 @@ public static partial class ConvexQuery
     /// </param>
     /// <param name="isWarm">Whether this is a warm query.</param>
     /// <param name="trace">Told what the solvers do.</param>
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult AskCores<TA, TB, TTrace>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
         bool isWarm, ref TTrace trace)

@@ -55,7 +55,7 @@ internal static class GjkDistance
     /// Runs the loop from <c>state.Feature.Normal</c> (cold), or from <c>state.Simplex</c> when that has vertices
     /// (warm).
     /// </summary>
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, double maxDistance, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap

@@ -30,7 +30,7 @@ internal static class GjkOverlap
     private const int MaxRounds = 40;
 
     /// <summary>Apart, Enclosed or Undecided.</summary>
-    [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static Verdict Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

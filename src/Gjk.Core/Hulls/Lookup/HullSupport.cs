@@ -39,6 +39,14 @@ internal static class HullSupport
             return HullBlocks.Read(cells.Points, id, out point);
         }
 
+        return FindInCell(cells, direction, out point);
+    }
+
+    /// <summary>The same for hulls that are neither boxes nor scanned as a whole.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int FindInCell(HullCells cells, in Vector3D direction, out Vector3D point)
+    {
+        double dx = direction.X, dy = direction.Y, dz = direction.Z;
         int cell = cells.Kind == HullCells.LookupKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
         int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
         int slot = end > start
