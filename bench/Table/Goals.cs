@@ -57,7 +57,7 @@ internal static class Goals
         ],
     };
 
-    /// <summary>What is faster still where an engine has a shape for boxes; the box's column above is of hulls.</summary>
+    /// <summary>What is faster still where an engine has a shape for boxes; the column above is of hulls.</summary>
     private static readonly Dictionary<Query, (string Engine, double Nanoseconds)> BestOfBoxShapes = new()
     {
         [Query.Cold] = ("PhysX", 119),
