@@ -168,9 +168,13 @@ internal static class CommandLine
         {
             if (!result.Implicit) Check(result, max, d => d >= 0, "must be a number, at least 0, or Infinity");
         });
+        var depth = new Option<bool>("--depth")
+        {
+            Description = "Answer overlapping pairs with minus their depth, the deepest points and the way out.",
+        };
         var command = new Command("query", "Write the distance and the closest points of every pair of a scene as CSV.")
         {
-            scene, output, max, record,
+            scene, output, max, depth, record,
         };
         command.Validators.Add(result =>
         {
@@ -184,7 +188,7 @@ internal static class CommandLine
             string? file = r.GetValue(scene), target = r.GetValue(output);
             TargetFiles.Check(file ?? RecordScene.InputOf(r.GetValue(record)!), ("--out", target));
             Scene asked = file is null ? RecordScene.Read(r.GetValue(record)!, cancel) : SceneFile.Load(file, cancel);
-            QueryCommand.Run(asked, target, r.GetValue(max), cancel);
+            QueryCommand.Run(asked, target, r.GetValue(max), r.GetValue(depth), cancel);
             return ExitCode.Done;
         });
         return command;

@@ -20,7 +20,7 @@ public static partial class ConvexQuery
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult AskBalls<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance)
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, bool isSigned = false)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -31,7 +31,7 @@ public static partial class ConvexQuery
             return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         double margins = a.Margin + b.Margin;
-        Vector3D normal = root > 0 ? between * (1 / root) : default;
+        Vector3D normal = root > 0 ? between * (1 / root) : isSigned ? new Vector3D(1, 0, 0) : default;
         Vector3D inA = Back(poseA.Rotation, turnA, normal), inB = Back(poseB.Rotation, turnB, normal);
         bool touching = gap <= GjkTolerances.Touch * margins;
         if (!touching && (float)gap > Math.Max(maxDistance, 0))
@@ -40,7 +40,7 @@ public static partial class ConvexQuery
         }
 
         // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
-        double share = touching && margins > 0 ? root / margins : 1;
+        double share = touching && !isSigned && margins > 0 ? root / margins : 1;
         double reachA = share * a.Margin, reachB = share * b.Margin;
         Vector3D worldA = Place(poseA, a.Center) + normal * reachA;
         bool isFromB = touching
@@ -49,10 +49,12 @@ public static partial class ConvexQuery
         Vector3D worldB = isFromB ? Place(poseB, b.Center) - normal * reachB : worldA + normal * gap;
         var localA = (Vector3)(inA * reachA + a.Center);
         var localB = (Vector3)(inB * -reachB + b.Center);
-        if (!touching)
+        if (!touching || isSigned)
         {
+            if (touching) gap = Math.Min(gap, 0);
             return new DistanceResult(
-                GjkStatus.Separated, (float)gap, BallBound(root, margins), (Vector3)worldA, (Vector3)worldB,
+                touching ? GjkStatus.Overlapping : GjkStatus.Separated, (float)gap,
+                BallBound(root, margins, touching), (Vector3)worldA, (Vector3)worldB,
                 (Vector3)normal, localA, localB, 1);
         }
 
@@ -90,10 +92,10 @@ public static partial class ConvexQuery
         marginA >= 0 & marginB >= 0 & Math.Abs(gap) + marginA + marginB <= PairFrame.MaxMagnitude;
 
     /// <summary>The distance of the centres less the radii, and less what rounding may have done.</summary>
-    private static float BallBound(double root, double margins)
+    private static float BallBound(double root, double margins, bool isSigned = false)
     {
         double value = root - margins - GjkTolerances.LowerBoundError * (2 * margins + root);
-        return value > 0 ? RoundOff.Down(value) : 0;
+        return value > 0 || isSigned ? RoundOff.Down(value) : 0;
     }
 
     /// <summary>2 / |q|², or 0 where that is no rotation.</summary>

@@ -16,7 +16,8 @@ public static partial class ConvexQuery
     /// <summary>Adds the margins, finds the points and rounds.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult Finish(
-        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance)
+        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance,
+        bool isSigned = false)
     {
         if (state.Verdict == Verdict.Contradiction) return Invalid(state);
         if (state.Verdict == Verdict.Beyond) return Beyond(state, frame);
@@ -31,14 +32,15 @@ public static partial class ConvexQuery
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
         Vector3D toA = state.Feature.Normal * scale;
         Vector3D toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;
-        if (Proofs.IsTouching(state, distance))
+        bool isTouching = Proofs.IsTouching(state, distance);
+        if (isTouching && !isSigned)
         {
             double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
             return Common(
                 state, frame, poseA, poseB, onA - toA * (core * frame.MarginA), onB + toAInB * (core * frame.MarginB));
         }
 
-        distance = Math.Max(distance, 0) * frame.Unit;
+        distance = (isSigned && distance < 0 ? distance : isTouching ? 0 : Math.Max(distance, 0)) * frame.Unit;
         if ((float)distance > Math.Max(maxDistance, 0)) return Beyond(state, frame);
 
         Vector3D localA = (onA - toA * frame.MarginA + frame.CenterA) * frame.Unit;
@@ -51,9 +53,10 @@ public static partial class ConvexQuery
             ? scale
             : 1 / Math.Sqrt(state.Plane.NormalSquared);
         double coreGap = Math.Min(state.Plane.Value * planeScale, state.Feature.Height * scale);
+        GjkStatus status = isTouching ? GjkStatus.Overlapping
+            : state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit;
         return new DistanceResult(
-            state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit,
-            (float)distance, LowerBound(coreGap, state, frame), (Vector3)worldA,
+            status, (float)distance, LowerBound(coreGap, state, frame, isTouching || distance < 0), (Vector3)worldA,
             (Vector3)worldB, (Vector3)normal, (Vector3)localA, (Vector3)localB, state.Iterations);
     }
 
@@ -108,12 +111,13 @@ public static partial class ConvexQuery
     /// <summary>
     /// The separating plane's gap less everything that rounding can have added to it, and then rounded down.
     /// </summary>
-    private static float LowerBound(double coreGap, in SolverState state, in PairFrame frame)
+    private static float LowerBound(
+        double coreGap, in SolverState state, in PairFrame frame, bool isSigned = false)
     {
         // The centres are no further apart than the gap and both sizes, so this is at least the size and the distance
         // of the centres.
         double reach = 2 * state.Size.Value + coreGap;
         double value = (coreGap - frame.Margins - GjkTolerances.LowerBoundError * reach) * frame.Unit;
-        return value > 0 ? RoundOff.Down(value) : 0;
+        return value > 0 || isSigned ? RoundOff.Down(value) : 0;
     }
 }

@@ -4,30 +4,39 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>
-/// The answer of <see cref="ConvexQuery"/>'s distance verb. Lengths and points are in world units and the world frame
-/// unless the name says otherwise. What is valid under which status: see <see cref="GjkStatus"/>.
+/// The answer of <see cref="ConvexQuery"/>'s distance and signed distance. Lengths and points are in world units and
+/// the world frame unless the name says otherwise. What is valid under which status: see <see cref="GjkStatus"/>.
 /// </summary>
 public readonly struct DistanceResult
 {
     /// <summary>What was found.</summary>
     public readonly GjkStatus Status;
 
-    /// <summary>The distance between the shapes, rounded to float: at least 0; 0 when overlapping.</summary>
+    /// <summary>
+    /// The distance between the shapes, rounded to float: at least 0; 0 when overlapping. A signed distance is then
+    /// minus the depth.
+    /// </summary>
     public readonly float Distance;
 
     /// <summary>
     /// A proved lower bound of the distance: the gap between two parallel planes that separate the shapes, evaluated in
-    /// double and rounded down.
+    /// double and rounded down. Of a signed distance it is negative when the shapes overlap, and the true signed
+    /// distance is not below it.
     /// </summary>
     public readonly float LowerBound;
 
-    /// <summary>The point of A that is closest to B.</summary>
+    /// <summary>
+    /// The point of A that is closest to B; of a signed distance, when overlapping, the one that is deepest in B.
+    /// </summary>
     public readonly Vector3 PointA;
 
-    /// <summary>The point of B that is closest to A.</summary>
+    /// <summary>The point of B that is closest to A, or deepest in it.</summary>
     public readonly Vector3 PointB;
 
-    /// <summary>The unit vector from A to B, perpendicular to the separating planes; zero when overlapping.</summary>
+    /// <summary>
+    /// The unit vector from A to B, perpendicular to the separating planes; zero when overlapping. Of a signed distance
+    /// it is then the direction in which B leaves A by the shortest way.
+    /// </summary>
     public readonly Vector3 Normal;
 
     /// <summary>
@@ -70,6 +79,8 @@ public readonly struct DistanceResult
     {
         if (Status is GjkStatus.Separated or GjkStatus.IterationLimit)
             return FormattableString.Invariant($"{Status}, {Distance:G9} from {Text(PointA)} to {Text(PointB)}");
+        if (Status == GjkStatus.Overlapping && Normal != Vector3.Zero)
+            return FormattableString.Invariant($"{Status} by {-Distance:G9}, B leaves A along {Text(Normal)}");
         if (Status == GjkStatus.Overlapping) return $"{Status} at {Text(PointA)}";
         return Status == GjkStatus.BeyondMaxDistance
             ? FormattableString.Invariant($"{Status}, more than {LowerBound:G9} along {Text(Normal)}")

@@ -13,7 +13,7 @@ public enum GjkStatus : byte
 
     /// <summary>
     /// The shapes share at least one point (touching included): distance 0, both points the same common point, normal
-    /// zero.
+    /// zero. A signed distance has minus the depth, the deepest points and the way out instead.
     /// </summary>
     Overlapping = 2,
 
@@ -24,8 +24,8 @@ public enum GjkStatus : byte
     BeyondMaxDistance = 3,
 
     /// <summary>
-    /// The iteration cap ended the query: the best points found, with the bounds on either side. No valid shape gets
-    /// here.
+    /// The iteration cap, or of a signed distance the room, ended the query: the best points found, with the bounds on
+    /// either side. Of valid shapes only some that lie deep in each other get here, and only when their depth is asked.
     /// </summary>
     IterationLimit = 4,
 

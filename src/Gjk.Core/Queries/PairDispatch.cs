@@ -23,6 +23,62 @@ internal static class PairDispatch
             : CoreKind.Other;
     }
 
+    /// <summary>Asks about the cores that the shapes can be unwrapped to, or about the shapes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Ask<TA, TB, TQuestion>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion
+    {
+        switch (KindOf(ref a))
+        {
+            case CoreKind.Box:
+                Get(ref a, out BoxCore box);
+                AskOf(ref box, poseA, ref b, poseB, ref question);
+                break;
+            case CoreKind.Hull:
+                Get(ref a, out HullCore hull);
+                AskOf(ref hull, poseA, ref b, poseB, ref question);
+                break;
+            case CoreKind.Segment:
+                Get(ref a, out SegmentCore segment);
+                AskOf(ref segment, poseA, ref b, poseB, ref question);
+                break;
+            default:
+                question.Ask(ref a, poseA, ref b, poseB);
+                break;
+        }
+    }
+
+    /// <summary>The same where the first shape is as it will be.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void AskOf<TA, TB, TQuestion>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion
+    {
+        switch (KindOf(ref b))
+        {
+            case CoreKind.Box:
+                Get(ref b, out BoxCore box);
+                question.Ask(ref a, poseA, ref box, poseB);
+                break;
+            case CoreKind.Hull:
+                Get(ref b, out HullCore hull);
+                question.Ask(ref a, poseA, ref hull, poseB);
+                break;
+            case CoreKind.Segment:
+                Get(ref b, out SegmentCore segment);
+                question.Ask(ref a, poseA, ref segment, poseB);
+                break;
+            default:
+                question.Ask(ref a, poseA, ref b, poseB);
+                break;
+        }
+    }
+
     /// <summary>The core of a shape that is known to have it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Get<T, TCore>(ref T shape, out TCore core)

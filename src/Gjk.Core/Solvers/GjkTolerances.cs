@@ -95,6 +95,21 @@ internal static class GjkTolerances
     /// </summary>
     public const int MaxIterations = 256;
 
+    /// <summary>
+    /// Length, for cores without vertices: two bounds of the depth that are no further apart have met. The promise for
+    /// these is 1e-6. Pinned by DepthByHandTests.
+    /// </summary>
+    public const double DepthNoiseCurved = 2e-7;
+
+    /// <summary>
+    /// Length: a Minkowski difference that is thinner has no inside; four times the level that its faces are kept to.
+    /// A depth of half of it is below the promised 1e-14 of the scale. Pinned by HardDepthTests.
+    /// </summary>
+    public const double Flat = 4 * Level;
+
+    /// <summary>The separated band of a pair.</summary>
+    public static double SeparatedBandOf(bool curved) => curved ? SeparatedBandCurved : SeparatedBand;
+
     /// <summary>The touch tolerance of a pair.</summary>
     public static double TouchOf(bool curved) => curved ? TouchCurved : Touch;
 }

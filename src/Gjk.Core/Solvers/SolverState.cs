@@ -57,6 +57,9 @@ internal struct SolverState
         get => (IsCurved ? GjkTolerances.NoiseCurved : GjkTolerances.Noise) * Size.Value;
     }
 
+    /// <summary>The same for two bounds of a depth.</summary>
+    public readonly double DepthNoise => (IsCurved ? GjkTolerances.DepthNoiseCurved : GjkTolerances.Noise) * Size.Value;
+
     /// <summary>Makes a state without vertices and planes; the contents of empty slots are not cleared.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin<TA, TB>(in PairFrame frame, out SolverState state)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
@@ -25,6 +26,7 @@ internal sealed class PairLoop
     private readonly DistanceResult[] _results;
     private readonly GjkStatus[] _statuses;
     private WarmStart[] _warm = [];
+    private int[] _overlapping = [];
 
     public PairLoop(Scene scene, CancellationToken cancel)
     {
@@ -124,6 +126,30 @@ internal sealed class PairLoop
         }
 
         Overlapping = overlapping;
+    }
+
+    /// <summary>Finds the pairs that overlap, for <see cref="Depth"/>; returns how many there are.</summary>
+    public int CollectOverlapping()
+    {
+        var overlapping = new List<int>();
+        for (int i = 0; i < _a.Length; i++)
+            if (ConvexQuery.Overlaps(_shapes[_a[i]], _poses[_a[i]], _shapes[_b[i]], _poses[_b[i]])) overlapping.Add(i);
+        _overlapping = [.. overlapping];
+        return _overlapping.Length;
+    }
+
+    /// <summary>The signed distance of the pairs that overlap, without warm starts.</summary>
+    public void Depth()
+    {
+        long iterations = 0;
+        for (int k = 0; k < _overlapping.Length; k++)
+        {
+            if (k % PairsPerLook == 0) _cancel.ThrowIfCancellationRequested();
+            int i = _overlapping[k], a = _a[i], b = _b[i];
+            iterations += ConvexQuery.SignedDistance(_shapes[a], _poses[a], _shapes[b], _poses[b]).Iterations;
+        }
+
+        Iterations = iterations;
     }
 
     /// <summary>Distance without warm starts, the whole list in one call.</summary>

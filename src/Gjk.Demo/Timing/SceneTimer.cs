@@ -11,7 +11,7 @@ internal sealed class SceneTimer
     /// <summary>
     /// How the time is divided. The cold distance gets the most, because everything else is compared with it.
     /// </summary>
-    private const double ColdShare = 0.3, OtherShare = 0.1, BatchShare = 0.4 / 3;
+    private const double ColdShare = 0.3, OtherShare = 0.1, BatchShare = 0.1;
 
     /// <summary>
     /// The least number of queries in a sample. Otherwise, for a list of only a few pairs, reading the clock would be a
@@ -38,18 +38,20 @@ internal sealed class SceneTimer
         var times = new SceneTimes { Pairs = _pairs.Count };
         if (_pairs.Count == 0) return times;
 
-        Samples cold = Measure(_pairs.Cold, 1, ColdShare);
+        Samples cold = Measure(_pairs.Cold, _pairs.Count, ColdShare);
         times.Overlapping = _pairs.Overlapping;
         times.Iterations = (double)_pairs.Iterations / _pairs.Count;
         times.ColdNs = cold.MinimumNs;
         times.ColdMedianNs = cold.MedianNs;
         times.BytesPerCall = BytesPerCall();
-        times.WarmNs = Measure(() => _pairs.Warm(), 1, OtherShare).MinimumNs;
-        times.MovingNs = Measure(Move, _path.FramesPerRound, OtherShare).MinimumNs;
-        times.BooleanNs = Measure(_pairs.Boolean, 1, OtherShare).MinimumNs;
-        times.BatchNs = Measure(_pairs.Batch, 1, BatchShare).MinimumNs;
-        times.BatchWarmNs = Measure(_pairs.BatchWarm, 1, BatchShare).MinimumNs;
-        times.BatchBooleanNs = Measure(_pairs.BatchBoolean, 1, BatchShare).MinimumNs;
+        times.WarmNs = Measure(() => _pairs.Warm(), _pairs.Count, OtherShare).MinimumNs;
+        times.MovingNs = Measure(Move, (long)_pairs.Count * _path.FramesPerRound, OtherShare).MinimumNs;
+        times.BooleanNs = Measure(_pairs.Boolean, _pairs.Count, OtherShare).MinimumNs;
+        times.BatchNs = Measure(_pairs.Batch, _pairs.Count, BatchShare).MinimumNs;
+        times.BatchWarmNs = Measure(_pairs.BatchWarm, _pairs.Count, BatchShare).MinimumNs;
+        times.BatchBooleanNs = Measure(_pairs.BatchBoolean, _pairs.Count, BatchShare).MinimumNs;
+        int overlapping = _pairs.CollectOverlapping();
+        if (overlapping > 0) times.DepthNs = Measure(_pairs.Depth, overlapping, OtherShare).MinimumNs;
         return times;
     }
 
@@ -67,12 +69,11 @@ internal sealed class SceneTimer
 
     /// <summary>Warms up and measures.</summary>
     /// <param name="pass">The work.</param>
-    /// <param name="lists">How many times the pass goes through the list of pairs.</param>
+    /// <param name="queries">How many queries the pass makes.</param>
     /// <param name="share">The share of the whole time.</param>
     /// <returns>Times per pair.</returns>
-    private Samples Measure(Action pass, int lists, double share)
+    private Samples Measure(Action pass, long queries, double share)
     {
-        long queries = (long)_pairs.Count * lists;
         int repeats = (int)Math.Max(LeastQueriesPerSample / queries, 1);
         Action sample = repeats == 1 ? pass : () => Repeat(pass, repeats);
         WarmUp.Run(sample, WarmUp.Usual, _cancel);

@@ -38,6 +38,9 @@ internal sealed class SceneTimes
     /// <inheritdoc cref="BatchNs"/>
     public double? BatchBooleanNs { get; set; }
 
+    /// <summary>The signed distance of the pairs that overlap, without warm starts. Null if none does.</summary>
+    public double? DepthNs { get; set; }
+
     /// <summary>Writes one line of JSON and flushes it.</summary>
     public void Write(Stream stream, string scene)
     {
@@ -57,7 +60,7 @@ internal sealed class SceneTimes
             Write(json, "batch_ns", BatchNs);
             Write(json, "batch_warm_ns", BatchWarmNs);
             Write(json, "batch_bool_ns", BatchBooleanNs);
-            Write(json, "depth_ns", null);
+            Write(json, "depth_ns", DepthNs);
             Write(json, "cast_ns", null);
             json.WriteEndObject();
         }

@@ -48,6 +48,25 @@ public static class Certificate
             ?? (r.IsOverlapping ? Overlapping(bodyA, bodyB, r, scale) : Separated(bodyA, bodyB, r, scale, curved));
     }
 
+    /// <summary>
+    /// What is wrong with a signed distance, or null. Of an overlap it proves that the way out is one, that it is as
+    /// long as the result says and that it ends at the points; not that no other is shorter.
+    /// </summary>
+    /// <inheritdoc cref="Problem"/>
+    public static string? ProblemOfSigned<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult r, double scale,
+        bool curved = false)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (!r.IsOverlapping) return Problem(a, poseA, b, poseB, r, scale, curved);
+        if (!(r.Distance <= 0)) return $"overlapping with the distance {r.Distance:R}";
+        var bodyA = new Body<TA>(a, poseA);
+        var bodyB = new Body<TB>(b, poseB);
+        double slack = curved ? Accuracy.CurvedRatio * scale : Accuracy.WitnessScale * scale;
+        return Points(bodyA, bodyB, r, slack) ?? Planes(bodyA, bodyB, r, scale, curved);
+    }
+
     /// <summary>Each point lies in its shape, and the world's point is the local one, rounded.</summary>
     private static string? Points<TA, TB>(Body<TA> a, Body<TB> b, in DistanceResult r, double slack)
         where TA : struct, ISupportMap
@@ -82,12 +101,21 @@ public static class Certificate
         where TB : struct, ISupportMap
     {
         if (!(r.Distance >= 0) || float.IsInfinity(r.Distance)) return "the distance is no number";
-        double d = r.Distance, band = curved ? Accuracy.CurvedBand(d, scale) : Accuracy.Band(d, scale);
+        return Planes(a, b, r, scale, curved);
+    }
+
+    /// <summary>The planes across the normal stand as far apart as the distance says, of either sign.</summary>
+    private static string? Planes<TA, TB>(Body<TA> a, Body<TB> b, in DistanceResult r, double scale, bool curved)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double d = r.Distance, size = Math.Abs(d);
+        double band = curved ? Accuracy.CurvedBand(size, scale) : Accuracy.Band(size, scale);
         Vector3D n = r.Normal;
         if (!(Math.Abs(n.Length - 1) <= Accuracy.UnitLength)) return $"the normal's length is {n.Length:R}";
         n *= 1 / n.Length;
 
-        double reach = a.Radius + b.Radius + d, gap = Gap(a, b, n);
+        double reach = a.Radius + b.Radius + size, gap = Gap(a, b, n);
         if (!(gap <= d + band + Denormal))
             return $"the planes across the normal are {gap:R} apart, more than the distance {d:R}";
         if (!(gap >= d - band - Tilt * reach))
@@ -97,12 +125,12 @@ public static class Certificate
         if (!(r.LowerBound >= d - band - Denormal - Accuracy.DistanceScale * scale))
             return $"the lower bound {r.LowerBound:R} leaves a gap to the distance {r.Distance:R}";
 
-        double slack = curved ? Accuracy.CurvedBand(d, scale) : Accuracy.WitnessScale * scale;
+        double slack = curved ? Accuracy.CurvedBand(size, scale) : Accuracy.WitnessScale * scale;
         double world = ((Vector3D)r.PointB - r.PointA - n * d).Length;
-        if (!(world <= slack + Rounding(r.PointA) + Rounding(r.PointB) + 4 * Accuracy.HalfFloat * d))
+        if (!(world <= slack + Rounding(r.PointA) + Rounding(r.PointB) + 4 * Accuracy.HalfFloat * size))
             return $"PointB - PointA is {world:R} off Normal * Distance";
         double local = (Between(a, r.LocalPointA, b, r.LocalPointB) - n * d).Length;
-        if (!(local <= slack + Rounding(r.LocalPointA) + Rounding(r.LocalPointB) + 4 * Accuracy.HalfFloat * d))
+        if (!(local <= slack + Rounding(r.LocalPointA) + Rounding(r.LocalPointB) + 4 * Accuracy.HalfFloat * size))
             return $"the local points' difference is {local:R} off Normal * Distance";
         return null;
     }

@@ -24,6 +24,7 @@ public class AllocationTests
                 ConvexQuery.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB);
                 ConvexQuery.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, 0.1f);
                 ConvexQuery.Overlaps(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, out _);
+                ConvexQuery.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB);
             }
         });
     }

@@ -22,21 +22,30 @@ internal sealed class CaseFamily
         Name = name;
         using var scene = JsonDocument.Parse(Read($"{name}.json"));
         JsonElement root = scene.RootElement;
-        JsonElement.ObjectEnumerator given = root.GetProperty("meshes").EnumerateObject();
-        Dictionary<string, TestShape> meshes = given.ToDictionary(m => m.Name, Mesh);
+        Dictionary<string, TestShape> meshes = root.TryGetProperty("meshes", out JsonElement given)
+            ? given.EnumerateObject().ToDictionary(m => m.Name, Mesh)
+            : [];
         (TestShape Shape, RigidPose Pose)[] objects =
         [
             .. root.GetProperty("objects").EnumerateArray().Select(o => Object(o, meshes))
         ];
         string[] rows = Read($"{name}.expected.csv").Split('\n', StringSplitOptions.RemoveEmptyEntries);
-        if (rows[0].Trim() != "a,b,overlap,distance,depth,case")
+        bool isDepth = rows[0].Trim() == "a,b,depth,nx,ny,nz,ties,case";
+        if (!isDepth && rows[0].Trim() != "a,b,overlap,distance,depth,case")
             throw new InvalidDataException($"{name}: unexpected header '{rows[0]}'.");
-        Cases = [.. rows.Skip(1).Select(row => Case(row.Trim().Split(','), objects))];
+        Cases = [.. rows.Skip(1).Select(row => Case(row.Trim().Split(','), objects, isDepth))];
     }
 
     public static IEnumerable<string> Names =>
     [
         "parallel", "align", "touch", "deep", "aspect", "large", "degenerate", "dense", "everyday", "offset", "uneven",
+    ];
+
+    /// <summary>The families whose answers are depths.</summary>
+    public static IEnumerable<string> DepthNames =>
+    [
+        "depth_box_deep", "depth_box_shallow", "depth_concentric", "depth_far", "depth_flush", "depth_hull128",
+        "depth_hull32", "depth_hull8", "depth_needle", "depth_nested", "depth_ratio", "depth_round",
     ];
 
     public string Name { get; }
@@ -62,23 +71,43 @@ internal sealed class CaseFamily
 
     private static (TestShape Shape, RigidPose Pose) Object(JsonElement o, Dictionary<string, TestShape> meshes)
     {
-        string mesh = o.GetProperty("shape").GetProperty("mesh").GetString()!;
+        TestShape unscaled = Shape(o.GetProperty("shape"), meshes);
         JsonElement q = o.GetProperty("rotation");
         var rotation = new Quaternion(q[0].GetSingle(), q[1].GetSingle(), q[2].GetSingle(), q[3].GetSingle());
         TestShape shape = o.TryGetProperty("scale", out JsonElement scale)
-            ? meshes[mesh].Scaled(Vector(scale))
-            : meshes[mesh];
+            ? unscaled.Scaled(Vector(scale))
+            : unscaled;
         return (shape, new RigidPose(rotation, Vector(o.GetProperty("position"))));
+    }
+
+    private static TestShape Shape(JsonElement s, Dictionary<string, TestShape> meshes)
+    {
+        string type = s.GetProperty("type").GetString()!;
+        return type switch
+        {
+            "mesh" => meshes[s.GetProperty("mesh").GetString()!],
+            "box" => TestShape.Box(Vector(s.GetProperty("halfExtents"))),
+            "sphere" => TestShape.Sphere(s.GetProperty("radius").GetSingle()),
+            "capsule" => TestShape.Capsule(
+                s.GetProperty("radius").GetSingle(), s.GetProperty("halfHeight").GetSingle()),
+            _ => throw new InvalidDataException($"Unknown shape '{type}'."),
+        };
     }
 
     private static Vector3 Vector(JsonElement e) => new(e[0].GetSingle(), e[1].GetSingle(), e[2].GetSingle());
 
-    private HardCase Case(string[] cells, (TestShape Shape, RigidPose Pose)[] objects)
+    private HardCase Case(string[] cells, (TestShape Shape, RigidPose Pose)[] objects, bool isDepth)
     {
         int a = int.Parse(cells[0], CultureInfo.InvariantCulture);
         int b = int.Parse(cells[1], CultureInfo.InvariantCulture);
         var pair = new TestPair(
-            $"{Name} {a},{b} {cells[5]}", objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose);
+            $"{Name} {a},{b} {cells[^1]}", objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose);
+        if (isDepth)
+        {
+            double depth = Number(cells[2]);
+            return new HardCase(a, b, pair, depth >= 0, Math.Max(-depth, 0), Math.Max(depth, 0));
+        }
+
         return new HardCase(a, b, pair, bool.Parse(cells[2]), Number(cells[3]), Number(cells[4]));
     }
 

@@ -1,0 +1,153 @@
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>
+    /// How far apart two convex shapes are, or how deep they overlap: apart, what <c>Distance</c> says, bit for bit;
+    /// overlapping, minus the length of the shortest translation that separates them.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <returns>
+    /// Overlapping: <see cref="DistanceResult.Distance"/> is minus the depth, the true one rounded to float, and
+    /// <see cref="DistanceResult.Normal"/> the direction in which B leaves A: moved along it by the depth, B only
+    /// touches A. The points are the deepest ones, and PointB = PointA + Normal · Distance, as it is apart. <see
+    /// cref="DistanceResult.LowerBound"/> is at most the true signed distance. Touching, the distance is 0, and there
+    /// is a normal too. Of several ways out that are equally short it is always the same one for the same input. On
+    /// curved cores (cylinder, cone, ellipsoid) the depth is within 1e-6 of the size. Where the surface that the search
+    /// builds outgrows its room (curved shapes that are concentric, hulls of thousands of vertices deep in each other),
+    /// the status is <see cref="GjkStatus.IterationLimit"/>, and the true signed distance is between <see
+    /// cref="DistanceResult.LowerBound"/> and <see cref="DistanceResult.Distance"/>.
+    /// </returns>
+    public static DistanceResult SignedDistance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        WarmStart unused = default;
+        return AskSigned(a, poseA, b, poseB, ref unused, false, out _);
+    }
+
+    /// <summary>As the first, with the simplex that the answer came from.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="simplex">
+    /// Apart, as <c>Distance</c> gives it. Overlapping, the face of the Minkowski difference that the way out ends on.
+    /// Empty when the input is invalid.
+    /// </param>
+    /// <returns>See the first overload.</returns>
+    public static DistanceResult SignedDistance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out FinalSimplex simplex)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        WarmStart unused = default;
+        return AskSigned(a, poseA, b, poseB, ref unused, false, out simplex);
+    }
+
+    /// <summary>
+    /// As the first, beginning where the last query of the pair ended: faster for pairs that move little.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="warmStart">
+    /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
+    /// uses.
+    /// </param>
+    /// <returns>See the first overload. Within the accuracy that of the cold query.</returns>
+    public static DistanceResult SignedDistance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        AskSigned(a, poseA, b, poseB, ref warmStart, true, out _);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static DistanceResult AskSigned<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart, bool isWarm,
+        out FinalSimplex simplex)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA copyA = default;
+        TB copyB = default;
+        ref TA shapeA = ref Inward(a, ref copyA);
+        ref TB shapeB = ref Inward(b, ref copyB);
+        var question = new SignedQuestion { WarmStart = warmStart, IsWarm = isWarm };
+#if NET
+        PairDispatch.Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
+#else
+        question.Ask(ref shapeA, poseA, ref shapeB, poseB);
+#endif
+        if (isWarm) warmStart = question.WarmStart;
+        simplex = question.Simplex;
+        return question.Result;
+    }
+
+    /// <summary>The pipeline of the signed distance, for any two cores.</summary>
+    private struct SignedQuestion : IPairQuestion
+    {
+        public WarmStart WarmStart;
+        public bool IsWarm;
+        public FinalSimplex Simplex;
+        public DistanceResult Result;
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+            SolverState.Begin<TA, TB>(frame, out SolverState state);
+            if (!frame.IsValid)
+            {
+                state.Verdict = Verdict.Contradiction;
+            }
+            else if (frame.ArePoints)
+            {
+                GjkDistance.SolvePoints(frame, ref state);
+            }
+            else if (frame.IsOrdinary)
+            {
+                Solve(ref a, ref b, frame, ref state);
+            }
+            else
+            {
+                frame.TightenRadii(ref a, ref b);
+                double factor = frame.UnitFactor;
+                frame.ToUnitSize(factor);
+                var unitA = new UnitSized<TA>(a, factor);
+                var unitB = new UnitSized<TB>(b, factor);
+                PairSize.Begin<TA, TB>(frame, out state.Size);
+                Solve(ref unitA, ref unitB, frame, ref state);
+            }
+
+            bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
+            Simplex = isEmpty ? default : new FinalSimplex(state.Simplex, frame);
+            Result = frame.ArePoints
+                ? AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
+                : Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);
+        }
+
+        private void Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            NoTrace trace = default;
+            SignedSolver.Solve(ref a, ref b, frame, ref WarmStart, IsWarm, ref state, ref trace);
+        }
+    }
+}

@@ -1,0 +1,136 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The signed distance of two cores: apart, that of the distance solvers; overlapping, the depth, as a feature of
+/// negative height.
+/// </summary>
+/// <remarks>
+/// <para>
+/// Without margins the depth is asked first: shapes that are worth the question mostly overlap, and a plane that
+/// separates them is found on the way. Within the band where rounding could turn the answer, the distance decides
+/// whether the shapes touch, so that both queries agree. With margins the distance of the cores is asked first: most
+/// rounded shapes overlap by their margins alone, and then it is all that is needed.
+/// </para>
+/// <para>
+/// Verdicts: as those of <see cref="GjkDistance"/>, but Enclosed only for flat shapes that touch, where the state holds
+/// a common point and a feature across the shapes.
+/// </para>
+/// </remarks>
+internal static class SignedSolver
+{
+    /// <summary>Solves from the warm start, if there is one, and keeps where it ended.</summary>
+    public static void Solve<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, bool isWarm, ref SolverState state,
+        ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
+        if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
+        else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
+        if (!isWarm) return;
+        if (state.Verdict == Verdict.Contradiction) warmStart.Clear();
+        else warmStart.Store(state.Simplex, state.Feature.Normal);
+    }
+
+    private static void SolveDepthFirst<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm, ref SolverState state,
+        ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        PairSize size = state.Size;
+        DepthVerdict depth = GjkDepth.Solve(ref a, ref b, frame, ref state);
+        if (depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided)
+        {
+            double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;
+            if (-state.Feature.Height > band)
+            {
+                Settle(ref state, depth);
+                return;
+            }
+        }
+        else if (depth == DepthVerdict.Contradiction)
+        {
+            state.Verdict = Verdict.Contradiction;
+            return;
+        }
+
+        // As if nothing had been asked before: the answer is that of the distance, bit for bit.
+        ClosestFeature across = state.Feature;
+        state.Size = size;
+        state.IsCurved = false;
+        state.Iterations = 0;
+        Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
+        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref trace);
+        Touch(ref state, across);
+    }
+
+    private static void SolveDistanceFirst<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm, ref SolverState state,
+        ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref trace);
+        if (state.Verdict != Verdict.Enclosed) return;
+        Simplex common = state.Simplex;
+        Weights weights = state.Weights;
+        state.Feature.Normal = frame.FirstNormal;
+        DepthVerdict depth = GjkDepth.Solve(ref a, ref b, frame, ref state);
+        if (depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided)
+        {
+            Settle(ref state, depth);
+            return;
+        }
+
+        // The cores are flat, or only touch: all of the depth is that of the margins, across them.
+        if (depth == DepthVerdict.Contradiction)
+        {
+            state.Verdict = Verdict.Contradiction;
+            return;
+        }
+
+        state.Simplex = common;
+        state.Weights = weights;
+        state.Feature.Height = 0;
+        state.Plane.Value = Math.Min(state.Plane.Value, 0);
+        state.Verdict = Verdict.Apart;
+    }
+
+    /// <summary>Puts the warm start's simplex and normal, or the cold query's, into the state.</summary>
+    private static void Begin<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        state.Simplex.Clear();
+        state.Feature.Normal = isWarm ? warmStart.FirstNormal(frame) : frame.FirstNormal;
+        if (isWarm) warmStart.Restore(ref a, ref b, frame, ref state.Simplex);
+    }
+
+    /// <summary>The depth is known.</summary>
+    private static void Settle(ref SolverState state, DepthVerdict depth)
+    {
+        state.Weights = ClosestPointWeights.Of(state.Simplex);
+        state.Verdict = depth == DepthVerdict.Enclosed ? Verdict.Apart : Verdict.Undecided;
+    }
+
+    /// <summary>
+    /// Shapes that the distance calls touching get the direction that the search for the depth found; their depth is
+    /// less than rounding can tell.
+    /// </summary>
+    private static void Touch(ref SolverState state, in ClosestFeature across)
+    {
+        if (state.Verdict != Verdict.Enclosed) return;
+        state.Feature = across;
+        state.Feature.Height = Math.Min(across.Height, 0);
+        state.Plane.Set(across, Math.Min(across.Height, 0));
+        state.Verdict = Verdict.Apart;
+    }
+}

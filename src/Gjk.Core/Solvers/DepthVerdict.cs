@@ -1,0 +1,69 @@
+namespace Gjk.Core;
+
+/// <summary>How a search for the depth ended; see <see cref="GjkDepth"/>.</summary>
+internal enum DepthVerdict
+{
+    /// <summary>There was no room for the whole surface.</summary>
+    Undecided = 0,
+
+    /// <summary>The bounds met.</summary>
+    Enclosed,
+
+    /// <summary>A plane separates the shapes.</summary>
+    Apart,
+
+    /// <summary>The Minkowski difference has no inside: it is flat, a segment or a point.</summary>
+    Flat,
+
+    /// <summary>The supports contradict each other.</summary>
+    Contradiction,
+}
+
+/// <summary>What is known of the depth.</summary>
+internal struct DepthBounds
+{
+    /// <summary>The direction of the cheapest way out that was seen, of unit length.</summary>
+    public Vector3D Normal;
+
+    /// <summary>What it costs: the depth is not more.</summary>
+    public double Above;
+
+    /// <summary>The depth is not less.</summary>
+    public double Below;
+
+    /// <summary>Nothing but that the depth is not more than a number.</summary>
+    public DepthBounds(double above)
+    {
+        Normal = new Vector3D(1, 0, 0);
+        Above = above;
+        Below = double.NegativeInfinity;
+    }
+
+    /// <summary>Takes note of what a direction costs; the first of equally cheap ones stays.</summary>
+    public void See(in Vector3D normal, double height)
+    {
+        if (!(height < Above)) return;
+        Above = height;
+        Normal = normal;
+    }
+
+    /// <summary>The direction in which the bounds have met.</summary>
+    public void Settle(in Vector3D normal, double height)
+    {
+        Above = height;
+        Normal = normal;
+    }
+
+    /// <summary>
+    /// Writes the bounds as a feature of negative distance: as if a plane at minus the depth separated the shapes.
+    /// </summary>
+    /// <param name="state">Gets it.</param>
+    /// <param name="depth">What to call the depth.</param>
+    public readonly void Store(ref SolverState state, double depth)
+    {
+        state.Feature.Normal = -Normal;
+        state.Feature.NormalSquared = 1;
+        state.Feature.Height = -depth;
+        state.Plane.Set(state.Feature, -Above);
+    }
+}

@@ -1,0 +1,123 @@
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// How deep two cores overlap: the shortest way for the origin out of the Minkowski difference A - B, by an expanding
+/// polytope (van den Bergen 2001).
+/// </summary>
+/// <remarks>
+/// <para>
+/// The surface of a tetrahedron of A - B grows by support points, always over its lowest face, the one of least signed
+/// offset from the origin. Two bounds end it. The surface is closed, so a ball as large as the lowest face's height is
+/// inside A - B: no way out is shorter. And the support point over that face says what the way out along its normal
+/// costs. Where the two meet, that is the depth.
+/// </para>
+/// <para>
+/// Two things differ from the source. The tetrahedron need not hold the origin, so no other query comes first: signed
+/// offsets lead the surface over the origin, or to a plane that separates the shapes. And a face's height is the least
+/// of its three vertices' offsets (<see cref="Polytope"/>), so a normal that rounding has turned weakens the bound and
+/// never the proof; such a normal is computed again in extended precision.
+/// </para>
+/// <para>
+/// It terminates because each new vertex lies above the surface by more than the noise, and there is room for a fixed
+/// number. Of several ways that are equally short the one whose face is finished first is taken; no hardware and no
+/// thread changes which that is.
+/// </para>
+/// <para>
+/// Verdicts. Enclosed: both bounds met. Apart: a plane separates the shapes by more than rounding could. Undecided:
+/// there was no room, and the bounds are what was found. Flat: A - B has no inside, so the depth is 0 if they touch.
+/// Contradiction: a support point was NaN, or lay behind one that the same support had given before.
+/// </para>
+/// </remarks>
+internal static unsafe class GjkDepth
+{
+    /// <summary>Count: vertices of most pairs; 56 kilobytes of stack.</summary>
+    private const int FewVertices = 256;
+
+    /// <summary>
+    /// Count: vertices that hulls of hundreds of corners can need when they lie in each other; 220 kilobytes of stack.
+    /// </summary>
+    private const int ManyVertices = 1024;
+
+    /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
+    public static DepthVerdict Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Simplex warm = state.Simplex;
+        DepthVerdict verdict = SolveSmall(ref a, ref b, frame, ref state);
+        if (verdict != DepthVerdict.Undecided) return verdict;
+        state.Simplex = warm;
+        return SolveLarge(ref a, ref b, frame, ref state);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static DepthVerdict SolveSmall<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double* memory = stackalloc double[Polytope.Doubles(FewVertices)];
+        var polytope = new Polytope(memory, FewVertices);
+        return Expand(ref a, ref b, frame, ref state, ref polytope);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static DepthVerdict SolveLarge<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double* memory = stackalloc double[Polytope.Doubles(ManyVertices)];
+        var polytope = new Polytope(memory, ManyVertices);
+        return Expand(ref a, ref b, frame, ref state, ref polytope);
+    }
+
+    private static DepthVerdict Expand<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        var depth = new DepthBounds(double.PositiveInfinity);
+        DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
+        if (verdict != DepthVerdict.Undecided)
+        {
+            depth.Store(ref state, depth.Above);
+            return verdict;
+        }
+
+        int face = 0;
+        while (polytope.HasRoom)
+        {
+            face = polytope.Lowest(out double low);
+            depth.Below = low;
+            Vector3D normal = polytope.Face(face).Normal;
+            int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
+            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W);
+            depth.See(normal, height);
+            if (depth.Above < -GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value)
+                return DepthVerdict.Apart;
+            if (!(height - low > state.DepthNoise))
+            {
+                if (!(height - low >= -GjkTolerances.Contradiction * state.Size.Value))
+                    return DepthVerdict.Contradiction;
+                depth.Settle(normal, height);
+                return Close(ref state, polytope, depth);
+            }
+
+            if (!polytope.TryExpand(face, vertex)) break;
+        }
+
+        PolytopeEnd.Copy(polytope, face, ref state.Simplex);
+        depth.Store(ref state, depth.Below);
+        return DepthVerdict.Undecided;
+    }
+
+    /// <summary>The bounds have met: puts the face that holds the way out's end into the state.</summary>
+    private static DepthVerdict Close(ref SolverState state, in Polytope polytope, in DepthBounds depth)
+    {
+        int face = PolytopeEnd.FaceUnder(polytope, depth.Normal * depth.Above, state.DepthNoise);
+        PolytopeEnd.Copy(polytope, face, ref state.Simplex);
+        depth.Store(ref state, depth.Above);
+        return DepthVerdict.Enclosed;
+    }
+}

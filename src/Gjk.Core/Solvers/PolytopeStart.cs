@@ -1,0 +1,149 @@
+using System;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The tetrahedron that an expanding polytope grows from: support points of A - B in four directions, the first along
+/// the line through the centres; or the triangle that a warm start remembers, and one point more.
+/// </summary>
+/// <remarks>
+/// Each point is looked for on both sides of what there is, the side of the origin first. Where A - B has less extent
+/// than rounding leaves certain, it is flat, and the cheapest direction seen on the way is across it.
+/// </remarks>
+internal static class PolytopeStart
+{
+    /// <summary>Makes the surface a tetrahedron, and notes what the directions cost.</summary>
+    /// <returns>Undecided, Flat, Apart or Contradiction.</returns>
+    public static DepthVerdict Build<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (!TryRemember(state, ref polytope))
+        {
+            Vector3D toB = -state.Feature.Normal;
+            if (!TryPair(ref a, ref b, frame, toB, ref state, ref polytope, ref depth)
+                && !TryPair(ref a, ref b, frame, new Vector3D(1, 0, 0), ref state, ref polytope, ref depth)
+                && !TryPair(ref a, ref b, frame, new Vector3D(0, 1, 0), ref state, ref polytope, ref depth)
+                && !TryPair(ref a, ref b, frame, new Vector3D(0, 0, 1), ref state, ref polytope, ref depth))
+            {
+                return End(state, depth);
+            }
+
+            if (IsApart(state, depth)) return DepthVerdict.Apart;
+            Vector3D p = polytope.Vertex(0).W, along = polytope.Vertex(1).W - p;
+            Vector3D toOrigin = along * (Vector3D.Dot(p, along) / along.LengthSquared) - p;
+            Vector3D across = Across(along, toOrigin);
+            if (!TryAdd(ref a, ref b, frame, across, ref state, ref polytope, ref depth)
+                && !TryAdd(ref a, ref b, frame, Vector3D.Cross(along, across), ref state, ref polytope, ref depth))
+            {
+                return End(state, depth);
+            }
+
+            if (IsApart(state, depth)) return DepthVerdict.Apart;
+        }
+
+        Vector3D corner = polytope.Vertex(0).W;
+        Vector3D normal = Vector3D.Cross(polytope.Vertex(1).W - corner, polytope.Vertex(2).W - corner);
+        if (Vector3D.Dot(normal, corner) > 0) normal = -normal;
+        if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth)) return End(state, depth);
+        if (IsApart(state, depth)) return DepthVerdict.Apart;
+        polytope.SetTetrahedron(GjkTolerances.Noise * state.Size.Value, GjkTolerances.Level * state.Size.Value);
+        return DepthVerdict.Undecided;
+    }
+
+    /// <summary>Asks for the point of A - B that is furthest in a direction; returns its index.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Ask<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, ref SolverState state, ref Polytope polytope)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref state.Simplex, 0, out int ids);
+        state.Iterations++;
+        if (state.Matters<TA, TB>(ids)) state.See(frame, state.Simplex, 0);
+        return polytope.Add(state.Simplex, 0);
+    }
+
+    /// <summary>The triangle of the simplex, unless it is a needle.</summary>
+    private static bool TryRemember(in SolverState state, ref Polytope polytope)
+    {
+        if (state.Simplex.Count < 3) return false;
+        Vector3D p = state.Simplex.WA, e = state.Simplex.WB - p, f = state.Simplex.WC - p;
+        double area = Vector3D.Cross(e, f).LengthSquared;
+        if (!(area > ClosestPointWeights.Needle * e.LengthSquared * f.LengthSquared)) return false;
+        double flat = Flat(state);
+        if (!(area > flat * flat * Math.Max(e.LengthSquared, f.LengthSquared))) return false;
+        polytope.Add(state.Simplex, state.Simplex.A);
+        polytope.Add(state.Simplex, state.Simplex.B);
+        polytope.Add(state.Simplex, state.Simplex.C);
+        return true;
+    }
+
+    /// <summary>The two points that are furthest apart along a direction.</summary>
+    private static bool TryPair<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, ref SolverState state, ref Polytope polytope,
+        ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Vector3D unit = direction * (1 / direction.Length);
+        int first = See(ref a, ref b, frame, unit, ref state, ref polytope, ref depth);
+        int second = See(ref a, ref b, frame, -unit, ref state, ref polytope, ref depth);
+        double flat = Flat(state);
+        if ((polytope.Vertex(first).W - polytope.Vertex(second).W).LengthSquared > flat * flat) return true;
+        polytope.DropLast();
+        polytope.DropLast();
+        return false;
+    }
+
+    /// <summary>The furthest point in a direction, or against it, that is not level with the first point.</summary>
+    private static bool TryAdd<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, ref SolverState state, ref Polytope polytope,
+        ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Vector3D unit = direction * (1 / direction.Length);
+        double level = Vector3D.Dot(unit, polytope.Vertex(0).W);
+        int added = See(ref a, ref b, frame, unit, ref state, ref polytope, ref depth);
+        if (Vector3D.Dot(unit, polytope.Vertex(added).W) - level > Flat(state)) return true;
+        polytope.DropLast();
+        added = See(ref a, ref b, frame, -unit, ref state, ref polytope, ref depth);
+        if (level - Vector3D.Dot(unit, polytope.Vertex(added).W) > Flat(state)) return true;
+        polytope.DropLast();
+        return false;
+    }
+
+    private static int See<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D unit, ref SolverState state, ref Polytope polytope,
+        ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        int added = Ask(ref a, ref b, frame, unit, ref state, ref polytope);
+        depth.See(unit, Vector3D.Dot(unit, polytope.Vertex(added).W));
+        return added;
+    }
+
+    /// <summary>A direction across a line: towards the origin, or any where the line passes through it.</summary>
+    private static Vector3D Across(in Vector3D along, in Vector3D toOrigin)
+    {
+        if (toOrigin.LengthSquared > ClosestPointWeights.Needle * along.LengthSquared) return toOrigin;
+        double x = Math.Abs(along.X), y = Math.Abs(along.Y), z = Math.Abs(along.Z);
+        Vector3D axis = x <= y && x <= z ? new Vector3D(1, 0, 0)
+            : y <= z ? new Vector3D(0, 1, 0) : new Vector3D(0, 0, 1);
+        return Vector3D.Cross(along, axis);
+    }
+
+    /// <summary>Length: what is thinner is flat.</summary>
+    private static double Flat(in SolverState state) => GjkTolerances.Flat * state.Size.Value;
+
+    private static bool IsApart(in SolverState state, in DepthBounds depth) =>
+        depth.Above < -GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;
+
+    private static DepthVerdict End(in SolverState state, in DepthBounds depth) =>
+        !(depth.Above <= double.MaxValue) ? DepthVerdict.Contradiction
+        : IsApart(state, depth) ? DepthVerdict.Apart : DepthVerdict.Flat;
+}
