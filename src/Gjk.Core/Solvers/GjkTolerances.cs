@@ -96,16 +96,28 @@ internal static class GjkTolerances
     public const int MaxIterations = 256;
 
     /// <summary>
+    /// Length: how far the corners of a face of the polytope may be from level before its normal is computed in
+    /// extended precision: twice the noise, what a well-shaped face keeps. Pinned by HardDepthTests.
+    /// </summary>
+    public const double DepthLevel = 2 * Noise;
+
+    /// <summary>
+    /// Length: two bounds of the depth that are no further apart have met. Twice the level, so that a face's own corners
+    /// never count as above it; below the promised 1e-14 of the scale. Pinned by SignedDistanceTests.
+    /// </summary>
+    public const double DepthNoise = 2 * DepthLevel;
+
+    /// <summary>
     /// Length, for cores without vertices: two bounds of the depth that are no further apart have met. The promise for
     /// these is 1e-6. Pinned by DepthByHandTests.
     /// </summary>
     public const double DepthNoiseCurved = 2e-7;
 
     /// <summary>
-    /// Length: a Minkowski difference that is thinner has no inside; four times the level that its faces are kept to.
+    /// Length: a Minkowski difference that is thinner has no inside; eight times the level that its faces are kept to.
     /// A depth of half of it is below the promised 1e-14 of the scale. Pinned by HardDepthTests.
     /// </summary>
-    public const double Flat = 4 * Level;
+    public const double Flat = 8 * DepthLevel;
 
     /// <summary>The separated band of a pair.</summary>
     public static double SeparatedBandOf(bool curved) => curved ? SeparatedBandCurved : SeparatedBand;

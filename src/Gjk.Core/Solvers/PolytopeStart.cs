@@ -49,7 +49,8 @@ internal static class PolytopeStart
         if (Vector3D.Dot(normal, corner) > 0) normal = -normal;
         if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth)) return End(state, depth);
         if (IsApart(state, depth)) return DepthVerdict.Apart;
-        polytope.SetTetrahedron(GjkTolerances.Noise * state.Size.Value, GjkTolerances.Level * state.Size.Value);
+        polytope.SetTetrahedron(
+            GjkTolerances.Noise * state.Size.Value, GjkTolerances.DepthLevel * state.Size.Value);
         return DepthVerdict.Undecided;
     }
 

@@ -58,7 +58,8 @@ internal struct SolverState
     }
 
     /// <summary>The same for two bounds of a depth.</summary>
-    public readonly double DepthNoise => (IsCurved ? GjkTolerances.DepthNoiseCurved : GjkTolerances.Noise) * Size.Value;
+    public readonly double DepthNoise =>
+        (IsCurved ? GjkTolerances.DepthNoiseCurved : GjkTolerances.DepthNoise) * Size.Value;
 
     /// <summary>Makes a state without vertices and planes; the contents of empty slots are not cleared.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
