@@ -9,7 +9,8 @@ namespace Gjk.Core;
 /// <remarks>
 /// <para>
 /// Without margins the depth is asked first: shapes that are worth the question mostly overlap, and a plane that
-/// separates them is found on the way. Within the band where rounding could turn the answer, the distance decides
+/// separates them is found on the way; two boxes have a search of their own, which all shapes that are boxes share.
+/// Within the band where rounding could turn the answer, the distance decides
 /// whether the shapes touch, so that both queries agree. With margins the distance of the cores is asked first: most
 /// rounded shapes overlap by their margins alone, and then it is all that is needed.
 /// </para>
@@ -44,7 +45,10 @@ internal static class SignedSolver
         where TTrace : struct, IGjkTrace
     {
         PairSize size = state.Size;
-        DepthVerdict depth = GjkDepth.Solve(ref a, ref b, frame, ref state);
+        DepthVerdict depth =
+            BoxOf<TA>.TryGet(ref a, out BoxCore boxA) && BoxOf<TB>.TryGet(ref b, out BoxCore boxB)
+                ? BoxDepth.Solve(boxA.Half.Xyz, boxB.Half.Xyz, frame, ref state)
+                : GjkDepth.Solve(ref a, ref b, frame, ref state);
         if (depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided)
         {
             double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;

@@ -102,8 +102,8 @@ internal static class GjkTolerances
     public const double DepthLevel = 2 * Noise;
 
     /// <summary>
-    /// Length: two bounds of the depth that are no further apart have met. Twice the level, so that a face's own corners
-    /// never count as above it; below the promised 1e-14 of the scale. Pinned by SignedDistanceTests.
+    /// Length: two bounds of the depth that are no further apart have met. Twice the level, so that a face's own
+    /// corners never count as above it; below the promised 1e-14 of the scale. Pinned by SignedDistanceTests.
     /// </summary>
     public const double DepthNoise = 2 * DepthLevel;
 

@@ -1,0 +1,70 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// How deep two boxes overlap, by separating axes (Gottschalk, Lin and Manocha 1996): the shortest way out is across a
+/// face of A, across a face of B, or across an edge of each.
+/// </summary>
+/// <remarks>
+/// <para>
+/// The Minkowski difference of two boxes has no other facets, so the least of 15 costs is the depth; nothing is walked.
+/// A cost is what is left of both extents along an axis when the centres' distance along it is taken away. It is
+/// computed from the axis as it is, with no use of what its products should be: so an axis that rounding has turned
+/// still is a way out that costs what is computed, and nearly parallel edges need no tolerance. Only edges that are
+/// parallel to the last bit have no axis.
+/// </para>
+/// <para>
+/// Two things differ from the source. Edges are compared without a root: the square of the cost with the squared length
+/// of the axis. And faces come first: an edge pair is taken only where it is cheaper by more than rounding, so that a
+/// resting box keeps its face. Of equal faces the first is taken, A's before B's, x before y before z; where the
+/// centres are level along an axis, its positive direction.
+/// </para>
+/// <para>
+/// Verdicts: Enclosed, or Apart when an axis separates the boxes by more than rounding could.
+/// </para>
+/// </remarks>
+internal static class BoxDepth
+{
+    /// <summary>Finds the depth; the state gets the deepest points as a simplex of one vertex without ids.</summary>
+    /// <param name="halfA">Half of A's sides.</param>
+    /// <param name="halfB">Half of B's sides.</param>
+    /// <param name="frame">Of the pair.</param>
+    /// <param name="state">With the size.</param>
+    public static DepthVerdict Solve(
+        in Vector3D halfA, in Vector3D halfB, in PairFrame frame, ref SolverState state)
+    {
+        var pair = new BoxPair(halfA, halfB, frame);
+        var depth = new DepthBounds(double.PositiveInfinity);
+        double noise = GjkTolerances.Noise * state.Size.Value, cost;
+        int axis = 0;
+        for (int i = 0; i < BoxPair.Faces; i++)
+        {
+            Vector3D face = pair.FaceAxis(i);
+            cost = pair.Cost(face);
+            if (!(cost < depth.Above - noise)) continue;
+            depth.Settle(pair.Outward(face), cost);
+            axis = i;
+        }
+
+        for (int i = BoxPair.Faces; i < BoxPair.Axes; i++)
+        {
+            Vector3D edges = pair.EdgeAxis(i);
+            double squared = edges.LengthSquared, limit = depth.Above - noise;
+            cost = pair.Cost(edges);
+            if (!(cost < 0 ? limit > 0 || cost * cost > limit * limit * squared
+                : limit > 0 && cost * cost < limit * limit * squared)) continue;
+            double scale = 1 / Math.Sqrt(squared);
+            depth.Settle(pair.Outward(edges) * scale, cost * scale);
+            axis = i;
+        }
+
+        if (depth.Above < -GjkTolerances.SeparatedBand * state.Size.Value) return DepthVerdict.Apart;
+        BoxDepthPoints.Find(pair, axis, depth, state.Size.Value, out Vector3D onA, out Vector3D onB);
+        Vector3D inB = frame.Rotation.InverseRotate(onB - pair.Between);
+        state.Simplex.Fill(0, depth.Normal * depth.Above, onA, inB, -1, -1);
+        state.Simplex.Select(1, 0, 0, 0, 0);
+        depth.Store(ref state, depth.Above);
+        return DepthVerdict.Enclosed;
+    }
+}

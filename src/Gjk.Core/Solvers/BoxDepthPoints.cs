@@ -1,0 +1,116 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The deepest points of two boxes: a point of each box's face, edge or corner along the way out, one opposite the
+/// other.
+/// </summary>
+/// <remarks>
+/// Across a face, the other box's corner that lies furthest behind it is one; where an edge or a face lies level with
+/// it, the middle of what lies opposite is taken (<see cref="FaceClip"/>). Across two edges it is where they pass each
+/// other.
+/// </remarks>
+internal static class BoxDepthPoints
+{
+    /// <summary>
+    /// Length, as a fraction of the size: a side that rises by less along the way out is level. An edge that is tilted
+    /// by more decides which corner is the deepest without doubt; one that is tilted by less moves the points by less
+    /// than they are promised. Pinned by HardDepthTests.
+    /// </summary>
+    private const double LevelSide = 3e-8;
+
+    /// <summary>Finds both points in A's frame, from A's centre.</summary>
+    public static void Find(
+        in BoxPair pair, int axis, in DepthBounds depth, double size, out Vector3D onA, out Vector3D onB)
+    {
+        Vector3D way = depth.Normal * depth.Above;
+        if (axis >= BoxPair.Faces)
+        {
+            onA = OnEdge(pair, axis, depth);
+            onB = onA - way;
+        }
+        else if (axis >= 3)
+        {
+            // Seen from B, whose face it is.
+            onA = Opposite(
+                default, SidesOfA(pair), pair.Between, SidesOfB(pair), axis - 3, -depth.Normal, size);
+            onB = onA - way;
+        }
+        else
+        {
+            onB = Opposite(
+                pair.Between, SidesOfB(pair), default, SidesOfA(pair), axis, depth.Normal, size);
+            onA = onB + way;
+        }
+    }
+
+    /// <summary>The point of a box that lies deepest behind a face of another, and opposite the face.</summary>
+    /// <param name="center">The centre of the box.</param>
+    /// <param name="sides">Its axes, as long as half its sides.</param>
+    /// <param name="faceCenter">The centre of the box with the face.</param>
+    /// <param name="faceSides">The same of that.</param>
+    /// <param name="face">Which of its axes the face is across.</param>
+    /// <param name="outward">The face's normal.</param>
+    /// <param name="size">Of the pair.</param>
+    private static Vector3D Opposite(
+        in Vector3D center, in Sides sides, in Vector3D faceCenter, in Sides faceSides, int face, in Vector3D outward,
+        double size)
+    {
+        Vector3D point = center, first = default, second = default;
+        for (int i = 0; i < 3; i++)
+        {
+            Vector3D side = sides[i];
+            double rise = Vector3D.Dot(side, outward);
+            if (Math.Abs(rise) > LevelSide * size) point -= side * Math.Sign(rise);
+            else if (first == default) first = side;
+            else second = side;
+        }
+
+        if (first == default) return point;
+        Vector3D u = faceSides[(face + 1) % 3], v = faceSides[(face + 2) % 3];
+        return FaceClip.Middle(point, first, second, faceCenter, u, v);
+    }
+
+    /// <summary>The point of A's edge where B's passes it.</summary>
+    private static Vector3D OnEdge(in BoxPair pair, int axis, in DepthBounds depth)
+    {
+        int i = BoxPair.EdgeOfA(axis), j = BoxPair.EdgeOfB(axis);
+        Vector3D normal = depth.Normal, along = BoxPair.Unit(i), alongB = pair.AxisOfB(j);
+        Vector3D a = default, b = pair.Between;
+        Sides sidesA = SidesOfA(pair), sidesB = SidesOfB(pair);
+        for (int k = 0; k < 3; k++)
+        {
+            if (k != i) a += sidesA[k] * Math.Sign(Vector3D.Dot(sidesA[k], normal));
+            if (k != j) b -= sidesB[k] * Math.Sign(Vector3D.Dot(sidesB[k], normal));
+        }
+
+        // a + s along = b + normal depth + r alongB; the cross product with alongB leaves s.
+        Vector3D across = Vector3D.Cross(along, alongB);
+        double half = sidesA[i].Length, squared = across.LengthSquared;
+        double s = Vector3D.Dot(Vector3D.Cross(b + normal * depth.Above - a, alongB), across) / squared;
+        return a + along * Math.Max(-half, Math.Min(half, s));
+    }
+
+    private static Sides SidesOfA(in BoxPair pair) =>
+        new(
+            new Vector3D(pair.HalfA.X, 0, 0), new Vector3D(0, pair.HalfA.Y, 0), new Vector3D(0, 0, pair.HalfA.Z));
+
+    private static Sides SidesOfB(in BoxPair pair) =>
+        new(pair.X * pair.HalfB.X, pair.Y * pair.HalfB.Y, pair.Z * pair.HalfB.Z);
+
+    /// <summary>A box's axes, as long as half its sides.</summary>
+    private readonly struct Sides
+    {
+        private readonly Vector3D _x, _y, _z;
+
+        public Sides(in Vector3D x, in Vector3D y, in Vector3D z)
+        {
+            _x = x;
+            _y = y;
+            _z = z;
+        }
+
+        public Vector3D this[int index] => index == 0 ? _x : index == 1 ? _y : _z;
+    }
+}
