@@ -40,7 +40,8 @@ public static partial class ConvexQuery
                 state, frame, poseA, poseB, onA - toA * (core * frame.MarginA), onB + toAInB * (core * frame.MarginB));
         }
 
-        distance = (isSigned && distance < 0 ? distance : isTouching ? 0 : Math.Max(distance, 0)) * frame.Unit;
+        bool isDeep = isSigned && distance < -GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
+        distance = (isDeep ? distance : isTouching ? 0 : Math.Max(distance, 0)) * frame.Unit;
         if ((float)distance > Math.Max(maxDistance, 0)) return Beyond(state, frame);
 
         Vector3D localA = (onA - toA * frame.MarginA + frame.CenterA) * frame.Unit;
@@ -55,9 +56,10 @@ public static partial class ConvexQuery
         double coreGap = Math.Min(state.Plane.Value * planeScale, state.Feature.Height * scale);
         GjkStatus status = isTouching ? GjkStatus.Overlapping
             : state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit;
+        float bound = LowerBound(coreGap, state, frame, isSigned && status != GjkStatus.Separated);
         return new DistanceResult(
-            status, (float)distance, LowerBound(coreGap, state, frame, isTouching || distance < 0), (Vector3)worldA,
-            (Vector3)worldB, (Vector3)normal, (Vector3)localA, (Vector3)localB, state.Iterations);
+            status, (float)distance, bound, (Vector3)worldA, (Vector3)worldB, (Vector3)normal, (Vector3)localA,
+            (Vector3)localB, state.Iterations);
     }
 
     /// <summary>The signed gap between the shapes: that of the cores less the margins, in solver units.</summary>

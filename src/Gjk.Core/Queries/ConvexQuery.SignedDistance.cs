@@ -31,7 +31,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return AskSigned(a, poseA, b, poseB, ref unused, false, out _);
+        return AskSigned(a, poseA, b, poseB, ref unused, false, false, out _);
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -52,7 +52,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return AskSigned(a, poseA, b, poseB, ref unused, false, out simplex);
+        return AskSigned(a, poseA, b, poseB, ref unused, false, true, out simplex);
     }
 
     /// <summary>
@@ -73,12 +73,12 @@ public static partial class ConvexQuery
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
-        AskSigned(a, poseA, b, poseB, ref warmStart, true, out _);
+        AskSigned(a, poseA, b, poseB, ref warmStart, true, false, out _);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static DistanceResult AskSigned<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart, bool isWarm,
-        out FinalSimplex simplex)
+        bool wantsSimplex, out FinalSimplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -86,7 +86,7 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
-        var question = new SignedQuestion { WarmStart = warmStart, IsWarm = isWarm };
+        var question = new SignedQuestion(warmStart, isWarm, wantsSimplex);
 #if NET
         PairDispatch.Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
 #else
@@ -101,9 +101,18 @@ public static partial class ConvexQuery
     private struct SignedQuestion : IPairQuestion
     {
         public WarmStart WarmStart;
-        public bool IsWarm;
         public FinalSimplex Simplex;
         public DistanceResult Result;
+        private readonly bool _isWarm, _wantsSimplex;
+
+        public SignedQuestion(in WarmStart warmStart, bool isWarm, bool wantsSimplex)
+        {
+            WarmStart = warmStart;
+            Simplex = default;
+            Result = default;
+            _isWarm = isWarm;
+            _wantsSimplex = wantsSimplex;
+        }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
         public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
@@ -136,7 +145,7 @@ public static partial class ConvexQuery
             }
 
             bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
-            Simplex = isEmpty ? default : new FinalSimplex(state.Simplex, frame);
+            if (_wantsSimplex && !isEmpty) Simplex = new FinalSimplex(state.Simplex, frame);
             Result = frame.ArePoints
                 ? AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
                 : Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);
@@ -147,7 +156,7 @@ public static partial class ConvexQuery
             where TB : struct, ISupportMap
         {
             NoTrace trace = default;
-            SignedSolver.Solve(ref a, ref b, frame, ref WarmStart, IsWarm, ref state, ref trace);
+            SignedSolver.Solve(ref a, ref b, frame, ref WarmStart, _isWarm, ref state, ref trace);
         }
     }
 }

@@ -49,29 +49,32 @@ internal static class SignedSolver
             BoxOf<TA>.TryGet(ref a, out BoxCore boxA) && BoxOf<TB>.TryGet(ref b, out BoxCore boxB)
                 ? BoxDepth.Solve(boxA.Half.Xyz, boxB.Half.Xyz, frame, ref state)
                 : GjkDepth.Solve(ref a, ref b, frame, ref state);
-        if (depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided)
-        {
-            double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;
-            if (-state.Feature.Height > band)
-            {
-                Settle(ref state, depth);
-                return;
-            }
-        }
-        else if (depth == DepthVerdict.Contradiction)
+        if (depth == DepthVerdict.Contradiction)
         {
             state.Verdict = Verdict.Contradiction;
             return;
         }
 
+        // Within the band either answer could be rounding.
+        double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
+        bool isKnown = depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided;
+        if (isKnown && -state.Feature.Height > band)
+        {
+            Settle(ref state, depth);
+            return;
+        }
+
         // As if nothing had been asked before: the answer is that of the distance, bit for bit.
         ClosestFeature across = state.Feature;
+        double above = -state.Plane.Value;
         state.Size = size;
         state.IsCurved = false;
         state.Iterations = 0;
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
         ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref trace);
-        Touch(ref state, across);
+        if (state.Verdict != Verdict.Enclosed) return;
+        Touch(ref state, across, above);
+        if (depth == DepthVerdict.Undecided && above > band) state.Verdict = Verdict.Undecided;
     }
 
     private static void SolveDistanceFirst<TA, TB, TTrace>(
@@ -129,12 +132,11 @@ internal static class SignedSolver
     /// Shapes that the distance calls touching get the direction that the search for the depth found; their depth is
     /// less than rounding can tell.
     /// </summary>
-    private static void Touch(ref SolverState state, in ClosestFeature across)
+    private static void Touch(ref SolverState state, in ClosestFeature across, double above)
     {
-        if (state.Verdict != Verdict.Enclosed) return;
         state.Feature = across;
         state.Feature.Height = Math.Min(across.Height, 0);
-        state.Plane.Set(across, Math.Min(across.Height, 0));
+        state.Plane.Set(across, Math.Min(-above, 0));
         state.Verdict = Verdict.Apart;
     }
 }

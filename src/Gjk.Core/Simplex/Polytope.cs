@@ -41,7 +41,7 @@ internal unsafe struct Polytope
     private readonly int* _stack, _free, _rim, _fan, _sameFan;
 
     private readonly int _mostVertices, _mostFaces;
-    private double _noise, _level;
+    private double _noise, _level, _lowestAdded;
     private int _vertexCount, _faceCount, _freeCount;
 
     /// <summary>A polytope without vertices.</summary>
@@ -51,7 +51,7 @@ internal unsafe struct Polytope
     {
         _mostVertices = mostVertices;
         _mostFaces = 2 * mostVertices;
-        _noise = _level = 0;
+        _noise = _level = _lowestAdded = 0;
         _vertexCount = _faceCount = _freeCount = 0;
         _vertices = (PolytopeVertex*)memory;
         memory += DoublesPerVertex * mostVertices;
@@ -83,6 +83,9 @@ internal unsafe struct Polytope
 
     public readonly ref PolytopeFace Face(int index) => ref _faces[index];
 
+    /// <summary>The least height of the faces that were added last.</summary>
+    public readonly double LowestAdded => _lowestAdded;
+
     /// <summary>Whether the face is part of the surface.</summary>
     public readonly bool IsThere(int face) => _heights[face] < Gone;
 
@@ -99,13 +102,21 @@ internal unsafe struct Polytope
         return _vertexCount++;
     }
 
+    /// <summary>Puts a face that was taken away back, beside what took its place, so that it can be read.</summary>
+    public void Restore(int index, in PolytopeFace face, double height)
+    {
+        _faces[index] = face;
+        _heights[index] = height;
+    }
+
     /// <summary>Forgets the newest vertex, which no face has.</summary>
     public void DropLast() => _vertexCount--;
 
     /// <summary>Makes the surface that of the first four vertices, in any order.</summary>
     /// <param name="noise">Length: a point counts as above a face when it is above it by more than this.</param>
     /// <param name="level">Length: how far a face's vertices may be from level before its normal is mended.</param>
-    public void SetTetrahedron(double noise, double level)
+    /// <returns>False when a face has no area, and so no normal.</returns>
+    public bool TrySetTetrahedron(double noise, double level)
     {
         _noise = noise;
         _level = level;
@@ -124,6 +135,8 @@ internal unsafe struct Polytope
         Join(1, 1, 3, 1);
         Join(1, 2, 2, 0);
         Join(2, 1, 3, 0);
+        return _faces[0].Normal != default && _faces[1].Normal != default
+            && _faces[2].Normal != default && _faces[3].Normal != default;
     }
 
     /// <summary>The face of least height.</summary>
@@ -151,6 +164,7 @@ internal unsafe struct Polytope
         int rim = TakeAway(face, _vertices[vertex].W);
         if (rim - _freeCount > _mostFaces - _faceCount) return false;
         int* added = _stack;
+        _lowestAdded = Gone;
         for (int i = 0; i < rim; i++)
         {
             int twin = _rim[i], outer = twin >> 2, edge = twin & 3, made = NewFace();
@@ -160,6 +174,7 @@ internal unsafe struct Polytope
             _sameFan[made] = _fan[from];
             _fan[from] = made;
             added[i] = made;
+            if (_heights[made] < _lowestAdded) _lowestAdded = _heights[made];
         }
 
         for (int i = 0; i < rim; i++)
@@ -246,8 +261,9 @@ internal unsafe struct Polytope
     private static double Heights(in Vector3D normal, in Vector3D p, in Vector3D q, in Vector3D r, out double most)
     {
         double a = Vector3D.Dot(normal, p), b = Vector3D.Dot(normal, q), c = Vector3D.Dot(normal, r);
-        most = Math.Max(a, Math.Max(b, c));
-        return Math.Min(a, Math.Min(b, c));
+        double larger = a > b ? a : b, smaller = a < b ? a : b;
+        most = larger > c ? larger : c;
+        return smaller < c ? smaller : c;
     }
 
     /// <summary>

@@ -20,6 +20,12 @@ internal static class BoxDepthPoints
     /// </summary>
     private const double LevelSide = 3e-8;
 
+    /// <summary>
+    /// Length, as a fraction of the size: how far beside a face a point still counts as opposite, so that rounding
+    /// leaves something of what lies along its rim. Pinned by TouchingCoreDepthTests.
+    /// </summary>
+    private const double Slack = 1e-12;
+
     /// <summary>Finds both points in A's frame, from A's centre.</summary>
     public static void Find(
         in BoxPair pair, int axis, in DepthBounds depth, double size, out Vector3D onA, out Vector3D onB)
@@ -47,7 +53,7 @@ internal static class BoxDepthPoints
 
     /// <summary>The point of a box that lies deepest behind a face of another, and opposite the face.</summary>
     /// <param name="center">The centre of the box.</param>
-    /// <param name="sides">Its axes, as long as half its sides.</param>
+    /// <param name="sides">Its sides.</param>
     /// <param name="faceCenter">The centre of the box with the face.</param>
     /// <param name="faceSides">The same of that.</param>
     /// <param name="face">Which of its axes the face is across.</param>
@@ -62,14 +68,17 @@ internal static class BoxDepthPoints
         {
             Vector3D side = sides[i];
             double rise = Vector3D.Dot(side, outward);
+            if (sides.Half(i) == 0) continue;
             if (Math.Abs(rise) > LevelSide * size) point -= side * Math.Sign(rise);
             else if (first == default) first = side;
             else second = side;
         }
 
         if (first == default) return point;
-        Vector3D u = faceSides[(face + 1) % 3], v = faceSides[(face + 2) % 3];
-        return FaceClip.Middle(point, first, second, faceCenter, u, v);
+        int u = (face + 1) % 3, v = (face + 2) % 3;
+        return FaceClip.Middle(
+            point, first, second, faceCenter, faceSides.Axis(u), faceSides.Half(u) + Slack * size, faceSides.Axis(v),
+            faceSides.Half(v) + Slack * size);
     }
 
     /// <summary>The point of A's edge where B's passes it.</summary>
@@ -87,30 +96,33 @@ internal static class BoxDepthPoints
 
         // a + s along = b + normal depth + r alongB; the cross product with alongB leaves s.
         Vector3D across = Vector3D.Cross(along, alongB);
-        double half = sidesA[i].Length, squared = across.LengthSquared;
+        double half = sidesA.Half(i), squared = across.LengthSquared;
         double s = Vector3D.Dot(Vector3D.Cross(b + normal * depth.Above - a, alongB), across) / squared;
         return a + along * Math.Max(-half, Math.Min(half, s));
     }
 
     private static Sides SidesOfA(in BoxPair pair) =>
-        new(
-            new Vector3D(pair.HalfA.X, 0, 0), new Vector3D(0, pair.HalfA.Y, 0), new Vector3D(0, 0, pair.HalfA.Z));
+        new(BoxPair.Unit(0), BoxPair.Unit(1), BoxPair.Unit(2), pair.HalfA);
 
-    private static Sides SidesOfB(in BoxPair pair) =>
-        new(pair.X * pair.HalfB.X, pair.Y * pair.HalfB.Y, pair.Z * pair.HalfB.Z);
+    private static Sides SidesOfB(in BoxPair pair) => new(pair.X, pair.Y, pair.Z, pair.HalfB);
 
-    /// <summary>A box's axes, as long as half its sides.</summary>
+    /// <summary>A box's axes and half of its sides, which may be 0.</summary>
     private readonly struct Sides
     {
-        private readonly Vector3D _x, _y, _z;
+        private readonly Vector3D _x, _y, _z, _half;
 
-        public Sides(in Vector3D x, in Vector3D y, in Vector3D z)
+        public Sides(in Vector3D x, in Vector3D y, in Vector3D z, in Vector3D half)
         {
             _x = x;
             _y = y;
             _z = z;
+            _half = half;
         }
 
-        public Vector3D this[int index] => index == 0 ? _x : index == 1 ? _y : _z;
+        public Vector3D this[int index] => Axis(index) * Half(index);
+
+        public Vector3D Axis(int index) => index == 0 ? _x : index == 1 ? _y : _z;
+
+        public double Half(int index) => index == 0 ? _half.X : index == 1 ? _half.Y : _half.Z;
     }
 }

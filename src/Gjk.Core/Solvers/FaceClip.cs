@@ -14,10 +14,13 @@ internal static unsafe class FaceClip
     /// <param name="first">Half of its one side.</param>
     /// <param name="second">Half of its other side; 0 for a segment.</param>
     /// <param name="center">The middle of what clips it.</param>
-    /// <param name="u">Half of that one's side.</param>
-    /// <param name="v">Half of its other side, perpendicular to the first.</param>
+    /// <param name="u">The direction of that one's side.</param>
+    /// <param name="halfU">Half of its length.</param>
+    /// <param name="v">The direction of its other side, perpendicular to the first.</param>
+    /// <param name="halfV">Half of its length.</param>
     public static Vector3D Middle(
-        in Vector3D middle, in Vector3D first, in Vector3D second, in Vector3D center, in Vector3D u, in Vector3D v)
+        in Vector3D middle, in Vector3D first, in Vector3D second, in Vector3D center, in Vector3D u, double halfU,
+        in Vector3D v, double halfV)
     {
         Vector3D* corners = stackalloc Vector3D[MostCorners], clipped = stackalloc Vector3D[MostCorners];
         corners[0] = middle + first + second;
@@ -25,20 +28,20 @@ internal static unsafe class FaceClip
         corners[2] = middle - first - second;
         corners[3] = middle - first + second;
         int count = 4;
-        count = Clip(corners, count, clipped, center, u);
-        count = Clip(clipped, count, corners, center, -u);
-        count = Clip(corners, count, clipped, center, v);
-        count = Clip(clipped, count, corners, center, -v);
+        count = Clip(corners, count, clipped, center, u, halfU);
+        count = Clip(clipped, count, corners, center, -u, halfU);
+        count = Clip(corners, count, clipped, center, v, halfV);
+        count = Clip(clipped, count, corners, center, -v, halfV);
         if (count == 0) return middle;
         Vector3D sum = default;
         for (int i = 0; i < count; i++) sum += corners[i];
         return sum * (1.0 / count);
     }
 
-    /// <summary>What lies no further from the centre along a direction than that reaches.</summary>
-    private static int Clip(Vector3D* from, int count, Vector3D* to, in Vector3D center, in Vector3D direction)
+    /// <summary>What lies no further from the centre along a direction than a reach.</summary>
+    private static int Clip(
+        Vector3D* from, int count, Vector3D* to, in Vector3D center, in Vector3D direction, double reach)
     {
-        double reach = direction.LengthSquared;
         int kept = 0;
         for (int i = 0; i < count && kept + 2 <= MostCorners; i++)
         {

@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -45,10 +46,8 @@ internal static unsafe class GjkDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Simplex warm = state.Simplex;
         DepthVerdict verdict = SolveSmall(ref a, ref b, frame, ref state);
         if (verdict != DepthVerdict.Undecided) return verdict;
-        state.Simplex = warm;
         return SolveLarge(ref a, ref b, frame, ref state);
     }
 
@@ -88,36 +87,42 @@ internal static unsafe class GjkDepth
         int face = 0;
         while (polytope.HasRoom)
         {
-            face = polytope.Lowest(out double low);
-            depth.Below = low;
-            Vector3D normal = polytope.Face(face).Normal;
-            int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
-            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W);
-            depth.See(normal, height);
-            if (depth.Above < -GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value)
-                return DepthVerdict.Apart;
-            if (!(height - low > state.DepthNoise))
-            {
-                if (!(height - low >= -GjkTolerances.Contradiction * state.Size.Value))
-                    return DepthVerdict.Contradiction;
-                depth.Settle(normal, height);
-                return Close(ref state, polytope, depth);
-            }
-
+            face = polytope.Lowest(out depth.Below);
+            PolytopeFace lowest = polytope.Face(face);
+            int vertex = PolytopeStart.Ask(ref a, ref b, frame, lowest.Normal, ref state, ref polytope);
+            double height = Vector3D.Dot(lowest.Normal, polytope.Vertex(vertex).W), gap = height - depth.Below;
+            depth.See(lowest.Normal, height);
+            if (PolytopeStart.IsApart(state, depth)) return DepthVerdict.Apart;
+            if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
+            if (gap <= state.DepthNoise) return Close(ref state, polytope, face, height, ref depth);
             if (!polytope.TryExpand(face, vertex)) break;
+            if (!IsDented(state, polytope, depth.Below)) continue;
+            if (!(gap <= GjkTolerances.DentedGap * height + 4 * state.DepthNoise)) break;
+            polytope.Restore(face, lowest, depth.Below);
+            return Close(ref state, polytope, face, height, ref depth);
         }
 
         PolytopeEnd.Copy(polytope, face, ref state.Simplex);
-        depth.Store(ref state, depth.Below);
+        depth.Store(ref state, Math.Max(depth.Below, 0));
         return DepthVerdict.Undecided;
     }
 
+    /// <summary>
+    /// A surface around the origin cannot come nearer to it by growing: where it does, the vertex lay above the face by
+    /// rounding alone, beside it and in its plane, and a new face is turned inside out.
+    /// </summary>
+    private static bool IsDented(in SolverState state, in Polytope polytope, double below) =>
+        below > 0 && polytope.LowestAdded < below - 4 * state.DepthNoise;
+
     /// <summary>The bounds have met: puts the face that holds the way out's end into the state.</summary>
-    private static DepthVerdict Close(ref SolverState state, in Polytope polytope, in DepthBounds depth)
+    private static DepthVerdict Close(
+        ref SolverState state, in Polytope polytope, int face, double height, ref DepthBounds depth)
     {
-        int face = PolytopeEnd.FaceUnder(polytope, depth.Normal * depth.Above, state.DepthNoise);
-        PolytopeEnd.Copy(polytope, face, ref state.Simplex);
-        depth.Store(ref state, depth.Above);
+        Vector3D normal = polytope.Face(face).Normal;
+        depth.Settle(normal, height);
+        int under = PolytopeEnd.FaceUnder(polytope, face, normal * height, state.DepthNoise);
+        PolytopeEnd.Copy(polytope, under, ref state.Simplex);
+        depth.Store(ref state, height);
         return DepthVerdict.Enclosed;
     }
 }

@@ -108,6 +108,12 @@ internal static class GjkTolerances
     public const double DepthNoise = 2 * DepthLevel;
 
     /// <summary>
+    /// Ratio to the depth: bounds that are no further apart have met where rounding keeps the polytope from growing; a
+    /// quarter of float's rounding. Pinned by NearCopyDepthTests.
+    /// </summary>
+    public const double DentedGap = 1.0 / (1 << 26);
+
+    /// <summary>
     /// Length, for cores without vertices: two bounds of the depth that are no further apart have met. The promise for
     /// these is 1e-6. Pinned by DepthByHandTests.
     /// </summary>

@@ -4,19 +4,26 @@ namespace Gjk.Core;
 internal static class PolytopeEnd
 {
     /// <summary>
+    /// Cosine: faces of one facet may be turned against each other by this much, some degrees: enough for needles among
+    /// them. Others are only looked at in vain.
+    /// </summary>
+    private const double Level = 0.99;
+
+    /// <summary>
     /// The face that holds a point of the surface: where the way out ends. Of a facet of many triangles it is the one
     /// whose nearest point to the origin is that point.
     /// </summary>
-    /// <param name="polytope">Of which a face has about the height of the point.</param>
+    /// <param name="polytope">The surface.</param>
+    /// <param name="best">A face in the plane of the facet.</param>
     /// <param name="point">The end of the way out, from the origin and perpendicular to the facet.</param>
     /// <param name="noise">Length: what rounding leaves open.</param>
-    public static int FaceUnder(in Polytope polytope, in Vector3D point, double noise)
+    public static int FaceUnder(in Polytope polytope, int best, in Vector3D point, double noise)
     {
-        int best = polytope.Lowest(out _);
+        Vector3D normal = polytope.Face(best).Normal;
         double least = DistanceSquared(polytope, best, point);
         for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
         {
-            if (!polytope.IsThere(i) || !IsLevel(polytope, i, point)) continue;
+            if (!polytope.IsThere(i) || !(Vector3D.Dot(polytope.Face(i).Normal, normal) > Level)) continue;
             double squared = DistanceSquared(polytope, i, point);
             if (!(squared < least)) continue;
             least = squared;
@@ -36,13 +43,6 @@ internal static class PolytopeEnd
         }
 
         simplex.Select(3, 0, 1, 2, 0);
-    }
-
-    /// <summary>Whether a face may lie in the plane through the point: within some degrees.</summary>
-    private static bool IsLevel(in Polytope polytope, int face, in Vector3D point)
-    {
-        double along = Vector3D.Dot(polytope.Face(face).Normal, point);
-        return along > 0 && along * along > 0.99 * point.LengthSquared;
     }
 
     /// <summary>From the point to the face, squared.</summary>

@@ -49,9 +49,10 @@ internal static class PolytopeStart
         if (Vector3D.Dot(normal, corner) > 0) normal = -normal;
         if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth)) return End(state, depth);
         if (IsApart(state, depth)) return DepthVerdict.Apart;
-        polytope.SetTetrahedron(
-            GjkTolerances.Noise * state.Size.Value, GjkTolerances.DepthLevel * state.Size.Value);
-        return DepthVerdict.Undecided;
+        double size = state.Size.Value;
+        return polytope.TrySetTetrahedron(GjkTolerances.Noise * size, GjkTolerances.DepthLevel * size)
+            ? DepthVerdict.Undecided
+            : End(state, depth);
     }
 
     /// <summary>Asks for the point of A - B that is furthest in a direction; returns its index.</summary>
@@ -141,7 +142,8 @@ internal static class PolytopeStart
     /// <summary>Length: what is thinner is flat.</summary>
     private static double Flat(in SolverState state) => GjkTolerances.Flat * state.Size.Value;
 
-    private static bool IsApart(in SolverState state, in DepthBounds depth) =>
+    /// <summary>A plane separates the shapes by more than rounding could.</summary>
+    public static bool IsApart(in SolverState state, in DepthBounds depth) =>
         depth.Above < -GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;
 
     private static DepthVerdict End(in SolverState state, in DepthBounds depth) =>
