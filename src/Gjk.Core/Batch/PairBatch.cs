@@ -109,6 +109,30 @@ public static class PairBatch
             PartLength, cancellation);
     }
 
+    /// <summary>How far apart each pair is, or how deep it overlaps.</summary>
+    /// <param name="shapes">The shapes.</param>
+    /// <param name="poses">Where they are, one for each shape.</param>
+    /// <param name="pairs">Indices into the two.</param>
+    /// <param name="results">At least as long as the pairs; gets what <see cref="ConvexQuery"/> says.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <param name="cancellation">Looked at every hundred pairs or so.</param>
+    /// <exception cref="ArgumentNullException">An array is null.</exception>
+    /// <exception cref="ArgumentException">
+    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
+    /// </exception>
+    /// <exception cref="OperationCanceledException">
+    /// Cancelled; some of the results are written, the rest is as it was.
+    /// </exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public static void SignedDistance(
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, Workers? workers = null,
+        CancellationToken cancellation = default)
+    {
+        Check(shapes, poses, pairs, Guard.NotNull(results, nameof(results)).Length);
+        Workers.Run(
+            workers, new SignedDistanceJob(shapes, poses, pairs, results), pairs.Length, PartLength, cancellation);
+    }
+
     private static void Check(ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, int resultCount)
     {
         Guard.NotNull(shapes, nameof(shapes));
@@ -124,6 +148,20 @@ public static class PairBatch
                 throw new ArgumentException(
                     FormattableString.Invariant($"Pair {i} is {pairs[i]}, but there are {shapes.Length} shapes."),
                     nameof(pairs));
+        }
+    }
+
+    private readonly struct SignedDistanceJob(
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results) : IPartJob
+    {
+        public void Run(int begin, int end)
+        {
+            for (int i = begin; i < end; i++)
+            {
+                ObjectPair pair = pairs[i];
+                results[i] = ConvexQuery.SignedDistance(
+                    shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]);
+            }
         }
     }
 

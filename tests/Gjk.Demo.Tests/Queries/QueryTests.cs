@@ -36,6 +36,26 @@ public sealed class QueryTests
     }
 
     [Fact]
+    public void WithDepthOverlappingRowsSayHowDeep()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", TwoSpheresAndABox);
+        DemoRun run = DemoProcess.Run("query", scene, "--depth");
+        run.AssertDone();
+        List<CsvRow> rows = CsvRow.Parse(run.Out);
+        Assert.Equal(("Separated", false, 4f), (rows[0].Status, rows[0].Overlap, rows[0].Distance));
+        Assert.Equal(("Overlapping", true, -0.25f), (rows[1].Status, rows[1].Overlap, rows[1].Distance));
+        Assert.Equal(new(1, 0, 0), rows[1].Normal);
+        Assert.Equal((0.5f, 0.25f), (rows[1].PointA.X, rows[1].PointB.X));
+        Assert.InRange(rows[1].LowerBound, -0.2500001f, -0.25f);
+
+        run = DemoProcess.Run("query", scene, "--depth", "--max-distance", "3.5");
+        run.AssertDone();
+        rows = CsvRow.Parse(run.Out);
+        Assert.Equal(("BeyondMaxDistance", -0.25f), (rows[0].Status, rows[1].Distance));
+    }
+
+    [Fact]
     public void PairsBeyondTheMaximumSayOnlyThat()
     {
         using var directory = new TempDirectory();
