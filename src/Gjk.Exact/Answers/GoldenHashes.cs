@@ -14,6 +14,7 @@ public static class GoldenHashes
         ["cases"] = "472da24ad165bdef",
         ["allCases"] = "3fa1e20f8a287e40",
         ["random"] = "bba608ef5fee06a0",
+        ["depths"] = "8ea1b869faa508fc",
     };
 
     public static IReadOnlyDictionary<string, string> Of(string targetFramework) => targetFramework switch

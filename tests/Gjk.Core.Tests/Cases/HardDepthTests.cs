@@ -36,7 +36,7 @@ public class HardDepthTests
     public void EveryDepthIsExactToFloatRounding(string family) => Report(family, c =>
     {
         if (!c.Overlap) return null;
-        DistanceResult r = Ask(c.Pair);
+        DistanceResult r = c.Pair.SignedDistance();
         double band = Accuracy.Band(c.Depth, c.Pair.Scale);
         if (r.Status == GjkStatus.IterationLimit) return Limit(c, r);
         return r.IsOverlapping || c.Depth <= Accuracy.FlagScale * c.Pair.Scale
@@ -48,7 +48,7 @@ public class HardDepthTests
     [MemberData(nameof(Families))]
     public void EveryWayOutIsCertified(string family) => Report(family, c =>
     {
-        DistanceResult r = Ask(c.Pair);
+        DistanceResult r = c.Pair.SignedDistance();
         return r.Status == GjkStatus.IterationLimit
             ? null
             : Certificate.ProblemOfSigned(
@@ -59,7 +59,7 @@ public class HardDepthTests
     [MemberData(nameof(Families))]
     public void TheLowerBoundIsBelowTheTrueSignedDistance(string family) => Report(family, c =>
     {
-        DistanceResult r = Ask(c.Pair);
+        DistanceResult r = c.Pair.SignedDistance();
 
         // The file's answers have 20 digits, a double 16.
         double truth = c.Overlap ? -c.Depth : c.Distance;
@@ -70,7 +70,7 @@ public class HardDepthTests
     [MemberData(nameof(Families))]
     public void ApartItIsTheDistanceBitForBit(string family) => Report(family, c =>
     {
-        DistanceResult r = Ask(c.Pair), d = c.Pair.Distance();
+        DistanceResult r = c.Pair.SignedDistance(), d = c.Pair.Distance();
         if (r.Status == GjkStatus.IterationLimit) return null;
         if (r.Status != d.Status) return $"status {r.Status}, the distance's {d.Status}";
         return r.IsOverlapping || ResultBits.AreSame(r, d) ? null : $"{r}, the distance says {d}";
@@ -80,7 +80,7 @@ public class HardDepthTests
     [MemberData(nameof(Families))]
     public void SwappingTheShapesKeepsTheDepth(string family) => Report(family, c =>
     {
-        DistanceResult r = Ask(c.Pair), s = Ask(c.Pair.Swapped);
+        DistanceResult r = c.Pair.SignedDistance(), s = c.Pair.Swapped.SignedDistance();
         if (r.Status == GjkStatus.IterationLimit || s.Status == GjkStatus.IterationLimit) return null;
         double band = 2 * Accuracy.Band(Math.Abs(r.Distance), c.Pair.Scale);
         return Math.Abs(r.Distance - s.Distance) <= band ? null : $"{r.Distance:R}, swapped {s.Distance:R}";
@@ -108,9 +108,6 @@ public class HardDepthTests
             return null;
         });
     }
-
-    private static DistanceResult Ask(TestPair p) =>
-        ConvexQuery.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB);
 
     /// <summary>
     /// The only pairs that outgrow the room are spheres of 4,096 vertices about one centre; their bounds are true.

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading.Tasks;
 using Gjk.Core.Tests.Api;
 using Gjk.Core.Tests.Support;
@@ -33,6 +34,16 @@ public class GoldenHashTests
         }
 
         AssertGolden("allCases", all, byFamily);
+    }
+
+    [Fact]
+    public void TheDepthsKeepTheirBits()
+    {
+        var hash = new ResultHash();
+        foreach (string family in CaseFamily.Names.Concat(CaseFamily.DepthNames))
+            foreach (HardCase c in CaseFamily.Load(family).Cases)
+                hash.Add(c.IndexA, c.IndexB, c.Pair.SignedDistance());
+        AssertGolden("depths", hash);
     }
 
     [Fact]

@@ -17,7 +17,7 @@ public class SignedDistanceTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(400); seed++)
         {
             TestPair pair = Generators.Pair(71_000 + seed, Generators.PolytopeKinds, 0.6);
-            DistanceResult r = Ask(pair);
+            DistanceResult r = pair.SignedDistance();
             if (!r.IsOverlapping) continue;
             overlapping++;
             double margins = pair.A.Margin + pair.B.Margin;
@@ -38,7 +38,7 @@ public class SignedDistanceTests
     [Fact]
     public void EveryAnswerIsCertifiedAndNoDirectionIsCheaper() => Each(72_000, 600, (pair, _) =>
     {
-        DistanceResult r = Ask(pair);
+        DistanceResult r = pair.SignedDistance();
         if (r.Status == GjkStatus.IterationLimit) return pair.IsPolytope ? $"status {r.Status}" : null;
         string? problem = Certificate.ProblemOfSigned(
             pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, r, pair.Scale, !pair.IsPolytope);
@@ -53,7 +53,7 @@ public class SignedDistanceTests
     [Fact]
     public void ApartEveryFieldIsThatOfTheDistance() => Each(73_000, 600, (pair, _) =>
     {
-        DistanceResult r = Ask(pair), d = pair.Distance();
+        DistanceResult r = pair.SignedDistance(), d = pair.Distance();
         if (r.Status == GjkStatus.IterationLimit && d.IsOverlapping) return null;
         return r.Status == d.Status && (r.IsOverlapping || ResultBits.AreSame(r, d)) ? null : $"{r}, distance {d}";
     });
@@ -94,7 +94,7 @@ public class SignedDistanceTests
         {
             poseA = new RigidPose(Quaternion.Normalize(turn * poseA.Rotation), poseA.Position + velocity);
             TestPair moved = pair with { PoseA = poseA };
-            DistanceResult cold = Ask(moved);
+            DistanceResult cold = moved.SignedDistance();
             DistanceResult r = ConvexQuery.SignedDistance(moved.A.Shape, poseA, moved.B.Shape, moved.PoseB, ref warm);
             if (cold.Status == GjkStatus.IterationLimit || r.Status == GjkStatus.IterationLimit) continue;
             double band = 2 * pair.Band(Math.Abs(cold.Distance));
@@ -116,7 +116,7 @@ public class SignedDistanceTests
         if (!pair.IsPolytope) return null;
         TestPair resized = pair.Resized(factor);
         string? problem = Certificate.ProblemOfSigned(
-            resized.A.Shape, resized.PoseA, resized.B.Shape, resized.PoseB, Ask(resized), resized.Scale);
+            resized.A.Shape, resized.PoseA, resized.B.Shape, resized.PoseB, resized.SignedDistance(), resized.Scale);
         return problem is null ? null : $"{problem} of {resized}";
     });
 
@@ -125,7 +125,7 @@ public class SignedDistanceTests
     {
         TestPair p = pair;
         DistanceResult r = ConvexQuery.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, out FinalSimplex simplex);
-        if (!ResultBits.AreSame(r, Ask(pair))) return "another answer";
+        if (!ResultBits.AreSame(r, pair.SignedDistance())) return "another answer";
         if (r.Status == GjkStatus.IterationLimit) return null;
         Vector3D onA = default;
         for (int i = 0; i < simplex.Count; i++) onA += simplex.PointOnA(i) * simplex.Weight(i);
@@ -134,9 +134,6 @@ public class SignedDistanceTests
         double off = (reached - r.LocalPointA).Length;
         return simplex.Count is >= 1 and <= 4 && off <= 1e-6 * (p.Scale + onA.Length) ? null : $"off by {off:R}";
     });
-
-    private static DistanceResult Ask(TestPair p) =>
-        ConvexQuery.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB);
 
     private static void Each(ulong seed, int count, Func<TestPair, Rng, string?> examine)
     {

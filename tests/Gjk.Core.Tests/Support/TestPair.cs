@@ -30,6 +30,8 @@ internal sealed record TestPair(string Name, TestShape A, RigidPose PoseA, TestS
     public DistanceResult Distance(float maxDistance = float.PositiveInfinity) =>
         ConvexQuery.Distance(A.Shape, PoseA, B.Shape, PoseB, maxDistance);
 
+    public DistanceResult SignedDistance() => ConvexQuery.SignedDistance(A.Shape, PoseA, B.Shape, PoseB);
+
     public bool Overlaps() => ConvexQuery.Overlaps(A.Shape, PoseA, B.Shape, PoseB);
 
     public ExactAnswer Exact() => ExactOracle.Solve(A.Vertices!, A.Margin, PoseA, B.Vertices!, B.Margin, PoseB);
