@@ -135,12 +135,7 @@ public static partial class ConvexQuery
             }
             else
             {
-                frame.TightenRadii(ref a, ref b);
-                double factor = frame.UnitFactor;
-                frame.ToUnitSize(factor);
-                var unitA = new UnitSized<TA>(a, factor);
-                var unitB = new UnitSized<TB>(b, factor);
-                PairSize.Begin<TA, TB>(frame, out state.Size);
+                ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
                 Solve(ref unitA, ref unitB, frame, ref state);
             }
 

@@ -126,17 +126,10 @@ public static partial class ConvexQuery
         where TTrace : struct, IGjkTrace
     {
         double reach = CoreReach(maxDistance, frame);
-        state.Feature.Normal = frame.FirstNormal;
-        if (isWarm)
-        {
-            warmStart.Restore(ref a, ref b, frame, ref state.Simplex);
-            state.Feature.Normal = warmStart.FirstNormal(frame);
-        }
-
+        if (isWarm) warmStart.Begin(ref a, ref b, frame, ref state);
+        else state.Feature.Normal = frame.FirstNormal;
         ProvedDistance.Solve(ref a, ref b, frame, reach, isWarm, ref state, ref trace);
-        if (!isWarm) return;
-        if (state.Verdict == Verdict.Contradiction) warmStart.Clear();
-        else warmStart.Store(state.Simplex, state.Feature.Normal);
+        if (isWarm) warmStart.Keep(state);
     }
 
     /// <summary>The same for pairs whose lengths would leave the range of double when they are multiplied.</summary>
@@ -148,13 +141,23 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
+        ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
+        SolveCores(ref unitA, ref unitB, frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
+    }
+
+    /// <summary>Brings the pair and its frame to unit size.</summary>
+    private static void ToUnitSize<TA, TB>(
+        ref TA a, ref TB b, ref PairFrame frame, ref SolverState state, out UnitSized<TA> unitA,
+        out UnitSized<TB> unitB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
         frame.TightenRadii(ref a, ref b);
         double factor = frame.UnitFactor;
         frame.ToUnitSize(factor);
-        var unitA = new UnitSized<TA>(a, factor);
-        var unitB = new UnitSized<TB>(b, factor);
+        unitA = new UnitSized<TA>(a, factor);
+        unitB = new UnitSized<TB>(b, factor);
         PairSize.Begin<TA, TB>(frame, out state.Size);
-        SolveCores(ref unitA, ref unitB, frame, maxDistance, ref warmStart, isWarm, ref state, ref trace);
     }
 
     /// <summary>

@@ -10,13 +10,13 @@ namespace Gjk.Core;
 /// <para>
 /// Without margins the depth is asked first: shapes that are worth the question mostly overlap, and a plane that
 /// separates them is found on the way; two boxes have a search of their own, which all shapes that are boxes share.
-/// Within the band where rounding could turn the answer, the distance decides
-/// whether the shapes touch, so that both queries agree. With margins the distance of the cores is asked first: most
-/// rounded shapes overlap by their margins alone, and then it is all that is needed.
+/// Within the band where rounding could turn the answer, the distance decides whether the shapes touch, so that both
+/// queries agree. With margins the distance of the cores is asked first: most rounded shapes overlap by their margins
+/// alone, and then it is all that is needed.
 /// </para>
 /// <para>
-/// Verdicts: as those of <see cref="GjkDistance"/>, but Enclosed only for flat shapes that touch, where the state holds
-/// a common point and a feature across the shapes.
+/// Verdicts: those of <see cref="GjkDistance"/> without Enclosed. Apart holds for overlapping shapes too, whose feature
+/// has a height of 0 or less; Undecided means that there was no room, and the feature and the plane are the bounds.
 /// </para>
 /// </remarks>
 internal static class SignedSolver
@@ -32,9 +32,7 @@ internal static class SignedSolver
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
         if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
-        if (!isWarm) return;
-        if (state.Verdict == Verdict.Contradiction) warmStart.Clear();
-        else warmStart.Store(state.Simplex, state.Feature.Normal);
+        if (isWarm) warmStart.Keep(state);
     }
 
     private static void SolveDepthFirst<TA, TB, TTrace>(
@@ -49,16 +47,10 @@ internal static class SignedSolver
             BoxOf<TA>.TryGet(ref a, out BoxCore boxA) && BoxOf<TB>.TryGet(ref b, out BoxCore boxB)
                 ? BoxDepth.Solve(boxA.Half.Xyz, boxB.Half.Xyz, frame, ref state)
                 : GjkDepth.Solve(ref a, ref b, frame, ref state);
-        if (depth == DepthVerdict.Contradiction)
-        {
-            state.Verdict = Verdict.Contradiction;
-            return;
-        }
-
         // Within the band either answer could be rounding.
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
         bool isKnown = depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided;
-        if (isKnown && -state.Feature.Height > band)
+        if (depth == DepthVerdict.Contradiction || (isKnown && -state.Feature.Height > band))
         {
             Settle(ref state, depth);
             return;
@@ -90,19 +82,13 @@ internal static class SignedSolver
         Weights weights = state.Weights;
         state.Feature.Normal = frame.FirstNormal;
         DepthVerdict depth = GjkDepth.Solve(ref a, ref b, frame, ref state);
-        if (depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided)
+        if (depth != DepthVerdict.Flat && depth != DepthVerdict.Apart)
         {
             Settle(ref state, depth);
             return;
         }
 
         // The cores are flat, or only touch: all of the depth is that of the margins, across them.
-        if (depth == DepthVerdict.Contradiction)
-        {
-            state.Verdict = Verdict.Contradiction;
-            return;
-        }
-
         state.Simplex = common;
         state.Weights = weights;
         state.Feature.Height = 0;
@@ -117,13 +103,19 @@ internal static class SignedSolver
         where TB : struct, ISupportMap
     {
         state.Simplex.Clear();
-        state.Feature.Normal = isWarm ? warmStart.FirstNormal(frame) : frame.FirstNormal;
-        if (isWarm) warmStart.Restore(ref a, ref b, frame, ref state.Simplex);
+        if (isWarm) warmStart.Begin(ref a, ref b, frame, ref state);
+        else state.Feature.Normal = frame.FirstNormal;
     }
 
-    /// <summary>The depth is known.</summary>
+    /// <summary>The search for the depth has said all that there is to say.</summary>
     private static void Settle(ref SolverState state, DepthVerdict depth)
     {
+        if (depth == DepthVerdict.Contradiction)
+        {
+            state.Verdict = Verdict.Contradiction;
+            return;
+        }
+
         state.Weights = ClosestPointWeights.Of(state.Simplex);
         state.Verdict = depth == DepthVerdict.Enclosed ? Verdict.Apart : Verdict.Undecided;
     }

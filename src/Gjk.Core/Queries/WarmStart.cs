@@ -55,7 +55,23 @@ public struct WarmStart
         if (found) simplex.Select(count, 0, 1, 2, 3);
     }
 
-    /// <summary>Remembers where a query ended.</summary>
+    /// <summary>Puts the remembered vertices and the first search direction into a state without vertices.</summary>
+    internal readonly void Begin<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Restore(ref a, ref b, frame, ref state.Simplex);
+        state.Feature.Normal = FirstNormal(frame);
+    }
+
+    /// <summary>Remembers where a query ended, unless the shapes contradicted themselves.</summary>
+    internal void Keep(in SolverState state)
+    {
+        if (state.Verdict == Verdict.Contradiction) Clear();
+        else Store(state.Simplex, state.Feature.Normal);
+    }
+
+    /// <summary>Remembers a simplex.</summary>
     internal void Store(in Simplex simplex, in Vector3D normal)
     {
         _count = simplex.Count;

@@ -70,9 +70,6 @@ internal unsafe struct Polytope
     public static int Doubles(int mostVertices) =>
         (DoublesPerVertex + 2 * (DoublesPerFace + 1)) * mostVertices + (2 * 5 * mostVertices + mostVertices + 1) / 2;
 
-    /// <summary>How many vertices were added.</summary>
-    public readonly int VertexCount => _vertexCount;
-
     /// <summary>How many faces there are or have been; some may be gone.</summary>
     public readonly int FaceCount => _faceCount;
 

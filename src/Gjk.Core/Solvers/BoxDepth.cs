@@ -35,7 +35,7 @@ internal static class BoxDepth
         in Vector3D halfA, in Vector3D halfB, in PairFrame frame, ref SolverState state)
     {
         var pair = new BoxPair(halfA, halfB, frame);
-        var depth = new DepthBounds(double.PositiveInfinity);
+        DepthBounds depth = DepthBounds.None;
         double noise = GjkTolerances.Noise * state.Size.Value, cost;
         int axis = 0;
         for (int i = 0; i < BoxPair.Faces; i++)
@@ -59,12 +59,12 @@ internal static class BoxDepth
             axis = i;
         }
 
-        if (depth.Above < -GjkTolerances.SeparatedBand * state.Size.Value) return DepthVerdict.Apart;
+        depth.Store(ref state, depth.Above);
+        if (depth.IsApart(state)) return DepthVerdict.Apart;
         BoxDepthPoints.Find(pair, axis, depth, state.Size.Value, out Vector3D onA, out Vector3D onB);
         Vector3D inB = frame.Rotation.InverseRotate(onB - pair.Between);
         state.Simplex.Fill(0, depth.Normal * depth.Above, onA, inB, -1, -1);
         state.Simplex.Select(1, 0, 0, 0, 0);
-        depth.Store(ref state, depth.Above);
         return DepthVerdict.Enclosed;
     }
 }

@@ -31,13 +31,13 @@ internal struct DepthBounds
     /// <summary>The depth is not less.</summary>
     public double Below;
 
-    /// <summary>Nothing but that the depth is not more than a number.</summary>
-    public DepthBounds(double above)
+    /// <summary>Nothing is known.</summary>
+    public static DepthBounds None => new()
     {
-        Normal = new Vector3D(1, 0, 0);
-        Above = above;
-        Below = double.NegativeInfinity;
-    }
+        Normal = new Vector3D(1, 0, 0),
+        Above = double.PositiveInfinity,
+        Below = double.NegativeInfinity,
+    };
 
     /// <summary>Takes note of what a direction costs; the first of equally cheap ones stays.</summary>
     public void See(in Vector3D normal, double height)
@@ -46,6 +46,10 @@ internal struct DepthBounds
         Above = height;
         Normal = normal;
     }
+
+    /// <summary>Whether a plane separates the shapes by more than rounding could.</summary>
+    public readonly bool IsApart(in SolverState state) =>
+        Above < -GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;
 
     /// <summary>The direction in which the bounds have met.</summary>
     public void Settle(in Vector3D normal, double height)

@@ -46,28 +46,23 @@ internal static unsafe class GjkDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        DepthVerdict verdict = SolveSmall(ref a, ref b, frame, ref state);
-        if (verdict != DepthVerdict.Undecided) return verdict;
-        return SolveLarge(ref a, ref b, frame, ref state);
+        DepthVerdict verdict = SolveWithin(FewVertices, ref a, ref b, frame, ref state);
+
+        // The second search begins at the face that the first one ended at.
+        return verdict == DepthVerdict.Undecided
+            ? SolveWithin(ManyVertices, ref a, ref b, frame, ref state)
+            : verdict;
     }
 
+    /// <summary>Its stack is given back when it returns, so the two sizes are never held at once.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict SolveSmall<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+    private static DepthVerdict SolveWithin<TA, TB>(
+        int vertices, ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        double* memory = stackalloc double[Polytope.Doubles(FewVertices)];
-        var polytope = new Polytope(memory, FewVertices);
-        return Expand(ref a, ref b, frame, ref state, ref polytope);
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict SolveLarge<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        double* memory = stackalloc double[Polytope.Doubles(ManyVertices)];
-        var polytope = new Polytope(memory, ManyVertices);
+        double* memory = stackalloc double[Polytope.Doubles(vertices)];
+        var polytope = new Polytope(memory, vertices);
         return Expand(ref a, ref b, frame, ref state, ref polytope);
     }
 
@@ -76,7 +71,7 @@ internal static unsafe class GjkDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var depth = new DepthBounds(double.PositiveInfinity);
+        DepthBounds depth = DepthBounds.None;
         DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
         if (verdict != DepthVerdict.Undecided)
         {
@@ -92,7 +87,12 @@ internal static unsafe class GjkDepth
             int vertex = PolytopeStart.Ask(ref a, ref b, frame, lowest.Normal, ref state, ref polytope);
             double height = Vector3D.Dot(lowest.Normal, polytope.Vertex(vertex).W), gap = height - depth.Below;
             depth.See(lowest.Normal, height);
-            if (PolytopeStart.IsApart(state, depth)) return DepthVerdict.Apart;
+            if (depth.IsApart(state))
+            {
+                depth.Store(ref state, depth.Above);
+                return DepthVerdict.Apart;
+            }
+
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
             if (gap <= state.DepthNoise) return Close(ref state, polytope, face, height, ref depth);
             if (!polytope.TryExpand(face, vertex)) break;

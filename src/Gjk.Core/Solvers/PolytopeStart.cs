@@ -31,7 +31,7 @@ internal static class PolytopeStart
                 return End(state, depth);
             }
 
-            if (IsApart(state, depth)) return DepthVerdict.Apart;
+            if (depth.IsApart(state)) return DepthVerdict.Apart;
             Vector3D p = polytope.Vertex(0).W, along = polytope.Vertex(1).W - p;
             Vector3D toOrigin = along * (Vector3D.Dot(p, along) / along.LengthSquared) - p;
             Vector3D across = Across(along, toOrigin);
@@ -41,14 +41,14 @@ internal static class PolytopeStart
                 return End(state, depth);
             }
 
-            if (IsApart(state, depth)) return DepthVerdict.Apart;
+            if (depth.IsApart(state)) return DepthVerdict.Apart;
         }
 
         Vector3D corner = polytope.Vertex(0).W;
         Vector3D normal = Vector3D.Cross(polytope.Vertex(1).W - corner, polytope.Vertex(2).W - corner);
         if (Vector3D.Dot(normal, corner) > 0) normal = -normal;
         if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth)) return End(state, depth);
-        if (IsApart(state, depth)) return DepthVerdict.Apart;
+        if (depth.IsApart(state)) return DepthVerdict.Apart;
         double size = state.Size.Value;
         return polytope.TrySetTetrahedron(GjkTolerances.Noise * size, GjkTolerances.DepthLevel * size)
             ? DepthVerdict.Undecided
@@ -142,11 +142,7 @@ internal static class PolytopeStart
     /// <summary>Length: what is thinner is flat.</summary>
     private static double Flat(in SolverState state) => GjkTolerances.Flat * state.Size.Value;
 
-    /// <summary>A plane separates the shapes by more than rounding could.</summary>
-    public static bool IsApart(in SolverState state, in DepthBounds depth) =>
-        depth.Above < -GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;
-
     private static DepthVerdict End(in SolverState state, in DepthBounds depth) =>
         !(depth.Above <= double.MaxValue) ? DepthVerdict.Contradiction
-        : IsApart(state, depth) ? DepthVerdict.Apart : DepthVerdict.Flat;
+        : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Flat;
 }
