@@ -52,6 +52,9 @@ public sealed class ConvexHull
     internal readonly double[] Centered;
 #endif
 
+    /// <summary>What it shows to contacts.</summary>
+    internal readonly HullFaces Faces;
+
     private const string NoPoints = "At least one point is needed.";
 
     private readonly int[] _sources;
@@ -87,6 +90,7 @@ public sealed class ConvexHull
         Center = Vertices.Center;
         BoundingRadius = MeasureRadius();
         Cells = new HullCells(Vertices);
+        Faces = new HullFaces(this, new FaceRegions(corners, _triangles, Bounds));
 #if NET
         Centered = Vertices.Centered();
 #endif

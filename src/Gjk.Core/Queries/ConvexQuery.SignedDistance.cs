@@ -87,15 +87,23 @@ public static partial class ConvexQuery
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
         var question = new SignedQuestion(warmStart, isWarm, wantsSimplex);
-#if NET
-        PairDispatch.Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
-#else
-        question.Ask(ref shapeA, poseA, ref shapeB, poseB);
-#endif
+        Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
         if (isWarm) warmStart = question.WarmStart;
         simplex = question.Simplex;
         return question.Result;
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Ask<TA, TB, TQuestion>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion =>
+#if NET
+        PairDispatch.Ask(ref a, poseA, ref b, poseB, ref question);
+#else
+        question.Ask(ref a, poseA, ref b, poseB);
+#endif
 
     /// <summary>The pipeline of the signed distance, for any two cores.</summary>
     private struct SignedQuestion : IPairQuestion
@@ -103,15 +111,21 @@ public static partial class ConvexQuery
         public WarmStart WarmStart;
         public FinalSimplex Simplex;
         public DistanceResult Result;
-        private readonly bool _isWarm, _wantsSimplex;
 
-        public SignedQuestion(in WarmStart warmStart, bool isWarm, bool wantsSimplex)
+        /// <summary>Where the contact is, with a normal of length 0 where nothing but the result says it.</summary>
+        public ContactPlane Plane;
+
+        private readonly bool _isWarm, _wantsSimplex, _wantsPlane;
+
+        public SignedQuestion(in WarmStart warmStart, bool isWarm, bool wantsSimplex, bool wantsPlane = false)
         {
             WarmStart = warmStart;
             Simplex = default;
             Result = default;
+            Plane = default;
             _isWarm = isWarm;
             _wantsSimplex = wantsSimplex;
+            _wantsPlane = wantsPlane;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -141,6 +155,7 @@ public static partial class ConvexQuery
 
             bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
             if (_wantsSimplex && !isEmpty) Simplex = new FinalSimplex(state.Simplex, frame);
+            if (_wantsPlane && !isEmpty && !frame.ArePoints) Plane = new ContactPlane(frame, state);
             Result = frame.ArePoints
                 ? AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
                 : Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);

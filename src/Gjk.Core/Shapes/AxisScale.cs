@@ -60,7 +60,11 @@ internal readonly struct AxisScale
             id = -1;
         }
 
-        point = Vector3D.Multiply(Factors, point);
+        point = Outward(point);
         return id;
     }
+
+    /// <summary>Scales a point outward.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3D Outward(in Vector3D point) => Vector3D.Multiply(Factors, point);
 }

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A box about the local origin, its faces square to the local axes.</summary>
-public readonly struct BoxShape : ISupportMap, ITightBounds
+public readonly struct BoxShape : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>Half the side lengths, each at least 0.</summary>
     public readonly Vector3 HalfExtents;
@@ -28,6 +28,10 @@ public readonly struct BoxShape : ISupportMap, ITightBounds
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point) =>
         BoxSupport.Furthest(HalfExtents, direction, out point);
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        PrimitiveFaces.Box(HalfExtents, direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point) => BoxSupport.TryGetVertex(HalfExtents, id, out point);

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A capsule along the local y axis: a segment core with the radius as its margin.</summary>
-public readonly struct CapsuleShape : ISupportMap, ITightBounds
+public readonly struct CapsuleShape : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>The radius, at least 0.</summary>
     public readonly float Radius;
@@ -38,6 +38,13 @@ public readonly struct CapsuleShape : ISupportMap, ITightBounds
         bool down = direction.Y < 0;
         point = new Vector3D(0, down ? -(double)HalfHeight : HalfHeight, 0);
         return down ? 1 : 0;
+    }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        var top = new Vector3D(0, HalfHeight, 0);
+        PrimitiveFaces.Segment(top, -top, direction, ref corners);
     }
 
     /// <inheritdoc/>

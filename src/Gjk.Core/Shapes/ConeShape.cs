@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A cone about the local y axis: the apex at +HalfHeight, the base's disc at -HalfHeight.</summary>
-public readonly struct ConeShape : ISupportMap, ITightBounds
+public readonly struct ConeShape : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>The radius of the disc, at least 0.</summary>
     public readonly float Radius;
@@ -32,6 +32,10 @@ public readonly struct ConeShape : ISupportMap, ITightBounds
         point = PrimitiveSupport.Cone(Radius, HalfHeight, direction);
         return -1;
     }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        PrimitiveFaces.Cone(Radius, HalfHeight, direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)

@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// <summary>
 /// The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.
 /// </summary>
-public readonly struct ConvexMesh : ISupportMap, ITightBounds
+public readonly struct ConvexMesh : ISupportMap, ISupportFace, ITightBounds
 {
     private readonly ConvexHull? _hull;
 
@@ -48,6 +48,10 @@ public readonly struct ConvexMesh : ISupportMap, ITightBounds
         point = vertex - _hull!.Center;
         return id;
     }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        _hull!.Faces.Get(HullSupport.Find(_hull.Cells, direction, out _), direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A cylinder about the local y axis, centred at the local origin.</summary>
-public readonly struct CylinderShape : ISupportMap, ITightBounds
+public readonly struct CylinderShape : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>The radius of the disc, at least 0.</summary>
     public readonly float Radius;
@@ -32,6 +32,10 @@ public readonly struct CylinderShape : ISupportMap, ITightBounds
         point = PrimitiveSupport.Cylinder(Radius, HalfHeight, direction);
         return -1;
     }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        PrimitiveFaces.Cylinder(Radius, HalfHeight, direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)

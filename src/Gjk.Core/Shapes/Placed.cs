@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// origin loses no accuracy.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Placed<T> : ISupportMap
+public readonly struct Placed<T> : ISupportMap, ISupportFace
     where T : struct, ISupportMap
 {
     /// <summary>Ratio: 16 u, more than a rotation in double can lengthen a vector by.</summary>
@@ -61,6 +61,13 @@ public readonly struct Placed<T> : ISupportMap
         int id = _inner.Support(inward, out point);
         point = _rotation.Rotate(point) + _centerError;
         return id;
+    }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        FaceOf<T>.Get(_inner, _rotation.InverseRotate(DirectionRange.ToSafe(direction)), ref corners);
+        for (int i = 0; i < corners.Count; i++) corners[i] = _rotation.Rotate(corners[i]) + _centerError;
     }
 
     /// <inheritdoc/>

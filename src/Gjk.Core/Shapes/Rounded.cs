@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// fast.
 /// </summary>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Rounded<T> : ISupportMap
+public readonly struct Rounded<T> : ISupportMap, ISupportFace
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -36,6 +36,10 @@ public readonly struct Rounded<T> : ISupportMap
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point) => _inner.Support(direction, out point);
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        FaceOf<T>.Get(_inner, direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);

@@ -12,7 +12,7 @@ namespace Gjk.Core;
 /// the margin's ball into an ellipsoid, which then belongs to the core.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Scaled<T> : ISupportMap, ITightBounds
+public readonly struct Scaled<T> : ISupportMap, ISupportFace, ITightBounds
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -65,6 +65,14 @@ public readonly struct Scaled<T> : ISupportMap, ITightBounds
         id = _scale.Outward(id, _inner.Margin, inward, ref point);
         point += _centerError;
         return id;
+    }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        if (_inner.Margin > 0 && !_scale.KeepsBalls) return;
+        FaceOf<T>.Get(_inner, _scale.Inward(direction), ref corners);
+        for (int i = 0; i < corners.Count; i++) corners[i] = _scale.Outward(corners[i]) + _centerError;
     }
 
     /// <inheritdoc/>

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>The straight line between two points, both included; they may coincide.</summary>
-public readonly struct SegmentShape : ISupportMap, ITightBounds
+public readonly struct SegmentShape : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>One end.</summary>
     public readonly Vector3 A;
@@ -38,6 +38,13 @@ public readonly struct SegmentShape : ISupportMap, ITightBounds
         int id = PrimitiveSupport.Segment(A, B, direction, out point);
         point -= Center;
         return id;
+    }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        Vector3D center = Center;
+        PrimitiveFaces.Segment(A - center, B - center, direction, ref corners);
     }
 
     /// <inheritdoc/>

@@ -22,6 +22,9 @@ internal abstract class ShapeLayer
     /// <inheritdoc cref="ISupportMap.Support"/>
     public abstract int Support(in Vector3D direction, out Vector3D point);
 
+    /// <inheritdoc cref="ISupportFace.GetFace"/>
+    public abstract void GetFace(in Vector3D direction, ref FaceCorners corners);
+
     /// <inheritdoc cref="ISupportMap.TryGetVertex"/>
     public abstract bool TryGetVertex(int id, out Vector3D point);
 
@@ -40,7 +43,7 @@ internal abstract class ShapeLayer
 /// <inheritdoc/>
 /// <typeparam name="T">The decorator.</typeparam>
 internal abstract class ShapeLayer<T> : ShapeLayer
-    where T : struct, ISupportMap
+    where T : struct, ISupportMap, ISupportFace
 {
     private readonly T _shape;
 
@@ -56,6 +59,9 @@ internal abstract class ShapeLayer<T> : ShapeLayer
     public override double BoundingRadius => _shape.BoundingRadius;
 
     public override int Support(in Vector3D direction, out Vector3D point) => _shape.Support(direction, out point);
+
+    public override void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        _shape.GetFace(direction, ref corners);
 
     public override bool TryGetVertex(int id, out Vector3D point) => _shape.TryGetVertex(id, out point);
 }

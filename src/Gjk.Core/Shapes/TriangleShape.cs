@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A triangle, filled; it may be degenerate (a segment or a point).</summary>
-public readonly struct TriangleShape : ISupportMap, ITightBounds
+public readonly struct TriangleShape : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>The first corner.</summary>
     public readonly Vector3 A;
@@ -39,6 +39,13 @@ public readonly struct TriangleShape : ISupportMap, ITightBounds
         int id = PrimitiveSupport.Triangle(A, B, C, direction, out point);
         point -= Center;
         return id;
+    }
+
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        Vector3D center = Center;
+        PrimitiveFaces.Triangle(A - center, B - center, C - center, direction, ref corners);
     }
 
     /// <inheritdoc/>

@@ -204,11 +204,16 @@ public sealed partial class CollisionScene
 
     private void DecideOverlaps(Workers? workers)
     {
-        if (_overlaps.Length < _candidates.Count)
-            _overlaps = new bool[BoundsTable.Grown(_overlaps.Length, _candidates.Count)];
+        ReserveOverlaps();
         Workers.Run(
             workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count, PairBatch.PartLength,
             CancellationToken.None);
+    }
+
+    private void ReserveOverlaps()
+    {
+        if (_overlaps.Length < _candidates.Count)
+            _overlaps = new bool[BoundsTable.Grown(_overlaps.Length, _candidates.Count)];
     }
 
     private void CopyOverlaps(List<ObjectPair> results)

@@ -20,3 +20,16 @@ public interface IPairDistanceVisitor
     /// </summary>
     void Visit(ObjectPair pair, in DistanceResult result);
 }
+
+/// <summary>
+/// Is shown the pairs that a scene finds with their contact points, in order. Implement it with a struct: it is called
+/// without boxing.
+/// </summary>
+public interface IPairContactsVisitor
+{
+    /// <summary>
+    /// One pair, A less than B, with its signed distance and its points. The scene must not be used before the last
+    /// visit has returned.
+    /// </summary>
+    void Visit(ObjectPair pair, in DistanceResult result, in ContactManifold manifold);
+}

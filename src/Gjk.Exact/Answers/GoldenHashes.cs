@@ -15,6 +15,7 @@ public static class GoldenHashes
         ["allCases"] = "3fa1e20f8a287e40",
         ["random"] = "bba608ef5fee06a0",
         ["depths"] = "8ea1b869faa508fc",
+        ["contacts"] = "9f92d69b5eff13df",
     };
 
     public static IReadOnlyDictionary<string, string> Of(string targetFramework) => targetFramework switch

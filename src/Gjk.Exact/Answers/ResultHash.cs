@@ -39,6 +39,21 @@ public struct ResultHash
         Add(result.Normal);
     }
 
+    /// <summary>The points where a pair touches: how many, their number, gap and both places.</summary>
+    public void Add(in ContactManifold manifold)
+    {
+        Add((uint)manifold.Count);
+        for (int i = 0; i < manifold.Count; i++)
+        {
+            ContactPoint point = manifold[i];
+            Add((uint)(point.FeatureId >> 32));
+            Add((uint)point.FeatureId);
+            Add(point.Gap);
+            Add(point.PointA);
+            Add(point.PointB);
+        }
+    }
+
 #if NET
     /// <summary>The pairs that a frame found intersecting: how many, then a and b of each.</summary>
     public void Add(System.ReadOnlySpan<ObjectPair> pairs)

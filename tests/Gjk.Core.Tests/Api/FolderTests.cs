@@ -29,9 +29,13 @@ public class FolderTests(ITestOutputHelper output)
         ("Minkowski", ["Arithmetic", "Geometry", "Cores", "Simplex"]),
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
         ("Solvers", ["Arithmetic", "Geometry", "Minkowski", "Simplex", "Solvers/Trace"]),
+        ("Contacts", ["Geometry", "Minkowski", "Simplex", "Solvers"]),
         (
             "Queries",
-            ["Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace"]),
+            [
+                "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
+                "Contacts",
+            ]),
         ("Diagnostics", ["Geometry", "Hulls", "Shapes", "Queries"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
         (
@@ -41,7 +45,9 @@ public class FolderTests(ITestOutputHelper output)
                 "Queries", "BroadPhase", "Threading",
             ]),
         ("Batch", ["Geometry", "Shapes", "Queries", "Threading", "BroadPhase", "Wide"]),
-        ("World", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Wide", "Batch"]),
+        (
+            "World",
+            ["Geometry", "Shapes", "Solvers", "Contacts", "Queries", "Threading", "BroadPhase", "Wide", "Batch"]),
     ];
 
     [Fact]

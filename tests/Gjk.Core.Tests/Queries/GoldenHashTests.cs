@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading.Tasks;
@@ -44,6 +45,24 @@ public class GoldenHashTests
             foreach (HardCase c in CaseFamily.Load(family).Cases)
                 hash.Add(c.IndexA, c.IndexB, c.Pair.SignedDistance());
         AssertGolden("depths", hash);
+    }
+
+    [Fact]
+    public void TheContactsKeepTheirBits()
+    {
+        var hash = new ResultHash();
+        var manifold = default(ContactManifold);
+        foreach (string family in CaseFamily.Names.Concat(CaseFamily.DepthNames))
+        {
+            foreach (TestPair p in CaseFamily.Load(family).Cases.Select(c => c.Pair))
+            {
+                float gap = 0.01f * (float)Math.Max(p.A.Reach, p.B.Reach);
+                ConvexQuery.Contacts(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, gap, ref manifold);
+                hash.Add(manifold);
+            }
+        }
+
+        AssertGolden("contacts", hash);
     }
 
     [Fact]

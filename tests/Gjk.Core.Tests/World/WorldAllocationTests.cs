@@ -68,6 +68,7 @@ public class WorldAllocationTests
         CollisionScene scene = world.Scene(kind, bound);
         List<ObjectPair> overlaps = [], candidates = [];
         List<PairDistance> within = [];
+        List<PairContacts> contacts = [];
         var statuses = new GjkStatus[1000];
         var distances = new DistanceResult[1000];
         ConvexShape[] shapes = [.. world.Shapes];
@@ -87,6 +88,10 @@ public class WorldAllocationTests
             var counter = default(Counter);
             scene.FindOverlaps(ref counter, workers);
             scene.FindPairsWithin(0.2f, ref counter, workers);
+            scene.FindDepths(within, workers);
+            scene.FindDepths(ref counter, workers);
+            scene.FindContacts(0, contacts, workers);
+            scene.FindContacts(0.05f, ref counter, workers);
             for (int i = 0; i < 50; i++)
             {
                 scene.TryFindNearest(i, out int _, out _);
@@ -98,13 +103,15 @@ public class WorldAllocationTests
         };
     }
 
-    private struct Counter : IPairVisitor, IPairDistanceVisitor
+    private struct Counter : IPairVisitor, IPairDistanceVisitor, IPairContactsVisitor
     {
         private int _count;
 
         public void Visit(ObjectPair pair) => _count++;
 
         public void Visit(ObjectPair pair, in DistanceResult result) => _count++;
+
+        public void Visit(ObjectPair pair, in DistanceResult result, in ContactManifold manifold) => _count++;
     }
 }
 

@@ -1,0 +1,83 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Up to four points where two shapes touch, and the direction in which they push each other: what <see
+/// cref="ConvexQuery"/>'s contacts fill. Kept by the caller; mutable, and a copy is independent.
+/// </summary>
+public struct ContactManifold
+{
+    /// <summary>The most points that a manifold has: four carry any flat contact.</summary>
+    public const int Capacity = 4;
+
+    private ContactPoint _first, _second, _third, _fourth;
+
+    /// <summary>How many points there are, from 0 to <see cref="Capacity"/>.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>The unit vector in which B leaves A, common to all points; zero when there are none.</summary>
+    public Vector3 Normal { get; private set; }
+
+    /// <summary>A point. The first is the deepest, or as deep to within 1e-6 of the size.</summary>
+    /// <param name="index">From 0 to <see cref="Count"/> - 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>
+    public readonly ContactPoint this[int index]
+    {
+        get
+        {
+            if ((uint)index >= (uint)Count)
+                throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such contact point.");
+            return index == 0 ? _first : index == 1 ? _second : index == 2 ? _third : _fourth;
+        }
+    }
+
+    /// <summary>The same manifold with A and B exchanged.</summary>
+    public readonly ContactManifold Swapped
+    {
+        get
+        {
+            var swapped = default(ContactManifold);
+            swapped.Begin(-Normal);
+            for (int i = 0; i < Count; i++) swapped.Add(this[i].Swapped);
+            return swapped;
+        }
+    }
+
+    /// <summary>Removes all points.</summary>
+    public void Clear()
+    {
+        Count = 0;
+        Normal = Vector3.Zero;
+    }
+
+    /// <summary>The points, for people to read.</summary>
+    public override readonly string ToString() =>
+        FormattableString.Invariant($"{Count} points along {((Vector3D)Normal).ToString("G9")}");
+
+    internal void Begin(Vector3 normal)
+    {
+        Count = 0;
+        Normal = normal;
+    }
+
+    internal void Add(in ContactPoint point)
+    {
+        switch (Count++)
+        {
+            case 0:
+                _first = point;
+                break;
+            case 1:
+                _second = point;
+                break;
+            case 2:
+                _third = point;
+                break;
+            default:
+                _fourth = point;
+                break;
+        }
+    }
+}

@@ -1,0 +1,61 @@
+namespace Gjk.Core;
+
+/// <summary>
+/// The corners that a shape shows of a face, in order around it: see <see cref="ISupportFace"/>. It lives on the stack
+/// of a query.
+/// </summary>
+public unsafe ref struct FaceCorners
+{
+    /// <summary>
+    /// How many corners there is room for; further ones are left out. A face with more is shown by some of them, spread
+    /// evenly around it.
+    /// </summary>
+    public const int Capacity = 32;
+
+    private readonly FaceCorner* _corners;
+
+    /// <param name="memory">Room for <see cref="Capacity"/> corners.</param>
+    internal FaceCorners(FaceCorner* memory)
+    {
+        _corners = memory;
+        Count = 0;
+    }
+
+    /// <summary>How many corners there are: none, a corner, an edge's two ends, or a face's.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Adds the next corner around the face.</summary>
+    /// <param name="point">Measured from the shape's <see cref="ISupportMap.Center"/>, in its local frame.</param>
+    /// <param name="id">
+    /// What tells the corner from the shape's others, from 0 to 2^30 - 1: contact points carry it from frame to frame.
+    /// </param>
+    public void Add(in Vector3D point, int id)
+    {
+        if (_corners == null || Count == Capacity) return;
+        _corners[Count++] = new FaceCorner(point, id);
+    }
+
+    /// <summary>A corner's place.</summary>
+    /// <param name="index">From 0 to <see cref="Count"/> - 1, unchecked.</param>
+    internal readonly ref Vector3D this[int index] => ref _corners[index].Point;
+
+    /// <summary>A corner's id.</summary>
+    /// <param name="index">From 0 to <see cref="Count"/> - 1, unchecked.</param>
+    internal readonly int IdOf(int index) => _corners[index].Id;
+}
+
+/// <summary>A corner of a face.</summary>
+internal struct FaceCorner
+{
+    /// <summary>Where it is.</summary>
+    public Vector3D Point;
+
+    /// <summary>What tells it from the others.</summary>
+    public readonly int Id;
+
+    public FaceCorner(in Vector3D point, int id)
+    {
+        Point = point;
+        Id = id;
+    }
+}

@@ -1,0 +1,31 @@
+namespace Gjk.Core;
+
+/// <summary>Which faces and edges lie level enough across a direction to carry contact points.</summary>
+internal static class FaceTilt
+{
+    /// <summary>
+    /// Cosine and sine: a face's normal may be 60 degrees off the direction, an edge may rise by 30 degrees. Steeper
+    /// ones leave within a maximal gap hardly more than the deepest point, and their heights are ill conditioned.
+    /// Pinned by ContactTests.
+    /// </summary>
+    public const double LeastCosine = 0.5, MostSine = 0.5;
+
+    /// <summary>Whether a face lies level enough.</summary>
+    /// <param name="normal">Outward, of any length.</param>
+    /// <param name="direction">Of any length.</param>
+    public static bool IsLevelFace(in Vector3D normal, in Vector3D direction)
+    {
+        double along = Vector3D.Dot(normal, direction);
+        return along > 0
+            && along * along >= LeastCosine * LeastCosine * normal.LengthSquared * direction.LengthSquared;
+    }
+
+    /// <summary>Whether an edge lies level enough; one without length does not.</summary>
+    /// <param name="edge">Of any length.</param>
+    /// <param name="direction">Of any length.</param>
+    public static bool IsLevelEdge(in Vector3D edge, in Vector3D direction)
+    {
+        double rise = Vector3D.Dot(edge, direction), squared = edge.LengthSquared * direction.LengthSquared;
+        return squared > 0 && rise * rise <= MostSine * MostSine * squared;
+    }
+}

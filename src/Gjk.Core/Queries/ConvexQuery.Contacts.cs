@@ -1,0 +1,113 @@
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>
+    /// Where two convex shapes touch: the signed distance, and up to four points that a solver needs to keep one on
+    /// the other.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="maxGap">
+    /// Points further apart than this are left out, in world units; at least 0, and less or NaN counts as 0. A little
+    /// more than the shapes can move in a frame, or than a body rocks, keeps the corners of one that is about to touch.
+    /// </param>
+    /// <param name="manifold">
+    /// Emptied and filled: no points when the shapes are further apart than <paramref name="maxGap"/> or invalid. A
+    /// face on a face has up to four, which span the largest area, an edge on a face two, a corner one. Shapes whose
+    /// face, edge or corner there is unknown or round (spheres, ellipsoids, those without <see cref="ISupportFace"/>)
+    /// have the one pair of deepest points. Every pair of points lies along the manifold's normal.
+    /// </param>
+    /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
+    public static DistanceResult Contacts<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, ref ContactManifold manifold)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        WarmStart unused = default;
+        return AskContacts(a, poseA, b, poseB, maxGap, ref unused, false, ref manifold);
+    }
+
+    /// <summary>
+    /// As the first, beginning where the last query of the pair ended: faster for pairs that move little.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="maxGap">See the first overload.</param>
+    /// <param name="warmStart">
+    /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
+    /// and <c>SignedDistance</c> use.
+    /// </param>
+    /// <param name="manifold">See the first overload.</param>
+    /// <returns>As <c>SignedDistance</c> gives it. Within the accuracy that of the cold query.</returns>
+    public static DistanceResult Contacts<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, ref WarmStart warmStart,
+        ref ContactManifold manifold)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        AskContacts(a, poseA, b, poseB, maxGap, ref warmStart, true, ref manifold);
+
+    private static DistanceResult AskContacts<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, ref WarmStart warmStart, bool isWarm,
+        ref ContactManifold manifold)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA copyA = default;
+        TB copyB = default;
+        ref TA shapeA = ref Inward(a, ref copyA);
+        ref TB shapeB = ref Inward(b, ref copyB);
+        var question = new SignedQuestion(warmStart, isWarm, wantsSimplex: false, wantsPlane: true);
+        Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
+        if (isWarm) warmStart = question.WarmStart;
+        manifold.Clear();
+        float mostGap = maxGap > 0 ? maxGap : 0;
+        if (question.Result.Distance <= mostGap)
+        {
+            manifold.Begin(question.Result.Normal);
+            AddPoints(shapeA, poseA, shapeB, question, mostGap, ref manifold);
+        }
+
+        return question.Result;
+    }
+
+    /// <summary>Asks both shapes for what they show along the normal.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static unsafe void AddPoints<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in SignedQuestion question, float maxGap, ref ContactManifold manifold)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
+        var cornersA = new FaceCorners(memory);
+        var cornersB = new FaceCorners(memory + FaceCorners.Capacity);
+        ref readonly ContactPlane plane = ref question.Plane;
+        ref readonly DistanceResult result = ref question.Result;
+        if (plane.Normal.LengthSquared > 0)
+        {
+            FaceOf<TA>.Get(a, plane.Normal, ref cornersA);
+            FaceOf<TB>.Get(b, plane.Frame.Rotation.InverseRotate(-plane.Normal), ref cornersB);
+        }
+
+        if (cornersA.Count > 1 && cornersB.Count > 1)
+        {
+            ContactBuilder.Build(plane, cornersA, cornersB, poseA, maxGap, result.Distance, ref manifold);
+            return;
+        }
+
+        long id = ContactFeature.Of(ContactFeature.OnlyCorner(cornersA), ContactFeature.OnlyCorner(cornersB));
+        manifold.Add(
+            new ContactPoint(
+                result.PointA, result.PointB, result.LocalPointA, result.LocalPointB, result.Distance, id));
+    }
+}

@@ -1,0 +1,47 @@
+namespace Gjk.Core;
+
+public readonly partial struct ConvexShape
+{
+    /// <inheritdoc/>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        if (_parts.Layer is not null)
+        {
+            _parts.Layer.GetFace(direction, ref corners);
+            return;
+        }
+
+        // Uneven factors make a margin part of a core that has no corners then.
+        if (_parts.InnerMargin > 0 && !_scale.KeepsBalls) return;
+        CoreFace(_isPlain ? direction : _scale.Inward(direction), ref corners);
+        if (_isPlain) return;
+        for (int i = 0; i < corners.Count; i++) corners[i] = _scale.Outward(corners[i]) + _centerError;
+    }
+
+    /// <summary>The face of the core before the scale, measured from the core's centre.</summary>
+    private void CoreFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        Vector3D center = CoreCenter(_parts), a = _parts.A - center, b = _parts.B - center;
+        switch (_parts.Kind)
+        {
+            case ShapeKind.Mesh:
+                new ConvexMesh(_parts.Hull!).GetFace(direction, ref corners);
+                break;
+            case ShapeKind.Box:
+                PrimitiveFaces.Box(_parts.A, direction, ref corners);
+                break;
+            case ShapeKind.Segment or ShapeKind.Capsule:
+                PrimitiveFaces.Segment(a, b, direction, ref corners);
+                break;
+            case ShapeKind.Triangle:
+                PrimitiveFaces.Triangle(a, b, _parts.C - center, direction, ref corners);
+                break;
+            case ShapeKind.Cylinder:
+                PrimitiveFaces.Cylinder(_parts.A.X, _parts.A.Y, direction, ref corners);
+                break;
+            case ShapeKind.Cone:
+                PrimitiveFaces.Cone(_parts.A.X, _parts.A.Y, direction, ref corners);
+                break;
+        }
+    }
+}

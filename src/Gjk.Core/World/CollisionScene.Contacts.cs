@@ -1,0 +1,155 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+
+namespace Gjk.Core;
+
+public sealed partial class CollisionScene
+{
+    /// <summary>The pairs that are worth a search for depth or contacts.</summary>
+    private readonly List<ObjectPair> _touching = [];
+
+    private DistanceResult[] _depths = [];
+    private ContactManifold[] _manifolds = [];
+
+    /// <summary>
+    /// The pairs that overlap, touching included, and how deep: with the bits of <c>ConvexQuery.SignedDistance</c>.
+    /// </summary>
+    /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void FindDepths(List<PairDistance> results, Workers? workers = null)
+    {
+        CheckNotVisiting();
+        Guard.NotNull(results, nameof(results));
+        MeasureDepths(workers);
+        results.Clear();
+        for (int i = 0; i < _touching.Count; i++) results.Add(new PairDistance(IdsOf(_touching[i]), _depths[i]));
+    }
+
+    /// <summary>
+    /// Shows the pairs that overlap, touching included, and how deep, to a visitor, sorted by id.
+    /// </summary>
+    /// <typeparam name="TVisitor">A struct.</typeparam>
+    /// <param name="visitor">
+    /// It may not use the scene before it has seen all pairs. What it throws passes through.
+    /// </param>
+    /// <param name="workers">
+    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
+    /// </param>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void FindDepths<TVisitor>(ref TVisitor visitor, Workers? workers = null)
+        where TVisitor : struct, IPairDistanceVisitor
+    {
+        CheckNotVisiting();
+        MeasureDepths(workers);
+        _visiting = true;
+        try
+        {
+            for (int i = 0; i < _touching.Count; i++) visitor.Visit(IdsOf(_touching[i]), _depths[i]);
+        }
+        finally
+        {
+            _visiting = false;
+        }
+    }
+
+    /// <summary>
+    /// The contact points of all pairs that overlap or are no further apart than a gap: with the bits of
+    /// <c>ConvexQuery.Contacts</c>.
+    /// </summary>
+    /// <param name="maxGap">At least 0: points, and pairs, further apart are left out.</param>
+    /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gap is negative or NaN.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void FindContacts(float maxGap, List<PairContacts> results, Workers? workers = null)
+    {
+        CheckNotVisiting();
+        Guard.NotNull(results, nameof(results));
+        CheckGap(maxGap);
+        MakeContacts(maxGap, workers);
+        results.Clear();
+        for (int i = 0; i < _touching.Count; i++)
+        {
+            if (_manifolds[i].Count > 0)
+                results.Add(new PairContacts(IdsOf(_touching[i]), _depths[i], _manifolds[i]));
+        }
+    }
+
+    /// <summary>Shows the contact points to a visitor, pair by pair, sorted by id; as the other otherwise.</summary>
+    /// <typeparam name="TVisitor">A struct.</typeparam>
+    /// <param name="maxGap">At least 0: points, and pairs, further apart are left out.</param>
+    /// <param name="visitor">
+    /// It may not use the scene before it has seen all pairs. What it throws passes through.
+    /// </param>
+    /// <param name="workers">
+    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
+    /// </param>
+    /// <exception cref="ArgumentOutOfRangeException">The gap is negative or NaN.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void FindContacts<TVisitor>(float maxGap, ref TVisitor visitor, Workers? workers = null)
+        where TVisitor : struct, IPairContactsVisitor
+    {
+        CheckNotVisiting();
+        CheckGap(maxGap);
+        MakeContacts(maxGap, workers);
+        _visiting = true;
+        try
+        {
+            for (int i = 0; i < _touching.Count; i++)
+                if (_manifolds[i].Count > 0) visitor.Visit(IdsOf(_touching[i]), _depths[i], _manifolds[i]);
+        }
+        finally
+        {
+            _visiting = false;
+        }
+    }
+
+    private static void CheckGap(float maxGap)
+    {
+        if (!(maxGap >= 0))
+            throw new ArgumentOutOfRangeException(nameof(maxGap), maxGap, "Must not be negative or NaN.");
+    }
+
+    private void MeasureDepths(Workers? workers)
+    {
+        CollectTouching(0, workers);
+        Workers.Run(
+            workers, new SceneDepthJob(_objects, _touching, _depths), _touching.Count, PairBatch.PartLength,
+            CancellationToken.None);
+    }
+
+    private void MakeContacts(float maxGap, Workers? workers)
+    {
+        CollectTouching(maxGap, workers);
+        if (_manifolds.Length < _touching.Count)
+            _manifolds = new ContactManifold[BoundsTable.Grown(_manifolds.Length, _touching.Count)];
+        Workers.Run(
+            workers, new SceneContactJob(_objects, _touching, _depths, _manifolds, maxGap), _touching.Count,
+            PairBatch.PartLength, CancellationToken.None);
+    }
+
+    /// <summary>The fast queries leave only the pairs that are close enough.</summary>
+    private void CollectTouching(float maxGap, Workers? workers)
+    {
+        CollectSlots(maxGap, _candidates);
+        if (maxGap > 0) DecideWithin(maxGap, workers);
+        else DecideOverlaps(workers);
+        _touching.Clear();
+        for (int i = 0; i < _candidates.Count; i++)
+            if (_overlaps[i]) _touching.Add(_candidates[i]);
+        if (_depths.Length < _touching.Count)
+            _depths = new DistanceResult[BoundsTable.Grown(_depths.Length, _touching.Count)];
+    }
+
+    private void DecideWithin(float maxGap, Workers? workers)
+    {
+        ReserveOverlaps();
+        Workers.Run(
+            workers, new SceneWithinJob(_objects, _candidates, _overlaps, maxGap), _candidates.Count,
+            PairBatch.PartLength, CancellationToken.None);
+    }
+}

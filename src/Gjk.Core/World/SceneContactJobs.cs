@@ -1,0 +1,69 @@
+#if NET9_0_OR_GREATER
+using System;
+#endif
+using System.Collections.Generic;
+#if NET9_0_OR_GREATER
+using System.Runtime.InteropServices;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>Which of a scene's pairs are no further apart than a gap.</summary>
+internal readonly struct SceneWithinJob(
+    SceneObjects objects, List<ObjectPair> pairs, bool[] areWithin, float maxGap) : IPartJob
+{
+    public void Run(int begin, int end)
+    {
+#if NET9_0_OR_GREATER
+        if (WideBatch.IsSupported)
+        {
+            Span<DistanceResult> results = stackalloc DistanceResult[end - begin];
+            var question = new WideDistances(ref results[0], maxGap);
+            new WideBatch(objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin])
+                .Ask(end - begin, ref question);
+            for (int i = begin; i < end; i++)
+                areWithin[i] = results[i - begin].Status != GjkStatus.BeyondMaxDistance;
+            return;
+        }
+#endif
+        for (int i = begin; i < end; i++)
+        {
+            ObjectPair pair = pairs[i];
+            areWithin[i] = ConvexQuery.Distance(
+                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
+                maxGap).Status != GjkStatus.BeyondMaxDistance;
+        }
+    }
+}
+
+/// <summary>How deep a scene's pairs overlap.</summary>
+internal readonly struct SceneDepthJob(SceneObjects objects, List<ObjectPair> pairs, DistanceResult[] depths)
+    : IPartJob
+{
+    public void Run(int begin, int end)
+    {
+        for (int i = begin; i < end; i++)
+        {
+            ObjectPair pair = pairs[i];
+            depths[i] = ConvexQuery.SignedDistance(
+                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B]);
+        }
+    }
+}
+
+/// <summary>Where a scene's pairs touch.</summary>
+internal readonly struct SceneContactJob(
+    SceneObjects objects, List<ObjectPair> pairs, DistanceResult[] depths, ContactManifold[] manifolds, float maxGap)
+    : IPartJob
+{
+    public void Run(int begin, int end)
+    {
+        for (int i = begin; i < end; i++)
+        {
+            ObjectPair pair = pairs[i];
+            depths[i] = ConvexQuery.Contacts(
+                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B], maxGap,
+                ref manifolds[i]);
+        }
+    }
+}
