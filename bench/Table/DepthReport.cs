@@ -37,10 +37,10 @@ internal static class DepthReport
             $"""
 
             The pairs overlap. Moving is 1 % of the smaller object's size between two calls, across the way out.
-            The engines and the goals were measured elsewhere (one shared 2-core x86-64 machine with AVX-512, pinned to
-            one core; cited figures), on pairs of the same description. The report's algorithm answers no depths, so
-            that both are scaled by the average slowness, {slowness:0.00}, as if that machine were the one of the
-            figures above. No engine was measured warm, and none of them answers all such pairs right.
+            The engines were measured and the goals set elsewhere (one shared 2-core x86-64 machine with AVX-512, one
+            pinned core; cited figures), on other pairs of the same description. The report's algorithm answers no
+            depths, so both are scaled by the average slowness, {slowness:0.00}, as if that machine were the one of
+            the figures above. No engine was measured warm, and none answers all such pairs right.
 
             """);
     }
