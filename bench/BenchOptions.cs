@@ -15,12 +15,14 @@ public sealed class BenchOptions
           dotnet run -c Release --project bench -- [options] [BenchmarkDotNet's options]
 
           --filter GLOB     Run these benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*').
-          --quick           Run only the report's scenes in this process: distance cold, warm and by the baseline, in
-                            three short iterations. This takes a minute. Without it every benchmark runs in a process
-                            of its own, and '*' takes half an hour.
-          --table           Measure every figure that has a goal: the report's scenes, random pairs, primitives and
-                            hulls of up to 100,000 vertices. Library and baseline run in turn in this process, without
-                            BenchmarkDotNet. Print a table with the goals scaled to this machine. Takes two minutes.
+          --quick           Run only the report's scenes (distance cold, warm and by the baseline) and the depths of
+                            overlapping boxes and hulls, in this process and in three short iterations. This takes
+                            about two minutes. Without it every benchmark runs in a process of its own, and '*' takes
+                            more than half an hour.
+          --table           Measure every figure that has a goal: the report's scenes, random pairs, primitives,
+                            hulls of up to 100,000 vertices and the depths of overlapping pairs. Library and baseline
+                            run in turn in this process, without BenchmarkDotNet. Print tables with the goals scaled
+                            to this machine. Takes about two and a half minutes.
           --scale           Find the intersecting pairs among 20 to 100,000 cubes, at rest and moving, with every broad
                             phase, on one thread and on all, without BenchmarkDotNet. Print the ms per frame in the
                             broad and in the narrow phase, candidates, pairs, memory and bytes allocated. Measure the
@@ -31,8 +33,9 @@ public sealed class BenchOptions
                             of each. Takes a few minutes.
           --scale-worst     Measure only the broad phases on the worst arrangements of boxes (rods, plates, points on a
                             line, identical, nested, ...), without BenchmarkDotNet. Takes a minute.
-          --seconds S       Measure for S seconds, from 0.01 to 600. With --table this is per set (default 6), with
-                            --scale per row (default 1), with --scale-worst per row (default 0.5).
+          --seconds S       Measure for S seconds, from 0.01 to 600. With --table this is per set (default 6, and a part
+                            of it for primitives, depths and the largest hulls), with --scale per row (default 1),
+                            with --scale-worst per row (default 0.5).
           --csv             Keep the figures. With --table they go to bench/results/MACHINE.csv, and docs/cost.svg is
                             drawn. With --scale they go to MACHINE-scale.csv and docs/scale.svg. With --worst they go
                             to MACHINE-worst.csv. Otherwise BenchmarkDotNet's figures go to

@@ -37,6 +37,32 @@ public static class SceneQueries
         return sum;
     }
 
+    /// <summary>How deep the pairs overlap.</summary>
+    public static float Depth(BenchScene scene)
+    {
+        ConvexShape[] shapes = scene.Shapes;
+        RigidPose[] poses = scene.Poses;
+        float sum = 0;
+        foreach (BenchScene.Pair pair in scene.Pairs)
+            sum += ConvexQuery.SignedDistance(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]).Distance;
+        return sum;
+    }
+
+    /// <summary>How deep the pairs overlap, with the warm start that each kept from its last call.</summary>
+    public static float WarmDepth(BenchScene scene, RigidPose[] poses, WarmStart[] warmStarts)
+    {
+        ConvexShape[] shapes = scene.Shapes;
+        BenchScene.Pair[] pairs = scene.Pairs;
+        float sum = 0;
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            (int a, int b) = (pairs[i].A, pairs[i].B);
+            sum += ConvexQuery.SignedDistance(shapes[a], poses[a], shapes[b], poses[b], ref warmStarts[i]).Distance;
+        }
+
+        return sum;
+    }
+
     public static int Overlaps(BenchScene scene)
     {
         ConvexShape[] shapes = scene.Shapes;

@@ -39,8 +39,8 @@ internal static class ScaleGoals
         TableSet[] scenes = [.. ReportScenes.Names.Select(TableSet.OfReportScene)];
         foreach (TableSet scene in scenes)
         {
-            TurnTaking.WarmUp([scene.Baseline], BaselineSeconds);
-            TurnTaking.Measure([scene.Baseline], BaselineSeconds);
+            TurnTaking.WarmUp([scene.Baseline!], BaselineSeconds);
+            TurnTaking.Measure([scene.Baseline!], BaselineSeconds);
         }
 
         return Goals.MeanSlowness(scenes.Select(s => s.Slowness).OfType<double>());

@@ -31,9 +31,15 @@ public sealed class BenchScene
     /// </summary>
     public int Add(in ConvexShape shape, Vector3[] vertices, in RigidPose pose)
     {
+        _colliders.Add(new MeshSupportCollider(vertices, pose.Rotation, pose.Position));
+        return Add(shape, pose);
+    }
+
+    /// <summary>Adds an object to a scene that only the library is asked about.</summary>
+    public int Add(in ConvexShape shape, in RigidPose pose)
+    {
         _shapes.Add(shape);
         _poses.Add(pose);
-        _colliders.Add(new MeshSupportCollider(vertices, pose.Rotation, pose.Position));
         return _shapes.Count - 1;
     }
 

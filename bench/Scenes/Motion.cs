@@ -55,7 +55,7 @@ public sealed class Motion
     }
 
     /// <summary>The longest side of the shape's bounding box in its own frame.</summary>
-    private static double Size(in ConvexShape shape) =>
+    internal static double Size(in ConvexShape shape) =>
         Math.Max(Math.Max(Extent(shape, new(1, 0, 0)), Extent(shape, new(0, 1, 0))), Extent(shape, new(0, 0, 1)));
 
     private static double Extent(in ConvexShape shape, in Vector3D axis)

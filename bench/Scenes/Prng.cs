@@ -17,6 +17,9 @@ public sealed class Prng
     /// <summary>Uniform in 0 .. count - 1.</summary>
     public int Index(int count) => (int)(count * _source.Unit());
 
+    /// <summary>One of a few values.</summary>
+    public T OneOf<T>(params ReadOnlySpan<T> values) => values[Index(values.Length)];
+
     /// <summary>
     /// Uniform on the unit sphere, by rejection. Trigonometry is avoided because its results could differ between
     /// machines.

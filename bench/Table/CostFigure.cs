@@ -23,7 +23,8 @@ internal static class CostFigure
         TableRow[] warm = [.. hulls.Where(r => r.Query == Query.Warm)];
         return new LogLogChart(
         [
-            new ChartLine("the report's algorithm", "#6e7781", [.. cold.Select(r => ((double)r.Vertices, r.Baseline))]),
+            new ChartLine(
+                "the report's algorithm", "#6e7781", [.. cold.Select(r => ((double)r.Vertices, r.Baseline!.Value))]),
             new ChartLine("Gjk, cold", "#0969da", [.. cold.Select(r => ((double)r.Vertices, r.Library))]),
             new ChartLine(
                 "Gjk, warm start, nothing moved", "#bf5b04", [.. warm.Select(r => ((double)r.Vertices, r.Library))]),

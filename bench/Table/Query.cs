@@ -27,4 +27,13 @@ internal enum Query
 
     /// <summary>As <see cref="Boolean"/>, the whole list in one call.</summary>
     BatchBoolean,
+
+    /// <summary>The signed distance of overlapping pairs. Nothing is kept between the calls.</summary>
+    Depth,
+
+    /// <summary>
+    /// The same with a warm start per pair. One object of every pair moves by a hundredth of its size between the
+    /// calls.
+    /// </summary>
+    DepthMoving,
 }

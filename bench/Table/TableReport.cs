@@ -15,13 +15,13 @@ internal static class TableReport
         var text = new StringBuilder();
         text.Append("| set | query | library | baseline | factor | goal | goal here | | best other | here | wins |\n");
         text.Append("|---|---|--:|--:|--:|--:|--:|---|--:|--:|---|\n");
-        foreach (TableRow r in rows)
+        foreach (TableRow r in rows.Where(r => !DepthReport.Covers(r)))
         {
             string met = r.Met switch { true => "met", false => "missed", null => "" };
             text.Append(
                 CultureInfo.InvariantCulture,
-                $"| {r.Set} | {Name(r.Query)} | {Time(r.Library)} | {Time(r.Baseline)} | {r.Factor:0.0} "
-                + $"| {r.Goal:0} | {r.GoalHere:0} | {met} | {Engine(r)} | {r.BestHere:0} | {Winner(r)} |\n");
+                $"| {r.Set} | {Name(r.Query)} | {Time(r.Library)} | {Time(r.Baseline!.Value)} | {r.Factor:0.0} "
+                + $"| {r.Goal:0} | {r.GoalHere:0} | {met} | {Engine(r)} | {r.BestHere:0} | {r.Winner} |\n");
         }
 
         TableRow[] judged = [.. rows.Where(r => r.Met is not null)];
@@ -38,6 +38,7 @@ internal static class TableReport
             {judged.Count(r => r.Met == true)} of {judged.Length} goals met.
 
             """);
+        DepthReport.Append(text, rows, meanSlowness);
         return text.ToString();
     }
 
@@ -62,9 +63,6 @@ internal static class TableReport
     private static string Engine(TableRow r) => r.Best is (string engine, double time)
         ? string.Create(CultureInfo.InvariantCulture, $"{engine} {time:0}")
         : "";
-
-    private static string Winner(TableRow r) =>
-        r.BestHere is not double best ? "" : r.Library < best ? "Gjk" : r.Best!.Value.Engine;
 
     private static string Name(Query query) => query.ToString().ToLowerInvariant();
 

@@ -28,6 +28,12 @@ internal static class TableRun
     /// </summary>
     private const double PrimitiveShare = 1.0 / 3, LargeShare = 0.5;
 
+    /// <summary>
+    /// The share of a set's seconds for depths. Each set has two loops, and its warm-up is short, because all depths
+    /// run the same code.
+    /// </summary>
+    private const double DepthShare = 0.2;
+
     /// <param name="progress">Receives a line per set.</param>
     /// <param name="seconds">How many seconds to measure a set.</param>
     /// <param name="meanSlowness">How many times slower this machine is than the goals' machine.</param>
@@ -41,16 +47,19 @@ internal static class TableRun
         TableSet[] primitives = [.. TableSet.OfPrimitives()];
         TableSet[] large = [.. RandomPairs.LargeNames.Select(TableSet.OfLargePairs)];
 
+        TableSet[] depths = [.. DepthPairs.Names.Select(TableSet.OfDepthPairs)];
+
         progress.WriteLine("warming up");
         double commonSeconds = Math.Min(CommonWarmUpSeconds, seconds * scenes.Length);
-        TurnTaking.WarmUp([.. scenes.Concat(primitives).SelectMany(s => s.Loops)], commonSeconds);
+        TurnTaking.WarmUp([.. scenes.Concat(primitives).Concat(depths).SelectMany(s => s.Loops)], commonSeconds);
         Measure(progress, scenes, seconds);
         Measure(progress, primitives, seconds * PrimitiveShare);
         Measure(progress, large, seconds * LargeShare);
+        Measure(progress, depths, seconds * DepthShare);
 
         double mean = Goals.MeanSlowness(scenes.Select(s => s.Slowness).OfType<double>());
         meanSlowness = mean;
-        return [.. scenes.Concat(primitives).Concat(large).SelectMany(s => s.Rows(mean))];
+        return [.. scenes.Concat(primitives).Concat(large).Concat(depths).SelectMany(s => s.Rows(mean))];
     }
 
     private static void Measure(TextWriter progress, TableSet[] sets, double seconds)

@@ -9,34 +9,34 @@ namespace Gjk.Bench.Table;
 /// <summary>The loops of one set of pairs.</summary>
 internal sealed class TableSet
 {
-    private readonly TimedLoop _baseline;
+    private readonly TimedLoop? _baseline;
     private readonly TimedLoop? _baselineBoolean;
     private readonly List<(Query Query, TimedLoop Loop)> _library = [];
     private readonly List<TimedLoop> _loops;
     private readonly int _vertices;
     private readonly int _pairs;
 
-    private TableSet(string name, int vertices, int pairs, TimedLoop baseline, TimedLoop? baselineBoolean = null)
+    private TableSet(string name, int vertices, int pairs, TimedLoop? baseline, TimedLoop? baselineBoolean = null)
     {
         Name = name;
         _vertices = vertices;
         _pairs = pairs;
         _baseline = baseline;
         _baselineBoolean = baselineBoolean;
-        _loops = baselineBoolean is null ? [baseline] : [baseline, baselineBoolean];
+        _loops = [.. new[] { baseline, baselineBoolean }.OfType<TimedLoop>()];
     }
 
     public string Name { get; }
 
     public IReadOnlyCollection<TimedLoop> Loops => _loops;
 
-    /// <summary>The report's distance.</summary>
-    public TimedLoop Baseline => _baseline;
+    /// <summary>The report's distance. Null for depths.</summary>
+    public TimedLoop? Baseline => _baseline;
 
     /// <summary>
     /// How many times slower this machine is than the goals' machine. Null if there is no figure for that machine.
     /// </summary>
-    public double? Slowness => Goals.Slowness(Name, _baseline.Nanoseconds);
+    public double? Slowness => _baseline is null ? null : Goals.Slowness(Name, _baseline.Nanoseconds);
 
     public static TableSet OfReportScene(string name)
     {
@@ -67,15 +67,29 @@ internal sealed class TableSet
         yield return OfTyped("box-box random", pairs.Boxes);
     }
 
+    /// <summary>Overlapping pairs. The baseline does not know how deep they are.</summary>
+    public static TableSet OfDepthPairs(string name)
+    {
+        BenchScene scene = DepthPairs.Create(name);
+        int pairs = scene.Pairs.Length;
+        var set = new TableSet(name, DepthPairs.VerticesOf(name), pairs, baseline: null);
+        var sliding = new Sliding(scene);
+        var warmStarts = new WarmStart[pairs];
+        set.Add(Query.Depth, new TimedLoop(pairs, () => SceneQueries.Depth(scene)));
+        set.Add(
+            Query.DepthMoving, new TimedLoop(pairs, () => SceneQueries.WarmDepth(scene, sliding.Next(), warmStarts)));
+        return set;
+    }
+
     /// <param name="meanSlowness">The slowness for goals of sets that have none of their own.</param>
     public IEnumerable<TableRow> Rows(double meanSlowness)
     {
         foreach ((Query query, TimedLoop loop) in _library)
         {
             bool isBoolean = query is Query.Boolean or Query.BatchBoolean && _baselineBoolean is not null;
-            TimedLoop baseline = isBoolean ? _baselineBoolean! : _baseline;
+            TimedLoop? baseline = isBoolean ? _baselineBoolean : _baseline;
             yield return new TableRow(
-                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline.Nanoseconds, Goals.For(Name, query),
+                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline?.Nanoseconds, Goals.For(Name, query),
                 Goals.BestEngine(Name, query), Slowness ?? meanSlowness);
         }
     }

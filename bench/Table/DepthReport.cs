@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Text;
+
+namespace Gjk.Bench.Table;
+
+/// <summary>The rows of depths as two tables with a column per set: here, and as other engines were measured.</summary>
+internal static class DepthReport
+{
+    /// <summary>True for rows that have their place here.</summary>
+    public static bool Covers(TableRow row) => row.Query is Query.Depth or Query.DepthMoving;
+
+    /// <param name="text">Where to append the tables.</param>
+    /// <param name="rows">All rows. Others are left out.</param>
+    /// <param name="slowness">How many times slower this machine is than the goals' machine.</param>
+    public static void Append(StringBuilder text, IEnumerable<TableRow> rows, double slowness)
+    {
+        TableRow[] all = [.. rows.Where(Covers)];
+        TableRow[] cold = [.. all.Where(r => r.Query == Query.Depth)];
+        if (cold.Length == 0) return;
+
+        Header(text, "depth here, ns per pair", cold);
+        Line(text, "Gjk, cold", cold, r => Time(r.Library));
+        Line(text, "Gjk, warm, moving", all.Where(r => r.Query == Query.DepthMoving), r => Time(r.Library));
+        Line(text, "the best engine, cold, scaled", cold, r => $"{r.Best?.Engine} {Time(r.BestHere)}");
+        Line(text, "wins, cold", cold, r => r.Winner ?? "");
+        Line(text, "goal, cold, scaled", cold, r => Time(r.GoalHere));
+
+        Header(text, "depth elsewhere, cold", cold);
+        foreach (string engine in DepthGoals.EngineNames)
+            Line(text, engine, cold, r => Time(DepthGoals.Of(engine, r.Set)));
+        Line(text, "goal", cold, r => Time(r.Goal));
+        text.Append(
+            CultureInfo.InvariantCulture,
+            $"""
+
+            The pairs overlap. Moving is 1 % of the smaller object's size between two calls, across the way out.
+            The engines were measured and the goals set elsewhere (one shared 2-core x86-64 machine with AVX-512, one
+            pinned core; cited figures), on other pairs of the same description. The report's algorithm answers no
+            depths, so both are scaled by the average slowness, {slowness:0.00}, as if that machine were the one of
+            the figures above. No engine was measured warm, and none answers all such pairs right.
+
+            """);
+    }
+
+    private static void Header(StringBuilder text, string title, TableRow[] cold)
+    {
+        text.Append('\n');
+        Line(text, title, cold, r => r.Set);
+        text.Append("|---|").Insert(text.Length, "--:|", cold.Length).Append('\n');
+    }
+
+    private static void Line(
+        StringBuilder text, string name, IEnumerable<TableRow> rows, Func<TableRow, string> cell) =>
+        text.Append("| ").Append(name).Append(" | ").AppendJoin(" | ", rows.Select(cell)).Append(" |\n");
+
+    private static string Time(double? nanoseconds) => nanoseconds?.ToString("0", CultureInfo.InvariantCulture) ?? "-";
+}
