@@ -60,40 +60,47 @@ internal unsafe ref struct ContactCandidates
     /// <summary>Finds all places where the features lie opposite each other.</summary>
     public void Find(ref FlatFeature a, ref FlatFeature b)
     {
+        double* insideB = stackalloc double[FaceCorners.Capacity * FaceCorners.Capacity];
+        double* insideA = stackalloc double[FaceCorners.Capacity * FaceCorners.Capacity];
         for (int i = 0; i < a.Count; i++)
         {
             ref FlatCorner corner = ref a[i];
-            if (b.Holds(corner, _slack))
+            if (b.Holds(corner, _slack, insideB + i * FaceCorners.Capacity))
                 Add(corner, b.HeightAt(corner), ContactFeature.Of(ContactFeature.Corner(corner.Id), 0));
         }
 
         for (int i = 0; i < b.Count; i++)
         {
             FlatCorner corner = b[i];
-            if (!a.Holds(corner, _slack)) continue;
+            if (!a.Holds(corner, _slack, insideA + i * FaceCorners.Capacity)) continue;
             double height = corner.Height;
             corner.Height = a.HeightAt(corner);
             Add(corner, height, ContactFeature.Of(0, ContactFeature.Corner(corner.Id)));
         }
 
         for (int i = 0; i < a.EdgeCount; i++)
+        {
+            double* from = insideB + i * FaceCorners.Capacity;
+            double* to = insideB + (i + 1 < a.Count ? i + 1 : 0) * FaceCorners.Capacity;
             for (int j = 0; j < b.EdgeCount; j++)
-                AddCrossing(ref a, i, ref b, j);
+            {
+                if ((from[j] < 0) == (to[j] < 0)) continue;
+                int next = j + 1 < b.Count ? j + 1 : 0;
+                double begin = insideA[j * FaceCorners.Capacity + i], end = insideA[next * FaceCorners.Capacity + i];
+                if ((begin < 0) == (end < 0)) continue;
+                AddCrossing(ref a, i, from[j] / (from[j] - to[j]), ref b, j, begin / (begin - end));
+            }
+        }
     }
 
-    private void AddCrossing(ref FlatFeature a, int edgeA, ref FlatFeature b, int edgeB)
+    private void AddCrossing(ref FlatFeature a, int edgeA, double partA, ref FlatFeature b, int edgeB, double partB)
     {
         ref FlatCorner p = ref a[edgeA], q = ref a.After(edgeA), r = ref b[edgeB], s = ref b.After(edgeB);
-        double insideP = b.Inside(edgeB, p), insideQ = b.Inside(edgeB, q);
-        if ((insideP < 0) == (insideQ < 0)) return;
-        double insideR = a.Inside(edgeA, r), insideS = a.Inside(edgeA, s);
-        if ((insideR < 0) == (insideS < 0)) return;
-        double part = insideP / (insideP - insideQ), partB = insideR / (insideR - insideS);
         var place = new FlatCorner
         {
-            U = p.U + (q.U - p.U) * part,
-            V = p.V + (q.V - p.V) * part,
-            Height = p.Height + (q.Height - p.Height) * part,
+            U = p.U + (q.U - p.U) * partA,
+            V = p.V + (q.V - p.V) * partA,
+            Height = p.Height + (q.Height - p.Height) * partA,
         };
         Add(
             place, r.Height + (s.Height - r.Height) * partB,

@@ -12,22 +12,30 @@ internal unsafe struct FlatFeature
 
     private readonly FlatCorner* _corners;
 
-    /// <summary>1 where the corners run counter-clockwise, else -1.</summary>
-    private double _turn;
+    /// <summary>The length of an edge that stands alone.</summary>
+    private readonly double _length;
 
-    /// <summary>How fast a face rises along the plane's axes, and its height at the first corner.</summary>
+    /// <summary>How fast a face rises along the plane's axes.</summary>
     private double _riseU, _riseV;
 
-    /// <param name="memory">Filled with the corners.</param>
+    /// <param name="memory">The corners; what they know of their edges is filled in.</param>
     /// <param name="count">How many there are; at least 2.</param>
     public FlatFeature(FlatCorner* memory, int count)
     {
         _corners = memory;
         Count = count;
-        _turn = 1;
+        _length = 0;
         _riseU = 0;
         _riseV = 0;
-        if (count > 2) Tilt();
+        double turn = count > 2 ? Tilt() : 1;
+        for (int i = 0; i < EdgeCount; i++)
+        {
+            ref FlatCorner p = ref _corners[i], q = ref After(i);
+            double u = q.U - p.U, v = q.V - p.V;
+            _length = Math.Sqrt(u * u + v * v);
+            p.InwardU = -v * turn / _length;
+            p.InwardV = u * turn / _length;
+        }
     }
 
     /// <summary>A corner.</summary>
@@ -36,28 +44,26 @@ internal unsafe struct FlatFeature
     /// <summary>The corner after another.</summary>
     public readonly ref FlatCorner After(int index) => ref _corners[index + 1 < Count ? index + 1 : 0];
 
-    /// <summary>How many edges there are.</summary>
+    /// <summary>How many edges there are; each begins at the corner of its number.</summary>
     public readonly int EdgeCount => Count > 2 ? Count : 1;
 
-    /// <summary>How far a place lies on the inner side of an edge, times the edge's length.</summary>
-    public readonly double Inside(int edge, in FlatCorner place)
+    /// <summary>Writes how far a place lies on the inner side of each edge.</summary>
+    /// <returns>
+    /// Whether the place is in the face or on the edge, or beside it by no more than a slack; not for NaN.
+    /// </returns>
+    public readonly bool Holds(in FlatCorner place, double slack, double* inside)
     {
-        ref FlatCorner p = ref _corners[edge], q = ref After(edge);
-        return _turn * ((q.U - p.U) * (place.V - p.V) - (q.V - p.V) * (place.U - p.U));
-    }
-
-    /// <summary>Whether a place lies in the face or on the edge, or beside it by no more than a slack.</summary>
-    public readonly bool Holds(in FlatCorner place, double slack)
-    {
+        bool holds = true;
         for (int i = 0; i < EdgeCount; i++)
         {
-            double inside = Inside(i, place), reach = slack * LengthOf(i);
-            if (!(inside >= -reach) || (Count == 2 && inside > reach)) return false;
+            ref FlatCorner p = ref _corners[i];
+            inside[i] = p.InwardU * (place.U - p.U) + p.InwardV * (place.V - p.V);
+            holds &= inside[i] >= -slack;
         }
 
-        if (Count > 2) return true;
-        double part = PartOf(place), most = slack / LengthOf(0);
-        return part >= -most && part <= 1 + most;
+        if (Count > 2 || !holds) return holds;
+        double along = Along(place);
+        return inside[0] <= slack && along >= -slack && along <= _length + slack;
     }
 
     /// <summary>The height of the face or edge at a place.</summary>
@@ -65,25 +71,21 @@ internal unsafe struct FlatFeature
     {
         ref FlatCorner p = ref _corners[0];
         if (Count > 2) return p.Height + _riseU * (place.U - p.U) + _riseV * (place.V - p.V);
-        return p.Height + (_corners[1].Height - p.Height) * Math.Max(0, Math.Min(1, PartOf(place)));
+        return p.Height + (_corners[1].Height - p.Height) * Math.Max(0, Math.Min(1, Along(place) / _length));
     }
 
-    /// <summary>How far along an edge a place lies: 0 at its beginning, 1 at its end.</summary>
-    private readonly double PartOf(in FlatCorner place)
+    /// <summary>How far along an edge a place lies, from its beginning.</summary>
+    private readonly double Along(in FlatCorner place)
     {
-        ref FlatCorner p = ref _corners[0], q = ref _corners[1];
-        double u = q.U - p.U, v = q.V - p.V;
-        return ((place.U - p.U) * u + (place.V - p.V) * v) / (u * u + v * v);
+        ref FlatCorner p = ref _corners[0];
+        return p.InwardV * (place.U - p.U) - p.InwardU * (place.V - p.V);
     }
 
-    private readonly double LengthOf(int edge)
-    {
-        ref FlatCorner p = ref _corners[edge], q = ref After(edge);
-        return Math.Sqrt((q.U - p.U) * (q.U - p.U) + (q.V - p.V) * (q.V - p.V));
-    }
-
-    /// <summary>The plane through a face's corners, by the areas of its projections (Newell).</summary>
-    private void Tilt()
+    /// <summary>
+    /// Finds the plane through a face's corners, by the areas of its projections (Newell); returns 1 where they run
+    /// counter-clockwise, else -1.
+    /// </summary>
+    private int Tilt()
     {
         double u = 0, v = 0, h = 0;
         ref FlatCorner o = ref _corners[0];
@@ -97,9 +99,9 @@ internal unsafe struct FlatFeature
             h += pu * qv - pv * qu;
         }
 
-        _turn = h < 0 ? -1 : 1;
         _riseU = -u / h;
         _riseV = -v / h;
+        return h < 0 ? -1 : 1;
     }
 }
 
@@ -108,6 +110,9 @@ internal struct FlatCorner
 {
     /// <summary>Along the plane's axes, and along the normal.</summary>
     public double U, V, Height;
+
+    /// <summary>Across the edge that begins here, of unit length, to the inner side.</summary>
+    public double InwardU, InwardV;
 
     /// <summary>What tells it from the feature's others.</summary>
     public int Id;

@@ -41,7 +41,7 @@ internal unsafe struct Polytope
     private readonly int* _stack, _free, _rim, _fan, _sameFan;
 
     private readonly int _mostVertices, _mostFaces;
-    private double _noise, _level, _lowestAdded;
+    private double _noise, _level;
     private int _vertexCount, _faceCount, _freeCount;
 
     /// <summary>A polytope without vertices.</summary>
@@ -51,7 +51,7 @@ internal unsafe struct Polytope
     {
         _mostVertices = mostVertices;
         _mostFaces = 2 * mostVertices;
-        _noise = _level = _lowestAdded = 0;
+        _noise = _level = 0;
         _vertexCount = _faceCount = _freeCount = 0;
         _vertices = (PolytopeVertex*)memory;
         memory += DoublesPerVertex * mostVertices;
@@ -80,9 +80,6 @@ internal unsafe struct Polytope
 
     public readonly ref PolytopeFace Face(int index) => ref _faces[index];
 
-    /// <summary>The least height of the faces that were added last.</summary>
-    public readonly double LowestAdded => _lowestAdded;
-
     /// <summary>Whether the face is part of the surface.</summary>
     public readonly bool IsThere(int face) => _heights[face] < Gone;
 
@@ -99,11 +96,12 @@ internal unsafe struct Polytope
         return _vertexCount++;
     }
 
-    /// <summary>Puts a face that was taken away back, beside what took its place, so that it can be read.</summary>
-    public void Restore(int index, in PolytopeFace face, double height)
+    /// <summary>Whether a vertex is one of those before it.</summary>
+    public readonly bool Repeats(int vertex)
     {
-        _faces[index] = face;
-        _heights[index] = height;
+        for (int i = 0; i < vertex; i++)
+            if (_vertices[i].W == _vertices[vertex].W) return true;
+        return false;
     }
 
     /// <summary>Forgets the newest vertex, which no face has.</summary>
@@ -155,13 +153,13 @@ internal unsafe struct Polytope
     /// <summary>Puts a vertex above a face onto the surface.</summary>
     /// <param name="face">A face that the vertex lies above.</param>
     /// <param name="vertex">The vertex.</param>
+    /// <param name="lowest">The least height of all faces.</param>
     /// <returns>False when there is no room; the surface is then no longer closed.</returns>
-    public bool TryExpand(int face, int vertex)
+    public bool TryExpand(int face, int vertex, double lowest)
     {
         int rim = TakeAway(face, _vertices[vertex].W);
         if (rim - _freeCount > _mostFaces - _faceCount) return false;
         int* added = _stack;
-        _lowestAdded = Gone;
         for (int i = 0; i < rim; i++)
         {
             int twin = _rim[i], outer = twin >> 2, edge = twin & 3, made = NewFace();
@@ -171,7 +169,7 @@ internal unsafe struct Polytope
             _sameFan[made] = _fan[from];
             _fan[from] = made;
             added[i] = made;
-            if (_heights[made] < _lowestAdded) _lowestAdded = _heights[made];
+            if (_heights[made] < lowest && lowest > 0) Raise(made);
         }
 
         for (int i = 0; i < rim; i++)
@@ -252,6 +250,25 @@ internal unsafe struct Polytope
         if (!(most - least <= _level)) least = Mend(p, q, r, beside, ref normal);
         face.Normal = normal;
         _heights[index] = least;
+    }
+
+    /// <summary>
+    /// Turns a face's normal to its point that is nearest the origin, along which its height is the most. A new face
+    /// lies with the vertex and a face that was taken away on one side of a plane, so it is no nearer the origin than
+    /// that one was; where its height is less, its own normal is rounding, as between vertices that nearly coincide.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private readonly void Raise(int index)
+    {
+        ref PolytopeFace face = ref _faces[index];
+        Vector3D p = _vertices[face.Vertices[0]].W, q = _vertices[face.Vertices[1]].W;
+        Vector3D r = _vertices[face.Vertices[2]].W;
+        Vector3D nearest = ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default);
+        Vector3D normal = nearest * (1 / nearest.Length);
+        double height = Heights(normal, p, q, r, out _);
+        if (!(height > _heights[index])) return;
+        face.Normal = normal;
+        _heights[index] = height;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

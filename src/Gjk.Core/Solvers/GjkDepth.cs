@@ -83,10 +83,10 @@ internal static unsafe class GjkDepth
         while (polytope.HasRoom)
         {
             face = polytope.Lowest(out depth.Below);
-            PolytopeFace lowest = polytope.Face(face);
-            int vertex = PolytopeStart.Ask(ref a, ref b, frame, lowest.Normal, ref state, ref polytope);
-            double height = Vector3D.Dot(lowest.Normal, polytope.Vertex(vertex).W), gap = height - depth.Below;
-            depth.See(lowest.Normal, height);
+            Vector3D normal = polytope.Face(face).Normal;
+            int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
+            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - depth.Below;
+            depth.See(normal, height);
             if (depth.IsApart(state))
             {
                 depth.Store(ref state, depth.Above);
@@ -94,12 +94,9 @@ internal static unsafe class GjkDepth
             }
 
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
-            if (gap <= state.DepthNoise) return Close(ref state, polytope, face, height, ref depth);
-            if (!polytope.TryExpand(face, vertex)) break;
-            if (!IsDented(state, polytope, depth.Below)) continue;
-            if (!(gap <= GjkTolerances.DentedGap * height + 4 * state.DepthNoise)) break;
-            polytope.Restore(face, lowest, depth.Below);
-            return Close(ref state, polytope, face, height, ref depth);
+            if (gap <= state.DepthNoise || (gap <= RepeatedGap(frame, state, height) && polytope.Repeats(vertex)))
+                return Close(ref state, polytope, face, height, ref depth);
+            if (!polytope.TryExpand(face, vertex, depth.Below)) break;
         }
 
         PolytopeEnd.Copy(polytope, face, ref state.Simplex);
@@ -108,11 +105,11 @@ internal static unsafe class GjkDepth
     }
 
     /// <summary>
-    /// A surface around the origin cannot come nearer to it by growing: where it does, the vertex lay above the face by
-    /// rounding alone, beside it and in its plane, and a new face is turned inside out.
+    /// Length: a point that the surface has already lies above a face by rounding alone, as between faces that are
+    /// level or vertices that nearly coincide. It cannot grow the surface; up to here its gap is within the promise.
     /// </summary>
-    private static bool IsDented(in SolverState state, in Polytope polytope, double below) =>
-        below > 0 && polytope.LowestAdded < below - 4 * state.DepthNoise;
+    private static double RepeatedGap(in PairFrame frame, in SolverState state, double height) =>
+        GjkTolerances.RepeatedGap * (height + frame.Margins) + 4 * state.DepthNoise;
 
     /// <summary>The bounds have met: puts the face that holds the way out's end into the state.</summary>
     private static DepthVerdict Close(

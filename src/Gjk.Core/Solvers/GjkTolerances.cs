@@ -108,10 +108,10 @@ internal static class GjkTolerances
     public const double DepthNoise = 2 * DepthLevel;
 
     /// <summary>
-    /// Ratio to the depth: bounds that are no further apart have met where rounding keeps the polytope from growing; a
-    /// quarter of float's rounding. Pinned by NearCopyDepthTests.
+    /// Ratio to the depth: bounds that are no further apart have met where a vertex repeats itself; half of float's
+    /// rounding, which is half of the promise. Pinned by NearCopyDepthTests.
     /// </summary>
-    public const double DentedGap = 1.0 / (1 << 26);
+    public const double RepeatedGap = 1.0 / (1 << 24);
 
     /// <summary>
     /// Length, for cores without vertices: two bounds of the depth that are no further apart have met. The promise for
