@@ -77,6 +77,26 @@ public sealed class ViewTests
         Assert.Equal(1, page.Column<float>("pointA")[0]);
     }
 
+    /// <summary>
+    /// The search for the depth outgrows its room for ellipsoids about one centre. They intersect all the same.
+    /// </summary>
+    [Fact]
+    public void APairWithoutRoomForItsDepthIntersects()
+    {
+        using var directory = new TempDirectory();
+        const string Round = "{\"shape\":{\"type\":\"ellipsoid\",\"radii\":[1,1,1]}}";
+        string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{Round},{Round}]}}");
+        string html = directory.File("a.html"), picture = directory.File("a.svg");
+        DemoProcess.Run("view", scene, "--out", html, "--svg", picture).AssertDone();
+        var page = new PageText(html);
+        Assert.Equal(1, page.Count("overlapping"));
+        Assert.Equal(GjkStatus.IterationLimit, (GjkStatus)(page.Column<byte>("status")[0] + 1));
+        Assert.InRange(page.Column<float>("distance")[0], -2, -1.9f);
+        string svg = File.ReadAllText(picture);
+        Assert.Contains("1 intersecting", svg);
+        Assert.Contains(": depth at least 1.9", svg);
+    }
+
     [Fact]
     public void FramesMoveAndTurnFromTheFirst()
     {

@@ -216,13 +216,15 @@ internal sealed class ScenePicture
             if (!_results.Overlaps(pair) || !(distance < 0)) continue;
             Vector3D onA = new Vector3(_results.PointA.AsSpan(3 * pair));
             Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
+            string least = _results.Status[pair] == StatusCode.Of(GjkStatus.Overlapping) ? "" : "at least ";
             string title = string.Create(
-                CultureInfo.InvariantCulture,
-                $"{_scene.Objects[a].Name ?? $"#{a}"} – {_scene.Objects[b].Name ?? $"#{b}"}: depth {-distance:G6}");
+                CultureInfo.InvariantCulture, $"{NameOf(a)} – {NameOf(b)}: depth {least}{-distance:G6}");
             PictureArrow.Write(
                 writer, _camera.Project(Drawn(onA + normal * distance)), _camera.Project(Drawn(onA)), title);
         }
     }
+
+    private string NameOf(int index) => _scene.Objects[index].Name ?? $"#{index}";
 
     /// <summary>
     /// Finds the bodies that hide a part of a ball. Returns false if one of them hides the whole ball.
