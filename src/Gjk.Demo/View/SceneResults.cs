@@ -51,7 +51,10 @@ internal sealed class SceneResults
     /// <summary>Minus the depth for a pair that overlaps.</summary>
     public float[] Distance { get; }
 
-    /// <summary>Three numbers per pair. B's point is A's point plus the distance times the normal.</summary>
+    /// <summary>
+    /// Three numbers per pair. B's point is A's point plus the distance times the normal. Where only bounds of the
+    /// depth are known, it is no deepest point.
+    /// </summary>
     public float[] PointA { get; }
 
     /// <summary>For a pair that overlaps, the direction in which B leaves A by the shortest way.</summary>

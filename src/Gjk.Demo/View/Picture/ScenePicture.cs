@@ -203,7 +203,7 @@ internal sealed class ScenePicture
 
     /// <summary>
     /// Writes the way out of each intersecting pair, from B's deepest point to A's. It lies inside both bodies, so it
-    /// is drawn over all of them.
+    /// is drawn over all of them. Where only bounds of the depth are known, there are no deepest points.
     /// </summary>
     private void WriteArrows(StreamWriter writer, CancellationToken cancel)
     {
@@ -213,12 +213,11 @@ internal sealed class ScenePicture
             cancel.ThrowIfCancellationRequested();
             pair++;
             float distance = _results.Distance[pair];
-            if (!_results.Overlaps(pair) || !(distance < 0)) continue;
+            if (_results.Status[pair] != StatusCode.Of(GjkStatus.Overlapping) || !(distance < 0)) continue;
             Vector3D onA = new Vector3(_results.PointA.AsSpan(3 * pair));
             Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
-            string least = _results.Status[pair] == StatusCode.Of(GjkStatus.Overlapping) ? "" : "at least ";
             string title = string.Create(
-                CultureInfo.InvariantCulture, $"{NameOf(a)} – {NameOf(b)}: depth {least}{-distance:G6}");
+                CultureInfo.InvariantCulture, $"{NameOf(a)} – {NameOf(b)}: depth {-distance:G6}");
             PictureArrow.Write(
                 writer, _camera.Project(Drawn(onA + normal * distance)), _camera.Project(Drawn(onA)), title);
         }

@@ -53,7 +53,7 @@ export class Arrows {
     this.pairs = [];
     this.ends = [];
     for (let pair = 0; pair < model.pairs && isShown; pair++) {
-      const ends = model.overlaps(pair) ? model.wayOut(pair) : null;
+      const ends = model.wayOut(pair);
       if (!ends) continue;
       const { along, whole, length, neck } = parts(...ends, HEAD);
       turn.setFromUnitVectors(UP, along);

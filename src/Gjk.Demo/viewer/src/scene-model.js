@@ -109,10 +109,11 @@ export class SceneModel {
 
   /**
    * The way out of an intersecting pair as it is drawn, from B's deepest point to A's: by so much B leaves A. Null for
-   * a pair that is apart or only touches.
+   * a pair that is apart or only touches, and where only bounds of the depth are known.
    */
   wayOut(pair) {
-    return this.distance(pair) < 0 ? this.points(pair)?.reverse() : null;
+    const isKnown = this.status[this.index(pair)] === OVERLAPPING && this.distance(pair) < 0;
+    return isKnown ? this.points(pair)?.reverse() : null;
   }
 
   points(pair) {
