@@ -25,7 +25,8 @@ const rows = (page) => page.locator('.rows .row')
 async function builtIn(name, intersecting, free) {
   const page = await open(name);
   await check(`${name}: the counts are the report's`, async () => {
-    assert.deepEqual(await counts(page), { objects: 20, pairs: 190, frames: 1, frame: 0, overlapping: 5, lines: 185 });
+    const expected = { objects: 20, pairs: 190, frames: 1, frame: 0, overlapping: 5, lines: 185, arrows: 5 };
+    assert.deepEqual(await counts(page), expected);
     assert.match(await text(page, '.summary'), /^20 objects, 190 pairs, 5 intersecting$/);
     const { objects, pairs, overlapping } = await page.evaluate(() => ({ ...document.body.dataset }));
     assert.deepEqual([objects, pairs, overlapping], ['20', '190', '5']);
@@ -40,7 +41,8 @@ async function builtIn(name, intersecting, free) {
       const color = colors[intersecting.length + i];
       assert.ok(isGreen(color), `object ${object} is ${color}`);
     });
-    assert.equal((await counts(page)).lines, 0);
+    const { lines, arrows } = await counts(page);
+    assert.deepEqual([lines, arrows], [0, 0]);
     await page.locator('button', { hasText: 'all' }).first().click();
   });
   await keep(page, name);
@@ -52,11 +54,11 @@ const cubes = await builtIn('cubes', [11, 19], [1, 9]);
 await (await builtIn('spheres', [11, 19], [1, 9])).close();
 
 await check('the list is sorted by distance, and turns round', async () => {
-  const distances = async () => (await rows(cubes)).map((cells) => (cells[2] === 'intersect' ? 0 : Number(cells[2])));
+  const distances = async () => (await rows(cubes)).map((cells) => Number(cells[2].replace('depth ', '-')));
   const rising = await distances();
   assert.ok(rising.length > 10);
   assert.deepEqual(rising, [...rising].sort((x, y) => x - y));
-  assert.equal(rising.filter((d) => d === 0).length, 5);
+  assert.equal(rising.filter((d) => d < 0).length, 5);
   await cubes.locator('.head button', { hasText: 'distance' }).click();
   const falling = await distances();
   assert.deepEqual(falling, [...falling].sort((x, y) => y - x));
@@ -73,6 +75,30 @@ await check('a row selects its pair in the view', async () => {
   await keep(cubes, 'cubes-selected');
   await cubes.locator('.rows').press('Escape');
   assert.equal(await cubes.evaluate(() => window.__gjk.selected()), -1);
+});
+
+await check('hovering over a way out shows the depth, and the arrow is on the screen', async () => {
+  const row = cubes.locator('.rows .row').first();
+  const pair = Number(await row.getAttribute('data-pair'));
+  const shown = await row.locator('span').nth(2).innerText();
+  assert.match(shown, /^depth 0\.\d{3,6}$/);
+  const along = (share) => cubes.evaluate(([p, s]) => {
+    window.__gjk.drawNow();
+    return window.__gjk.lineAt(p, s);
+  }, [pair, share]);
+  const [from, to, head] = [await along(0), await along(1), await along(0.75)];
+  assert.ok(Math.hypot(to.x - from.x, to.y - from.y) > 15, JSON.stringify([from, to]));
+  const [[r, g, b]] = await colorsAt(context, cubes, [head]);
+  assert.ok(b > 1.2 * r && b > g, `the arrow is ${[r, g, b]}`);
+  const middle = await along(0.5);
+  await cubes.mouse.move(middle.x, middle.y);
+  const tip = await text(cubes, '.tip');
+  assert.match(tip, /^Cube \(\d+\) – Cube \(\d+\)\s+depth\s+0\.\d+\s+way out\s+\(.*\)\s+iterations\s+\d+/);
+  assert.ok(tip.replace(/\s+/g, ' ').includes(shown), tip);
+  await keep(cubes, 'cubes-hover');
+  const body = await cubes.evaluate((p) => window.__gjk.positionOf(window.__gjk.model.a[p]), pair);
+  await cubes.mouse.move(body.x, body.y);
+  assert.match(await text(cubes, '.tip'), /intersects Cube \(\d+\) \(depth 0\.\d+\)/);
 });
 
 await check('a click on a body lists its pairs', async () => {
@@ -142,7 +168,7 @@ await check('moving: the slider replays the frames, and what meets turns red', a
   assert.deepEqual(first.colors, ['#38a873', '#38a873']);
   assert.deepEqual(met.colors, ['#e5484d', '#e5484d']);
   assert.match(await text(moving, '.summary'), /1 intersecting/);
-  assert.ok((await rows(moving))[0].includes('intersect'));
+  assert.match((await rows(moving))[0][2], /^depth /);
   await keep(moving, 'moving-met');
   await moving.locator('button[aria-label=play]').click();
   await until(moving, () => window.__gjk.counts().frame !== 8);

@@ -57,6 +57,9 @@ public static partial class ConvexQuery
         GjkStatus status = isTouching ? GjkStatus.Overlapping
             : state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit;
         float bound = LowerBound(coreGap, state, frame, isSigned && status != GjkStatus.Separated);
+
+        // What counts as touching may be apart by less than that counts, and yet no bound is above the distance.
+        if (isTouching) bound = Math.Min(bound, 0);
         return new DistanceResult(
             status, (float)distance, bound, (Vector3)worldA, (Vector3)worldB, (Vector3)normal, (Vector3)localA,
             (Vector3)localB, state.Iterations);

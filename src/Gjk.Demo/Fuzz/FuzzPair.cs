@@ -9,17 +9,21 @@ internal sealed class FuzzPair
 {
     private readonly FuzzShape _a, _b;
     private FuzzTruth? _truth;
+    private DistanceResult? _signed;
 
     public FuzzPair(in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB)
         : this(a, poseA, b, poseB, ConvexQuery.Distance(a.Shape, poseA, b.Shape, poseB))
     {
     }
 
-    /// <summary>With an answer from elsewhere, which may be wrong.</summary>
-    public FuzzPair(in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB, in DistanceResult answer)
+    /// <summary>With answers from elsewhere, which may be wrong.</summary>
+    public FuzzPair(
+        in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB, in DistanceResult answer,
+        in DistanceResult? signed = null)
     {
         (_a, PoseA, _b, PoseB) = (a, poseA, b, poseB);
         Answer = answer;
+        _signed = signed;
         BodyA = new PosedShape(a, poseA);
         BodyB = new PosedShape(b, poseB);
         double side = Math.Max(BodyA.LongestSide, BodyB.LongestSide);
@@ -38,6 +42,9 @@ internal sealed class FuzzPair
 
     /// <summary>What the cold query says.</summary>
     public DistanceResult Answer { get; }
+
+    /// <summary>What the cold query of the signed distance says, asked when it is first needed.</summary>
+    public DistanceResult Signed => _signed ??= ConvexQuery.SignedDistance(A, PoseA, B, PoseB);
 
     public PosedShape BodyA { get; }
 

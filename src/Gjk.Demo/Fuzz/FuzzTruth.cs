@@ -31,6 +31,19 @@ internal sealed class FuzzTruth
     /// </summary>
     public double AtMost { get; }
 
+    /// <summary>
+    /// The true signed distance of a pair that overlaps by its margins alone: that of the cores, less the margins. Null
+    /// where the cores overlap or are curved.
+    /// </summary>
+    public double? SignedByMargins()
+    {
+        double margins = _pair.A.Margin + _pair.B.Margin;
+        if (!IsKnown || margins == 0) return null;
+        ExactAnswer cores = ExactOracle.Solve(
+            _pair.BodyA.Vertices, 0, _pair.PoseA, _pair.BodyB.Vertices, 0, _pair.PoseB);
+        return cores.Overlap ? null : cores.Distance - margins;
+    }
+
     /// <summary>Whether moving B by so much parts the shapes: then they overlap by no more than that.</summary>
     public bool PartsWith(in Vector3D moveB) => !Solve(moveB).Overlap;
 

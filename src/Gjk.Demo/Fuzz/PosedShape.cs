@@ -98,6 +98,43 @@ internal sealed class PosedShape
         }
     }
 
+    /// <summary>How many directions <see cref="EdgeDirections"/> has; none where the core is curved.</summary>
+    public int EdgeCount =>
+        _shape.Hull is { TriangleCount: > 0 } hull
+            ? 3 * hull.TriangleCount / 2
+            : Vertices.Length * (Vertices.Length - 1) / 2;
+
+    /// <summary>
+    /// Along the sides of a mesh's triangles, and without triangles along the differences of all vertices, in the local
+    /// frame: every edge of the core is along one of them.
+    /// </summary>
+    public List<Vector3D> EdgeDirections()
+    {
+        var edges = new List<Vector3D>(EdgeCount);
+        if (_shape.Hull is { TriangleCount: > 0 } hull)
+        {
+            for (int i = 0; i < hull.TriangleCount; i++)
+            {
+                hull.GetTriangle(i, out int a, out int b, out int c);
+                if (a < b) edges.Add(Side(hull, a, b));
+                if (b < c) edges.Add(Side(hull, b, c));
+                if (c < a) edges.Add(Side(hull, c, a));
+            }
+
+            return edges;
+        }
+
+        for (int i = 0; i < Vertices.Length; i++)
+        {
+            for (int j = i + 1; j < Vertices.Length; j++) edges.Add(Vertices[j] - Vertices[i]);
+        }
+
+        return edges;
+    }
+
+    private Vector3D Side(ConvexHull hull, int from, int to) =>
+        Vector3D.Multiply(_shape.Scale, (Vector3D)hull.GetVertex(to) - hull.GetVertex(from));
+
     private double Side(in Vector3D axis) => CoreHeight(axis) + CoreHeight(-axis) + 2 * Margin;
 
     private static Vector3D Middle(Vector3D[] vertices)

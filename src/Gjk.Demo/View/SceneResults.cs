@@ -48,11 +48,16 @@ internal sealed class SceneResults
 
     public ushort[] Iterations { get; }
 
+    /// <summary>Minus the depth for a pair that overlaps.</summary>
     public float[] Distance { get; }
 
-    /// <summary>Three numbers per pair. B's point is A's point plus the distance times the normal.</summary>
+    /// <summary>
+    /// Three numbers per pair. B's point is A's point plus the distance times the normal. Where only bounds of the
+    /// depth are known, it is no deepest point.
+    /// </summary>
     public float[] PointA { get; }
 
+    /// <summary>For a pair that overlaps, the direction in which B leaves A by the shortest way.</summary>
     public float[] Normal { get; }
 
     /// <summary>How many pairs overlap in each frame.</summary>
@@ -81,16 +86,25 @@ internal sealed class SceneResults
             foreach ((int a, int b) in chosen)
             {
                 if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
-                DistanceResult answer = ConvexQuery.Distance(
+                DistanceResult answer = ConvexQuery.SignedDistance(
                     scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
-                if (answer.IsOverlapping) results.Overlapping[frame]++;
-                results.Store(frame * pairs + pair++, answer);
+                int index = frame * pairs + pair++;
+                results.Store(index, answer);
+                if (results.Overlaps(index)) results.Overlapping[frame]++;
             }
         }
 
         progress(1);
         return results;
     }
+
+    /// <summary>
+    /// True for a pair that intersects. Where the search for the depth outgrew its room, the pair intersects too, and
+    /// is at least as deep as its distance says.
+    /// </summary>
+    public bool Overlaps(int index) =>
+        Status[index] == StatusCode.Of(GjkStatus.Overlapping)
+        || (Status[index] == StatusCode.Of(GjkStatus.IterationLimit) && Distance[index] <= 0);
 
     private void Store(int index, in RigidPose pose)
     {

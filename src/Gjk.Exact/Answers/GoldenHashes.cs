@@ -15,7 +15,7 @@ public static class GoldenHashes
         ["allCases"] = "3fa1e20f8a287e40",
         ["random"] = "bba608ef5fee06a0",
         ["depths"] = "8ea1b869faa508fc",
-        ["contacts"] = "9f92d69b5eff13df",
+        ["contacts"] = "156b42d00cfaa8d0",
     };
 
     public static IReadOnlyDictionary<string, string> Of(string targetFramework) => targetFramework switch

@@ -91,6 +91,20 @@ public class TouchingCoreDepthTests
         Assert.InRange(r.PointB.Length(), 0, 1.5e-6f);
     }
 
+    /// <summary>
+    /// They are 3.7e-11 apart, which counts as touching for a curved core; the bound was that gap, above the distance.
+    /// </summary>
+    [Fact]
+    public void ATouchHasNoBoundAboveIt()
+    {
+        const string Text = "gjk1 cylinder 0 0.50270295143127441 0 @ 0 0 0 1 0 -3.12499999E-08 0 "
+            + "point 1.2937690331734757 @ 0 0 0 1 0 1.79647195 0";
+        Assert.True(QueryRecord.TryParse(Text, out QueryRecord pair, out _));
+        DistanceResult r = ConvexQuery.SignedDistance(pair.A, pair.PoseA, pair.B, pair.PoseB);
+        Assert.Equal((true, 0f), (r.IsOverlapping, r.Distance));
+        Assert.InRange(r.LowerBound, -1e-6f, 0);
+    }
+
     private static DistanceResult Ask(in ConvexShape a, in ConvexShape b, in RigidPose poseB) =>
         ConvexQuery.SignedDistance(a, RigidPose.Identity, b, poseB);
 }

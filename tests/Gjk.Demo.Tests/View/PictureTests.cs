@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Net;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Gjk.Demo.Tests.Support;
@@ -17,7 +18,7 @@ public sealed class PictureTests
 
     private const string Behind = """{"shape":{"type":"box","halfExtents":[0.5,0.5,0.5]}}""";
 
-    private const string Ground = "#12161d", Outline = "#0a0d12", White = "#fff";
+    private const string Ground = "#12161d", Outline = "#0a0d12", White = "#fff", Arrow = "#7cc4ff";
 
     [Theory]
     [InlineData("cubes")]
@@ -45,6 +46,35 @@ public sealed class PictureTests
             """{"shape":{"type":"sphere","radius":1}},{"shape":{"type":"sphere","radius":1},"position":[3,0,0]}""");
         Assert.All(FaceColors(free), c => Assert.False(IsRed(c), c));
         Assert.Contains($"stroke=\"{White}\"", free);
+    }
+
+    /// <summary>
+    /// The arrow of the way out is as long in the picture as the box is there that it leads through. Touching draws
+    /// none.
+    /// </summary>
+    [Fact]
+    public void AnIntersectingPairHasAnArrowAsLongAsItIsDeep()
+    {
+        const string Thin = """{"shape":{"type":"box","halfExtents":[0.5,3,3]}}""";
+        const string Wide = """{"name":"wide","shape":{"type":"box","halfExtents":[3,5,5]},"position":[2,0,0]}""";
+        string hit = Draw($"{Thin},{Wide}");
+        Assert.Contains("<title>#0 – wide: depth 1.5</title>", WebUtility.HtmlDecode(hit));
+        Match path = Regex.Match(hit, $"<path stroke=\"{Arrow}\"[^>]* d=\"M([\\d.]+) ([\\d.]+)l([^m]*)m([^z]*)z\"");
+        Assert.True(path.Success, hit);
+
+        // From where the shaft begins, along it and on to the tip, which is where the head begins.
+        double[] steps = [.. Numbers(path.Groups[3].Value), .. Numbers(path.Groups[4].Value)];
+        (double x, double y) = (steps[0] + steps[2], steps[1] + steps[3]);
+
+        // The bodies end at x = -1 and 5; the arrow is a quarter of that long, in the middle and seen aslant.
+        double width = Polygons(hit).SelectMany(p => p).Max(p => p.X) - Polygons(hit).SelectMany(p => p).Min(p => p.X);
+        Assert.InRange(x, 0.1 * width, 0.2 * width);
+        Assert.InRange(Math.Abs(y), 0, 0.2 * x);
+
+        string touching = Draw($"{Thin},{Wide.Replace("[2,0,0]", "[3.5,0,0]")}");
+        Assert.All(FaceColors(touching), c => Assert.True(IsRed(c), c));
+        Assert.DoesNotContain(Arrow, touching);
+        Assert.DoesNotContain("depth", touching);
     }
 
     [Fact]
@@ -121,7 +151,7 @@ public sealed class PictureTests
     private static IEnumerable<string> FaceColors(string svg)
     {
         IEnumerable<string> fills = Regex.Matches(svg, "fill=\"(#[0-9a-f]{6})\"").Select(m => m.Groups[1].Value);
-        string[] colors = [.. fills.Where(c => c is not (Ground or Outline))];
+        string[] colors = [.. fills.Where(c => c is not (Ground or Outline or Arrow))];
         Assert.NotEmpty(colors);
         return colors;
     }
@@ -149,8 +179,7 @@ public sealed class PictureTests
             double x = 0, y = 0;
             foreach (string subpath in path.Groups[1].Value.Split('z', StringSplitOptions.RemoveEmptyEntries))
             {
-                MatchCollection numbers = Regex.Matches(subpath, "-?(\\d+(\\.\\d+)?|\\.\\d+)");
-                double[] steps = [.. numbers.Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
+                double[] steps = Numbers(subpath);
                 var polygon = new List<(double X, double Y)>();
                 for (int i = 0; i < steps.Length; i += 2)
                 {
@@ -165,6 +194,12 @@ public sealed class PictureTests
         }
 
         return result;
+    }
+
+    private static double[] Numbers(string path)
+    {
+        MatchCollection numbers = Regex.Matches(path, "-?(\\d+(\\.\\d+)?|\\.\\d+)");
+        return [.. numbers.Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
     }
 
     private static string Root()

@@ -11,8 +11,8 @@ using Xunit;
 namespace Gjk.Demo.Tests.View;
 
 /// <summary>
-/// Tests the page that <c>view</c> writes, without a browser. Its answers are those of <c>query</c>. The tests in
-/// tests/Gjk.Viewer open the page in a browser.
+/// Tests the page that <c>view</c> writes, without a browser. Its answers are those of <c>query --depth</c>. The tests
+/// in tests/Gjk.Viewer open the page in a browser.
 /// </summary>
 public sealed class ViewTests
 {
@@ -51,9 +51,51 @@ public sealed class ViewTests
         DemoProcess.Run("view", scene, "--out", directory.File("a.html")).AssertDone();
         var page = new PageText(directory.File("a.html"));
         page.AssertSelfContained();
-        AssertFrame(page, 0, CsvRow.Parse(DemoProcess.Run("query", scene).Out));
+        AssertFrame(page, 0, CsvRow.Parse(DemoProcess.Run("query", scene, "--depth").Out));
         Assert.Equal(
             ["box", null, "</script><b>&"], page.Data.GetProperty("names").EnumerateArray().Select(n => n.GetString()));
+    }
+
+    /// <summary>
+    /// Two boxes reach 0.5 into each other, two only touch, and those that are apart keep their distance.
+    /// </summary>
+    [Fact]
+    public void AnIntersectingPairHasItsWayOut()
+    {
+        using var directory = new TempDirectory();
+        const string Box = "\"shape\":{\"type\":\"box\",\"halfExtents\":[1,1,1]}";
+        string scene = directory.Write(
+            "scene.json",
+            $"{{\"version\":1,\"objects\":[{{{Box}}},{{{Box},\"position\":[1.5,0.25,0]}},"
+            + $"{{{Box},\"position\":[-2,0,0]}}]}}");
+        DemoProcess.Run("view", scene, "--out", directory.File("a.html")).AssertDone();
+        var page = new PageText(directory.File("a.html"));
+        Assert.Equal(2, page.Count("overlapping"));
+        Assert.Equal([1, 1, 0], page.Column<byte>("status"));
+        Assert.Equal([-0.5f, 0, 1.5f], page.Column<float>("distance"));
+        Assert.Equal([1, 0, 0], page.Column<float>("normal")[..3]);
+        Assert.Equal(1, page.Column<float>("pointA")[0]);
+    }
+
+    /// <summary>
+    /// The search for the depth outgrows its room for ellipsoids about one centre. They intersect all the same, but
+    /// have no deepest points, and so no arrow.
+    /// </summary>
+    [Fact]
+    public void APairWithoutRoomForItsDepthIntersects()
+    {
+        using var directory = new TempDirectory();
+        const string Round = "{\"shape\":{\"type\":\"ellipsoid\",\"radii\":[1,1,1]}}";
+        string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{Round},{Round}]}}");
+        string html = directory.File("a.html"), picture = directory.File("a.svg");
+        DemoProcess.Run("view", scene, "--out", html, "--svg", picture).AssertDone();
+        var page = new PageText(html);
+        Assert.Equal(1, page.Count("overlapping"));
+        Assert.Equal(GjkStatus.IterationLimit, (GjkStatus)(page.Column<byte>("status")[0] + 1));
+        Assert.InRange(page.Column<float>("distance")[0], -2, -1.9f);
+        string svg = File.ReadAllText(picture);
+        Assert.Contains("1 intersecting", svg);
+        Assert.DoesNotContain("depth", svg);
     }
 
     [Fact]
@@ -80,7 +122,8 @@ public sealed class ViewTests
                     "rotation":[{{{pose[0]:R}}},{{{pose[1]:R}}},{{{pose[2]:R}}},{{{pose[3]:R}}}]},
                   {"shape":{"type":"capsule","radius":0.5,"halfHeight":1},"position":[0,3,0]}]}
                 """);
-            AssertFrame(page, frame, CsvRow.Parse(DemoProcess.Run("query", directory.Write("still.json", still)).Out));
+            string file = directory.Write("still.json", still);
+            AssertFrame(page, frame, CsvRow.Parse(DemoProcess.Run("query", file, "--depth").Out));
         }
 
         Assert.Equal([0, 0, 0, 0, 1], page.Column<int>("overlapping"));

@@ -23,7 +23,8 @@ internal sealed class NoPlaneSeparatesAnOverlap : IPromise
         return widest <= allowed ? null : Say.Line($"a plane leaves {widest} between them");
     }
 
-    private static double Widest(FuzzPair pair)
+    /// <summary>The widest gap between planes that was found; negative where each costs a way to part them.</summary>
+    public static double Widest(FuzzPair pair)
     {
         double widest = double.NegativeInfinity;
         int faces = Math.Max(

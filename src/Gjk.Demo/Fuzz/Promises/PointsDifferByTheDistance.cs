@@ -1,3 +1,4 @@
+using System;
 using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Promises;
@@ -17,11 +18,16 @@ internal sealed class PointsDifferByTheDistance : IPromise
     {
         DistanceResult r = pair.Answer;
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
-        if (r.IsOverlapping && r.PointA != r.PointB)
-            return Say.Line($"overlapping with the points {r.PointA} and {r.PointB}");
+        return r.IsOverlapping && r.PointA != r.PointB
+            ? Say.Line($"overlapping with the points {r.PointA} and {r.PointB}")
+            : Problem(pair, r);
+    }
 
+    /// <summary>How an answer for the pair, signed or not, breaks the promise, or null.</summary>
+    public static string? Problem(FuzzPair pair, in DistanceResult r)
+    {
         Vector3D step = (Vector3D)r.Normal * r.Distance;
-        double slack = pair.DifferenceSlack + Product * r.Distance + pair.Noise;
+        double slack = pair.DifferenceSlack + Product * Math.Abs(r.Distance) + pair.Noise;
         double world = ((Vector3D)r.PointB - r.PointA - step).Length;
         if (!(world <= slack + PointsLieOnTheShapes.Rounded(r.PointA) + PointsLieOnTheShapes.Rounded(r.PointB)))
             return Say.Line($"in the world they are {world} off that");

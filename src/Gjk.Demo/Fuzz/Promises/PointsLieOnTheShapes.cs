@@ -19,10 +19,13 @@ internal sealed class PointsLieOnTheShapes : IPromise
     public string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
-        if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
-        return Problem(pair, pair.BodyA, r.LocalPointA, r.PointA, "A")
-            ?? Problem(pair, pair.BodyB, r.LocalPointB, r.PointB, "B");
+        return r.Status is GjkStatus.Separated or GjkStatus.Overlapping ? Problem(pair, r) : null;
     }
+
+    /// <summary>How the points of an answer for the pair, signed or not, break the promise, or null.</summary>
+    public static string? Problem(FuzzPair pair, in DistanceResult r) =>
+        Problem(pair, pair.BodyA, r.LocalPointA, r.PointA, "A")
+        ?? Problem(pair, pair.BodyB, r.LocalPointB, r.PointB, "B");
 
     private static string? Problem(FuzzPair pair, PosedShape body, Vector3 local, Vector3 world, string name)
     {

@@ -14,10 +14,16 @@ internal static class Same
     /// <param name="other">The other answer.</param>
     /// <param name="name">What the other one is.</param>
     /// <param name="unit">The length of the other answer's unit, in the pair's.</param>
-    public static string? Problem(FuzzPair pair, in DistanceResult other, string name, double unit = 1)
+    public static string? Problem(FuzzPair pair, in DistanceResult other, string name, double unit = 1) =>
+        Problem(pair, pair.Answer, other, name, unit);
+
+    /// <summary>How two answers of either sign differ by more than the accuracy, or null.</summary>
+    /// <inheritdoc cref="Problem(FuzzPair, in DistanceResult, string, double)"/>
+    public static string? Problem(
+        FuzzPair pair, in DistanceResult r, in DistanceResult other, string name, double unit = 1)
     {
-        DistanceResult r = pair.Answer;
-        double distance = other.Distance * unit, band = 2 * pair.Band(r.Distance) + Accuracy.LeastFloat * unit;
+        double distance = other.Distance * unit;
+        double band = 2 * pair.Band(Math.Abs(r.Distance)) + Accuracy.LeastFloat * unit;
         bool answered = other.Status is GjkStatus.Separated or GjkStatus.Overlapping;
         return answered && Math.Abs(distance - r.Distance) <= band
             ? null

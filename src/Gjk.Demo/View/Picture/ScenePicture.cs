@@ -113,7 +113,7 @@ internal sealed class ScenePicture
         foreach ((int a, int b) in _results.Pairs)
         {
             float distance = _results.Distance[pair];
-            if (_results.Status[pair] == StatusCode.Of(GjkStatus.Overlapping))
+            if (_results.Overlaps(pair))
             {
                 _hit[a] = _hit[b] = true;
             }
@@ -168,6 +168,7 @@ internal sealed class ScenePicture
             writer.WriteLine($"<path fill=\"none\" stroke=\"#0a0d12\" stroke-opacity=\".75\" d=\"{edges}\"/>");
         thin.Write(writer);
         WriteLines(writer, cancel);
+        WriteArrows(writer, cancel);
         progress(1);
         writer.WriteLine("</svg>");
     }
@@ -199,6 +200,30 @@ internal sealed class ScenePicture
         if (!faint.IsEmpty) writer.WriteLine($"{White} stroke-opacity=\".38\" stroke-width=\".8\" d=\"{faint}\"/>");
         if (!bright.IsEmpty) writer.WriteLine($"{White} stroke-width=\"1.8\" d=\"{bright}\"/>");
     }
+
+    /// <summary>
+    /// Writes the way out of each intersecting pair, from B's deepest point to A's. It lies inside both bodies, so it
+    /// is drawn over all of them. Where only bounds of the depth are known, there are no deepest points.
+    /// </summary>
+    private void WriteArrows(StreamWriter writer, CancellationToken cancel)
+    {
+        int pair = -1;
+        foreach ((int a, int b) in _results.Pairs)
+        {
+            cancel.ThrowIfCancellationRequested();
+            pair++;
+            float distance = _results.Distance[pair];
+            if (_results.Status[pair] != StatusCode.Of(GjkStatus.Overlapping) || !(distance < 0)) continue;
+            Vector3D onA = new Vector3(_results.PointA.AsSpan(3 * pair));
+            Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
+            string title = string.Create(
+                CultureInfo.InvariantCulture, $"{NameOf(a)} – {NameOf(b)}: depth {-distance:G6}");
+            PictureArrow.Write(
+                writer, _camera.Project(Drawn(onA + normal * distance)), _camera.Project(Drawn(onA)), title);
+        }
+    }
+
+    private string NameOf(int index) => _scene.Objects[index].Name ?? $"#{index}";
 
     /// <summary>
     /// Finds the bodies that hide a part of a ball. Returns false if one of them hides the whole ball.

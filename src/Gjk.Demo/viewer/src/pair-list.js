@@ -84,7 +84,8 @@ export class PairList {
     const { model } = this;
     const hit = model.overlaps(pair);
     const isSelected = pair === this.selected;
-    const text = hit ? 'intersect' : Number.isNaN(model.distance(pair)) ? model.statusName(pair) : number(model.distance(pair));
+    const text = hit ? `depth ${model.depth(pair)}`
+      : Number.isNaN(model.distance(pair)) ? model.statusName(pair) : number(model.distance(pair));
     const row = element(
       'div', { className: `row${hit ? ' hit' : ''}${isSelected ? ' selected' : ''}`, role: 'option', 'aria-selected': isSelected, 'data-pair': pair, onclick: () => this.select(isSelected ? -1 : pair) },
       element('span', { textContent: model.names[model.a[pair]] }), element('span', { textContent: model.names[model.b[pair]] }),

@@ -1,8 +1,10 @@
 import { Quaternion, Vector3 } from 'three';
-import { bytes, floats, ints, shape, shorts } from './data.js';
+import { bytes, floats, ints, number, shape, shorts } from './data.js';
 
 /** The statuses in the order of the library's GjkStatus. */
 const STATUS = ['Separated', 'Overlapping', 'BeyondMaxDistance', 'IterationLimit', 'InvalidInput', 'InvalidShape'];
+
+const OVERLAPPING = STATUS.indexOf('Overlapping'), ITERATION_LIMIT = STATUS.indexOf('IterationLimit');
 
 const POSE = 7;
 
@@ -79,8 +81,16 @@ export class SceneModel {
     return this.distances[this.index(pair)];
   }
 
+  /** Whether a pair intersects. With the iteration limit it is at least as deep as its distance says. */
   overlaps(pair) {
-    return this.status[this.index(pair)] === 1;
+    const status = this.status[this.index(pair)];
+    return status === OVERLAPPING || (status === ITERATION_LIMIT && this.distance(pair) <= 0);
+  }
+
+  /** The depth of an intersecting pair, for a reader. */
+  depth(pair) {
+    const limited = this.status[this.index(pair)] === ITERATION_LIMIT;
+    return `${limited ? '≥ ' : ''}${number(-this.distance(pair))}`;
   }
 
   statusName(pair) {
@@ -92,11 +102,24 @@ export class SceneModel {
     return Array.from(this.normals.subarray(at, at + 3));
   }
 
-  /** The closest points as they are drawn. Null if there are none. */
+  /** The closest points as they are drawn, A's and then B's. Null if there are none. */
   line(pair) {
+    return this.distance(pair) > 0 ? this.points(pair) : null;
+  }
+
+  /**
+   * The way out of an intersecting pair as it is drawn, from B's deepest point to A's: by so much B leaves A. Null for
+   * a pair that is apart or only touches, and where only bounds of the depth are known.
+   */
+  wayOut(pair) {
+    const isKnown = this.status[this.index(pair)] === OVERLAPPING && this.distance(pair) < 0;
+    return isKnown ? this.points(pair)?.reverse() : null;
+  }
+
+  points(pair) {
     const at = 3 * this.index(pair);
     const d = this.distance(pair);
-    if (!(d > 0) || !Number.isFinite(d)) return null;
+    if (!Number.isFinite(d)) return null;
     const [x, y, z] = this.pointsA.subarray(at, at + 3), [nx, ny, nz] = this.normals.subarray(at, at + 3);
     return [this.drawn(x, y, z), this.drawn(x + nx * d, y + ny * d, z + nz * d)];
   }
@@ -120,11 +143,16 @@ export class SceneModel {
     }
   }
 
-  partners(object) {
+  /** The pairs in which an object intersects another. */
+  hitsOf(object) {
     const result = [];
     for (let pair = 0; pair < this.pairs; pair++) {
-      if (this.overlaps(pair) && (this.a[pair] === object || this.b[pair] === object)) result.push(this.a[pair] === object ? this.b[pair] : this.a[pair]);
+      if (this.overlaps(pair) && (this.a[pair] === object || this.b[pair] === object)) result.push(pair);
     }
     return result;
+  }
+
+  partner(pair, object) {
+    return this.a[pair] === object ? this.b[pair] : this.a[pair];
   }
 }

@@ -3,7 +3,7 @@ import { number, vector } from './data.js';
 import { definitions, element, player, segmented, swatch } from './dom.js';
 import { PairList } from './pair-list.js';
 import { SceneModel } from './scene-model.js';
-import { SceneView } from './scene-view.js';
+import { SceneView, WAY_OUT } from './scene-view.js';
 import { Stage } from './stage.js';
 
 /** With more pairs than this, the page starts with only the lines to nearest partners. */
@@ -29,7 +29,8 @@ export function scenePage(json) {
   });
   const frames = player('frame', model.frames, showFrame, FRAME_MS);
   const tip = element('div', { className: 'tip', hidden: true });
-  const legend = element('div', { className: 'legend' }, swatch('#e5484d', 'intersecting'), swatch('#38a873', 'free'), swatch('#fff', 'closest points'),
+  const legend = element('div', { className: 'legend' }, swatch('#e5484d', 'intersecting'), swatch('#38a873', 'free'),
+    swatch('#fff', 'closest points'), swatch(`#${WAY_OUT.toString(16)}`, 'shortest way out'),
     element('span', { textContent: 'drag to turn, scroll to zoom, click to pick' }));
   stage.root.append(legend, tip);
   document.body.append(
@@ -75,20 +76,29 @@ export function scenePage(json) {
   const title = (pair) => `${model.names[model.a[pair]]} – ${model.names[model.b[pair]]}`;
 
   function facts(pair) {
-    const entries = model.overlaps(pair) ? [['distance', '0 (intersecting)']] : [['distance', number(model.distance(pair))], ['normal', vector(model.normal(pair))]];
+    const entries = model.overlaps(pair) ? overlapFacts(pair)
+      : [['distance', number(model.distance(pair))], ['normal', vector(model.normal(pair))]];
     const status = model.statusName(pair);
     if (status !== 'Separated' && status !== 'Overlapping') entries.push(['status', status]);
     return definitions([...entries, ['iterations', String(model.iterations[model.index(pair)])]]);
   }
 
+  function overlapFacts(pair) {
+    if (model.distance(pair) === 0) return [['depth', `${model.depth(pair)} (touching)`]];
+    return [['depth', model.depth(pair)], ['way out', vector(model.normal(pair))]];
+  }
+
   function describe(hit) {
     if (hit.pair !== undefined) return [element('b', { textContent: title(hit.pair) }), facts(hit.pair)];
     const name = element('b', { textContent: model.names[hit.object] });
-    if (model.hit[hit.object]) return [name, `intersects ${model.partners(hit.object).map((o) => model.names[o]).join(', ')}`];
+    if (model.hit[hit.object]) {
+      const hits = model.hitsOf(hit.object)
+        .map((pair) => `${model.names[model.partner(pair, hit.object)]} (depth ${model.depth(pair)})`);
+      return [name, `intersects ${hits.join(', ')}`];
+    }
     const nearest = model.nearest[hit.object];
     if (nearest < 0) return [name];
-    const partner = model.a[nearest] === hit.object ? model.b[nearest] : model.a[nearest];
-    return [name, `nearest: ${model.names[partner]}`, facts(nearest)];
+    return [name, `nearest: ${model.names[model.partner(nearest, hit.object)]}`, facts(nearest)];
   }
 
   watchPointer(stage, view, {
@@ -111,10 +121,16 @@ export function scenePage(json) {
 
   return {
     kind: 'scene', model, view, stage, select, showFrame,
-    counts: () => ({ objects: model.objects, pairs: model.pairs, frames: model.frames, frame: model.frame, overlapping: model.overlapping[model.frame], lines: view.lines.pairs.length }),
+    counts: () => ({
+      objects: model.objects, pairs: model.pairs, frames: model.frames, frame: model.frame,
+      overlapping: model.overlapping[model.frame], lines: view.lines.pairs.length, arrows: view.arrows.pairs.length,
+    }),
     colorOf: (object) => view.colorOf(object),
     positionOf: (object) => stage.project(model.position(object)),
-    lineAt: (pair, share) => { const [a, b] = model.line(pair); return stage.project(new Vector3().lerpVectors(a, b, share)); },
+    lineAt: (pair, share) => {
+      const [from, to] = model.line(pair) ?? model.wayOut(pair);
+      return stage.project(new Vector3().lerpVectors(from, to, share));
+    },
     selected: () => view.selected,
     drawNow: () => stage.drawNow(),
   };

@@ -1,10 +1,12 @@
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial,
-  MeshLambertMaterial, SphereGeometry, Vector3,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4,
+  Mesh, MeshBasicMaterial, MeshLambertMaterial, SphereGeometry, Vector3,
 } from 'three';
+import { Arrows, arrow } from './arrows.js';
 import { edges, rod, surface } from './geometry.js';
 
 export const RED = 0xe5484d, GREEN = 0x38a873;
+export const WAY_OUT = 0x7cc4ff;
 const ACCENT = 0xffd166;
 
 /** While a pair is selected, all other bodies keep this share of their colour. */
@@ -29,6 +31,7 @@ export class SceneView {
     this.surfaces = model.shapes.map((s) => surface(s, model.unit, THIN));
     this.makeBodies();
     this.makeLines();
+    this.arrows = new Arrows(stage, model, WAY_OUT, ACCENT);
     this.marks = new Group();
     stage.scene.add(this.marks);
   }
@@ -97,6 +100,7 @@ export class SceneView {
     }
     for (const body of this.bodies) if (body.instanceColor) body.instanceColor.needsUpdate = true;
     this.fillLines();
+    this.arrows.fill(this.selected, this.lineMode !== 'none');
     this.markSelected();
     this.stage.draw();
   }
@@ -127,23 +131,32 @@ export class SceneView {
     lines.geometry.computeBoundingSphere();
   }
 
-  /** Draws the selected pair's line as a rod with balls at its ends. It is visible through everything. */
+  /**
+   * Draws the selected pair's line as a rod with balls at its ends, or its way out as an arrow. It is visible through
+   * everything.
+   */
   markSelected() {
     this.marks.clear();
-    const ends = this.selected < 0 ? null : this.model.line(this.selected);
+    const line = this.selected < 0 ? null : this.model.line(this.selected);
+    const wayOut = this.selected < 0 ? null : this.model.wayOut(this.selected);
+    const ends = line ?? wayOut;
     if (!ends) return;
     const material = new MeshBasicMaterial({ color: ACCENT, depthTest: false, transparent: true });
     const size = this.stage.pixelAt(ends[0]);
-    this.marks.add(new Mesh(rod(ends[0], ends[1], size * 1.3), material));
-    for (const end of ends) this.marks.add(new Mesh(new SphereGeometry(size * 4, 16, 12).translate(end.x, end.y, end.z), material));
+    const ball = (at) => new SphereGeometry(size * 4, 16, 12).translate(at.x, at.y, at.z);
+    const parts = line ? [rod(...line, size * 1.3), ...line.map(ball)] : arrow(...wayOut, size * 1.3, size * 14);
+    for (const part of parts) this.marks.add(new Mesh(part, material));
     for (const mark of this.marks.children) mark.renderOrder = 2;
   }
 
   /** Finds what is under a point of the window: {object}, {pair} or nothing. */
   pick(clientX, clientY) {
     const ray = this.stage.ray(clientX, clientY);
+    const reach = 5 * this.stage.pixelAt(this.stage.controls.target);
+    const wayOut = this.arrows.pick(ray.ray, reach);
+    if (wayOut >= 0) return { pair: wayOut };
     const body = ray.intersectObjects(this.bodies)[0];
-    ray.params.Line.threshold = 5 * this.stage.pixelAt(this.stage.controls.target);
+    ray.params.Line.threshold = reach;
     const line = this.lines.pairs.length ? ray.intersectObject(this.lines)
       .filter((hit) => !body || hit.distance <= body.distance)
       .sort((x, y) => x.distanceToRay - y.distanceToRay)[0] : null;
