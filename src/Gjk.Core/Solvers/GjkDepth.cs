@@ -82,10 +82,11 @@ internal static unsafe class GjkDepth
         int face = 0;
         while (polytope.HasRoom)
         {
-            face = polytope.Lowest(out depth.Below);
+            face = polytope.Lowest(out double lowest);
+            depth.Below = Math.Max(depth.Below, lowest);
             Vector3D normal = polytope.Face(face).Normal;
             int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
-            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - depth.Below;
+            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
             depth.See(normal, height);
             if (depth.IsApart(state))
             {
@@ -94,9 +95,10 @@ internal static unsafe class GjkDepth
             }
 
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
-            if (gap <= state.DepthNoise || (gap <= RepeatedGap(frame, state, height) && polytope.Repeats(vertex)))
-                return Close(ref state, polytope, face, height, ref depth);
-            if (!polytope.TryExpand(face, vertex, depth.Below)) break;
+            if (gap <= state.DepthNoise) return Close(ref state, polytope, face, normal, height, ref depth);
+            if (depth.Above - depth.Below <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex))
+                return Close(ref state, polytope, face, depth.Normal, depth.Above, ref depth);
+            if (!polytope.TryExpand(face, vertex, lowest)) break;
         }
 
         PolytopeEnd.Copy(polytope, face, ref state.Simplex);
@@ -106,18 +108,19 @@ internal static unsafe class GjkDepth
 
     /// <summary>
     /// Length: a point that the surface has already lies above a face by rounding alone, as between faces that are
-    /// level or vertices that nearly coincide. It cannot grow the surface; up to here its gap is within the promise.
+    /// level or vertices that nearly coincide. It cannot grow the surface, and bounds that are no further apart than
+    /// this are within the promise.
     /// </summary>
-    private static double RepeatedGap(in PairFrame frame, in SolverState state, double height) =>
-        GjkTolerances.RepeatedGap * (height + frame.Margins) + 4 * state.DepthNoise;
+    private static double RepeatedGap(in PairFrame frame, in SolverState state, in DepthBounds depth) =>
+        GjkTolerances.RepeatedGap * (depth.Above + frame.Margins) + 4 * state.DepthNoise;
 
     /// <summary>The bounds have met: puts the face that holds the way out's end into the state.</summary>
     private static DepthVerdict Close(
-        ref SolverState state, in Polytope polytope, int face, double height, ref DepthBounds depth)
+        ref SolverState state, in Polytope polytope, int face, in Vector3D normal, double height,
+        ref DepthBounds depth)
     {
-        Vector3D normal = polytope.Face(face).Normal;
         depth.Settle(normal, height);
-        int under = PolytopeEnd.FaceUnder(polytope, face, normal * height, state.DepthNoise);
+        int under = PolytopeEnd.FaceUnder(polytope, face, normal, height, state.DepthNoise);
         PolytopeEnd.Copy(polytope, under, ref state.Simplex);
         depth.Store(ref state, height);
         return DepthVerdict.Enclosed;

@@ -14,12 +14,13 @@ internal static class PolytopeEnd
     /// whose nearest point to the origin is that point.
     /// </summary>
     /// <param name="polytope">The surface.</param>
-    /// <param name="best">A face in the plane of the facet.</param>
-    /// <param name="point">The end of the way out, from the origin and perpendicular to the facet.</param>
+    /// <param name="best">A face in the plane of the facet, or near it.</param>
+    /// <param name="normal">The direction of the way out, of unit length.</param>
+    /// <param name="height">Its length.</param>
     /// <param name="noise">Length: what rounding leaves open.</param>
-    public static int FaceUnder(in Polytope polytope, int best, in Vector3D point, double noise)
+    public static int FaceUnder(in Polytope polytope, int best, in Vector3D normal, double height, double noise)
     {
-        Vector3D normal = polytope.Face(best).Normal;
+        Vector3D point = normal * height;
         double least = DistanceSquared(polytope, best, point);
         for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
         {

@@ -82,11 +82,14 @@ public class NearCopyDepthTests
     {
         QueryRecord q = QueryRecord.Parse(record);
         DistanceResult r = ConvexQuery.SignedDistance(q.A, q.PoseA, q.B, q.PoseB);
-        Assert.Equal((GjkStatus.Overlapping, -depth), (r.Status, r.Distance));
-        Assert.True(r.LowerBound <= r.Distance && r.LowerBound >= -depth * (1 + 1e-6f), r.ToString());
         DistanceResult swapped = ConvexQuery.SignedDistance(q.B, q.PoseB, q.A, q.PoseA);
-        Assert.Equal((r.Status, r.Distance), (swapped.Status, swapped.Distance));
-        Assert.InRange(r.Iterations, 1, 30);
+        foreach (DistanceResult d in new[] { r, swapped })
+        {
+            Assert.Equal(GjkStatus.Overlapping, d.Status);
+            Assert.Equal(-depth, d.Distance, 1.2e-7 * depth + 1e-14);
+            Assert.True(d.LowerBound <= d.Distance && d.LowerBound >= -depth * (1 + 1e-6f), d.ToString());
+            Assert.InRange(d.Iterations, 1, 30);
+        }
     }
 
     public static TheoryData<string, float> Crowded => new()
@@ -151,6 +154,24 @@ public class NearCopyDepthTests
             + "0.173648626 -9.44715575E-05 -0.98480767 0.766044617 -9.44715575E-05 -0.642787397 0 9.44715575E-05 "
             + "0 @ 0 0 1 6.12323426E-17 0 0 0",
             0.00018894312f
+        },
+        {
+            "gjk1 point 0 @ 0 0 0 1 -0.0925860927 -0.731574476 1.18645835 mesh 25 1 -1 0 0.965925813 -1 "
+            + "0.258819044 0.866025388 -1 0.5 0.707106769 -1 0.707106769 0.49999997 -1 0.866025448 0.258818954 -1"
+            + " 0.965925872 -4.37113883E-08 -1 1 -0.258819163 -1 0.965925813 -0.50000006 -1 0.866025388 "
+            + "-0.707106769 -1 0.707106769 -0.866025507 -1 0.499999821 -0.965925872 -1 0.258818924 -1 -1 "
+            + "-8.74227766E-08 -0.965925813 -1 -0.258819073 -0.866025269 -1 -0.500000179 -0.707106829 -1 "
+            + "-0.707106709 -0.499999911 -1 -0.866025448 -0.258818984 -1 -0.965925872 1.19248806E-08 -1 -1 "
+            + "0.258819014 -1 -0.965925813 0.500000358 -1 -0.866025209 0.707107008 -1 -0.707106531 0.866025567 -1"
+            + " -0.499999762 0.965925753 -1 -0.258819282 0 1 0 @ 0 -0.688247204 0.22941573 0.688247204 0 0 0",
+            2.31394e-8f
+        },
+        {
+            "gjk1 mesh 4 -0.150000006 0 0 0.148207515 0 0 -0.150000006 1 -0.800000012 0.148207515 0 "
+            + "-0.826063931 @ 0 0 0 1 0 0 0 mesh 6 -0.148207515 1 -0.826063931 0.150000006 0 -0.800000012 "
+            + "-0.148207515 -1 -0.826063931 0.150000006 1 0 -0.14820753 0 0.800000012 -0.148207515 0 -0.826063991"
+            + " @ 0 1.00000001E-07 0 1 0 0 0",
+            0.2964152f
         },
     };
 
