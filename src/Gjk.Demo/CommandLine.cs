@@ -39,6 +39,7 @@ internal static class CommandLine
         {
             BuildReplay(cancel),
             BuildQuery(cancel),
+            BuildCast(cancel),
             BuildTime(cancel),
             FuzzOptions.Build(cancel),
             ViewOptions.Build(cancel),
@@ -152,11 +153,7 @@ internal static class CommandLine
                 + "Use - to read it from standard input.",
             HelpName = "TEXT",
         };
-        var output = new Option<string?>("--out")
-        {
-            Description = "Write the CSV to this file instead of standard output.",
-            HelpName = "FILE.csv",
-        };
+        Option<string?> output = CsvFile();
         var max = new Option<float>("--max-distance")
         {
             Description = "Report pairs further apart than this as such, without a distance.",
@@ -193,6 +190,37 @@ internal static class CommandLine
         });
         return command;
     }
+
+    private static Command BuildCast(CancellationToken cancel)
+    {
+        var scene = new Argument<string>("SCENE.json")
+        {
+            Description = "The scene. Use - to read it from standard input.",
+        };
+        Option<string?> output = CsvFile();
+        var command = new Command(
+            "cast",
+            "Move every pair's objects by their velocities over one frame, without turning them, and write when and "
+            + "where they first touch as CSV.")
+        {
+            scene, output,
+        };
+        command.SetAction(r =>
+        {
+            string file = r.GetValue(scene)!;
+            string? target = r.GetValue(output);
+            TargetFiles.Check(file, ("--out", target));
+            CastCommand.Run(SceneFile.Load(file, cancel), file, target, cancel);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static Option<string?> CsvFile() => new("--out")
+    {
+        Description = "Write the CSV to this file instead of standard output.",
+        HelpName = "FILE.csv",
+    };
 
     private static Command BuildTime(CancellationToken cancel)
     {

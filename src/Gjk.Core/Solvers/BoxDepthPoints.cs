@@ -94,11 +94,13 @@ internal static class BoxDepthPoints
             if (k != j) b -= sidesB[k] * Math.Sign(Vector3D.Dot(sidesB[k], normal));
         }
 
-        // a + s along = b + normal depth + r alongB; the cross product with alongB leaves s.
-        Vector3D across = Vector3D.Cross(along, alongB);
-        double half = sidesA.Half(i), squared = across.LengthSquared;
-        double s = Vector3D.Dot(Vector3D.Cross(b + normal * depth.Above - a, alongB), across) / squared;
-        return a + along * Math.Max(-half, Math.Min(half, s));
+        // a + s along = b + normal depth + r alongB; the cross product with alongB leaves s, the dot product with along
+        // says where B's edge lies beside A's. Of nearly parallel edges rounding moves s far, but not out of both.
+        Vector3D across = Vector3D.Cross(along, alongB), between = b + normal * depth.Above - a;
+        double half = sidesA.Half(i), s = Vector3D.Dot(Vector3D.Cross(between, alongB), across) / across.LengthSquared;
+        double middle = Vector3D.Dot(between, along), reach = sidesB.Half(j) * Math.Abs(Vector3D.Dot(along, alongB));
+        double first = Math.Max(-half, middle - reach), last = Math.Min(half, middle + reach);
+        return a + along * Math.Max(first, Math.Min(last, s));
     }
 
     private static Sides SidesOfA(in BoxPair pair) =>

@@ -13,8 +13,11 @@ namespace Gjk.Demo.Queries;
 /// </summary>
 internal sealed class CsvWriter
 {
-    /// <summary>The columns, in order.</summary>
-    public const string Header = "a,b,status,overlap,distance,lower_bound,ax,ay,az,bx,by,bz,nx,ny,nz,iterations";
+    /// <summary>The columns of distances, in order.</summary>
+    public const string Distances = "a,b,status,overlap,distance,lower_bound,ax,ay,az,bx,by,bz,nx,ny,nz,iterations";
+
+    /// <summary>The columns of casts, in order.</summary>
+    public const string Casts = "a,b,status,fraction,px,py,pz,nx,ny,nz,iterations";
 
     private const int BufferBytes = 1 << 16;
 
@@ -27,10 +30,12 @@ internal sealed class CsvWriter
     private readonly byte[] _buffer = new byte[BufferBytes];
     private int _used;
 
-    public CsvWriter(Stream stream)
+    /// <param name="stream">Where to write.</param>
+    /// <param name="header">The columns: <see cref="Distances"/> or <see cref="Casts"/>.</param>
+    public CsvWriter(Stream stream, string header)
     {
         _stream = stream;
-        Add(Header);
+        Add(header);
         EndRow();
     }
 
@@ -46,6 +51,20 @@ internal sealed class CsvWriter
         Add(result.PointA);
         Add(result.PointB);
         Add(result.Normal);
+        Add(result.Iterations);
+        EndRow();
+    }
+
+    /// <summary>A row of <see cref="Casts"/>. What a status says nothing of is empty.</summary>
+    public void Write(int a, int b, in CastResult result)
+    {
+        if (_used > BufferBytes - RowBytes) Flush();
+        Add(a);
+        Add(b);
+        Add(StatusName(result.Status));
+        Add(result.Fraction);
+        AddOrNothing(result.Point);
+        AddOrNothing(result.Normal);
         Add(result.Iterations);
         EndRow();
     }
@@ -69,6 +88,24 @@ internal sealed class CsvWriter
         GjkStatus.InvalidShape => nameof(GjkStatus.InvalidShape),
         _ => throw new ArgumentOutOfRangeException(nameof(status), status, "Unknown status."),
     };
+
+    /// <inheritdoc cref="StatusName(GjkStatus)"/>
+    private static string StatusName(CastStatus status) => status switch
+    {
+        CastStatus.Hit => nameof(CastStatus.Hit),
+        CastStatus.Miss => nameof(CastStatus.Miss),
+        CastStatus.OverlappingAtStart => nameof(CastStatus.OverlappingAtStart),
+        CastStatus.IterationLimit => nameof(CastStatus.IterationLimit),
+        CastStatus.InvalidInput => nameof(CastStatus.InvalidInput),
+        CastStatus.InvalidShape => nameof(CastStatus.InvalidShape),
+        _ => throw new ArgumentOutOfRangeException(nameof(status), status, "Unknown status."),
+    };
+
+    private void AddOrNothing(Vector3 v)
+    {
+        if (!float.IsNaN(v.X)) Add(v);
+        else for (int i = 0; i < 3; i++) _buffer[_used++] = (byte)',';
+    }
 
     private void Add(Vector3 v)
     {

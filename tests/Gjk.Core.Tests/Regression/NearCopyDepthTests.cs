@@ -92,6 +92,26 @@ public class NearCopyDepthTests
         }
     }
 
+    /// <summary>The edges that the way out is across cross far outside both, by rounding.</summary>
+    [Fact]
+    public void BoxesWhoseEdgesAreNearlyParallelMeetOnBoth()
+    {
+        var box = ConvexShape.Box(Vector3.One);
+        var poseA = new RigidPose(new(-5.4926101e-8f, -7.76107782e-8f, -0.707106829f, 0.707106829f), new(1, -1, 0));
+        var poseB = new RigidPose(new(0, 0, -0.707106769f, 0.707106769f), default);
+        foreach (DistanceResult r in new[]
+        {
+            ConvexQuery.SignedDistance(box, poseA, box, poseB),
+            ConvexQuery.SignedDistance(box, poseB, box, poseA).Swapped,
+        })
+        {
+            Assert.Equal(-1, r.Distance, 1e-6f);
+            Assert.InRange(Vector3.Abs(r.LocalPointA).Length(), 0, MathF.Sqrt(3) * (1 + 1e-6f));
+            Assert.True(Vector3.Max(Vector3.Abs(r.LocalPointA), Vector3.Abs(r.LocalPointB)).Y <= 1 + 1e-6f);
+            Assert.True(Vector3.Max(Vector3.Abs(r.LocalPointA), Vector3.Abs(r.LocalPointB)).X <= 1 + 1e-6f);
+        }
+    }
+
     public static TheoryData<string, float> Crowded => new()
     {
         {

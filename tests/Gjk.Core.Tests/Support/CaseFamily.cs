@@ -21,14 +21,7 @@ internal sealed class CaseFamily
     {
         Name = name;
         using var scene = JsonDocument.Parse(Read($"{name}.json"));
-        JsonElement root = scene.RootElement;
-        Dictionary<string, TestShape> meshes = root.TryGetProperty("meshes", out JsonElement given)
-            ? given.EnumerateObject().ToDictionary(m => m.Name, Mesh)
-            : [];
-        (TestShape Shape, RigidPose Pose)[] objects =
-        [
-            .. root.GetProperty("objects").EnumerateArray().Select(o => Object(o, meshes))
-        ];
+        (TestShape Shape, RigidPose Pose)[] objects = Objects(scene.RootElement);
         string[] rows = Read($"{name}.expected.csv").Split('\n', StringSplitOptions.RemoveEmptyEntries);
         bool isDepth = rows[0].Trim() == "a,b,depth,nx,ny,nz,ties,case";
         if (!isDepth && rows[0].Trim() != "a,b,overlap,distance,depth,case")
@@ -55,7 +48,17 @@ internal sealed class CaseFamily
     public static CaseFamily Load(string name) =>
         Loaded.GetOrAdd(name, n => new Lazy<CaseFamily>(() => new CaseFamily(n))).Value;
 
-    private static string Read(string file)
+    /// <summary>A scene's shapes and where they are.</summary>
+    public static (TestShape Shape, RigidPose Pose)[] Objects(JsonElement scene)
+    {
+        Dictionary<string, TestShape> meshes = scene.TryGetProperty("meshes", out JsonElement given)
+            ? given.EnumerateObject().ToDictionary(m => m.Name, Mesh)
+            : [];
+        return [.. scene.GetProperty("objects").EnumerateArray().Select(o => Object(o, meshes))];
+    }
+
+    /// <summary>The text of a file of tests/Cases.</summary>
+    public static string Read(string file)
     {
         using Stream stream = typeof(CaseFamily).Assembly.GetManifestResourceStream($"Cases/{file}")
             ?? throw new FileNotFoundException("Not embedded: " + file);
@@ -72,8 +75,9 @@ internal sealed class CaseFamily
     private static (TestShape Shape, RigidPose Pose) Object(JsonElement o, Dictionary<string, TestShape> meshes)
     {
         TestShape unscaled = Shape(o.GetProperty("shape"), meshes);
-        JsonElement q = o.GetProperty("rotation");
-        var rotation = new Quaternion(q[0].GetSingle(), q[1].GetSingle(), q[2].GetSingle(), q[3].GetSingle());
+        Quaternion rotation = o.TryGetProperty("rotation", out JsonElement q)
+            ? new Quaternion(q[0].GetSingle(), q[1].GetSingle(), q[2].GetSingle(), q[3].GetSingle())
+            : Quaternion.Identity;
         TestShape shape = o.TryGetProperty("scale", out JsonElement scale)
             ? unscaled.Scaled(Vector(scale))
             : unscaled;
@@ -90,11 +94,15 @@ internal sealed class CaseFamily
             "sphere" => TestShape.Sphere(s.GetProperty("radius").GetSingle()),
             "capsule" => TestShape.Capsule(
                 s.GetProperty("radius").GetSingle(), s.GetProperty("halfHeight").GetSingle()),
+            "cylinder" => TestShape.Cylinder(
+                s.GetProperty("radius").GetSingle(), s.GetProperty("halfHeight").GetSingle()),
+            "point" => TestShape.Point(),
             _ => throw new InvalidDataException($"Unknown shape '{type}'."),
         };
     }
 
-    private static Vector3 Vector(JsonElement e) => new(e[0].GetSingle(), e[1].GetSingle(), e[2].GetSingle());
+    /// <summary>Three numbers.</summary>
+    public static Vector3 Vector(JsonElement e) => new(e[0].GetSingle(), e[1].GetSingle(), e[2].GetSingle());
 
     private HardCase Case(string[] cells, (TestShape Shape, RigidPose Pose)[] objects, bool isDepth)
     {
@@ -111,5 +119,6 @@ internal sealed class CaseFamily
         return new HardCase(a, b, pair, bool.Parse(cells[2]), Number(cells[3]), Number(cells[4]));
     }
 
-    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+    /// <summary>A number as the answers have it.</summary>
+    public static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
 }

@@ -1,0 +1,143 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>
+    /// When two shapes that move without turning first touch: both are translated over the fractions from 0 to 1.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is at the start.</param>
+    /// <param name="translationA">Its motion, in world units, any finite vector.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is at the start.</param>
+    /// <param name="translationB">Its motion.</param>
+    /// <param name="maxFraction">
+    /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
+    /// 0.
+    /// </param>
+    /// <returns>
+    /// The first fraction at which the closed shapes share a point, the point, and the normal. The fraction is the true
+    /// one, rounded to float; along the motion it is exact to 1e-7 of the size or the way, whichever is larger. On
+    /// curved cores (cylinder, cone, ellipsoid) shapes touch when they are within 1e-9 of the size.
+    /// </returns>
+    public static CastResult Cast<TA, TB>(
+        in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
+        float maxFraction = 1)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        WarmStart unused = default;
+        return Cast(a, poseA, translationA, b, poseB, translationB, maxFraction, ref unused);
+    }
+
+    /// <summary>
+    /// As the first, beginning where the last query of the pair ended: faster for pairs that move little.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is at the start.</param>
+    /// <param name="translationA">Its motion, in world units, any finite vector.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is at the start.</param>
+    /// <param name="translationB">Its motion.</param>
+    /// <param name="maxFraction">See the first overload.</param>
+    /// <param name="warmStart">
+    /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
+    /// uses.
+    /// </param>
+    /// <returns>See the first overload. Within the accuracy that of the cold query.</returns>
+    public static CastResult Cast<TA, TB>(
+        in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
+        float maxFraction, ref WarmStart warmStart)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA copyA = default;
+        TB copyB = default;
+        ref TA shapeA = ref Inward(a, ref copyA);
+        ref TB shapeB = ref Inward(b, ref copyB);
+        var question = new CastQuestion(translationA, translationB, maxFraction, warmStart);
+        Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
+        warmStart = question.WarmStart;
+        return question.Result;
+    }
+
+    /// <summary>The pipeline of a cast, for any two cores.</summary>
+    private struct CastQuestion : IPairQuestion
+    {
+        public WarmStart WarmStart;
+        public CastResult Result;
+        private readonly Vector3D _translationA, _motion;
+        private readonly float _maxFraction;
+
+        public CastQuestion(Vector3 translationA, Vector3 translationB, float maxFraction, in WarmStart warmStart)
+        {
+            WarmStart = warmStart;
+            Result = default;
+            _translationA = translationA;
+            _motion = (Vector3D)translationB - translationA;
+            _maxFraction = maxFraction < 0 ? 0 : maxFraction;
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+            if (!frame.IsValid || !(_motion + _translationA).IsFinite || float.IsNaN(_maxFraction))
+            {
+                Result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+                return;
+            }
+
+            SolverState state;
+            Cast cast;
+            if (frame.IsOrdinary)
+            {
+                Solve(ref a, ref b, ref frame, out cast, out state);
+            }
+            else
+            {
+                SolverState.Begin<TA, TB>(frame, out state);
+                ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
+                Solve(ref unitA, ref unitB, ref frame, out cast, out state);
+            }
+
+            Result = Finish(cast, state, frame, poseA);
+        }
+
+        private void Solve<TA, TB>(
+            ref TA a, ref TB b, ref PairFrame frame, out Cast cast, out SolverState state)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            Vector3D motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
+            CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref WarmStart, out cast, out state);
+        }
+
+        /// <summary>Where A's surface is met, with A as it has moved.</summary>
+        private readonly CastResult Finish(
+            in Cast cast, in SolverState state, in PairFrame frame, in RigidPose poseA)
+        {
+            if (cast.Outcome == Verdict.Contradiction)
+                return CastResult.Nothing(CastStatus.InvalidShape, float.NaN, cast.Iterations);
+            if (cast.Outcome == Verdict.Undecided)
+                return CastResult.Nothing(CastStatus.IterationLimit, (float)cast.Fraction, cast.Iterations);
+            if (cast.Outcome == Verdict.Apart)
+                return CastResult.Nothing(CastStatus.Miss, _maxFraction, cast.Iterations);
+            CastStatus status = cast.Fraction > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart;
+            Vector3D onA = state.Simplex.PointOnA(state.Weights) + cast.Normal * frame.MarginA;
+            Vector3D world = frame.RotationA.Rotate((onA + frame.CenterA) * frame.Unit) + poseA.Position;
+            return new CastResult(
+                status, (float)cast.Fraction, (Vector3)(world + _translationA * cast.Fraction),
+                (Vector3)frame.RotationA.Rotate(cast.Normal), cast.Iterations);
+        }
+    }
+}

@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Text.Json;
+
+namespace Gjk.Core.Tests.Support;
+
+/// <summary>A cast and its proved answer: B moves by the velocity over the fractions from 0 to 1.</summary>
+internal sealed record CastCase(
+    TestPair Pair, Vector3 Velocity, CastStatus Outcome, double Fraction, Vector3D Normal, bool IsNormalUnique)
+{
+    public CastResult Cast() =>
+        ConvexQuery.Cast(Pair.A.Shape, Pair.PoseA, default, Pair.B.Shape, Pair.PoseB, Velocity);
+}
+
+/// <summary>The casts of tests/Cases with their answers.</summary>
+internal static class CastFamily
+{
+    private const string Header = "a,b,outcome,fraction,nx,ny,nz,ties,case";
+
+    public static IEnumerable<string> Names =>
+    [
+        "cast_box", "cast_graze", "cast_hull32", "cast_hull8", "cast_inside", "cast_miss", "cast_ray", "cast_round",
+        "cast_slide", "cast_speed", "cast_thin",
+    ];
+
+    public static IReadOnlyList<CastCase> Load(string name)
+    {
+        using var scene = JsonDocument.Parse(CaseFamily.Read($"{name}.json"));
+        (TestShape Shape, RigidPose Pose)[] objects = CaseFamily.Objects(scene.RootElement);
+        Vector3[] velocities =
+        [
+            .. scene.RootElement.GetProperty("objects").EnumerateArray().Select(
+                o => o.TryGetProperty("velocity", out JsonElement v) ? CaseFamily.Vector(v) : default),
+        ];
+        string[] rows = CaseFamily.Read($"{name}.expected.csv").Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        if (rows[0].Trim() != Header) throw new InvalidDataException($"{name}: unexpected header '{rows[0]}'.");
+        return [.. rows.Skip(1).Select(row => Case(name, row.Trim().Split(','), objects, velocities))];
+    }
+
+    private static CastCase Case(
+        string name, string[] cells, (TestShape Shape, RigidPose Pose)[] objects, Vector3[] velocities)
+    {
+        int a = int.Parse(cells[0], CultureInfo.InvariantCulture);
+        int b = int.Parse(cells[1], CultureInfo.InvariantCulture);
+        Assert.Equal(default, velocities[a]);
+        CastStatus outcome = cells[2] switch
+        {
+            "hit" => CastStatus.Hit,
+            "miss" => CastStatus.Miss,
+            "overlapping_at_start" => CastStatus.OverlappingAtStart,
+            _ => throw new InvalidDataException($"{name}: unknown outcome '{cells[2]}'."),
+        };
+        bool hasNormal = outcome == CastStatus.Hit;
+        return new CastCase(
+            new TestPair(
+                $"{name} {a},{b} {cells[^1]}", objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose),
+            velocities[b], outcome, hasNormal ? CaseFamily.Number(cells[3]) : 0,
+            hasNormal ? new(CaseFamily.Number(cells[4]), CaseFamily.Number(cells[5]), CaseFamily.Number(cells[6]))
+                : default,
+            hasNormal && cells[7] == "1");
+    }
+}

@@ -1,0 +1,58 @@
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Queries;
+
+public sealed class CastTests
+{
+    private const string Moving = """
+        {"version":1,"objects":[
+          {"shape":{"type":"box","halfExtents":[1,1,1]}},
+          {"shape":{"type":"sphere","radius":0.5},"position":[0,4,0],"velocity":[0,-5,0]},
+          {"shape":{"type":"sphere","radius":0.5},"position":[4,0,0],"velocity":[0,-5,0]},
+          {"shape":{"type":"box","halfExtents":[1,1,1]},"position":[1.5,0,0],"velocity":[9,0,0]}],
+         "pairs":[[0,1],[0,2],[0,3],[1,0]]}
+        """;
+
+    [Fact]
+    public void RowsSayWhenTheObjectsMeet()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", Moving);
+        DemoRun run = DemoProcess.Run("cast", scene);
+        run.AssertDone();
+        string[][] rows = [.. run.Out.TrimEnd().Split('\n').Select(line => line.Split(','))];
+        Assert.Equal("a,b,status,fraction,px,py,pz,nx,ny,nz,iterations", string.Join(',', rows[0]));
+        Assert.All(rows, row => Assert.Equal(11, row.Length));
+        Assert.Equal(["0", "1", "Hit", "0.5", "0", "1", "0", "0", "1", "0"], rows[1][..10]);
+        Assert.Equal(["0", "2", "Miss", "1", "", "", "", "", "", ""], rows[2][..10]);
+        Assert.Equal(["0", "3", "OverlappingAtStart", "0"], rows[3][..4]);
+        Assert.Equal(["0", "0", "0"], rows[3][7..10]);
+        Assert.Equal(["1", "0", "Hit", "0.5"], rows[4][..4]);
+        Assert.All(rows.Skip(1), row => Assert.InRange(int.Parse(row[10], CultureInfo.InvariantCulture), 1, 50));
+
+        string file = Path.Combine(directory.Path, "out.csv");
+        DemoProcess.Run("cast", scene, "--out", file).AssertDone();
+        Assert.Equal(run.Out, File.ReadAllText(file));
+    }
+
+    [Fact]
+    public void ObjectsThatTurnAreRefused()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("turning.json", Moving.Replace(
+            "\"velocity\":[9,0,0]", "\"angularVelocity\":[0,1,0]", System.StringComparison.Ordinal));
+        DemoRun run = DemoProcess.Run("cast", scene);
+        run.AssertRefused("$.objects[3].angularVelocity");
+    }
+
+    [Fact]
+    public void AMissingSceneIsRefused()
+    {
+        DemoProcess.Run("cast").AssertRefused("cast");
+        DemoProcess.Run("cast", "no-such-file.json").AssertRefused("no-such-file.json");
+    }
+}
