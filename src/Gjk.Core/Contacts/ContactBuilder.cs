@@ -23,7 +23,8 @@ internal static unsafe class ContactBuilder
     /// <param name="maxGap">In world units.</param>
     /// <param name="distance">The signed distance, in world units.</param>
     /// <param name="manifold">Gets the points.</param>
-    public static void Build(
+    /// <returns>False where the faces lie too steep to say anything; the manifold has no points then.</returns>
+    public static bool TryBuild(
         in ContactPlane plane, in FaceCorners cornersA, in FaceCorners cornersB, in RigidPose poseA, double maxGap,
         float distance, ref ContactManifold manifold)
     {
@@ -40,6 +41,7 @@ internal static unsafe class ContactBuilder
 
         var a = new FlatFeature(flat, cornersA.Count);
         var b = new FlatFeature(flatB, cornersB.Count);
+        if (!a.IsLevel || !b.IsLevel) return false;
         Candidate* memory = stackalloc Candidate[ContactCandidates.Capacity];
         double mostGap = Math.Max(maxGap * factor + plane.Frame.Margins, plane.CoreDistance);
         var candidates = new ContactCandidates(memory, plane.Size, mostGap);
@@ -47,6 +49,7 @@ internal static unsafe class ContactBuilder
         AddDeepest(plane, basis, ref candidates);
         int count = ContactReduction.Reduce(ref candidates, plane.Size);
         for (int i = 0; i < count; i++) manifold.Add(Point(candidates[i], plane, basis, poseA, distance));
+        return true;
     }
 
     private static FlatCorner See(in Vector3D point, int id, in ContactPlane plane, in PlaneBasis basis)

@@ -1,3 +1,5 @@
+using System;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -19,7 +21,7 @@ internal unsafe ref struct ContactCandidates
     /// Length, as a fraction of the size: a corner that lies beside an edge by less is on it, so that equal faces and
     /// parallel edges meet whatever rounding says, and places that are closer are one. Pinned by ContactTests.
     /// </summary>
-    public const double Slack = 1e-6;
+    public const double Slack = 4e-7;
 
     private readonly Candidate* _candidates;
     private readonly double _slack, _mostGap;
@@ -41,7 +43,20 @@ internal unsafe ref struct ContactCandidates
     /// <summary>A candidate.</summary>
     public readonly ref Candidate this[int index] => ref _candidates[index];
 
-    /// <summary>Adds a place, unless one is there already or the gap is too wide.</summary>
+    /// <summary>Brings a candidate forward to a place; those between keep their order.</summary>
+    public readonly void MoveTo(int from, int place)
+    {
+        Candidate moved = _candidates[from];
+        for (int i = from; i > place; i--) _candidates[i] = _candidates[i - 1];
+        _candidates[place] = moved;
+    }
+
+    /// <summary>Exchanges two candidates.</summary>
+    public readonly void Swap(int i, int k) => (_candidates[i], _candidates[k]) = (_candidates[k], _candidates[i]);
+
+    /// <summary>
+    /// Adds a place, unless the gap is too wide; where one is there already, the one with the smaller gap stays.
+    /// </summary>
     /// <param name="place">The place, with A's height.</param>
     /// <param name="heightB">B's height there.</param>
     /// <param name="id">The point's name.</param>
@@ -51,7 +66,10 @@ internal unsafe ref struct ContactCandidates
         for (int i = 0; i < Count; i++)
         {
             double u = _candidates[i].U - place.U, v = _candidates[i].V - place.V;
-            if (u * u + v * v <= _slack * _slack) return;
+            if (!(u * u + v * v <= _slack * _slack)) continue;
+            if (heightB - place.Height < _candidates[i].Gap)
+                _candidates[i] = new Candidate(place, heightB, _candidates[i].Id);
+            return;
         }
 
         _candidates[Count++] = new Candidate(place, heightB, id);
@@ -84,7 +102,8 @@ internal unsafe ref struct ContactCandidates
             double* to = insideB + (i + 1 < a.Count ? i + 1 : 0) * FaceCorners.Capacity;
             for (int j = 0; j < b.EdgeCount; j++)
             {
-                if ((from[j] < 0) == (to[j] < 0)) continue;
+                // Edges that do not part by more than the slack have their corners on one another.
+                if ((from[j] < 0) == (to[j] < 0) || Math.Abs(from[j] - to[j]) <= 2 * _slack) continue;
                 int next = j + 1 < b.Count ? j + 1 : 0;
                 double begin = insideA[j * FaceCorners.Capacity + i], end = insideA[next * FaceCorners.Capacity + i];
                 if ((begin < 0) == (end < 0)) continue;

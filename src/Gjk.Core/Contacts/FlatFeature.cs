@@ -18,6 +18,8 @@ internal unsafe struct FlatFeature
     /// <summary>How fast a face rises along the plane's axes.</summary>
     private double _riseU, _riseV;
 
+    private readonly bool _isLevel;
+
     /// <param name="memory">The corners; what they know of their edges is filled in.</param>
     /// <param name="count">How many there are; at least 2.</param>
     public FlatFeature(FlatCorner* memory, int count)
@@ -36,7 +38,17 @@ internal unsafe struct FlatFeature
             p.InwardU = -v * turn / _length;
             p.InwardV = u * turn / _length;
         }
+
+        double rise = count > 2
+            ? Math.Sqrt(_riseU * _riseU + _riseV * _riseV)
+            : Math.Abs(_corners[1].Height - _corners[0].Height) / _length;
+        _isLevel = rise <= FaceTilt.MostRise;
     }
+
+    /// <summary>
+    /// Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show another.
+    /// </summary>
+    public readonly bool IsLevel => _isLevel;
 
     /// <summary>A corner.</summary>
     public readonly ref FlatCorner this[int index] => ref _corners[index];

@@ -10,6 +10,9 @@ internal static class FaceTilt
     /// </summary>
     public const double LeastCosine = 0.5, MostSine = 0.5;
 
+    /// <summary>Ratio: what a face rises at that cosine, its tangent, and a little for rounding.</summary>
+    public const double MostRise = 1.7321;
+
     /// <summary>Whether a face lies level enough.</summary>
     /// <param name="normal">Outward, of any length.</param>
     /// <param name="direction">Of any length.</param>

@@ -99,11 +99,9 @@ public static partial class ConvexQuery
             FaceOf<TB>.Get(b, plane.Frame.Rotation.InverseRotate(-plane.Normal), ref cornersB);
         }
 
-        if (cornersA.Count > 1 && cornersB.Count > 1)
-        {
-            ContactBuilder.Build(plane, cornersA, cornersB, poseA, maxGap, result.Distance, ref manifold);
-            return;
-        }
+        bool areFlat = cornersA.Count > 1 && cornersB.Count > 1;
+        if (areFlat
+            && ContactBuilder.TryBuild(plane, cornersA, cornersB, poseA, maxGap, result.Distance, ref manifold)) return;
 
         long id = ContactFeature.Of(ContactFeature.OnlyCorner(cornersA), ContactFeature.OnlyCorner(cornersB));
         manifold.Add(

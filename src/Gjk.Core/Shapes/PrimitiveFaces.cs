@@ -85,6 +85,12 @@ internal static class PrimitiveFaces
     {
         Vector3D d = DirectionRange.ToUnit(direction);
         d *= 1 / d.Length;
+        if (halfHeight == 0)
+        {
+            Cylinder(radius, 0, direction, ref corners);
+            return;
+        }
+
         double radial = Math.Sqrt(d.X * d.X + d.Z * d.Z), height = 2 * halfHeight;
         double slant = Math.Sqrt(radius * radius + height * height);
         if (slant > 0 && -d.Y * slant >= radial * height + d.Y * radius)

@@ -101,6 +101,7 @@ internal static unsafe class GjkDepth
             if (!polytope.TryExpand(face, vertex, lowest)) break;
         }
 
+        face = PolytopeEnd.FaceUnder(polytope, face, depth.Normal, depth.Above, state.DepthNoise);
         PolytopeEnd.Copy(polytope, face, ref state.Simplex);
         depth.Store(ref state, Math.Max(depth.Below, 0));
         return DepthVerdict.Undecided;

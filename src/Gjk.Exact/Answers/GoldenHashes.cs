@@ -14,8 +14,8 @@ public static class GoldenHashes
         ["cases"] = "472da24ad165bdef",
         ["allCases"] = "3fa1e20f8a287e40",
         ["random"] = "bba608ef5fee06a0",
-        ["depths"] = "8ea1b869faa508fc",
-        ["contacts"] = "156b42d00cfaa8d0",
+        ["depths"] = "0782201a64be44cd",
+        ["contacts"] = "320536bd06cc987c",
     };
 
     public static IReadOnlyDictionary<string, string> Of(string targetFramework) => targetFramework switch

@@ -9,6 +9,8 @@ namespace Gjk.Core.Tests.Contacts;
 /// <summary>Contacts whose points can be worked out by hand.</summary>
 public class ContactTests
 {
+    private static readonly Quaternion Tilted = Quaternion.CreateFromYawPitchRoll(0.3f, -0.7f, 1.1f);
+
     /// <summary>A unit cube by any name.</summary>
     public static TheoryData<string> Cubes => ["box", "mesh", "scaled", "placed", "rounded", "scaledMesh"];
 
@@ -126,6 +128,52 @@ public class ContactTests
             Slab, new RigidPose(far), Cube("box"), new RigidPose(far + new Vector3(0.25f, 1.5f, 0)));
         Assert.Equal(4, m.Count);
         Assert.All(Points(m), p => Assert.Equal(new Vector3(0.5f, 0.5f, 0.5f), Vector3.Abs(p.LocalPointB)));
+    }
+
+    /// <summary>Either side of a flat mesh is all of it.</summary>
+    [Theory]
+    [InlineData(0.999f)]
+    [InlineData(-0.999f)]
+    public void AFlatMeshLiesOnAllOfItsCorners(float height)
+    {
+        ConvexShape plate = ConvexShape.Mesh([new(-1, 0, -1), new(1, 0, -1), new(1, 0, 1), new(-1, 0, 1)]);
+        ContactManifold m = Ask(
+            plate, RigidPose.Identity, ConvexShape.Box(new Vector3(20, 1, 20)), new RigidPose(new(0, height, 0)));
+        AssertPlaces(m, (-1, -1), (1, -1), (1, 1), (-1, 1));
+    }
+
+    /// <summary>A strip with two pointed ends: the tips and one corner of each side are not the best four.</summary>
+    [Fact]
+    public void FourOfManyPointsSpanTheLargestArea()
+    {
+        float side = 0.58f;
+        ConvexShape prism = ConvexShape.Mesh(
+            [
+                new(-0.82f, side, 0), new(0.82f, side, 0), new(0, side, -0.82f), new(0, side, 0.82f),
+                new(-0.82f, -side, 0), new(0.82f, -side, 0), new(0, -side, -0.82f), new(0, -side, 0.82f),
+            ]);
+        ContactManifold m = Ask(
+            ConvexShape.Box(new Vector3(2, 1, 0.1f)), new RigidPose(new Vector3(0, -1, 0)), prism,
+            new RigidPose(new Vector3(0, side - 0.01f, 0)));
+        Assert.Equal(4, m.Count);
+        Assert.Equal(0.2f * 1.44f, Area(m), 1e-3f);
+    }
+
+    /// <summary>Parallel edges end to end: where they meet is one point, and nothing is opposite the rest.</summary>
+    [Fact]
+    public void ParallelEdgesEndToEndMeetInOnePoint()
+    {
+        ConvexShape a = ConvexShape.Box(new(0.1690487414598465f, 0.71476006507873535f, 0.1690487414598465f));
+        ConvexShape b = ConvexShape.Box(new(0.079323932528495789f, 0.98301833868026733f, 0.079323932528495789f));
+        var pose = new RigidPose(new(0.257005453f, 1.78474641f, 0.257005453f));
+        ContactManifold m = Ask(a.Rounded(0.05f), RigidPose.Identity, b, pose, 0.3f);
+        Assert.All(
+            Points(m), p => Assert.True(Vector3.Abs(p.LocalPointB).Y <= 0.98301833868026733f * (1 + 1e-5f), $"{p}"));
+        ConvexShape segment = ConvexShape.Segment(new(0, 0.5f, 0), new(0, -0.5f, 0));
+        m = Ask(
+            segment.Rounded(0.08f), new RigidPose(Tilted, default), segment.Rounded(0.2f),
+            new RigidPose(Tilted, Vector3.Transform(new(0.1f, 1.05f, 0), Tilted)));
+        Assert.Equal(1, m.Count);
     }
 
     private static ConvexShape Cube(string name) => name switch

@@ -106,6 +106,19 @@ public class RoundContactTests
         Assert.Equal(1, OnSlab(ball, new RigidPose(new Vector3(0, 0.99f, 0)), float.NaN).Count);
     }
 
+    /// <summary>A disc, whatever it is called, lies on its rim on both sides.</summary>
+    [Fact]
+    public void AFlatConeIsADisc()
+    {
+        var up = new RigidPose(new Vector3(0, 0.001f, 0));
+        var down = new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI), new(0, 0.001f, 0));
+        foreach (ConvexShape disc in new[] { ConvexShape.Cone(1, 0), ConvexShape.Cylinder(1, 0) })
+        {
+            Assert.Equal(4, OnSlab(disc, up).Count);
+            Assert.Equal(4, OnSlab(disc, down).Count);
+        }
+    }
+
     /// <summary>A prism of unit radius and half height, its axis turned in float.</summary>
     private static Vector3[] Prism(int sides, float size) =>
     [

@@ -38,7 +38,7 @@ internal sealed class FaceRegions
     private readonly Vector3[] _points;
     private readonly int[] _triangles, _trianglesAt, _faceOf, _facesSeen;
     private readonly double _flatness;
-    private readonly List<int> _corners = [], _start = [0], _region = [];
+    private readonly List<int> _corners = [], _start = [0], _region = [], _beyond = [];
     private readonly List<Vector3D> _normals = [];
     private readonly FaceOutline _outline;
 
@@ -109,10 +109,13 @@ internal sealed class FaceRegions
         {
             for (int k = 0; k < 3; k++)
             {
-                int next = Beyond(_region[i], k);
-                if (next == None || _faceOf[next] != None || !LiesIn(next)) continue;
-                _faceOf[next] = face;
-                _region.Add(next);
+                CollectBeyond(_region[i], k);
+                foreach (int next in _beyond)
+                {
+                    if (_faceOf[next] != None || !LiesIn(next)) continue;
+                    _faceOf[next] = face;
+                    _region.Add(next);
+                }
             }
         }
 
@@ -128,19 +131,21 @@ internal sealed class FaceRegions
         }
     }
 
-    /// <summary>The triangle on the other side of an edge: the one that runs along it the other way.</summary>
-    private int Beyond(int triangle, int edge)
+    /// <summary>
+    /// The triangles on the other side of an edge, which run along it the other way: one of a solid, of a flat hull the
+    /// one beside it and one on its back.
+    /// </summary>
+    private void CollectBeyond(int triangle, int edge)
     {
+        _beyond.Clear();
         int from = _triangles[3 * triangle + edge], to = _triangles[3 * triangle + (edge + 1) % 3];
         int few = VertexStart[from + 1] - VertexStart[from] <= VertexStart[to + 1] - VertexStart[to] ? from : to;
         for (int i = VertexStart[few]; i < VertexStart[few + 1]; i++)
         {
             int t = _trianglesAt[i];
             for (int k = 0; k < 3; k++)
-                if (_triangles[3 * t + k] == to && _triangles[3 * t + (k + 1) % 3] == from) return t;
+                if (_triangles[3 * t + k] == to && _triangles[3 * t + (k + 1) % 3] == from) _beyond.Add(t);
         }
-
-        return None;
     }
 
     /// <summary>A triangle whose area is lost to rounding has no plane of its own.</summary>
@@ -148,8 +153,9 @@ internal sealed class FaceRegions
     {
         for (int k = 0; k < 3; k++)
         {
-            int next = Beyond(triangle, k);
-            if (next != None && _faceOf[next] != None) return _faceOf[next];
+            CollectBeyond(triangle, k);
+            foreach (int next in _beyond)
+                if (_faceOf[next] != None) return _faceOf[next];
         }
 
         return None;
