@@ -200,18 +200,22 @@ await check('many: two thousand objects open, select and sort in seconds', async
 async function traced(name, status) {
   const page = await open(name);
   await check(`${name}: every step is told and drawn`, async () => {
-    const { steps, iterations, status: found } = await counts(page);
+    const { steps, depthSteps, iterations, status: found } = await counts(page);
     assert.equal(found, status);
-    assert.equal(steps, iterations);
+    assert.equal(steps, iterations + depthSteps);
     assert.equal(await page.locator('tbody tr').count(), steps);
     for (let step = 0; step < steps; step++) {
       await page.locator('input[type=range]').fill(String(step));
       assert.equal((await counts(page)).step, step);
       const story = await text(page, '.story');
-      assert.match(story, /^Search: [\s\S]*Bound: [\s\S]*Region: /);
+      const isDepth = step >= iterations;
+      assert.match(story, isDepth ? /^Surface: [\s\S]*Search: [\s\S]*(Growth|End): / : /^Search: [\s\S]*Bound: [\s\S]*Region: /);
       assert.doesNotMatch(story, /NaN|undefined|null/);
-      assert.equal(story.includes('Answer:'), step === steps - 1);
-      assert.ok((await page.locator('.label').allInnerTexts()).includes(`w${step + 1}`));
+      assert.equal(story.includes('Answer:'), step === iterations - 1 || step === steps - 1);
+      const label = isDepth ? /^p\d+$/ : new RegExp(`^w${step + 1}$`);
+      const labels = await page.locator('.label').allInnerTexts();
+      assert.ok(labels.some((each) => label.test(each)), labels.join());
+      assert.equal(labels.includes('way out'), found === 'Overlapping' && step === steps - 1);
       assert.equal(await page.locator('tr.current td').first().innerText(), String(step + 1));
     }
     assert.deepEqual(page.complaints, []);
@@ -238,10 +242,36 @@ await check('trace: the origin is a white ball on the screen', async () => {
 await apart.close();
 const hit = await traced('trace-hit', 'Overlapping');
 await check('trace: the last simplex holds the origin', async () => {
+  const { iterations } = await counts(hit);
+  await hit.locator('input[type=range]').fill(String(iterations - 1));
   assert.match(await text(hit, '.story'), /the origin is inside the tetrahedron/);
 });
 await hit.close();
 await (await traced('trace-round', 'Separated')).close();
+
+const depths = readCsv(join(folder, 'deep.csv'));
+for (const [name, b] of [['trace-deep', 1], ['trace-margin', 2]]) {
+  const deep = await traced(name, 'Overlapping');
+  const depth = -depths.find((row) => row.a === 0 && row.b === b).distance;
+  await check(`${name}: the depth is that of query`, async () => {
+    const shown = Number(/Answer: depth ([\d.]+)/.exec(await text(deep, '.story'))[1]);
+    assert.ok(Math.abs(shown - depth) <= 1e-5 * depth, `${shown} for ${depth}`);
+  });
+  if (b === 1) await check(`${name}: the bounds of the depth close in and meet, on a small screen too`, async () => {
+    await deep.setViewportSize({ width: 390, height: 780 });
+    const { steps, depthSteps } = await counts(deep);
+    assert.ok(depthSteps > 2);
+    const bounds = await deep.locator('table').nth(1).locator('tbody tr')
+      .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => Number(cell.textContent))));
+    for (let i = 1; i < bounds.length; i++) assert.ok(bounds[i][1] >= bounds[i - 1][1] && bounds[i][2] <= bounds[i - 1][2], JSON.stringify(bounds));
+    assert.equal(bounds.at(-1)[1], bounds.at(-1)[2]);
+    const place = await deep.locator('.story').boundingBox(), player = await deep.locator('.player').boundingBox();
+    assert.ok(place.y > player.y && place.y < 500 && player.x + player.width <= 390, JSON.stringify([place, player]));
+    await keep(deep, `${name}-small`);
+    assert.equal((await counts(deep)).step, steps - 1);
+  });
+  await deep.close();
+}
 
 await browser.close();
 finish();

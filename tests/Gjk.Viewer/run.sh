@@ -54,4 +54,7 @@ done
 demo trace --builtin cubes --pair 0,5 --out TestResults/trace-apart.html
 demo trace --builtin cubes --pair 10,11 --out TestResults/trace-hit.html
 demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html
+demo trace TestResults/deep.json --pair 0,1 --out TestResults/trace-deep.html
+demo trace TestResults/deep.json --pair 0,2 --out TestResults/trace-margin.html
+demo query TestResults/deep.json --depth --out TestResults/deep.csv
 exec node pages.mjs TestResults

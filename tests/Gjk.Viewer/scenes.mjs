@@ -1,5 +1,5 @@
-// Writes the scenes that the built-in ones do not cover. One moves and has every kind of shape, the other has many
-// objects.
+// Writes the scenes that the built-in ones do not cover. One moves and has every kind of shape, one has shapes deep in
+// each other, and one has many objects.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -29,6 +29,22 @@ const moving = {
   ],
 };
 writeFileSync(join(folder, 'moving.json'), JSON.stringify(moving));
+
+const gem = [[1, 0, 0.1], [-1, 0.1, 0], [0.1, 1, 0], [0, -1, 0.2], [0.3, 0.1, 1], [0, 0.2, -1], [0.7, 0.7, 0.5]];
+const deep = {
+  version: 1, name: 'deep', meshes: { gem },
+  objects: [
+    { name: 'gem', shape: { type: 'mesh', mesh: 'gem' } },
+    {
+      name: 'capsule',
+      shape: { type: 'capsule', radius: 0.4, halfHeight: 0.7 },
+      position: [0.5, 0.3, 0.2],
+      rotation: [0.6, 0, 0, 0.8],
+    },
+    { name: 'sphere', shape: { type: 'sphere', radius: 0.8 }, position: [1.1, 0.7, 0.3] },
+  ],
+};
+writeFileSync(join(folder, 'deep.json'), JSON.stringify(deep));
 
 // A small generator with a fixed seed, so that every run has the same scene.
 let state = 12345;

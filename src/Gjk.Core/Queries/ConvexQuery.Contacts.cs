@@ -67,7 +67,7 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
-        var question = new SignedQuestion(warmStart, isWarm, wantsSimplex: false, wantsPlane: true);
+        var question = new SignedQuestion<NoPolytopeTrace>(warmStart, isWarm, wantsSimplex: false, wantsPlane: true);
         Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
         if (isWarm) warmStart = question.WarmStart;
         manifold.Clear();
@@ -84,7 +84,8 @@ public static partial class ConvexQuery
     /// <summary>Asks both shapes for what they show along the normal.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static unsafe void AddPoints<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in SignedQuestion question, float maxGap, ref ContactManifold manifold)
+        in TA a, in RigidPose poseA, in TB b, in SignedQuestion<NoPolytopeTrace> question, float maxGap,
+        ref ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {

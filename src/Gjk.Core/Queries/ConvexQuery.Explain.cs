@@ -29,4 +29,32 @@ public static partial class ConvexQuery
         WarmStart unused = default;
         return Ask(a, poseA, b, poseB, maxDistance, ref unused, false, ref trace);
     }
+
+    /// <summary>
+    /// The query for the signed distance, telling a trace how it searches for the depth. The result is that of
+    /// <c>SignedDistance</c>, bit for bit.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <typeparam name="TTrace">The trace's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="trace">
+    /// Told of the surface that grows inside the Minkowski difference of the cores. Two boxes without margins are
+    /// answered by their 15 separating axes; a surface is grown for the trace alone then, and ends at the same depth.
+    /// Nothing is told where nothing is searched: of invalid input, of two spheres, and of shapes with margins whose
+    /// cores are apart, whose signed distance is that of the cores less the margins (<c>Explain</c> tells of it).
+    /// </param>
+    /// <returns>As <c>SignedDistance</c> gives it. What the trace throws passes through.</returns>
+    public static DistanceResult ExplainDepth<TA, TB, TTrace>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
+    {
+        WarmStart unused = default;
+        return AskSigned(a, poseA, b, poseB, ref unused, false, false, ref trace, out _);
+    }
 }

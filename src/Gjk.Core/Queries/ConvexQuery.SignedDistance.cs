@@ -31,7 +31,8 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return AskSigned(a, poseA, b, poseB, ref unused, false, false, out _);
+        NoPolytopeTrace trace = default;
+        return AskSigned(a, poseA, b, poseB, ref unused, false, false, ref trace, out _);
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -52,7 +53,8 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return AskSigned(a, poseA, b, poseB, ref unused, false, true, out simplex);
+        NoPolytopeTrace trace = default;
+        return AskSigned(a, poseA, b, poseB, ref unused, false, true, ref trace, out simplex);
     }
 
     /// <summary>
@@ -72,22 +74,27 @@ public static partial class ConvexQuery
     public static DistanceResult SignedDistance<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart)
         where TA : struct, ISupportMap
-        where TB : struct, ISupportMap =>
-        AskSigned(a, poseA, b, poseB, ref warmStart, true, false, out _);
+        where TB : struct, ISupportMap
+    {
+        NoPolytopeTrace trace = default;
+        return AskSigned(a, poseA, b, poseB, ref warmStart, true, false, ref trace, out _);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static DistanceResult AskSigned<TA, TB>(
+    private static DistanceResult AskSigned<TA, TB, TTrace>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart, bool isWarm,
-        bool wantsSimplex, out FinalSimplex simplex)
+        bool wantsSimplex, ref TTrace trace, out FinalSimplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
     {
         TA copyA = default;
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
-        var question = new SignedQuestion(warmStart, isWarm, wantsSimplex);
+        var question = new SignedQuestion<TTrace>(warmStart, isWarm, wantsSimplex) { Trace = trace };
         Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
+        trace = question.Trace;
         if (isWarm) warmStart = question.WarmStart;
         simplex = question.Simplex;
         return question.Result;
@@ -106,7 +113,8 @@ public static partial class ConvexQuery
 #endif
 
     /// <summary>The pipeline of the signed distance, for any two cores.</summary>
-    private struct SignedQuestion : IPairQuestion
+    private struct SignedQuestion<TTrace> : IPairQuestion
+        where TTrace : struct, IPolytopeTrace
     {
         public WarmStart WarmStart;
         public FinalSimplex Simplex;
@@ -114,6 +122,9 @@ public static partial class ConvexQuery
 
         /// <summary>Where the contact is, with a normal of length 0 where nothing but the result says it.</summary>
         public ContactPlane Plane;
+
+        /// <summary>Told of the search for the depth.</summary>
+        public TTrace Trace;
 
         private readonly bool _isWarm, _wantsSimplex, _wantsPlane;
 
@@ -123,6 +134,7 @@ public static partial class ConvexQuery
             Simplex = default;
             Result = default;
             Plane = default;
+            Trace = default;
             _isWarm = isWarm;
             _wantsSimplex = wantsSimplex;
             _wantsPlane = wantsPlane;
@@ -163,10 +175,7 @@ public static partial class ConvexQuery
 
         private void Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
             where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            NoTrace trace = default;
-            SignedSolver.Solve(ref a, ref b, frame, ref WarmStart, _isWarm, ref state, ref trace);
-        }
+            where TB : struct, ISupportMap =>
+            SignedSolver.Solve(ref a, ref b, frame, ref WarmStart, _isWarm, ref state, ref Trace);
     }
 }

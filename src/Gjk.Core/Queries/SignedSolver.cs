@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -22,12 +23,13 @@ namespace Gjk.Core;
 internal static class SignedSolver
 {
     /// <summary>Solves from the warm start, if there is one, and keeps where it ended.</summary>
+    /// <remarks>The trace is told of the search for the depth alone; <c>Explain</c> tells of the distance.</remarks>
     public static void Solve<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, bool isWarm, ref SolverState state,
         ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
-        where TTrace : struct, IGjkTrace
+        where TTrace : struct, IPolytopeTrace
     {
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
         if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
@@ -40,13 +42,14 @@ internal static class SignedSolver
         ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
-        where TTrace : struct, IGjkTrace
+        where TTrace : struct, IPolytopeTrace
     {
         PairSize size = state.Size;
+        if (trace.IsOn) TellBoxes(ref a, ref b, frame, state, ref trace);
         DepthVerdict depth =
             BoxOf<TA>.TryGet(ref a, out BoxCore boxA) && BoxOf<TB>.TryGet(ref b, out BoxCore boxB)
                 ? BoxDepth.Solve(boxA.Half.Xyz, boxB.Half.Xyz, frame, ref state)
-                : GjkDepth.Solve(ref a, ref b, frame, ref state);
+                : GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
         // Within the band either answer could be rounding.
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
         bool isKnown = depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided;
@@ -63,7 +66,8 @@ internal static class SignedSolver
         state.IsCurved = false;
         state.Iterations = 0;
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
-        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref trace);
+        NoTrace untold = default;
+        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
         if (state.Verdict != Verdict.Enclosed) return;
         Touch(ref state, across, above);
         if (depth == DepthVerdict.Undecided && above > band) state.Verdict = Verdict.Undecided;
@@ -74,14 +78,15 @@ internal static class SignedSolver
         ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
-        where TTrace : struct, IGjkTrace
+        where TTrace : struct, IPolytopeTrace
     {
-        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref trace);
+        NoTrace untold = default;
+        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
         if (state.Verdict != Verdict.Enclosed) return;
         Simplex common = state.Simplex;
         Weights weights = state.Weights;
         state.Feature.Normal = frame.FirstNormal;
-        DepthVerdict depth = GjkDepth.Solve(ref a, ref b, frame, ref state);
+        DepthVerdict depth = GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
         if (depth != DepthVerdict.Flat && depth != DepthVerdict.Apart)
         {
             Settle(ref state, depth);
@@ -94,6 +99,20 @@ internal static class SignedSolver
         state.Feature.Height = 0;
         state.Plane.Value = Math.Min(state.Plane.Value, 0);
         state.Verdict = Verdict.Apart;
+    }
+
+    /// <summary>
+    /// Boxes are answered by separating axes, which have no surface to tell of, so one is grown for the trace alone.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void TellBoxes<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, SolverState state, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
+    {
+        if (BoxOf<TA>.TryGet(ref a, out _) && BoxOf<TB>.TryGet(ref b, out _))
+            GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
     }
 
     /// <summary>Puts the warm start's simplex and normal, or the cold query's, into the state.</summary>

@@ -23,7 +23,7 @@ namespace Gjk.Core;
 /// plane it lies.
 /// </para>
 /// </remarks>
-internal unsafe struct Polytope
+internal unsafe partial struct Polytope
 {
     /// <summary>A face that is not there.</summary>
     private const double Gone = double.PositiveInfinity;

@@ -42,39 +42,44 @@ internal static unsafe class GjkDepth
     private const int ManyVertices = 1024;
 
     /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
-    public static DepthVerdict Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+    public static DepthVerdict Solve<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
     {
-        DepthVerdict verdict = SolveWithin(FewVertices, ref a, ref b, frame, ref state);
+        DepthVerdict verdict = SolveWithin(FewVertices, ref a, ref b, frame, ref state, ref trace);
 
         // The second search begins at the face that the first one ended at.
         return verdict == DepthVerdict.Undecided
-            ? SolveWithin(ManyVertices, ref a, ref b, frame, ref state)
+            ? SolveWithin(ManyVertices, ref a, ref b, frame, ref state, ref trace)
             : verdict;
     }
 
     /// <summary>Its stack is given back when it returns, so the two sizes are never held at once.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict SolveWithin<TA, TB>(
-        int vertices, ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+    private static DepthVerdict SolveWithin<TA, TB, TTrace>(
+        int vertices, ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
     {
         double* memory = stackalloc double[Polytope.Doubles(vertices)];
         var polytope = new Polytope(memory, vertices);
-        return Expand(ref a, ref b, frame, ref state, ref polytope);
+        return Expand(ref a, ref b, frame, ref state, ref polytope, ref trace);
     }
 
-    private static DepthVerdict Expand<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope)
+    private static DepthVerdict Expand<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
     {
         DepthBounds depth = DepthBounds.None;
         DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
         if (verdict != DepthVerdict.Undecided)
         {
+            Tell(OutcomeOf(verdict), frame, polytope, -1, depth, ref trace);
             depth.Store(ref state, depth.Above);
             return verdict;
         }
@@ -90,20 +95,32 @@ internal static unsafe class GjkDepth
             depth.See(normal, height);
             if (depth.IsApart(state))
             {
+                Tell(PolytopeOutcome.Apart, frame, polytope, face, depth, ref trace);
                 depth.Store(ref state, depth.Above);
                 return DepthVerdict.Apart;
             }
 
-            if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
-            if (gap <= state.DepthNoise) return Close(ref state, polytope, face, normal, height, ref depth);
-            if (depth.Above - depth.Below <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex))
-                return Close(ref state, polytope, face, depth.Normal, depth.Above, ref depth);
+            if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value))
+            {
+                Tell(PolytopeOutcome.Contradiction, frame, polytope, face, depth, ref trace);
+                return DepthVerdict.Contradiction;
+            }
+
+            bool hasMet = gap <= state.DepthNoise;
+            if (hasMet || (depth.Above - depth.Below <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex)))
+            {
+                Tell(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
+                if (hasMet) depth.Settle(normal, height);
+                Settle(ref state, polytope, face, depth, depth.Above);
+                return DepthVerdict.Enclosed;
+            }
+
+            Tell(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);
             if (!polytope.TryExpand(face, vertex, lowest)) break;
         }
 
-        face = PolytopeEnd.FaceUnder(polytope, face, depth.Normal, depth.Above, state.DepthNoise);
-        PolytopeEnd.Copy(polytope, face, ref state.Simplex);
-        depth.Store(ref state, Math.Max(depth.Below, 0));
+        Tell(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);
+        Settle(ref state, polytope, face, depth, Math.Max(depth.Below, 0));
         return DepthVerdict.Undecided;
     }
 
@@ -115,15 +132,26 @@ internal static unsafe class GjkDepth
     private static double RepeatedGap(in PairFrame frame, in SolverState state, in DepthBounds depth) =>
         GjkTolerances.RepeatedGap * (depth.Above + frame.Margins) + 4 * state.DepthNoise;
 
-    /// <summary>The bounds have met: puts the face that holds the way out's end into the state.</summary>
-    private static DepthVerdict Close(
-        ref SolverState state, in Polytope polytope, int face, in Vector3D normal, double height,
-        ref DepthBounds depth)
+    /// <summary>Puts the face that holds the cheapest way out's end into the state.</summary>
+    private static void Settle(
+        ref SolverState state, in Polytope polytope, int face, in DepthBounds depth, double length)
     {
-        depth.Settle(normal, height);
-        int under = PolytopeEnd.FaceUnder(polytope, face, normal, height, state.DepthNoise);
-        PolytopeEnd.Copy(polytope, under, ref state.Simplex);
-        depth.Store(ref state, height);
-        return DepthVerdict.Enclosed;
+        face = PolytopeEnd.FaceUnder(polytope, face, depth.Normal, depth.Above, state.DepthNoise);
+        PolytopeEnd.Copy(polytope, face, ref state.Simplex);
+        depth.Store(ref state, length);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Tell<TTrace>(
+        PolytopeOutcome outcome, in PairFrame frame, in Polytope polytope, int face, in DepthBounds depth,
+        ref TTrace trace)
+        where TTrace : struct, IPolytopeTrace
+    {
+        if (trace.IsOn) trace.OnStep(new PolytopeStep(frame, polytope, face, outcome, depth.Below, depth.Above));
+    }
+
+    /// <summary>How a search without a surface ended.</summary>
+    private static PolytopeOutcome OutcomeOf(DepthVerdict verdict) =>
+        verdict == DepthVerdict.Apart ? PolytopeOutcome.Apart
+        : verdict == DepthVerdict.Flat ? PolytopeOutcome.Flat : PolytopeOutcome.Contradiction;
 }

@@ -23,9 +23,9 @@ internal static class DifferenceMesh
     /// <param name="b">The second shape.</param>
     /// <param name="bInA">The frame of the second shape, seen from the first.</param>
     /// <param name="unit">The factor by which points are multiplied, so that they fit into floats at any size.</param>
-    /// <param name="steps">The steps of the query.</param>
+    /// <param name="known">Points of the difference that the query found.</param>
     public static ShapeMesh Of(
-        in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, List<TraceStep> steps)
+        in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, IEnumerable<Vector3D> known)
     {
         List<Vector3D>? cornersA = Corners(a), cornersB = Corners(b);
         var points = new List<Vector3>();
@@ -50,7 +50,7 @@ internal static class DifferenceMesh
             }
         }
 
-        foreach (TraceStep step in steps) points.Add((Vector3)(step.Support.Vertex * unit));
+        foreach (Vector3D vertex in known) points.Add((Vector3)(vertex * unit));
         return ShapeMesh.Of(new ConvexHull(points), isSmooth: !isExact && (cornersA is null || cornersB is null));
     }
 

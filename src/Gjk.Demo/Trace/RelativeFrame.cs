@@ -9,10 +9,12 @@ namespace Gjk.Demo.Trace;
 internal readonly struct RelativeFrame
 {
     private readonly double _x, _y, _z, _w;
+    private readonly Quaternion _rotationA;
 
     public RelativeFrame(in RigidPose a, in RigidPose b)
     {
         Quaternion p = a.Rotation, q = b.Rotation;
+        _rotationA = p;
         _x = (double)p.W * q.X - (double)p.X * q.W - (double)p.Y * q.Z + (double)p.Z * q.Y;
         _y = (double)p.W * q.Y - (double)p.Y * q.W - (double)p.Z * q.X + (double)p.X * q.Z;
         _z = (double)p.W * q.Z - (double)p.Z * q.W - (double)p.X * q.Y + (double)p.Y * q.X;
@@ -27,6 +29,10 @@ internal readonly struct RelativeFrame
 
     /// <summary>Converts a direction from A's frame to B's.</summary>
     public Vector3D InverseTurn(in Vector3D direction) => Turned(direction, -_x, -_y, -_z, _w);
+
+    /// <summary>Converts a direction from the world to A's frame.</summary>
+    public Vector3D FromWorld(in Vector3D direction) =>
+        Turned(direction, -(double)_rotationA.X, -(double)_rotationA.Y, -(double)_rotationA.Z, _rotationA.W);
 
     public double[] Quaternion() => [_x, _y, _z, _w];
 

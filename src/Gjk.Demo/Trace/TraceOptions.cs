@@ -34,7 +34,8 @@ internal static class TraceOptions
         });
         var command = new Command(
             "trace",
-            "Show one query step by step, with supports, simplex and bounds. The page needs no network.")
+            "Show one query step by step, with supports, simplex and bounds, and where the shapes overlap the search for "
+            + "the depth. The page needs no network.")
         {
             source.File, source.BuiltIn, pair, page,
         };
@@ -64,7 +65,8 @@ internal static class TraceOptions
         var steps = new List<TraceStep>();
         var recorder = new TraceRecorder(steps);
         DistanceResult result = ConvexQuery.Explain(a.Shape, a.Pose, b.Shape, b.Pose, ref recorder);
-        TracePage.Write(file.Stream, scene, pair, steps, result);
+        DepthAnswer? depth = result.IsOverlapping ? DepthAnswer.Of(a, b) : null;
+        TracePage.Write(file.Stream, scene, pair, steps, result, depth);
         file.Commit();
     }
 

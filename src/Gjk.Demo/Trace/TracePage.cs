@@ -24,8 +24,10 @@ internal static class TracePage
     /// <param name="pair">The indices of both shapes.</param>
     /// <param name="steps">The recorded steps of the query.</param>
     /// <param name="result">The answer of the query.</param>
+    /// <param name="depth">The search for the depth, where the shapes overlap.</param>
     public static void Write(
-        Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result)
+        Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result,
+        DepthAnswer? depth)
     {
         SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
         var bInA = new RelativeFrame(a.Pose, b.Pose);
@@ -50,22 +52,27 @@ internal static class TracePage
         json.WritePropertyName("shapeB");
         ScenePage.WriteShape(data, ShapeMesh.Of(b.Shape));
         json.WritePropertyName("difference");
-        ScenePage.WriteShape(data, DifferenceMesh.Of(a.Shape, b.Shape, bInA, unit, steps));
-        WriteResult(json, result);
+        ScenePage.WriteShape(data, DifferenceMesh.Of(a.Shape, b.Shape, bInA, unit, Vertices(steps, depth)));
+        WriteResult(json, result, bInA);
         WriteSteps(json, steps);
+        if (depth is not null) WriteDepth(json, depth, bInA);
         json.WriteEndObject();
         HtmlPage.Write(
             stream, $"{scene.Name}: {nameA} – {nameB}",
-            [("steps", steps.Count), ("iterations", result.Iterations), ("a", pair.A), ("b", pair.B)], data.Text);
+            [
+                ("steps", steps.Count), ("iterations", result.Iterations),
+                ("depth-steps", depth?.Search.Steps.Count ?? 0), ("a", pair.A), ("b", pair.B),
+            ],
+            data.Text);
     }
 
-    private static void WriteResult(Utf8JsonWriter json, in DistanceResult result)
+    private static void WriteResult(Utf8JsonWriter json, in DistanceResult result, in RelativeFrame bInA)
     {
         json.WriteStartObject("result");
         json.WriteString("status", result.Status.ToString());
         Number(json, "distance", result.Distance);
         Number(json, "lowerBound", result.LowerBound);
-        Vector(json, "normal", result.Normal);
+        Vector(json, "normal", bInA.FromWorld(result.Normal));
         Vector(json, "pointA", result.LocalPointA);
         json.WriteNumber("iterations", result.Iterations);
         json.WriteEndObject();
@@ -100,6 +107,50 @@ internal static class TracePage
         json.WriteEndArray();
     }
 
+    private static void WriteDepth(Utf8JsonWriter json, DepthAnswer depth, in RelativeFrame bInA)
+    {
+        json.WriteStartObject("depth");
+        WriteResult(json, depth.Result, bInA);
+        json.WriteStartArray("vertices");
+        foreach (Vector3D v in depth.Search.Vertices) NumbersOf(json, [v.X, v.Y, v.Z]);
+        json.WriteEndArray();
+        json.WriteStartArray("steps");
+        foreach (DepthStep step in depth.Search.Steps)
+        {
+            json.WriteStartObject();
+            json.WriteString("outcome", step.Outcome.ToString());
+            json.WriteNumber("count", step.Faces);
+            json.WriteNumber("room", step.Room);
+            Number(json, "below", step.Below);
+            Number(json, "above", step.Above);
+            if (step.Lowest >= 0)
+            {
+                json.WriteNumber("lowest", step.Lowest);
+                json.WriteNumber("vertex", step.Vertex);
+                Vector(json, "normal", -step.Support.Normal);
+                Vector(json, "onA", step.Support.PointOnA);
+                Vector(json, "onB", step.Support.PointOnB);
+                json.WriteNumber("idA", step.Support.IdA);
+                json.WriteNumber("idB", step.Support.IdB);
+                Indices(json, "removed", step.Removed);
+                json.WriteStartArray("added");
+                foreach ((int number, int a, int b, int c) in step.Added) NumbersOf(json, [number, a, b, c]);
+                json.WriteEndArray();
+            }
+
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    private static IEnumerable<Vector3D> Vertices(List<TraceStep> steps, DepthAnswer? depth)
+    {
+        foreach (TraceStep step in steps) yield return step.Support.Vertex;
+        foreach (Vector3D vertex in depth?.Search.Vertices ?? []) yield return vertex;
+    }
+
     /// <summary>Writes a number. JSON has no infinities, and the page takes null for "none".</summary>
     private static void Number(Utf8JsonWriter json, string name, double value)
     {
@@ -111,7 +162,13 @@ internal static class TracePage
 
     private static void Numbers(Utf8JsonWriter json, string name, ReadOnlySpan<double> values)
     {
-        json.WriteStartArray(name);
+        json.WritePropertyName(name);
+        NumbersOf(json, values);
+    }
+
+    private static void NumbersOf(Utf8JsonWriter json, ReadOnlySpan<double> values)
+    {
+        json.WriteStartArray();
         foreach (double value in values)
         {
             if (double.IsFinite(value)) json.WriteNumberValue(value);
@@ -121,7 +178,7 @@ internal static class TracePage
         json.WriteEndArray();
     }
 
-    private static void Indices(Utf8JsonWriter json, string name, int[] values)
+    private static void Indices(Utf8JsonWriter json, string name, IEnumerable<int> values)
     {
         json.WriteStartArray(name);
         foreach (int value in values) json.WriteNumberValue(value);

@@ -14,6 +14,16 @@ public readonly struct TracedSupport
         IsExtended = isExtended;
     }
 
+    internal TracedSupport(in PairFrame frame, in Vector3D normal, in PolytopeVertex vertex)
+    {
+        Normal = normal;
+        PointOnA = (vertex.OnA + frame.CenterA) * frame.Unit;
+        Vertex = vertex.W * frame.Unit;
+        IdA = vertex.IdA;
+        IdB = vertex.IdB;
+        IsExtended = false;
+    }
+
     /// <summary>
     /// The nearest feature's normal, of any length: from the origin to the feature. A was asked for its furthest point
     /// against it, B for its furthest along it.

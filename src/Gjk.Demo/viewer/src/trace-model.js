@@ -1,5 +1,6 @@
 import { Quaternion, Vector3 } from 'three';
 import { number, shape, vector } from './data.js';
+import { DepthModel } from './depth-model.js';
 
 /** Ratio. Bounds that are closer than this look the same in six digits. */
 const VISIBLE = 1e-6;
@@ -16,6 +17,7 @@ export class TraceModel {
     this.shapeA = shape(json.shapeA);
     this.shapeB = shape(json.shapeB);
     this.difference = shape(json.difference);
+    this.depth = json.depth ? new DepthModel(json.depth, json) : null;
     this.rotationB = new Quaternion(...json.rotation).normalize();
     let lower = 0, upper = Infinity;
     this.steps.forEach((step, i) => {
@@ -26,6 +28,19 @@ export class TraceModel {
       step.best = lower;
       step.bound = upper;
     });
+  }
+
+  /** How many steps are shown: those of the distance, and then those of the depth. */
+  get count() {
+    return this.steps.length + (this.depth?.steps.length ?? 0);
+  }
+
+  isDepth(at) {
+    return Boolean(this.depth) && at >= this.steps.length && at < this.count;
+  }
+
+  isLast(at) {
+    return at === Math.max(this.count - 1, 0);
   }
 
   drawn([x, y, z]) {
@@ -45,9 +60,11 @@ export class TraceModel {
 
   /** Describes a step in paragraphs of [kind, text]. */
   story(at) {
+    if (this.isDepth(at)) return this.depth.story(at - this.steps.length);
     const step = this.steps[at];
     if (!step) return [['text', this.withoutSteps()]];
-    return [['text', this.search(at)], ['text', this.proof(step)], ['text', this.reduction(at)], ...(at === this.steps.length - 1 ? [['answer', this.answer()]] : [])];
+    const end = this.depth && this.isLast(at) ? [['answer', this.depth.answer()]] : [];
+    return [['text', this.search(at)], ['text', this.proof(step)], ['text', this.reduction(at)], ...(at === this.steps.length - 1 ? [['answer', this.answer()], ...end] : [])];
   }
 
   search(at) {

@@ -1,18 +1,10 @@
-import {
-  ArrowHelper, BufferAttribute, BufferGeometry, CircleGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial,
-  Quaternion, SphereGeometry, Vector3,
-} from 'three';
+import { DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Vector3 } from 'three';
+import { addSurface, addWayOut } from './depth-view.js';
 import { edges, rod, surface } from './geometry.js';
 import { Labels } from './labels.js';
+import { ARROW, COLORS, DOT, ORIGIN, ROD, THIN, addPlane, addSimplex, arrow, dot } from './marks.js';
 
-export const COLORS = { a: 0x5b9bff, b: 0xc77dff, vertex: 0xffd166, simplex: 0xff8c61, nearest: 0xffffff, plane: 0x4cc9f0, old: 0x97a3b4 };
-
-/** In units. The Minkowski difference reaches about 10 from the origin. */
-const DOT = 0.16, ROD = 0.05, ARROW = 2.6, THIN = 0.03;
-
-const ORIGIN = new Vector3();
-
-/** The Minkowski difference around the origin, with the simplex inside. */
+/** The Minkowski difference around the origin, with the simplex inside, and then the surface that grows in it. */
 export class DifferenceView {
   constructor(stage, model) {
     this.stage = stage;
@@ -35,6 +27,8 @@ export class DifferenceView {
   balls() {
     const v = this.model.difference.vertices;
     const balls = [{ center: ORIGIN, radius: DOT }];
+    const out = this.model.depth?.wayOut;
+    if (out) balls.push({ center: out, radius: DOT });
     for (let i = 0; i < v.length; i += 3) balls.push({ center: new Vector3(v[i], v[i + 1], v[i + 2]), radius: DOT });
     return balls;
   }
@@ -47,8 +41,20 @@ export class DifferenceView {
   show(at) {
     const { model, changing } = this;
     changing.clear();
+    const labels = model.isDepth(at) ? this.showSurface(at - model.steps.length) : this.showSimplex(at);
+    if (model.isLast(at) && model.depth?.wayOut) labels.push(addWayOut(changing, ORIGIN, model.depth.wayOut, this.size));
+    this.labels.set(labels);
+    this.stage.drawNow();
+  }
+
+  showSurface(at) {
+    return addSurface(this.changing, this.model.depth, at, this.size, this.planeRadius());
+  }
+
+  showSimplex(at) {
+    const { model, changing } = this;
     const step = model.steps[at];
-    if (!step) return this.finish([['origin', ORIGIN]]);
+    if (!step) return [['origin', ORIGIN]];
     const w = model.drawn(step.w), n = new Vector3(...step.normal), size = this.size;
     const point = (i) => model.drawn(model.steps[i].w);
     for (const i of step.before) changing.add(dot(point(i), COLORS.old, DOT * 0.8 * size));
@@ -67,7 +73,7 @@ export class DifferenceView {
       changing.add(new Mesh(rod(ORIGIN, nearest, ROD * 0.8 * size), new MeshBasicMaterial({ color: COLORS.nearest })), dot(nearest, COLORS.nearest, DOT * 0.7 * size));
       labels.push(['v', nearest.clone().multiplyScalar(0.5)]);
     }
-    this.finish(labels);
+    return labels;
   }
 
   /** The point of the simplex that was nearest to the origin when a step began. */
@@ -78,11 +84,6 @@ export class DifferenceView {
 
   planeRadius() {
     return 0.3 * Math.max(...this.balls().map(({ center }) => center.length()), 1);
-  }
-
-  finish(labels) {
-    this.labels.set(labels);
-    this.stage.drawNow();
   }
 }
 
@@ -96,13 +97,22 @@ export class ShapesView {
     b.position.copy(model.drawn(model.position));
     b.quaternion.copy(model.rotationB);
     stage.scene.add(a, b, this.changing);
-    stage.fit([...this.corners(model.shapeA, a), ...this.corners(model.shapeB, b)]);
+    const balls = [...this.corners(model.shapeA, a), ...this.corners(model.shapeB, b)];
+    if (model.depth?.wayOut) {
+      // B as it is after the way out.
+      this.moved = this.body(model.shapeB, COLORS.b, 0.3);
+      this.moved.position.copy(b.position).add(model.depth.wayOut);
+      this.moved.quaternion.copy(b.quaternion);
+      stage.scene.add(this.moved);
+      balls.push(...this.corners(model.shapeB, this.moved));
+    }
+    stage.fit(balls);
   }
 
-  body(shape, color) {
+  body(shape, color, share = 1) {
     const group = new Group();
-    group.add(new Mesh(surface(shape, this.model.unit, THIN * 3), new MeshLambertMaterial({ color, transparent: true, opacity: 0.55, side: DoubleSide, depthWrite: false })));
-    if (shape.dimension > 1 && shape.edges.length < 400) group.add(new LineSegments(edges(shape, this.model.unit), new LineBasicMaterial({ color })));
+    group.add(new Mesh(surface(shape, this.model.unit, THIN * 3), new MeshLambertMaterial({ color, transparent: true, opacity: 0.55 * share, side: DoubleSide, depthWrite: false })));
+    if (shape.dimension > 1 && shape.edges.length < 400) group.add(new LineSegments(edges(shape, this.model.unit), new LineBasicMaterial({ color, transparent: share < 1, opacity: share })));
     return group;
   }
 
@@ -116,7 +126,14 @@ export class ShapesView {
   show(at) {
     const { model, changing } = this;
     changing.clear();
-    const step = model.steps[at];
+    if (this.moved) this.moved.visible = model.isLast(at);
+    const step = model.isDepth(at) ? null : model.steps[at], growth = model.isDepth(at) ? model.depth.steps[at - model.steps.length] : null;
+    if (growth?.normal) {
+      const n = new Vector3(...growth.normal), onA = model.drawn(growth.onA), onB = model.drawn(growth.onB);
+      changing.add(dot(onA, COLORS.vertex, DOT), dot(onB, COLORS.vertex, DOT));
+      if (!model.isLast(at)) changing.add(arrow(onA, n, COLORS.vertex, ARROW * 0.8), arrow(onB, n.clone().negate(), COLORS.vertex, ARROW * 0.8));
+    }
+    if (this.moved?.visible) addWayOut(changing, model.depth.deepestOnB, model.depth.deepestOnA, 1);
     if (step) {
       const n = new Vector3(...step.normal), onA = model.drawn(step.onA), onB = model.drawn(step.onB);
       changing.add(dot(onA, COLORS.vertex, DOT), dot(onB, COLORS.vertex, DOT));
@@ -137,36 +154,4 @@ export class ShapesView {
     });
     this.stage.drawNow();
   }
-}
-
-function dot(at, color, size) {
-  return new Mesh(new SphereGeometry(size, 20, 14).translate(at.x, at.y, at.z), new MeshBasicMaterial({ color }));
-}
-
-function arrow(from, direction, color, length) {
-  return new ArrowHelper(direction.clone().normalize(), from, length, color, length * 0.22, length * 0.11);
-}
-
-function addPlane(group, at, normal, radius) {
-  const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), normal);
-  const disc = new Mesh(new CircleGeometry(radius, 64), new MeshBasicMaterial({ color: COLORS.plane, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }));
-  disc.quaternion.copy(turn);
-  disc.position.copy(at);
-  group.add(disc);
-}
-
-/** Draws edges as rods and faces as thin sheets. */
-function addSimplex(group, points, color, opacity, thickness) {
-  for (let i = 0; i < points.length; i++) {
-    for (let j = 0; j < i; j++) {
-      if (points[i].distanceTo(points[j]) > 0) group.add(new Mesh(rod(points[i], points[j], thickness), new MeshBasicMaterial({ color })));
-      for (let k = 0; k < j; k++) group.add(sheet(points[i], points[j], points[k], color, opacity));
-    }
-  }
-}
-
-function sheet(a, b, c, color, opacity) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array([...a, ...b, ...c]), 3));
-  return new Mesh(geometry, new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false }));
 }

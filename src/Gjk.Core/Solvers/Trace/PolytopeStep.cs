@@ -1,0 +1,97 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// One step of the search for a depth: a closed surface of triangles inside A - B, its lowest face, the support point
+/// beyond that face, and what is known of the depth by then.
+/// </summary>
+/// <remarks>
+/// Directions are in A's axes, lengths in world units, both without the margins. Valid during the call that it is
+/// handed to; see <see cref="IPolytopeTrace"/>.
+/// </remarks>
+public readonly ref struct PolytopeStep
+{
+    private readonly Polytope _polytope;
+    private readonly double _unit;
+
+    internal PolytopeStep(
+        in PairFrame frame, in Polytope polytope, int lowest, PolytopeOutcome outcome, double below, double above)
+    {
+        _polytope = polytope;
+        _unit = frame.Unit;
+        Outcome = outcome;
+        LowestFace = lowest;
+        Below = below * frame.Unit;
+        Above = above * frame.Unit;
+        Support = lowest < 0
+            ? default
+            : new TracedSupport(
+                frame, -polytope.Face(lowest).Normal, polytope.Vertex(polytope.VertexCount - 1));
+    }
+
+    /// <summary>What the step led to; all but <see cref="PolytopeOutcome.Grows"/> end a search.</summary>
+    public PolytopeOutcome Outcome { get; }
+
+    /// <summary>
+    /// How many faces the surface has; 0 where there is none to tell, because the search ended before it had four
+    /// points or after it ran out of room.
+    /// </summary>
+    public int FaceCount => LowestFace < 0 ? 0 : _polytope.FacesThere;
+
+    /// <summary>The number of the face nearest the origin, or -1 without a surface.</summary>
+    public int LowestFace { get; }
+
+    /// <summary>
+    /// How many points of A - B were found. The last one is that of <see cref="Support"/>, which is not on the surface
+    /// yet; others may be inside it by now. The numbers stay until a search ends.
+    /// </summary>
+    public int VertexCount => _polytope.VertexCount;
+
+    /// <summary>How many points the search has room for.</summary>
+    public int Room => _polytope.Room;
+
+    /// <summary>
+    /// The support call beyond the lowest face. Its normal is the face's, turned inward. Zeros without a surface.
+    /// </summary>
+    public TracedSupport Support { get; }
+
+    /// <summary>
+    /// The depth of the cores is at least this: the lowest face's height, so that a ball of this radius about the
+    /// origin is inside the surface. At or below 0, or negative infinity, it proves nothing yet.
+    /// </summary>
+    public double Below { get; }
+
+    /// <summary>
+    /// The depth of the cores is at most this: the cheapest way out so far. Negative, it is a gap that separates them.
+    /// </summary>
+    public double Above { get; }
+
+    /// <summary>The number of the next face of the surface, or -1 after the last one.</summary>
+    /// <param name="face">
+    /// A face's number; -1 for the first. A face keeps its number until a point is found beyond it; another face may
+    /// get the number then.
+    /// </param>
+    public int NextFace(int face)
+    {
+        if (LowestFace < 0 || face >= _polytope.FaceCount) return -1;
+        for (int next = Math.Max(face, -1) + 1; next < _polytope.FaceCount; next++)
+            if (_polytope.IsThere(next)) return next;
+        return -1;
+    }
+
+    /// <summary>A face.</summary>
+    /// <param name="face">Its number, as <see cref="NextFace"/> gives it.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The surface has no such face.</exception>
+    public TracedFace Face(int face) =>
+        face >= 0 && FaceCount > 0 && face < _polytope.FaceCount && _polytope.IsThere(face)
+            ? new TracedFace(_polytope.Face(face), _polytope.Height(face) * _unit)
+            : throw new ArgumentOutOfRangeException(nameof(face), face, "There is no such face.");
+
+    /// <summary>A point of A - B, in A's axes.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="VertexCount"/>.</exception>
+    public Vector3D Vertex(int index) =>
+        index >= 0 && index < VertexCount
+            ? _polytope.Vertex(index).W * _unit
+            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+}
