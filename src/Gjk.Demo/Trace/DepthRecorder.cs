@@ -83,7 +83,9 @@ internal sealed class DepthStep
 
     public PolytopeOutcome Outcome { get; }
 
-    /// <summary>How many faces the surface has; 0 for a step without one, which the page draws as the last one.</summary>
+    /// <summary>
+    /// How many faces the surface has; 0 for a step without a surface, for which the page draws the last one.
+    /// </summary>
     public int Faces { get; }
 
     /// <summary>The number of the lowest face, or -1.</summary>

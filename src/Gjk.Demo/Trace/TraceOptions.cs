@@ -34,8 +34,8 @@ internal static class TraceOptions
         });
         var command = new Command(
             "trace",
-            "Show one query step by step, with supports, simplex and bounds, and where the shapes overlap the search for "
-            + "the depth. The page needs no network.")
+            "Show one query step by step, with supports, simplex and bounds, and where the shapes overlap the search "
+            + "for the depth. The page needs no network.")
         {
             source.File, source.BuiltIn, pair, page,
         };
