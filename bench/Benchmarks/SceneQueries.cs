@@ -48,6 +48,26 @@ public static class SceneQueries
         return sum;
     }
 
+    /// <summary>How deep the pairs overlap, and where they touch.</summary>
+    /// <param name="scene">The pairs.</param>
+    /// <param name="mostGaps">The most gap of a point, for every pair.</param>
+    public static float Contacts(BenchScene scene, float[] mostGaps)
+    {
+        ConvexShape[] shapes = scene.Shapes;
+        RigidPose[] poses = scene.Poses;
+        BenchScene.Pair[] pairs = scene.Pairs;
+        ContactManifold manifold = default;
+        float sum = 0;
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            (int a, int b) = (pairs[i].A, pairs[i].B);
+            sum += ConvexQuery.Contacts(shapes[a], poses[a], shapes[b], poses[b], mostGaps[i], ref manifold).Distance;
+            sum += manifold.Count;
+        }
+
+        return sum;
+    }
+
     /// <summary>How deep the pairs overlap, with the warm start that each kept from its last call.</summary>
     public static float WarmDepth(BenchScene scene, RigidPose[] poses, WarmStart[] warmStarts)
     {

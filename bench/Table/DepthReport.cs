@@ -10,7 +10,7 @@ namespace Gjk.Bench.Table;
 internal static class DepthReport
 {
     /// <summary>True for rows that have their place here.</summary>
-    public static bool Covers(TableRow row) => row.Query is Query.Depth or Query.DepthMoving;
+    public static bool Covers(TableRow row) => DepthGoals.Covers(row.Query);
 
     /// <param name="text">Where to append the tables.</param>
     /// <param name="rows">All rows. Others are left out.</param>
@@ -19,6 +19,7 @@ internal static class DepthReport
     {
         TableRow[] all = [.. rows.Where(Covers)];
         TableRow[] cold = [.. all.Where(r => r.Query == Query.Depth)];
+        TableRow[] contacts = [.. all.Where(r => r.Query == Query.ContactsOnTop)];
         if (cold.Length == 0) return;
 
         Header(text, "depth here, ns per pair", cold);
@@ -27,16 +28,21 @@ internal static class DepthReport
         Line(text, "the best engine, cold, scaled", cold, r => $"{r.Best?.Engine} {Time(r.BestHere)}");
         Line(text, "wins, cold", cold, r => r.Winner ?? "");
         Line(text, "goal, cold, scaled", cold, r => Time(r.GoalHere));
+        Line(text, "contacts, cold, on top", contacts, r => Time(r.Library));
+        Line(text, "goal, contacts, scaled", contacts, r => Time(r.GoalHere));
 
         Header(text, "depth elsewhere, cold", cold);
         foreach (string engine in DepthGoals.EngineNames)
             Line(text, engine, cold, r => Time(DepthGoals.Of(engine, r.Set)));
         Line(text, "goal", cold, r => Time(r.Goal));
+        Line(text, "goal, contacts, on top", contacts, r => Time(r.Goal));
         text.Append(
             CultureInfo.InvariantCulture,
             $"""
 
             The pairs overlap. Moving is 1 % of the smaller object's size between two calls, across the way out.
+            Contacts on top are a cold call with contact points minus a cold depth, both measured in turns. A gap of 1 %
+            of the smaller object's size counts as a contact.
             The engines were measured and the goals set elsewhere (one shared 2-core x86-64 machine with AVX-512, one
             pinned core; cited figures), on other pairs of the same description. The report's algorithm answers no
             depths, so both are scaled by the average slowness, {slowness:0.00}, as if that machine were the one of

@@ -79,7 +79,7 @@ internal static class Goals
     /// <summary>The goal of a query. Null if none was set.</summary>
     public static double? For(string set, Query query)
     {
-        if (query is Query.Depth or Query.DepthMoving) return DepthGoals.For(set, query);
+        if (DepthGoals.Covers(query)) return DepthGoals.For(set, query);
         if (OfPrimitives.TryGetValue(set, out double primitive)) return primitive;
         int column = Column(set);
         return column >= 0 && Of.TryGetValue(query, out double[]? goals) ? goals[column] : null;
@@ -88,7 +88,7 @@ internal static class Goals
     /// <summary>The best engine of a query, and its time. Null if none was measured.</summary>
     public static (string Engine, double Nanoseconds)? BestEngine(string set, Query query)
     {
-        if (query is Query.Depth or Query.DepthMoving) return DepthGoals.BestEngine(set, query);
+        if (DepthGoals.Covers(query)) return DepthGoals.BestEngine(set, query);
         if (set == "box" && BestOfBoxShapes.TryGetValue(query, out (string, double) boxes)) return boxes;
         int column = Column(set);
         if (column < 0 || !Best.TryGetValue(query, out (string Engine, double Nanoseconds)[]? engines)) return null;

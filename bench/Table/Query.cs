@@ -36,4 +36,10 @@ internal enum Query
     /// calls.
     /// </summary>
     DepthMoving,
+
+    /// <summary>
+    /// What the contact points of overlapping pairs take on top of <see cref="Depth"/>. Nothing is kept between the
+    /// calls.
+    /// </summary>
+    ContactsOnTop,
 }

@@ -7,9 +7,9 @@ namespace Gjk.Bench.Table;
 /// </param>
 /// <param name="Pairs">The number of pairs in the list.</param>
 /// <param name="Query">The query that is measured.</param>
-/// <param name="Library">The time of the library.</param>
+/// <param name="Library">The time of the library. For <see cref="Query.ContactsOnTop"/> it is a difference.</param>
 /// <param name="Baseline">The time of the baseline. This is its boolean query for a boolean, and its cold distance for
-/// everything else, because it has no warm start. Null for depths, which it does not answer.</param>
+/// everything else, because it has no warm start. Null for depths and contacts, which it does not answer.</param>
 /// <param name="Goal">The goal on the goals' machine. Null if none was set.</param>
 /// <param name="Best">The best other engine and its time on that machine. Null if none was measured.</param>
 /// <param name="Slowness">How many times slower this machine is than that one.</param>
@@ -28,5 +28,6 @@ internal sealed record TableRow(
     /// <summary>The faster one, where an engine was measured.</summary>
     public string? Winner => BestHere is not double best ? null : Library < best ? "Gjk" : Best!.Value.Engine;
 
-    public bool? Met => GoalHere is double goal ? Library <= goal : null;
+    /// <summary>Null without a goal, and for a difference of two times that is lost in their noise.</summary>
+    public bool? Met => GoalHere is double goal && Library > 0 ? Library <= goal : null;
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Gjk.Bench.Benchmarks;
@@ -9,9 +10,15 @@ namespace Gjk.Bench.Table;
 /// <summary>The loops of one set of pairs.</summary>
 internal sealed class TableSet
 {
+    /// <summary>
+    /// The most gap of a contact point, as a share of the smaller object's size: as much as one moves between two
+    /// calls where the sets move.
+    /// </summary>
+    private const float MostGapShare = 0.01f;
+
     private readonly TimedLoop? _baseline;
     private readonly TimedLoop? _baselineBoolean;
-    private readonly List<(Query Query, TimedLoop Loop)> _library = [];
+    private readonly List<(Query Query, Func<double> Nanoseconds)> _library = [];
     private readonly List<TimedLoop> _loops;
     private readonly int _vertices;
     private readonly int _pairs;
@@ -75,21 +82,25 @@ internal sealed class TableSet
         var set = new TableSet(name, DepthPairs.VerticesOf(name), pairs, baseline: null);
         var sliding = new Sliding(scene);
         var warmStarts = new WarmStart[pairs];
-        set.Add(Query.Depth, new TimedLoop(pairs, () => SceneQueries.Depth(scene)));
+        var depth = new TimedLoop(pairs, () => SceneQueries.Depth(scene));
+        set.Add(Query.Depth, depth);
         set.Add(
             Query.DepthMoving, new TimedLoop(pairs, () => SceneQueries.WarmDepth(scene, sliding.Next(), warmStarts)));
+        float[] mostGaps = [.. scene.Pairs.Select(p => MostGap(scene.Shapes[p.A], scene.Shapes[p.B]))];
+        var contacts = new TimedLoop(pairs, () => SceneQueries.Contacts(scene, mostGaps));
+        set.AddOnTop(Query.ContactsOnTop, depth, contacts);
         return set;
     }
 
     /// <param name="meanSlowness">The slowness for goals of sets that have none of their own.</param>
     public IEnumerable<TableRow> Rows(double meanSlowness)
     {
-        foreach ((Query query, TimedLoop loop) in _library)
+        foreach ((Query query, Func<double> nanoseconds) in _library)
         {
             bool isBoolean = query is Query.Boolean or Query.BatchBoolean && _baselineBoolean is not null;
             TimedLoop? baseline = isBoolean ? _baselineBoolean : _baseline;
             yield return new TableRow(
-                Name, _vertices, _pairs, query, loop.Nanoseconds, baseline?.Nanoseconds, Goals.For(Name, query),
+                Name, _vertices, _pairs, query, nanoseconds(), baseline?.Nanoseconds, Goals.For(Name, query),
                 Goals.BestEngine(Name, query), Slowness ?? meanSlowness);
         }
     }
@@ -125,6 +136,9 @@ internal sealed class TableSet
         return set;
     }
 
+    private static float MostGap(in ConvexShape a, in ConvexShape b) =>
+        (float)(MostGapShare * Math.Min(Motion.Size(a), Motion.Size(b)));
+
     /// <summary>Runs all frames forward and back, so that every sample does the same work.</summary>
     private static float Round(BenchScene scene, Motion motion, WarmStart[] warmStarts)
     {
@@ -136,7 +150,14 @@ internal sealed class TableSet
 
     private void Add(Query query, TimedLoop loop)
     {
-        _library.Add((query, loop));
+        _library.Add((query, () => loop.Nanoseconds));
+        _loops.Add(loop);
+    }
+
+    /// <summary>Adds a query that does more than another one. Its row is the difference.</summary>
+    private void AddOnTop(Query query, TimedLoop below, TimedLoop loop)
+    {
+        _library.Add((query, () => loop.Nanoseconds - below.Nanoseconds));
         _loops.Add(loop);
     }
 }

@@ -22,10 +22,10 @@ const text = (page, selector) => page.locator(selector).innerText();
 const rows = (page) => page.locator('.rows .row')
   .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
 
-async function builtIn(name, intersecting, free) {
+async function builtIn(name, intersecting, free, contacts) {
   const page = await open(name);
   await check(`${name}: the counts are the report's`, async () => {
-    const expected = { objects: 20, pairs: 190, frames: 1, frame: 0, overlapping: 5, lines: 185, arrows: 5 };
+    const expected = { objects: 20, pairs: 190, frames: 1, frame: 0, overlapping: 5, lines: 185, arrows: 5, contacts };
     assert.deepEqual(await counts(page), expected);
     assert.match(await text(page, '.summary'), /^20 objects, 190 pairs, 5 intersecting$/);
     const { objects, pairs, overlapping } = await page.evaluate(() => ({ ...document.body.dataset }));
@@ -41,8 +41,8 @@ async function builtIn(name, intersecting, free) {
       const color = colors[intersecting.length + i];
       assert.ok(isGreen(color), `object ${object} is ${color}`);
     });
-    const { lines, arrows } = await counts(page);
-    assert.deepEqual([lines, arrows], [0, 0]);
+    const shown = await counts(page);
+    assert.deepEqual([shown.lines, shown.arrows, shown.contacts], [0, 0, 0]);
     await page.locator('button', { hasText: 'all' }).first().click();
   });
   await keep(page, name);
@@ -50,8 +50,8 @@ async function builtIn(name, intersecting, free) {
   return page;
 }
 
-const cubes = await builtIn('cubes', [11, 19], [1, 9]);
-await (await builtIn('spheres', [11, 19], [1, 9])).close();
+const cubes = await builtIn('cubes', [11, 19], [1, 9], 19);
+await (await builtIn('spheres', [11, 19], [1, 9], 18)).close();
 
 await check('the list is sorted by distance, and turns round', async () => {
   const distances = async () => (await rows(cubes)).map((cells) => Number(cells[2].replace('depth ', '-')));
@@ -93,12 +93,28 @@ await check('hovering over a way out shows the depth, and the arrow is on the sc
   const middle = await along(0.5);
   await cubes.mouse.move(middle.x, middle.y);
   const tip = await text(cubes, '.tip');
-  assert.match(tip, /^Cube \(\d+\) – Cube \(\d+\)\s+depth\s+0\.\d+\s+way out\s+\(.*\)\s+iterations\s+\d+/);
+  assert.match(tip, /^Cube \(\d+\) – Cube \(\d+\)\s+depth\s+0\.\d+\s+way out\s+\(.*\)\s+contact points\s+4\s+gaps\s+.*\s+iterations\s+\d+/);
   assert.ok(tip.replace(/\s+/g, ' ').includes(shown), tip);
   await keep(cubes, 'cubes-hover');
   const body = await cubes.evaluate((p) => window.__gjk.positionOf(window.__gjk.model.a[p]), pair);
   await cubes.mouse.move(body.x, body.y);
   assert.match(await text(cubes, '.tip'), /intersects Cube \(\d+\) \(depth 0\.\d+\)/);
+});
+
+await check('the contact points are on the screen, and hovering over one shows its pair', async () => {
+  const row = cubes.locator('.rows .row').first();
+  const pair = Number(await row.getAttribute('data-pair'));
+  const places = await cubes.evaluate((p) => {
+    window.__gjk.drawNow();
+    return window.__gjk.model.contacts(p).map((_, i) => window.__gjk.contactAt(p, i));
+  }, pair);
+  assert.equal(places.length, 4);
+  const colors = await colorsAt(context, cubes, places);
+  const seen = colors.findIndex(([r, g, b]) => b > 1.2 * g && r > 1.2 * g && b > 0.9 * r);
+  assert.ok(seen >= 0, `the points are ${JSON.stringify(colors)}`);
+  await cubes.mouse.move(places[seen].x, places[seen].y);
+  const names = await row.locator('span').allInnerTexts();
+  assert.ok((await text(cubes, '.tip')).startsWith(`${names[0]} – ${names[1]}`));
 });
 
 await check('a click on a body lists its pairs', async () => {
@@ -164,6 +180,7 @@ await check('moving: the slider replays the frames, and what meets turns red', a
   const first = await show(0), before = await show(7), met = await show(8);
   assert.deepEqual([first.frame, before.frame, met.frame], [0, 7, 8]);
   assert.deepEqual([first.overlapping, before.overlapping, met.overlapping], [0, 0, 1]);
+  assert.deepEqual([first.contacts, before.contacts, met.contacts], [0, 0, 1]);
   assert.ok(met.at.x < first.at.x - 50);
   assert.deepEqual(first.colors, ['#38a873', '#38a873']);
   assert.deepEqual(met.colors, ['#e5484d', '#e5484d']);

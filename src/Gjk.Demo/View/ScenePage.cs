@@ -32,6 +32,8 @@ internal static class ScenePage
         data.Array<float>("pointA", results.PointA);
         data.Array<float>("normal", results.Normal);
         data.Array<int>("overlapping", results.Overlapping);
+        data.Array("contactCounts", results.Contacts.Counts);
+        data.Array("contactPoints", results.Contacts.Points);
         json.WriteEndObject();
         HtmlPage.Write(
             stream, scene.Name,

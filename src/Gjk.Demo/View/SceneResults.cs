@@ -63,6 +63,9 @@ internal sealed class SceneResults
     /// <summary>How many pairs overlap in each frame.</summary>
     public int[] Overlapping { get; }
 
+    /// <summary>One entry for each pair that overlaps in a frame.</summary>
+    public SceneContacts Contacts { get; } = new();
+
     /// <exception cref="RefusedException">The scene is more than a page can hold, or the motion leaves the range of
     /// float.</exception>
     public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
@@ -76,6 +79,7 @@ internal sealed class SceneResults
         int pairs = (int)chosen.Count;
         var results = new SceneResults(scene.Objects.Length, chosen, scene.Frames);
         var poses = new RigidPose[scene.Objects.Length];
+        ContactManifold manifold = default;
         for (int frame = 0; frame < scene.Frames; frame++)
         {
             cancel.ThrowIfCancellationRequested();
@@ -86,11 +90,17 @@ internal sealed class SceneResults
             foreach ((int a, int b) in chosen)
             {
                 if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
-                DistanceResult answer = ConvexQuery.SignedDistance(
-                    scene.Objects[a].Shape, poses[a], scene.Objects[b].Shape, poses[b]);
+                ConvexShape shapeA = scene.Objects[a].Shape, shapeB = scene.Objects[b].Shape;
+                float mostGap = SceneContacts.MostGapOf(shapeA, shapeB);
+                DistanceResult answer = ConvexQuery.Contacts(
+                    shapeA, poses[a], shapeB, poses[b], mostGap, ref manifold);
                 int index = frame * pairs + pair++;
                 results.Store(index, answer);
-                if (results.Overlaps(index)) results.Overlapping[frame]++;
+                if (!results.Overlaps(index)) continue;
+                results.Overlapping[frame]++;
+                // Where only bounds of the depth are known, its points would be no contacts.
+                if (answer.Status != GjkStatus.Overlapping) manifold.Clear();
+                results.Contacts.Add(manifold);
             }
         }
 

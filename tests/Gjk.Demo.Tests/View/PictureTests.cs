@@ -18,7 +18,14 @@ public sealed class PictureTests
 
     private const string Behind = """{"shape":{"type":"box","halfExtents":[0.5,0.5,0.5]}}""";
 
-    private const string Ground = "#12161d", Outline = "#0a0d12", White = "#fff", Arrow = "#7cc4ff";
+    private const string Thin = """{"shape":{"type":"box","halfExtents":[0.5,3,3]}}""";
+
+    private const string Wide =
+        """{"name":"wide","shape":{"type":"box","halfExtents":[3,5,5]},"position":[2,0,0]}""";
+
+    private const string Ground = "#12161d", Outline = "#0a0d12", White = "#fff";
+
+    private const string Arrow = "#7cc4ff", Contact = "#f0a6ff";
 
     [Theory]
     [InlineData("cubes")]
@@ -55,8 +62,6 @@ public sealed class PictureTests
     [Fact]
     public void AnIntersectingPairHasAnArrowAsLongAsItIsDeep()
     {
-        const string Thin = """{"shape":{"type":"box","halfExtents":[0.5,3,3]}}""";
-        const string Wide = """{"name":"wide","shape":{"type":"box","halfExtents":[3,5,5]},"position":[2,0,0]}""";
         string hit = Draw($"{Thin},{Wide}");
         Assert.Contains("<title>#0 – wide: depth 1.5</title>", WebUtility.HtmlDecode(hit));
         Match path = Regex.Match(hit, $"<path stroke=\"{Arrow}\"[^>]* d=\"M([\\d.]+) ([\\d.]+)l([^m]*)m([^z]*)z\"");
@@ -75,6 +80,28 @@ public sealed class PictureTests
         Assert.All(FaceColors(touching), c => Assert.True(IsRed(c), c));
         Assert.DoesNotContain(Arrow, touching);
         Assert.DoesNotContain("depth", touching);
+    }
+
+    /// <summary>
+    /// The dots are the corners of the thin box's face, and the words say how far B's face is from them.
+    /// </summary>
+    [Theory]
+    [InlineData("[2,0,0]", 4, "4 contact points, gap -1.5")]
+    [InlineData("[3.5,0,0]", 4, "4 contact points, gap 0")]
+    [InlineData("[2,0,0],\"rotation\":[0,0,0.0017453,0.9999985]", 4, "4 contact points, gaps -1.51")]
+    [InlineData("[3.51,0,0]", 0, null)]
+    public void AnIntersectingPairHasItsContactPoints(string position, int dots, string? words)
+    {
+        string svg = Draw($"{Thin},{Wide.Replace("[2,0,0]", position)}");
+        MatchCollection found = Regex.Matches(svg, "<circle cx=\"([\\d.]+)\" cy=\"([\\d.]+)\" r=");
+        Assert.Equal(dots, found.Count);
+        Assert.Equal(dots > 0, svg.Contains(Contact));
+        if (words is null) return;
+        Assert.Contains($"<title>#0 – wide: {words}", WebUtility.HtmlDecode(svg));
+
+        // A quarter of the picture's breadth at least is between the left and the right ones.
+        double[] x = [.. found.Select(m => double.Parse(m.Groups[1].Value, CultureInfo.InvariantCulture))];
+        Assert.InRange(x.Max() - x.Min(), 100, 700);
     }
 
     [Fact]
@@ -151,7 +178,7 @@ public sealed class PictureTests
     private static IEnumerable<string> FaceColors(string svg)
     {
         IEnumerable<string> fills = Regex.Matches(svg, "fill=\"(#[0-9a-f]{6})\"").Select(m => m.Groups[1].Value);
-        string[] colors = [.. fills.Where(c => c is not (Ground or Outline or Arrow))];
+        string[] colors = [.. fills.Where(c => c is not (Ground or Outline or Arrow or Contact))];
         Assert.NotEmpty(colors);
         return colors;
     }

@@ -93,9 +93,11 @@ public sealed class ViewTests
         Assert.Equal(1, page.Count("overlapping"));
         Assert.Equal(GjkStatus.IterationLimit, (GjkStatus)(page.Column<byte>("status")[0] + 1));
         Assert.InRange(page.Column<float>("distance")[0], -2, -1.9f);
+        Assert.Equal([0], page.Column<byte>("contactCounts"));
         string svg = File.ReadAllText(picture);
         Assert.Contains("1 intersecting", svg);
         Assert.DoesNotContain("depth", svg);
+        Assert.DoesNotContain("contact", svg);
     }
 
     [Fact]

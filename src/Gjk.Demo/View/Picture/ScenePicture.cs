@@ -168,6 +168,7 @@ internal sealed class ScenePicture
             writer.WriteLine($"<path fill=\"none\" stroke=\"#0a0d12\" stroke-opacity=\".75\" d=\"{edges}\"/>");
         thin.Write(writer);
         WriteLines(writer, cancel);
+        WriteContacts(writer, cancel);
         WriteArrows(writer, cancel);
         progress(1);
         writer.WriteLine("</svg>");
@@ -220,6 +221,23 @@ internal sealed class ScenePicture
                 CultureInfo.InvariantCulture, $"{NameOf(a)} – {NameOf(b)}: depth {-distance:G6}");
             PictureArrow.Write(
                 writer, _camera.Project(Drawn(onA + normal * distance)), _camera.Project(Drawn(onA)), title);
+        }
+    }
+
+    /// <summary>
+    /// Writes the contact points of each intersecting pair over all bodies. They are below the arrows, whose tips are
+    /// the deepest points.
+    /// </summary>
+    private void WriteContacts(StreamWriter writer, CancellationToken cancel)
+    {
+        int pair = -1;
+        var contacts = new PictureContacts(_results.Contacts);
+        foreach ((int a, int b) in _results.Pairs)
+        {
+            cancel.ThrowIfCancellationRequested();
+            if (!_results.Overlaps(++pair)) continue;
+            Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
+            contacts.WriteNext(writer, $"{NameOf(a)} – {NameOf(b)}", normal, at => _camera.Project(Drawn(at)));
         }
     }
 

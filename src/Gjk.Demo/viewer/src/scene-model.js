@@ -1,4 +1,5 @@
 import { Quaternion, Vector3 } from 'three';
+import { ContactData } from './contact-data.js';
 import { bytes, floats, ints, number, shape, shorts } from './data.js';
 
 /** The statuses in the order of the library's GjkStatus. */
@@ -34,6 +35,7 @@ export class SceneModel {
     this.pointsA = floats(json.pointA);
     this.normals = floats(json.normal);
     this.overlapping = ints(json.overlapping);
+    this.contactData = new ContactData(json, this.overlapping);
     this.frame = 0;
     this.measure();
   }
@@ -66,6 +68,11 @@ export class SceneModel {
   position(object) {
     const at = POSE * (this.frame * this.objects + object) + 4;
     return this.drawn(this.poses[at], this.poses[at + 1], this.poses[at + 2]);
+  }
+
+  /** The radius of an object as it is drawn. */
+  radius(object) {
+    return this.radii[this.shapeOf[object]] * this.unit;
   }
 
   rotation(object) {
@@ -124,15 +131,24 @@ export class SceneModel {
     return [this.drawn(x, y, z), this.drawn(x + nx * d, y + ny * d, z + nz * d)];
   }
 
+  /** The contact points of an intersecting pair: each one's gap, and its ends on A and on B as they are drawn. */
+  contacts(pair) {
+    const [nx, ny, nz] = this.normal(pair);
+    return this.contactData.of(pair).map(([x, y, z, gap]) => (
+      { gap, ends: [this.drawn(x, y, z), this.drawn(x + nx * gap, y + ny * gap, z + nz * gap)] }));
+  }
+
   /** Goes to a frame. Finds the objects that overlap another, and the pair of each object with its nearest partner. */
   show(frame) {
     this.frame = frame;
     this.hit = new Uint8Array(this.objects);
     this.nearest = new Int32Array(this.objects).fill(-1);
+    this.contactData.begin(frame, this.pairs);
     for (let pair = 0; pair < this.pairs; pair++) {
       const a = this.a[pair], b = this.b[pair];
       if (this.overlaps(pair)) {
         this.hit[a] = this.hit[b] = 1;
+        this.contactData.next(pair);
         continue;
       }
       const d = this.distance(pair);

@@ -3,7 +3,7 @@ import { number, vector } from './data.js';
 import { definitions, element, player, segmented, swatch } from './dom.js';
 import { PairList } from './pair-list.js';
 import { SceneModel } from './scene-model.js';
-import { SceneView, WAY_OUT } from './scene-view.js';
+import { CONTACT, SceneView, WAY_OUT } from './scene-view.js';
 import { Stage } from './stage.js';
 
 /** With more pairs than this, the page starts with only the lines to nearest partners. */
@@ -31,6 +31,7 @@ export function scenePage(json) {
   const tip = element('div', { className: 'tip', hidden: true });
   const legend = element('div', { className: 'legend' }, swatch('#e5484d', 'intersecting'), swatch('#38a873', 'free'),
     swatch('#fff', 'closest points'), swatch(`#${WAY_OUT.toString(16)}`, 'shortest way out'),
+    swatch(`#${CONTACT.toString(16)}`, 'contact points'),
     element('span', { textContent: 'drag to turn, scroll to zoom, click to pick' }));
   stage.root.append(legend, tip);
   document.body.append(
@@ -84,8 +85,19 @@ export function scenePage(json) {
   }
 
   function overlapFacts(pair) {
-    if (model.distance(pair) === 0) return [['depth', `${model.depth(pair)} (touching)`]];
-    return [['depth', model.depth(pair)], ['way out', vector(model.normal(pair))]];
+    const isTouching = model.distance(pair) === 0;
+    const facts = [['depth', model.depth(pair) + (isTouching ? ' (touching)' : '')]];
+    if (!isTouching) facts.push(['way out', vector(model.normal(pair))]);
+    return [...facts, ...contactFacts(pair)];
+  }
+
+  function contactFacts(pair) {
+    if (model.contactData.isLeftOut(pair)) return [['contact points', 'left out, the page has too many']];
+    const gaps = model.contacts(pair).map((contact) => contact.gap);
+    if (!gaps.length) return [];
+    const [least, most] = [number(Math.min(...gaps)), number(Math.max(...gaps))];
+    const range = least === most ? ['gap', least] : ['gaps', `${least} to ${most}`];
+    return [['contact points', String(gaps.length)], range];
   }
 
   function describe(hit) {
@@ -124,6 +136,7 @@ export function scenePage(json) {
     counts: () => ({
       objects: model.objects, pairs: model.pairs, frames: model.frames, frame: model.frame,
       overlapping: model.overlapping[model.frame], lines: view.lines.pairs.length, arrows: view.arrows.pairs.length,
+      contacts: view.contacts.points.length,
     }),
     colorOf: (object) => view.colorOf(object),
     positionOf: (object) => stage.project(model.position(object)),
@@ -131,6 +144,7 @@ export function scenePage(json) {
       const [from, to] = model.line(pair) ?? model.wayOut(pair);
       return stage.project(new Vector3().lerpVectors(from, to, share));
     },
+    contactAt: (pair, i) => stage.project(model.contacts(pair)[i].ends[0]),
     selected: () => view.selected,
     drawNow: () => stage.drawNow(),
   };

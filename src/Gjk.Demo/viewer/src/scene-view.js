@@ -3,10 +3,11 @@ import {
   Mesh, MeshBasicMaterial, MeshLambertMaterial, SphereGeometry, Vector3,
 } from 'three';
 import { Arrows, arrow } from './arrows.js';
+import { Contacts } from './contacts.js';
 import { edges, rod, surface } from './geometry.js';
 
 export const RED = 0xe5484d, GREEN = 0x38a873;
-export const WAY_OUT = 0x7cc4ff;
+export const WAY_OUT = 0x7cc4ff, CONTACT = 0xf0a6ff;
 const ACCENT = 0xffd166;
 
 /** While a pair is selected, all other bodies keep this share of their colour. */
@@ -31,6 +32,7 @@ export class SceneView {
     this.surfaces = model.shapes.map((s) => surface(s, model.unit, THIN));
     this.makeBodies();
     this.makeLines();
+    this.contacts = new Contacts(stage, model, CONTACT);
     this.arrows = new Arrows(stage, model, WAY_OUT, ACCENT);
     this.marks = new Group();
     stage.scene.add(this.marks);
@@ -100,6 +102,7 @@ export class SceneView {
     }
     for (const body of this.bodies) if (body.instanceColor) body.instanceColor.needsUpdate = true;
     this.fillLines();
+    this.contacts.fill(this.selected, this.lineMode !== 'none');
     this.arrows.fill(this.selected, this.lineMode !== 'none');
     this.markSelected();
     this.stage.draw();
@@ -153,8 +156,10 @@ export class SceneView {
   pick(clientX, clientY) {
     const ray = this.stage.ray(clientX, clientY);
     const reach = 5 * this.stage.pixelAt(this.stage.controls.target);
-    const wayOut = this.arrows.pick(ray.ray, reach);
-    if (wayOut >= 0) return { pair: wayOut };
+    for (const marks of [this.arrows, this.contacts]) {
+      const pair = marks.pick(ray.ray, reach);
+      if (pair >= 0) return { pair };
+    }
     const body = ray.intersectObjects(this.bodies)[0];
     ray.params.Line.threshold = reach;
     const line = this.lines.pairs.length ? ray.intersectObject(this.lines)
@@ -172,6 +177,6 @@ export class SceneView {
 
   balls() {
     const { model } = this;
-    return Array.from(model.shapeOf, (s, i) => ({ center: model.position(i), radius: model.radii[s] * model.unit }));
+    return Array.from(model.shapeOf, (_, i) => ({ center: model.position(i), radius: model.radius(i) }));
   }
 }
