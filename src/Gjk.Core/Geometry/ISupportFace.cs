@@ -7,8 +7,8 @@ namespace Gjk.Core;
 /// <remarks>
 /// Of a shape without this, and of a round side, the contact is the one pair of deepest points. The built-in shapes
 /// show a face that is tilted by up to 60 degrees against the direction; where there is none, an edge that is level to
-/// within 30 degrees; else a corner. On .NET a struct of your own is called without boxing; on Mono and IL2CPP it is
-/// boxed once a query, the built-in shapes are not.
+/// within 30 degrees; else a corner. A struct is called without boxing, but where the runtime cannot make a delegate of
+/// its method: ahead-of-time compilers may box it once a query.
 /// </remarks>
 public interface ISupportFace
 {

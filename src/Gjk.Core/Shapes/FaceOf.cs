@@ -1,10 +1,13 @@
 #if NET
 using System.Runtime.CompilerServices;
-
+#else
+using System;
+using System.Reflection;
 #endif
+
 namespace Gjk.Core;
 
-/// <summary>Asks a shape whose type may or may not show its faces.</summary>
+/// <summary>Asks a shape whose type may or may not show its faces, without a box where the runtime can.</summary>
 /// <typeparam name="T">The shape's type.</typeparam>
 internal static class FaceOf<T>
     where T : struct, ISupportMap
@@ -18,37 +21,36 @@ internal static class FaceOf<T>
         if (shape is ISupportFace) ((ISupportFace)shape).GetFace(direction, ref corners);
     }
 #else
-    /// <summary>
-    /// A delegate, since a struct of a type that is not known cannot be cast without a copy on the heap; null for the
-    /// types of which only the cast is left.
-    /// </summary>
-    private static readonly Getter? Find =
-        Of<BoxShape>() ?? Of<ConvexMesh>() ?? Of<ConvexShape>() ?? Of<CapsuleShape>() ?? Of<CylinderShape>()
-        ?? Of<ConeShape>() ?? Of<SegmentShape>() ?? Of<TriangleShape>();
-
     private static readonly bool ShowsFaces = typeof(ISupportFace).IsAssignableFrom(typeof(T));
 
-    private delegate void Getter(in T shape, in Vector3D direction, ref FaceCorners corners);
+    /// <summary>Null where there is none, or the runtime cannot make one; then the cast makes a box.</summary>
+    private static readonly Getter? Find = ShowsFaces ? Make() : null;
+
+    private delegate void Getter(ref T shape, in Vector3D direction, ref FaceCorners corners);
 
     /// <summary>The face, edge or corner in a direction; nothing where the shape shows none.</summary>
     public static void Get(in T shape, in Vector3D direction, ref FaceCorners corners)
     {
-        if (Find is not null) Find(shape, direction, ref corners);
-        else if (ShowsFaces) ((ISupportFace)shape).GetFace(direction, ref corners);
+        T copy = shape;
+        if (Find is not null) Find(ref copy, direction, ref corners);
+        else if (ShowsFaces) ((ISupportFace)copy).GetFace(direction, ref corners);
     }
 
-    private static Getter? Of<TShape>()
-        where TShape : struct, ISupportMap, ISupportFace =>
-        typeof(T) == typeof(TShape) ? (Getter)(object)new FaceOf<TShape>.Getter(Known<TShape>.Get) : null;
+    /// <summary>
+    /// A delegate of the type's own method, since a struct of a type that is not known cannot be cast without a copy on
+    /// the heap.
+    /// </summary>
+    private static Getter? Make()
+    {
+        try
+        {
+            MethodInfo method = typeof(T).GetInterfaceMap(typeof(ISupportFace)).TargetMethods[0];
+            return (Getter)Delegate.CreateDelegate(typeof(Getter), method);
+        }
+        catch (Exception e) when (e is ArgumentException or NotSupportedException or MemberAccessException)
+        {
+            return null;
+        }
+    }
 #endif
 }
-
-#if !NET
-/// <summary>A shape's face, without a box.</summary>
-internal static class Known<TShape>
-    where TShape : struct, ISupportFace
-{
-    public static void Get(in TShape shape, in Vector3D direction, ref FaceCorners corners) =>
-        shape.GetFace(direction, ref corners);
-}
-#endif
