@@ -78,19 +78,19 @@ internal unsafe ref struct ContactCandidates
     /// <summary>Finds all places where the features lie opposite each other.</summary>
     public void Find(ref FlatFeature a, ref FlatFeature b)
     {
-        double* insideB = stackalloc double[FaceCorners.Capacity * FaceCorners.Capacity];
-        double* insideA = stackalloc double[FaceCorners.Capacity * FaceCorners.Capacity];
+        double* insideB = stackalloc double[a.Count * b.Count];
+        double* insideA = stackalloc double[a.Count * b.Count];
         for (int i = 0; i < a.Count; i++)
         {
             ref FlatCorner corner = ref a[i];
-            if (b.Holds(corner, _slack, insideB + i * FaceCorners.Capacity))
+            if (b.Holds(corner, _slack, insideB + i * b.Count))
                 Add(corner, b.HeightAt(corner), ContactFeature.Of(ContactFeature.Corner(corner.Id), 0));
         }
 
         for (int i = 0; i < b.Count; i++)
         {
             FlatCorner corner = b[i];
-            if (!a.Holds(corner, _slack, insideA + i * FaceCorners.Capacity)) continue;
+            if (!a.Holds(corner, _slack, insideA + i * a.Count)) continue;
             double height = corner.Height;
             corner.Height = a.HeightAt(corner);
             Add(corner, height, ContactFeature.Of(0, ContactFeature.Corner(corner.Id)));
@@ -98,14 +98,14 @@ internal unsafe ref struct ContactCandidates
 
         for (int i = 0; i < a.EdgeCount; i++)
         {
-            double* from = insideB + i * FaceCorners.Capacity;
-            double* to = insideB + (i + 1 < a.Count ? i + 1 : 0) * FaceCorners.Capacity;
+            double* from = insideB + i * b.Count;
+            double* to = insideB + (i + 1 < a.Count ? i + 1 : 0) * b.Count;
             for (int j = 0; j < b.EdgeCount; j++)
             {
                 // Edges that do not part by more than the slack have their corners on one another.
                 if ((from[j] < 0) == (to[j] < 0) || Math.Abs(from[j] - to[j]) <= 2 * _slack) continue;
                 int next = j + 1 < b.Count ? j + 1 : 0;
-                double begin = insideA[j * FaceCorners.Capacity + i], end = insideA[next * FaceCorners.Capacity + i];
+                double begin = insideA[j * a.Count + i], end = insideA[next * a.Count + i];
                 if ((begin < 0) == (end < 0)) continue;
                 AddCrossing(ref a, i, from[j] / (from[j] - to[j]), ref b, j, begin / (begin - end));
             }

@@ -18,8 +18,6 @@ internal unsafe struct FlatFeature
     /// <summary>How fast a face rises along the plane's axes.</summary>
     private double _riseU, _riseV;
 
-    private readonly bool _isLevel;
-
     /// <param name="memory">The corners; what they know of their edges is filled in.</param>
     /// <param name="count">How many there are; at least 2.</param>
     public FlatFeature(FlatCorner* memory, int count)
@@ -42,13 +40,13 @@ internal unsafe struct FlatFeature
         double rise = count > 2
             ? Math.Sqrt(_riseU * _riseU + _riseV * _riseV)
             : Math.Abs(_corners[1].Height - _corners[0].Height) / _length;
-        _isLevel = rise <= FaceTilt.MostRise;
+        IsLevel = rise <= FaceTilt.MostRise;
     }
 
     /// <summary>
     /// Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show another.
     /// </summary>
-    public readonly bool IsLevel => _isLevel;
+    public readonly bool IsLevel;
 
     /// <summary>A corner.</summary>
     public readonly ref FlatCorner this[int index] => ref _corners[index];

@@ -39,9 +39,6 @@ internal sealed class HullFaces
     /// <summary>How many there are.</summary>
     public int Count => _normals.Length;
 
-    /// <summary>How many corners a face has.</summary>
-    public int CornerCount(int face) => _faceStart[face + 1] - _faceStart[face];
-
     /// <summary>Shows the face, edge or corner at a vertex that lies most level across a direction.</summary>
     /// <param name="vertex">The furthest in the direction.</param>
     /// <param name="direction">Of any length.</param>

@@ -91,16 +91,10 @@ internal static class CastSolver
         where TB : struct, ISupportMap
     {
         SolverState.Begin<TA, TB>(frame, out state);
-        if (frame.ArePoints)
-        {
-            GjkDistance.SolvePoints(frame, ref state);
-            return;
-        }
-
-        warmStart.Begin(ref a, ref b, frame, ref state);
         NoTrace trace = default;
-        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
-        warmStart.Keep(state);
+        if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
+        else ConvexQuery.SolveCores(
+            ref a, ref b, frame, float.PositiveInfinity, ref warmStart, true, ref state, ref trace);
     }
 
     private static bool IsTouching(in SolverState state, in PairFrame frame) =>

@@ -118,7 +118,7 @@ public static partial class ConvexQuery
     }
 
     /// <summary>Solves the cores, from the warm start if there is one.</summary>
-    private static void SolveCores<TA, TB, TTrace>(
+    internal static void SolveCores<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap

@@ -83,17 +83,17 @@ internal static class PrimitiveFaces
     /// <summary>A cone's base, or the line of its side that lies furthest.</summary>
     public static void Cone(double radius, double halfHeight, in Vector3D direction, ref FaceCorners corners)
     {
-        Vector3D d = DirectionRange.ToUnit(direction);
-        d *= 1 / d.Length;
         if (halfHeight == 0)
         {
             Cylinder(radius, 0, direction, ref corners);
             return;
         }
 
+        Vector3D d = DirectionRange.ToUnit(direction);
+        d *= 1 / d.Length;
         double radial = Math.Sqrt(d.X * d.X + d.Z * d.Z), height = 2 * halfHeight;
         double slant = Math.Sqrt(radius * radius + height * height);
-        if (slant > 0 && -d.Y * slant >= radial * height + d.Y * radius)
+        if (-d.Y * slant >= radial * height + d.Y * radius)
         {
             Disc(radius, -halfHeight, ref corners);
             return;
@@ -101,7 +101,7 @@ internal static class PrimitiveFaces
 
         // Where the direction hardly leaves the axis it does not tell one line of the side from another.
         corners.Add(new Vector3D(0, halfHeight, 0), UpperEnd);
-        if (slant == 0 || radial * slant < FaceTilt.LeastCosine * height) return;
+        if (radial * slant < FaceTilt.LeastCosine * height) return;
         var rim = new Vector3D(radius * d.X / radial, -halfHeight, radius * d.Z / radial);
         if (FaceTilt.IsLevelEdge(new Vector3D(rim.X, -height, rim.Z), d)) corners.Add(rim, LowerEnd);
     }

@@ -70,9 +70,9 @@ internal static class GjkTolerances
     public const double LowerBoundError = 10 * RoundOff.Unit;
 
     /// <summary>
-    /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3 by
-    /// 3 determinant of rounded differences asks. Below it a sign is not certain and extended precision decides. Pinned
-    /// by HardCaseTests.
+    /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3
+    /// by 3 determinant of rounded differences asks. Below it a sign is not certain and extended precision decides.
+    /// Pinned by HardCaseTests.
     /// </summary>
     public const double DeterminantError = 16 * RoundOff.Unit;
 

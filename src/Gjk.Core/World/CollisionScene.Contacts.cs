@@ -69,7 +69,7 @@ public sealed partial class CollisionScene
     {
         CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
-        CheckGap(maxGap);
+        CheckDistance(maxGap, nameof(maxGap));
         MakeContacts(maxGap, workers);
         results.Clear();
         for (int i = 0; i < _touching.Count; i++)
@@ -94,7 +94,7 @@ public sealed partial class CollisionScene
         where TVisitor : struct, IPairContactsVisitor
     {
         CheckNotVisiting();
-        CheckGap(maxGap);
+        CheckDistance(maxGap, nameof(maxGap));
         MakeContacts(maxGap, workers);
         _visiting = true;
         try
@@ -106,12 +106,6 @@ public sealed partial class CollisionScene
         {
             _visiting = false;
         }
-    }
-
-    private static void CheckGap(float maxGap)
-    {
-        if (!(maxGap >= 0))
-            throw new ArgumentOutOfRangeException(nameof(maxGap), maxGap, "Must not be negative or NaN.");
     }
 
     private void MeasureDepths(Workers? workers)

@@ -32,7 +32,7 @@ public sealed partial class CollisionScene
     {
         CheckNotVisiting();
         Guard.NotNull(candidates, nameof(candidates));
-        CheckDistance(distance);
+        CheckDistance(distance, nameof(distance));
         CollectSlots(distance, candidates);
         if (_objects.IsDirect) return;
         for (int i = 0; i < candidates.Count; i++) candidates[i] = IdsOf(candidates[i]);
@@ -132,7 +132,7 @@ public sealed partial class CollisionScene
     {
         CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
-        CheckDistance(distance);
+        CheckDistance(distance, nameof(distance));
         FindDistances(distance, workers);
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
@@ -157,7 +157,7 @@ public sealed partial class CollisionScene
         where TVisitor : struct, IPairDistanceVisitor
     {
         CheckNotVisiting();
-        CheckDistance(distance);
+        CheckDistance(distance, nameof(distance));
         FindDistances(distance, workers);
         _visiting = true;
         try
@@ -194,10 +194,9 @@ public sealed partial class CollisionScene
         return a < b ? result : result.Swapped;
     }
 
-    private static void CheckDistance(float distance)
+    private static void CheckDistance(float distance, string name)
     {
-        if (!(distance >= 0))
-            throw new ArgumentOutOfRangeException(nameof(distance), distance, "Must not be negative or NaN.");
+        if (!(distance >= 0)) throw new ArgumentOutOfRangeException(name, distance, "Must not be negative or NaN.");
     }
 
     private ObjectPair IdsOf(ObjectPair slots) => new(_objects.Ids[slots.A], _objects.Ids[slots.B]);
