@@ -53,6 +53,17 @@ internal static partial class MinkowskiDifference
         return true;
     }
 
+    /// <summary>Brings the vertices of a simplex to where the frame's translation has them now.</summary>
+    public static void Move(in PairFrame frame, ref Simplex simplex)
+    {
+        for (int i = 0; i < simplex.Count; i++)
+        {
+            int slot = simplex[i];
+            Vector3D onA = simplex.OnA(slot), onB = simplex.OnB(slot);
+            simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, simplex.IdA(slot), simplex.IdB(slot));
+        }
+    }
+
     /// <summary>The vertex made of a point of each shape, measured from its centre in its own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3D VertexOf(in PairFrame frame, in Vector3D onA, in Vector3D onB) =>

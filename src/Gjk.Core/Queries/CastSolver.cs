@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>
@@ -9,21 +7,23 @@ namespace Gjk.Core;
 /// </summary>
 /// <remarks>
 /// <para>
-/// Each round asks for the distance where B is now. Its answer comes with a plane that separates the shapes, proved by
-/// the supports on both sides; until B has crossed the gap along that plane's normal, the two cannot touch. So B moves
-/// on by just that part of the motion, and the next round begins at the simplex where this one ended. Where B moves
-/// along the plane or away from it, they never touch; where the distance is nothing, they do, and the plane that was
-/// crossed last is the one they touch in.
+/// Bounding balls first: along most lines they never meet, and before they do nothing can touch. Polytopes then go
+/// through <see cref="CastPortal"/>, which ends with a certificate or hands over. The rest is done here. Each round
+/// asks for the distance where B is now. Its answer comes with a plane that separates the shapes, proved by the
+/// supports on both sides; until B has crossed the gap along that plane's normal, the two cannot touch. So B moves on
+/// by that much, which is Newton's step for a distance that is convex along the line, and the next round begins at the
+/// simplex where this one ended. Where B moves along the plane or away from it, they never touch.
 /// </para>
 /// <para>
 /// The source moves the ray inside the distance's own loop. Here the distance is solved to its proof before anything
 /// moves, in extended precision where rounding could turn it: so a hit that is missed, or met too early, is no more
-/// possible than a wrong distance.
+/// possible than a wrong distance. Round shapes jump to where the line meets the margin about the nearest feature
+/// (<see cref="CastJump"/>), and what the distance says there is believed: it touches there, or the jump is taken back.
 /// </para>
 /// <para>
-/// It terminates because the fraction grows from round to round, or a double cannot tell the next one from it. Of
-/// polytopes a round or two for each feature that the ray passes are enough; towards a curved surface the steps are
-/// Newton's. MaxRounds is a backstop for a ray that is tangent to one.
+/// It terminates because the place up to which they are apart moves on from round to round, or a double cannot tell the
+/// next one from it; a jump that fails is followed by a step that is proved. Towards a curved core the steps are
+/// Newton's. MaxRounds is a backstop for a line that is tangent to one.
 /// </para>
 /// <para>
 /// Verdicts. Enclosed: they touch at the fraction, which is 0 at the start. Apart: they do not up to the most.
@@ -35,85 +35,119 @@ internal static class CastSolver
     /// <summary>Count: a tangent to a curved core halves the way in each round. Pinned by CastTests.</summary>
     private const int MaxRounds = 128;
 
-    /// <summary>Moves B until it touches A; the state and the frame are those of the end.</summary>
+    /// <summary>
+    /// Ratio to the radii: how far behind the first contact a jump may have gone, along the line. A thousandth of the
+    /// promise. Pinned by HardCastTests.
+    /// </summary>
+    private const double JumpGap = 1e-10;
+
+    /// <summary>Moves B until it touches A.</summary>
     /// <param name="a">The first core.</param>
     /// <param name="b">The second one.</param>
-    /// <param name="frame">The pair at the start; its translation moves.</param>
+    /// <param name="frame">The pair at the start; its translation is moved.</param>
     /// <param name="motion">Of B, seen from A, in A's frame, for the fraction 1.</param>
     /// <param name="most">The largest fraction.</param>
     /// <param name="warmStart">Where the first round begins; updated.</param>
     /// <param name="cast">What was found.</param>
-    /// <param name="state">Of the last round.</param>
     public static void Solve<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
-        out Cast cast, out SolverState state)
+        out Cast cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         cast = default;
-        Vector3D start = frame.Translation;
-        for (int rounds = 0; ; rounds++)
+        if (CastLine.Make(frame, motion, out CastLine line) == Verdict.Apart || line.FractionAt(-line.HalfChord) > most)
         {
-            frame.Translation = start + motion * cast.Fraction;
-            Measure(ref a, ref b, frame, ref warmStart, out state);
-            cast.Iterations += state.Iterations;
-            cast.Outcome = state.Verdict;
-            if (state.Verdict == Verdict.Contradiction || state.Verdict == Verdict.Undecided) return;
-            if (IsTouching(state, frame))
-            {
-                cast.Outcome = Verdict.Enclosed;
-                return;
-            }
-
-            double scale = 1 / Math.Sqrt(state.Plane.NormalSquared);
-            Vector3D toB = state.Plane.Normal * -scale;
-            double gap = state.Plane.Value * scale - frame.Margins, approach = -Vector3D.Dot(toB, motion);
-            double next = cast.Fraction + gap / approach;
             cast.Outcome = Verdict.Apart;
-            if (!(approach > 0) || next > most) return;
-            if (!(next > cast.Fraction))
-            {
-                cast.Outcome = Verdict.Enclosed;
-                return;
-            }
-
-            cast.Normal = toB;
-            cast.Fraction = next;
-            if (rounds < MaxRounds) continue;
-            cast.Outcome = Verdict.Undecided;
             return;
         }
+
+        SolverState.Begin<TA, TB>(frame, out SolverState state);
+
+        // A pair that begins near each other often overlaps or parts, which a distance tells at once.
+        CastJump.Begin(line, most, out CastJump place);
+        bool isPolytope = CastPortal.Takes<TA, TB>(frame);
+        if (place.IsPastStart && isPolytope && TryPortal(ref a, ref b, ref frame, line, most, ref cast, ref state))
+            return;
+        warmStart.Begin(ref a, ref b, frame, ref state);
+        bool isAfterPortal = place.IsPastStart | !isPolytope;
+        if (place.IsPastStart) StartLater(line, place, ref frame, ref cast, ref state);
+        for (int rounds = 0; rounds < MaxRounds; rounds++)
+        {
+            Measure(ref a, ref b, frame, ref state);
+            cast.Iterations += state.Iterations;
+            cast.Outcome = state.Verdict;
+            if (state.Verdict == Verdict.Contradiction || state.Verdict == Verdict.Undecided) break;
+            if (place.TryEnd(state, frame, line, JumpGap * frame.Radius, ref cast))
+            {
+                warmStart.Keep(state);
+                cast.OnA = state.Simplex.PointOnA(state.Weights);
+                if (state.IsCurved && cast.Outcome == Verdict.Enclosed && place.IsPastStart)
+                    CastNormal.Sharpen(ref a, ref b, ref frame, ref state, ref cast);
+                return;
+            }
+
+            if (!isAfterPortal)
+            {
+                isAfterPortal = true;
+                warmStart.Keep(state);
+                Vector3D normal = cast.Normal;
+                if (TryPortal(ref a, ref b, ref frame, line, most, ref cast, ref state)) return;
+                cast.Normal = normal;
+                warmStart.Begin(ref a, ref b, frame, ref state);
+            }
+
+            frame.Translation = line.At(place.Along);
+            MinkowskiDifference.Move(frame, ref state.Simplex);
+            cast.Outcome = Verdict.Undecided;
+        }
+
+        cast.Fraction = place.FractionOf(line, place.Left);
+        warmStart.Keep(state);
     }
 
-    private static void Measure<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, out SolverState state)
+    /// <summary>Looks for the entry by vertices alone; leaves the frame as it was where that tells nothing.</summary>
+    private static bool TryPortal<TA, TB>(
+        ref TA a, ref TB b, ref PairFrame frame, in CastLine line, double most, ref Cast cast, ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        SolverState.Begin<TA, TB>(frame, out state);
-        NoTrace trace = default;
-        if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
-        else ConvexQuery.SolveCores(
-            ref a, ref b, frame, float.PositiveInfinity, ref warmStart, true, ref state, ref trace);
+        Vector3D before = frame.Translation;
+        frame.Translation = line.Nearest;
+        cast.Outcome = CastPortal.Solve(ref a, ref b, frame, line, most, ref cast, ref state);
+        if (cast.Outcome == Verdict.Enclosed) cast.OnA = state.Simplex.PointOnA(state.Weights);
+        if (cast.Outcome != Verdict.Undecided) return true;
+        frame.Translation = before;
+        cast.Fraction = 0;
+        state.Simplex.Clear();
+        return false;
     }
 
-    private static bool IsTouching(in SolverState state, in PairFrame frame) =>
-        state.Verdict == Verdict.Enclosed
-        || Proofs.IsTouching(state, state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins);
-}
+    /// <summary>Begins where the bounding balls touch, which is what separates them there.</summary>
+    private static void StartLater(
+        in CastLine line, in CastJump place, ref PairFrame frame, ref Cast cast, ref SolverState state)
+    {
+        frame.Translation = line.At(place.Along);
+        cast.Normal = frame.Translation * (1 / frame.Translation.Length);
+        MinkowskiDifference.Move(frame, ref state.Simplex);
+    }
 
-/// <summary>What a cast found.</summary>
-internal struct Cast
-{
-    /// <summary>Enclosed where the shapes touch, Apart where they do not.</summary>
-    public Verdict Outcome;
+    /// <summary>The distance where B is now, from the simplex that the state holds.</summary>
+    private static void Measure<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        NoTrace trace = default;
+        state.Iterations = 0;
+        state.Verdict = Verdict.Undecided;
+        state.Plane.NormalSquared = 0;
+        if (!frame.ArePoints)
+        {
+            ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
+            return;
+        }
 
-    /// <summary>Up to here they are apart.</summary>
-    public double Fraction;
-
-    /// <summary>Of the plane that was crossed last, from A to B, of unit length; zero at the start.</summary>
-    public Vector3D Normal;
-
-    /// <summary>Support calls made on each shape.</summary>
-    public int Iterations;
+        state.Simplex.Clear();
+        GjkDistance.SolvePoints(frame, ref state);
+    }
 }

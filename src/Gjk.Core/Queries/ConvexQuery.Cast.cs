@@ -97,34 +97,37 @@ public static partial class ConvexQuery
                 return;
             }
 
-            SolverState state;
-            Cast cast;
-            if (frame.IsOrdinary)
+            if (!frame.IsOrdinary)
             {
-                Solve(ref a, ref b, ref frame, out cast, out state);
-            }
-            else
-            {
-                SolverState.Begin<TA, TB>(frame, out state);
-                ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-                Solve(ref unitA, ref unitB, ref frame, out cast, out state);
+                AskInUnitSize(ref a, ref b, ref frame, poseA);
+                return;
             }
 
-            Result = Finish(cast, state, frame, poseA);
+            Solve(ref a, ref b, ref frame, out Cast cast);
+            Result = Finish(cast, frame, poseA);
         }
 
-        private void Solve<TA, TB>(
-            ref TA a, ref TB b, ref PairFrame frame, out Cast cast, out SolverState state)
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private void AskInUnitSize<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, in RigidPose poseA)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            SolverState.Begin<TA, TB>(frame, out SolverState state);
+            ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
+            Solve(ref unitA, ref unitB, ref frame, out Cast cast);
+            Result = Finish(cast, frame, poseA);
+        }
+
+        private void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out Cast cast)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
             Vector3D motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
-            CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref WarmStart, out cast, out state);
+            CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref WarmStart, out cast);
         }
 
         /// <summary>Where A's surface is met, with A as it has moved.</summary>
-        private readonly CastResult Finish(
-            in Cast cast, in SolverState state, in PairFrame frame, in RigidPose poseA)
+        private readonly CastResult Finish(in Cast cast, in PairFrame frame, in RigidPose poseA)
         {
             if (cast.Outcome == Verdict.Contradiction)
                 return CastResult.Nothing(CastStatus.InvalidShape, float.NaN, cast.Iterations);
@@ -133,7 +136,7 @@ public static partial class ConvexQuery
             if (cast.Outcome == Verdict.Apart)
                 return CastResult.Nothing(CastStatus.Miss, _maxFraction, cast.Iterations);
             CastStatus status = cast.Fraction > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart;
-            Vector3D onA = state.Simplex.PointOnA(state.Weights) + cast.Normal * frame.MarginA;
+            Vector3D onA = cast.OnA + cast.Normal * frame.MarginA;
             Vector3D world = frame.RotationA.Rotate((onA + frame.CenterA) * frame.Unit) + poseA.Position;
             return new CastResult(
                 status, (float)cast.Fraction, (Vector3)(world + _translationA * cast.Fraction),

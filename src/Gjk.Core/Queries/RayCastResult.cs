@@ -42,7 +42,7 @@ public readonly struct RayCastResult
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(
-            $"Hit after {Distance:G9} at {((Vector3D)Point).ToString("G9")}, normal {((Vector3D)Normal).ToString("G9")}"),
+            $"Hit after {Distance:G9} at {((Vector3D)Point).ToString("G9")} with {((Vector3D)Normal).ToString("G9")}"),
         CastStatus.Miss or CastStatus.IterationLimit => FormattableString.Invariant($"{Status} up to {Distance:G9}"),
         _ => Status.ToString(),
     };

@@ -14,6 +14,37 @@ internal static class Depth
         Vector3D[] a = World(pair.A, pair.PoseA, default);
         Vector3D[] b = World(pair.B, pair.PoseB, (Vector3D)pair.PoseB.Position - pair.PoseA.Position);
         double least = double.PositiveInfinity;
+        foreach (Vector3D n in FaceNormals(a, b)) least = Math.Min(least, Math.Min(Past(a, b, n), Past(a, b, -n)));
+        return least;
+    }
+
+    /// <summary>
+    /// The part of a line on which the clouds overlap when B moves along it: where it has entered all half-spaces of
+    /// their difference, and not left any; empty where the first is larger than the second.
+    /// </summary>
+    /// <returns>Both as fractions of the motion, and the normal of the plane entered last, from A to B.</returns>
+    public static (double Entry, double Exit, Vector3D Normal) Along(TestPair pair, Vector3D motion)
+    {
+        Vector3D[] a = World(pair.A, pair.PoseA, default);
+        Vector3D[] b = World(pair.B, pair.PoseB, (Vector3D)pair.PoseB.Position - pair.PoseA.Position);
+        double entry = double.NegativeInfinity, exit = double.PositiveInfinity;
+        Vector3D normal = default;
+        foreach (Vector3D side in FaceNormals(a, b))
+        {
+            foreach (Vector3D n in new[] { side, -side })
+            {
+                double slope = Vector3D.Dot(n, motion), at = Past(a, b, n) / slope;
+                if (slope > 0) exit = Math.Min(exit, at);
+                if (slope < 0 && at > entry) (entry, normal) = (at, n);
+                if (slope == 0 && Past(a, b, n) < 0) entry = double.PositiveInfinity;
+            }
+        }
+
+        return (entry, exit, normal);
+    }
+
+    private static IEnumerable<Vector3D> FaceNormals(Vector3D[] a, Vector3D[] b)
+    {
         List<Vector3D> edgesA = Edges(a), edgesB = Edges(b), all = [.. edgesA, .. edgesB];
         for (int i = 0; i < all.Count; i++)
         {
@@ -21,13 +52,9 @@ internal static class Depth
             {
                 Vector3D n = Vector3D.Cross(all[i], all[j]);
                 double length = n.Length;
-                if (length <= 1e-12 * all[i].Length * all[j].Length) continue;
-                n *= 1 / length;
-                least = Math.Min(least, Math.Min(Past(a, b, n), Past(a, b, -n)));
+                if (length > 1e-12 * all[i].Length * all[j].Length) yield return n * (1 / length);
             }
         }
-
-        return least;
     }
 
     /// <summary>How far A must move against n to leave B behind.</summary>

@@ -1,0 +1,134 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The place of B on the line of a cast: up to where the two are apart, from where on they touch, and where to look
+/// next.
+/// </summary>
+/// <remarks>
+/// <para>
+/// The distance along the line is convex. Where it falls at a place at which they are apart, they are apart before it
+/// too; so such a place may be jumped to, and is as good as one that planes have proved step by step. A place where
+/// they touch already bounds the first contact from behind.
+/// </para>
+/// <para>
+/// With margins the distance is curved: the line meets a ball about a vertex, a cylinder about an edge, a plane beside
+/// a face. If the feature that is nearest now is the one that is touched, the jump ends the cast (Ericson 2004, section
+/// 5.3, for the ray against each).
+/// </para>
+/// </remarks>
+internal struct CastJump
+{
+    /// <summary>Where B is now, a length along the line.</summary>
+    public double Along;
+
+    /// <summary>Up to here they are apart.</summary>
+    public double Left;
+
+    /// <summary>Where the start is, and the end.</summary>
+    private double _start, _end;
+
+    /// <summary>Up to here the plane at <see cref="Left"/> proves them apart.</summary>
+    private double _safe;
+
+    /// <summary>From here on they touch, as far as is known.</summary>
+    private double _right;
+
+    /// <summary>Whether the last move was a jump.</summary>
+    private bool _isJump;
+
+    /// <summary>Begins at the start, or where the bounding balls begin to overlap.</summary>
+    public static void Begin(in CastLine line, double most, out CastJump place)
+    {
+        place = default;
+        place._start = -line.Middle * line.Speed;
+        place._end = (most - line.Middle) * line.Speed;
+        place._right = double.PositiveInfinity;
+        place.Along = place.Left = place._safe = Math.Max(place._start, -line.HalfChord);
+    }
+
+    /// <summary>False at the very start, which has its own translation, exact to the last bit.</summary>
+    public readonly bool IsPastStart => Along > _start;
+
+    /// <summary>The fraction of a place: 0 at the start and nowhere else.</summary>
+    public readonly double FractionOf(in CastLine line, double along) =>
+        along > _start ? Math.Max(line.FractionAt(along), double.Epsilon) : 0;
+
+    /// <summary>Ends the cast, or moves on.</summary>
+    /// <param name="state">The distance where B is.</param>
+    /// <param name="frame">The pair there.</param>
+    /// <param name="line">The line.</param>
+    /// <param name="gap">How far behind the contact a jump may end.</param>
+    /// <param name="cast">Gets the end.</param>
+    public bool TryEnd(in SolverState state, in PairFrame frame, in CastLine line, double gap, ref Cast cast)
+    {
+        bool isApart = state.Verdict == Verdict.Apart;
+        double scale = isApart ? 1 / Math.Sqrt(state.Plane.NormalSquared) : 0;
+        Vector3D normal = state.Plane.Normal * scale;
+        double slope = Vector3D.Dot(normal, line.Axis), ahead = (state.Plane.Value * scale - frame.Margins) / slope;
+        bool isTouching = !isApart || Proofs.IsTouching(
+            state, state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins);
+        if (isTouching && (!_isJump || (slope > 0 && -ahead <= gap)))
+        {
+            if (isApart && frame.Margins > 0 && IsPastStart) cast.Normal = -normal;
+            return End(line, Verdict.Enclosed, ref cast);
+        }
+
+        if (!isTouching && slope > 0)
+        {
+            cast.Normal = -normal;
+            Left = Along;
+            _safe = Along + ahead;
+            if (_safe > _end) return End(line, Verdict.Apart, ref cast);
+            if (!(_safe > Along)) return End(line, Verdict.Enclosed, ref cast);
+            MoveTo(Along + AheadTo(state, frame, line.Axis));
+            return false;
+        }
+
+        if (!isTouching && !_isJump) return End(line, Verdict.Apart, ref cast);
+
+        // The first contact, if there is one, is behind.
+        _right = Along;
+        MoveTo(isApart ? Along + AheadTo(state, frame, line.Axis) : double.NaN);
+        return false;
+    }
+
+    private readonly bool End(in CastLine line, Verdict outcome, ref Cast cast)
+    {
+        cast.Outcome = outcome;
+        cast.Fraction = FractionOf(line, Along);
+        return true;
+    }
+
+    /// <summary>Jumps, where that gains anything, or goes as far as the plane has proved.</summary>
+    private void MoveTo(double jump)
+    {
+        _isJump = jump > _safe && jump < _right;
+        Along = _isJump ? Math.Min(jump, _end) : _safe;
+    }
+
+    /// <summary>
+    /// How far it is to where the line meets the margin about the nearest feature, as if that had no end; NaN where it
+    /// does not, or where the plane's own step is as good.
+    /// </summary>
+    private static double AheadTo(in SolverState state, in PairFrame frame, in Vector3D axis)
+    {
+        double radius = frame.Margins;
+        if (state.IsCurved || radius == 0 || state.Simplex.Count > 2) return double.NaN;
+        Vector3D corner = state.Simplex.WA;
+        if (state.Simplex.Count == 1)
+        {
+            double nearest = Vector3D.Dot(corner, axis);
+            return nearest - Math.Sqrt(radius * radius - (corner - axis * nearest).LengthSquared);
+        }
+
+        // Seen along the edge, it is a circle and the line has this length for each of its own.
+        Vector3D edge = state.Simplex.WB - corner, across = Vector3D.Cross(edge, axis);
+        double lengthSquared = edge.LengthSquared, speedSquared = across.LengthSquared / lengthSquared;
+        double middle = Vector3D.Dot(Vector3D.Cross(edge, corner), across) / lengthSquared;
+        double passing = Vector3D.Dot(across, corner);
+        double chordSquared = radius * radius * speedSquared - passing * passing / lengthSquared;
+        return (middle - Math.Sqrt(chordSquared)) / speedSquared;
+    }
+}

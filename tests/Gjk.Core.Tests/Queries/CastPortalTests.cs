@@ -1,0 +1,133 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Queries;
+
+/// <summary>
+/// Casts of polytopes against all half-spaces of their difference: the entry is the last that is entered.
+/// </summary>
+public class CastPortalTests
+{
+    private static readonly string[] Kinds = ["box", "hull", "needle", "plate", "mini", "big"];
+
+    /// <summary>Any two, in any pose, on a line that is aimed anywhere near the middle or at the rim.</summary>
+    [Fact]
+    public void TheFirstContactIsTheLastHalfSpaceEntered()
+    {
+        int hits = 0, count = Budget.Count(1500);
+        for (int i = 0; i < count; i++)
+        {
+            var rng = new Rng((ulong)i);
+            TestShape a = Shape(rng, Kinds[i % Kinds.Length]), b = Shape(rng, Kinds[i / Kinds.Length % Kinds.Length]);
+            Vector3 from = rng.Vector(-1, 1) * rng.Float(2, 12);
+            var pair = new TestPair(
+                $"portal {i}", a, Generators.Pose(rng, rng.Vector(-5, 5)), b, Generators.Pose(rng, from));
+            Vector3 aim = rng.Vector(-1, 1) * (float)(pair.Scale * rng.Float(0, 0.8));
+            Vector3 motion = (pair.PoseA.Position + aim - from) * rng.Float(0.6, 3);
+            hits += Check(pair, motion) ? 1 : 0;
+        }
+
+        Assert.InRange(hits, 0.3 * count, 0.75 * count);
+    }
+
+    /// <summary>Along an axis that faces are square to and edges point along, corner over corner.</summary>
+    [Fact]
+    public void AlignedCratesMeetFaceToFace()
+    {
+        for (int i = 0; i < 600; i++)
+        {
+            var rng = new Rng((ulong)(900 + i));
+            TestShape a = TestShape.Box(Vector3.One), b = TestShape.Box(new Vector3(1, 0.5f, 2));
+            Vector3 at = new(rng.Below(9) * 0.25f, 4, rng.Below(9) * 0.25f);
+            var pair = new TestPair($"crates {i}", a, RigidPose.Identity, b, new RigidPose(at));
+            CastResult r = Cast(pair, new Vector3(0, -8, 0));
+            Assert.Equal((CastStatus.Hit, 2.5f / 8, Vector3.UnitY), (r.Status, r.Fraction, r.Normal));
+            Check(pair, new Vector3(rng.Below(5) - 2, -8, rng.Below(5) - 2));
+        }
+    }
+
+    /// <summary>Round hulls, whose faces hardly differ: the planes on both sides prove the fraction.</summary>
+    [Fact]
+    public void LargeHullsEndWithinTheirRounds()
+    {
+        foreach (int points in new[] { 100, 1000, 5000 })
+        {
+            var rng = new Rng((ulong)points);
+            var cloud = new Vector3[points];
+            for (int i = 0; i < points; i++) cloud[i] = Vector3.Normalize(rng.Vector(-1, 1));
+            ConvexShape hull = ConvexShape.Mesh(cloud);
+            for (int i = 0; i < 100; i++)
+            {
+                Vector3 from = Vector3.Normalize(rng.Vector(-1, 1)) * 5, aim = rng.Vector(-0.9, 0.9);
+                RigidPose poseA = new(rng.Rotation(), Vector3.Zero), poseB = new(rng.Rotation(), from);
+                CastResult r = ConvexQuery.Cast(hull, poseA, default, hull, poseB, aim - from);
+                Assert.True(r.Status == CastStatus.Hit, $"{points} {i}: {r}");
+                Assert.InRange(r.Iterations, 4, 40);
+                DistanceResult d = ConvexQuery.SignedDistance(
+                    hull, poseA, hull, new RigidPose(poseB.Rotation, from + (aim - from) * r.Fraction));
+                Assert.InRange(d.Distance, -1e-6, 1e-6);
+            }
+        }
+    }
+
+    /// <summary>A body that flies nearly along a face, with slopes down to where the portal hands over.</summary>
+    [Fact]
+    public void FlatSlopesEndAtTheSamePlace()
+    {
+        for (int i = 0; i < 400; i++)
+        {
+            var rng = new Rng((ulong)(40 + i));
+            float slope = MathF.Pow(10, -rng.Float(0, 7));
+            var pair = new TestPair(
+                $"slope {i}", TestShape.Box(new Vector3(4, 1, 4)), RigidPose.Identity,
+                TestShape.Box(new Vector3(0.25f)), new RigidPose(new Vector3(-8, 1.25f + slope * 5, rng.Float(-3, 3))));
+            Check(pair, new Vector3(10, -10 * slope, rng.Float(-1, 1)));
+        }
+    }
+
+    private static CastResult Cast(TestPair p, Vector3 motion) =>
+        ConvexQuery.Cast(p.A.Shape, p.PoseA, default, p.B.Shape, p.PoseB, motion);
+
+    /// <summary>Whether it hits, as all half-spaces say.</summary>
+    private static bool Check(TestPair pair, Vector3 motion)
+    {
+        CastResult r = Cast(pair, motion);
+        (double entry, double exit, Vector3D normal) = Depth.Along(pair, motion);
+        double speed = motion.Length(), graze = 1e-9 * pair.Scale / speed, way = Math.Max(entry, 0) * speed;
+        string what = $"{pair} along {TestShape.T(motion)}: {r}, truly {entry:R} to {exit:R}";
+        if (Math.Abs(exit - entry) < graze || Math.Abs(entry - 1) < graze || Math.Abs(entry) < graze) return r.IsHit;
+        CastStatus truth = entry > exit || entry > 1 || exit < 0 ? CastStatus.Miss
+            : entry < 0 ? CastStatus.OverlappingAtStart : CastStatus.Hit;
+        Assert.True(r.Status == truth, what);
+        if (truth != CastStatus.Hit) return r.IsHit;
+        Assert.True(Math.Abs(r.Fraction - entry) * speed <= 1e-7 * Math.Max(pair.Scale, way), what);
+
+        // Another normal is as good where its plane is entered no earlier.
+        double slope = Vector3D.Dot(r.Normal, motion), at = PlaneOf(pair, r.Normal) / slope;
+        bool isSame = ((Vector3D)r.Normal - normal).Length < 1e-6;
+        Assert.True(isSame || (slope < 0 && (at - entry) * speed > -2e-6 * Math.Max(pair.Scale, way)), what);
+        return true;
+    }
+
+    /// <summary>How far along n the difference reaches.</summary>
+    private static double PlaneOf(TestPair p, Vector3 n)
+    {
+        var a = new Body<ConvexShape>(p.A.Shape, p.PoseA);
+        var b = new Body<ConvexShape>(p.B.Shape, p.PoseB);
+        Vector3D between = (Vector3D)p.PoseB.Position - p.PoseA.Position;
+        return p.A.Vertices!.Max(v => Vector3D.Dot(a.Rotate(v), n))
+            - p.B.Vertices!.Min(v => Vector3D.Dot(b.Rotate(v) + between, n));
+    }
+
+    private static TestShape Shape(Rng rng, string kind) => kind switch
+    {
+        "box" => TestShape.Box(new Vector3(rng.Float(0.2, 2), rng.Float(0.2, 2), rng.Float(0.2, 2))),
+        "needle" => TestShape.Mesh(Generators.Cloud(rng, 6, new Vector3(1e-3f, 2, 1e-3f))),
+        "plate" => TestShape.Box(new Vector3(2, 1e-3f, rng.Float(0.5, 2))),
+        "mini" => TestShape.Mesh(Generators.Cloud(rng, 5, new Vector3(1e-3f))),
+        "big" => TestShape.Mesh(Generators.Cloud(rng, 8, new Vector3(4))),
+        _ => TestShape.Mesh(Generators.Cloud(rng, 7, Vector3.One)),
+    };
+}
