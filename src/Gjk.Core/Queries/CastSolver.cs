@@ -81,9 +81,10 @@ internal static class CastSolver
             if (place.TryEnd(state, frame, line, JumpGap * frame.Radius, ref cast))
             {
                 warmStart.Keep(state);
+                if (cast.Outcome == Verdict.Apart) return;
                 cast.OnA = state.Simplex.PointOnA(state.Weights);
-                if (state.IsCurved && cast.Outcome == Verdict.Enclosed && place.IsPastStart)
-                    CastNormal.Sharpen(ref a, ref b, ref frame, ref state, ref cast);
+                if (!place.IsPastStart) cast.OnA += ToCommon(state, frame);
+                else if (state.IsCurved) CastNormal.Sharpen(ref a, ref b, ref frame, ref state, ref cast);
                 return;
             }
 
@@ -130,6 +131,16 @@ internal static class CastSolver
         frame.Translation = line.At(place.Along);
         cast.Normal = frame.Translation * (1 / frame.Translation.Length);
         MinkowskiDifference.Move(frame, ref state.Simplex);
+    }
+
+    /// <summary>
+    /// From A's core to a point of both shapes at the start: where only the margins overlap, it lies between the cores.
+    /// </summary>
+    private static Vector3D ToCommon(in SolverState state, in PairFrame frame)
+    {
+        if (state.Verdict == Verdict.Enclosed || !(frame.Margins > 0)) return default;
+        double share = state.Feature.Height / (state.Feature.NormalSquared * frame.Margins);
+        return state.Feature.Normal * (-share * frame.MarginA);
     }
 
     /// <summary>The distance where B is now, from the simplex that the state holds.</summary>

@@ -83,7 +83,7 @@ internal static class CastPortal
         FeatureVertices.Begin(out FeatureVertices portal);
         Verdict verdict = Enclose(ref a, ref b, frame, line, ref portal, ref cast, ref state.Simplex, out double turn);
         if (verdict != Verdict.Enclosed) return verdict;
-        double end = (most - line.Middle) * line.Speed;
+        double end = (most - line.Middle) * line.Speed, gap = EntryGap * frame.Radius;
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
             Vector3D corner = portal.A.W;
@@ -96,9 +96,9 @@ internal static class CastPortal
             Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref state.Simplex, slot, out int ids);
             cast.Iterations++;
             double plane = Vector3D.Dot(normal, w), entry = plane / slope;
-            if (entry > end + line.Error) return Verdict.Apart;
+            if (entry > end + gap) return Verdict.Apart;
             if (ids < 0) return Verdict.Undecided;
-            if (height - plane <= EntryGap * frame.Radius * slope || IsCorner(state.Simplex, portal, slot))
+            if (height - plane <= gap * slope || IsCorner(state.Simplex, portal, slot))
             {
                 cast.Fraction = line.FractionAt(entry);
                 cast.Normal = normal * (-1 / Math.Sqrt(squared));
@@ -141,8 +141,7 @@ internal static class CastPortal
             double beyond = Vector3D.Dot(side, w);
             if (portal.Count > 0 && beyond > 0)
             {
-                double error = line.Error * line.Error * side.LengthSquared;
-                if (!isTilted) return beyond * beyond > error ? Verdict.Apart : Verdict.Undecided;
+                if (!isTilted) return IsBeside(line, side, beyond) ? Verdict.Apart : Verdict.Undecided;
                 isTilted = false;
                 normal = side;
                 continue;
@@ -168,6 +167,16 @@ internal static class CastPortal
         }
 
         return Verdict.Undecided;
+    }
+
+    /// <summary>
+    /// Whether a plane has the difference on its far side, and all of the line that comes near it on this one. Rounding
+    /// may have tilted the plane against the line.
+    /// </summary>
+    private static bool IsBeside(in CastLine line, in Vector3D side, double plane)
+    {
+        double tilt = Math.Abs(Vector3D.Dot(side, line.Axis)), free = plane - tilt * line.HalfChord;
+        return free > 0 && free * free > line.Error * line.Error * side.LengthSquared;
     }
 
     /// <summary>

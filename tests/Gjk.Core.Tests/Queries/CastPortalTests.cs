@@ -87,6 +87,20 @@ public class CastPortalTests
         }
     }
 
+    /// <summary>
+    /// A segment falls through a triangle so flat that its own edges are nearly parallel to the motion: the planes
+    /// along it are tilted by rounding, and prove nothing.
+    /// </summary>
+    [Fact]
+    public void FlatThroughFlatIsNoMiss()
+    {
+        CastResult r = ConvexQuery.Cast(
+            ConvexShape.Triangle(new(1, 2, 0), new(3, 0, 0), new(1, 3, 0)), RigidPose.Identity, default,
+            ConvexShape.Segment(new(0, 1, 0), new(5, 2, 0)), new RigidPose(new Vector3(-7, 0, 1e-7f)),
+            new Vector3(14, 0, -2e-7f));
+        Assert.Equal((CastStatus.Hit, 0.5f), (r.Status, r.Fraction));
+    }
+
     private static CastResult Cast(TestPair p, Vector3 motion) =>
         ConvexQuery.Cast(p.A.Shape, p.PoseA, default, p.B.Shape, p.PoseB, motion);
 
