@@ -72,6 +72,7 @@ public readonly struct SweptBox
         _max = max;
         _inverse = new Vector3D(Inverse(motion.X), Inverse(motion.Y), Inverse(motion.Z));
         (_isBackX, _isBackY, _isBackZ) = (motion.X < 0, motion.Y < 0, motion.Z < 0);
+        if (motion == Vector3.Zero) maxFraction = 0;
         Limit = maxFraction > float.MaxValue / 2 ? double.PositiveInfinity : After(maxFraction);
     }
 
