@@ -47,8 +47,11 @@ public readonly struct RayQuery
     internal double Length => ((Vector3D)Direction).Length;
 
     /// <summary>Origin, direction and reach, for people to read.</summary>
-    public override string ToString() => FormattableString.Invariant(
-        $"from {((Vector3D)Origin).ToString("G9")} along {((Vector3D)Direction).ToString("G9")} up to {MaxDistance:G9}");
+    public override string ToString()
+    {
+        string origin = ((Vector3D)Origin).ToString("G9"), direction = ((Vector3D)Direction).ToString("G9");
+        return FormattableString.Invariant($"From {origin} along {direction} up to {MaxDistance:G9}");
+    }
 
     /// <summary>The ray for a broad phase.</summary>
     internal SweptBox Path() => new(Origin, Origin, Direction, MaxDistance / Length);

@@ -112,6 +112,7 @@ public sealed partial class CollisionScene
 
     private static void CheckShape(in ConvexShape shape)
     {
-        if (shape.Kind == ShapeKind.None) throw new ArgumentException("A default ConvexShape is no shape.", nameof(shape));
+        if (shape.Kind == ShapeKind.None)
+            throw new ArgumentException("A default ConvexShape is no shape.", nameof(shape));
     }
 }

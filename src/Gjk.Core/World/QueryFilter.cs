@@ -19,7 +19,9 @@ public readonly struct QueryFilter : IEquatable<QueryFilter>
     private readonly bool _skipsStatic, _skipsMoving;
 
     /// <summary>Makes a filter.</summary>
-    /// <param name="groups">The groups that the question is in, one bit each; all bits: masks are not looked at.</param>
+    /// <param name="groups">
+    /// The groups that the question is in, one bit each; all bits: masks are not looked at.
+    /// </param>
     /// <param name="mask">The groups that it sees, one bit each; all bits: groups are not looked at.</param>
     /// <param name="seesStatic">Whether it sees static objects.</param>
     /// <param name="seesMoving">Whether it sees the others.</param>

@@ -46,6 +46,28 @@ public class SweepTests
         Assert.InRange((double)hits / paths, 0.3, 0.9);
     }
 
+    /// <summary>Objects that came and went between two questions leave nothing behind.</summary>
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void APhaseThatWasEmptiedCanBeAsked(BroadPhaseKind kind)
+    {
+        var unit = new Aabb(Vector3.Zero, Vector3.One);
+        foreach (bool isSwept in new[] { true, false })
+        {
+            IBroadPhase phase = BroadPhaseTests.Create(kind);
+            phase.Add(3, unit);
+            phase.Remove(3);
+            List<int> ids = [];
+            var all = new Recorder(ids);
+            if (isSwept) phase.Sweep(new SweptBox(unit, Vector3.One), ref all);
+            else phase.CollectInBox(unit, ids);
+            Assert.Empty(ids);
+            phase.Add(4, unit);
+            phase.Sweep(new SweptBox(unit, Vector3.One), ref all);
+            Assert.Equal([4], ids);
+        }
+    }
+
     /// <summary>
     /// In a room of 20,000 boxes the tree looks at few of them: at fewer where the path ends at the first.
     /// </summary>

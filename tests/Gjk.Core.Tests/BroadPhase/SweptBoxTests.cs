@@ -84,6 +84,19 @@ public class SweptBoxTests
     }
 
     [Fact]
+    public void ThreeAxesAtATimeSayWhatOneAtATimeSays()
+    {
+        for (int i = 0; i < Budget.Count(5_000); i++)
+        {
+            (Aabb box, Aabb start, Vector3 motion, float most) = Case(new Rng((ulong)i));
+            var path = new SweptBox(start, motion, most);
+            bool isMet = path.Meets(box, path.Limit, out double entry);
+            bool isMetScalar = path.MeetsScalar(box.Min, box.Max, path.Limit, out double scalar);
+            Assert.True((isMet, entry) == (isMetScalar, scalar), $"seed {i}: {entry:R}, one at a time {scalar:R}");
+        }
+    }
+
+    [Fact]
     public void WhatIsNoPathIsRefused()
     {
         Vector3 one = Vector3.One, bad = new(0, float.NaN, 0), far = new(float.PositiveInfinity, 0, 0);

@@ -123,8 +123,8 @@ internal sealed class SceneSet
     private void AddToScenes()
     {
         int id = _settings.Count;
-        _settings.Add(
-            new ObjectSettings(Rng.Below(3) == 0, (uint)Rng.Below(8), Rng.Below(2) == 0 ? uint.MaxValue : (uint)id & 7));
+        uint mask = Rng.Below(2) == 0 ? uint.MaxValue : (uint)id & 7;
+        _settings.Add(new ObjectSettings(Rng.Below(3) == 0, (uint)Rng.Below(8), mask));
         foreach (CollisionScene scene in Scenes)
             Assert.Equal(id, scene.Add(World.Shapes[id], World.Poses[id], _settings[id]));
     }
