@@ -101,7 +101,9 @@ public class SweepTests
         Assert.InRange(all / 200.0, first / 200.0 * 1.5, 1000);
     }
 
-    /// <summary>The first box, with the limit shortened to each that is met: ties at the same entry are all shown.</summary>
+    /// <summary>
+    /// The first box, with the limit shortened to each that is met: ties at the same entry are all shown.
+    /// </summary>
     private static void CheckFirst(
         IBroadPhase phase, SortedDictionary<int, Aabb> boxes, SweptBox path, int[] expected, string message)
     {

@@ -119,7 +119,8 @@ public class ScenePathTests
     {
         List<RayHit> all = [];
         scene.FindRayHits(ray, all, filter);
-        Assert.True(Same(expected, all), $"{message}, {ray}: {string.Join("; ", expected)} but {string.Join("; ", all)}");
+        Assert.True(
+            Same(expected, all), $"{message}, {ray}: {string.Join("; ", expected)} but {string.Join("; ", all)}");
         bool isHit = scene.TryFindRayHit(ray, out int id, out RayCastResult first, filter);
         Assert.True(isHit == (expected.Length > 0), message);
         Assert.True(id == (isHit ? expected[0].Id : -1), $"{message}, {ray}");
