@@ -15,7 +15,7 @@ namespace Gjk.Core;
 /// Thread-safe as long as nobody writes to the arrays. Arguments are checked before anything is written. A
 /// <c>default</c> shape or pose among them gives <see cref="GjkStatus.InvalidInput"/> for its pairs alone.
 /// </remarks>
-public static class PairBatch
+public static partial class PairBatch
 {
     /// <summary>
     /// Pairs per part: some 20 to 100 microseconds of work, long against the taking of a part, short against a frame.

@@ -51,6 +51,10 @@ public sealed class AllPairs : IBroadPhase
     /// <inheritdoc/>
     public void CollectInBox(in Aabb box, List<int> ids) => _table.CollectInBox(box, ids);
 
+    /// <inheritdoc/>
+    public void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor => _table.Sweep(path, ref visitor);
+
     /// <summary>The objects without the gaps between their numbers.</summary>
     private int Gather()
     {

@@ -89,6 +89,15 @@ internal sealed class BoundsTable
             if (Present[i] && Boxes[i].Overlaps(box)) ids.Add(i);
     }
 
+    /// <summary>Shows a visitor the objects whose boxes a path meets, by number.</summary>
+    public void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor
+    {
+        double limit = path.Limit;
+        for (int i = 0; i < End; i++)
+            if (Present[i] && path.Meets(Boxes[i], limit, out _)) limit = Math.Min(limit, visitor.Visit(i));
+    }
+
     public static void CheckQuery(float margin, List<ObjectPair> pairs)
     {
         if (!(margin >= 0))

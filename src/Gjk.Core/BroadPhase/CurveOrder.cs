@@ -52,6 +52,7 @@ internal sealed class CurveOrder(BoundsTable table)
     {
         for (int i = 0; i < count; i++) _keys[i] = (uint)ids[i];
         Count = count;
+        if (count == 0) return;
         SetCells(0, count);
         SortKeys.Sort(ref _keys, ref _scratch, _histograms, count);
     }

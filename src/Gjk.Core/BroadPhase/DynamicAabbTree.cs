@@ -87,7 +87,7 @@ public sealed class DynamicAabbTree : IBroadPhase
     public void CollectInBox(in Aabb box, List<int> ids)
     {
         Guard.NotNull(ids, nameof(ids)).Clear();
-        _pairs.UpdateLeaves();
+        UpdateLeaves();
         _leaves.Tree.Query(box.Min, box.Max, ids);
         int kept = 0;
         for (int i = 0; i < ids.Count; i++)
@@ -95,4 +95,17 @@ public sealed class DynamicAabbTree : IBroadPhase
         ids.RemoveRange(kept, ids.Count - kept);
         ids.Sort();
     }
+
+    /// <inheritdoc/>
+    public void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor
+    {
+        UpdateLeaves();
+        _leaves.Tree.Sweep(path, _table.Boxes, ref visitor);
+    }
+
+    /// <summary>
+    /// Makes the tree ready. Until the next change, sweeps change nothing, so several threads may make them.
+    /// </summary>
+    internal void UpdateLeaves() => _pairs.UpdateLeaves();
 }

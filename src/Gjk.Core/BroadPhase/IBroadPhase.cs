@@ -55,4 +55,15 @@ public interface IBroadPhase
     /// <param name="ids">Emptied first; then the objects, sorted.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     void CollectInBox(in Aabb box, List<int> ids);
+
+    /// <summary>
+    /// Shows a visitor the objects whose boxes a ray or a translated box meets, touching included; each once, in no
+    /// order that counts. The tree shows near ones first as a rule, and so profits most from a path that is shortened;
+    /// the other phases look at all boxes.
+    /// </summary>
+    /// <typeparam name="TVisitor">A struct.</typeparam>
+    /// <param name="path">The path.</param>
+    /// <param name="visitor">What it throws passes through.</param>
+    void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor;
 }

@@ -53,4 +53,8 @@ public sealed class SortAndSweep : IBroadPhase
 
     /// <inheritdoc/>
     public void CollectInBox(in Aabb box, List<int> ids) => _table.CollectInBox(box, ids);
+
+    /// <inheritdoc/>
+    public void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor => _table.Sweep(path, ref visitor);
 }

@@ -111,6 +111,10 @@ public sealed class SweepAndPrune : IBroadPhase
     /// <inheritdoc/>
     public void CollectInBox(in Aabb box, List<int> ids) => _table.CollectInBox(box, ids);
 
+    /// <inheritdoc/>
+    public void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor => _table.Sweep(path, ref visitor);
+
     /// <summary>
     /// What was added and removed since the last frame; an object that was removed and added again has only moved.
     /// </summary>

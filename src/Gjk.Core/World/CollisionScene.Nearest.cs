@@ -31,45 +31,69 @@ public sealed partial class CollisionScene
         other = -1;
         result = default;
         if (_objects.Count == 1) return false;
+        var search = new NearestSearch(_objects, slot);
+        return TryFindNearest(ref search, _objects.Bounds[slot], out other, out result);
+    }
 
-        int best = -1;
-        float reach = (float)Math.Min(Math.Max(_objects.Bounds[slot].Radius, float.Epsilon), float.MaxValue);
-        NearestWithin(slot, reach, ref best, ref result);
-        while (best < 0 && _near.Count < _objects.Count)
+    /// <summary>
+    /// The object nearest to a shape that is none of the scene's; of several at the same distance the one with the
+    /// least id.
+    /// </summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
+    /// <param name="pose">Where it is.</param>
+    /// <param name="id">The nearest object (B), or -1 where there is none.</param>
+    /// <param name="result">
+    /// The distance, with the bits of <c>ConvexQuery.Distance</c>; <c>default</c> where there is none.
+    /// </param>
+    /// <param name="maxDistance">At least 0: objects further away are not found. Infinite for all.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <returns>Whether there is such an object.</returns>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    public bool TryFindNearest(
+        in ConvexShape shape, in RigidPose pose, out int id, out DistanceResult result,
+        float maxDistance = float.PositiveInfinity, in QueryFilter filter = default)
+    {
+        CheckNotVisiting();
+        CheckShape(shape);
+        CheckPose(pose);
+        CheckDistance(maxDistance, nameof(maxDistance));
+        var search = new NearestSearch(_objects, shape, pose, maxDistance, filter);
+        return TryFindNearest(ref search, new WorldBounds(shape), out id, out result);
+    }
+
+    /// <summary>Looks in boxes that grow until an object is found.</summary>
+    private bool TryFindNearest(ref NearestSearch search, in WorldBounds bounds, out int id, out DistanceResult result)
+    {
+        Aabb box = bounds.BoxAt(search.Pose);
+        float reach = (float)Math.Min(Math.Max(bounds.Radius, float.Epsilon), float.MaxValue);
+        reach = Math.Min(reach, search.MaxDistance);
+        LookWithin(ref search, box, reach);
+        while (search.Best < 0 && reach < search.MaxDistance && _near.Count < _objects.Count)
         {
-            reach *= SearchGrowth;
-            NearestWithin(slot, reach, ref best, ref result);
+            reach = Math.Min(reach * SearchGrowth, search.MaxDistance);
+            LookWithin(ref search, box, reach);
         }
 
-        if (best < 0) return false;
-
         // What lies nearer than the one found may be outside the box in which it was found.
-        if (result.Distance > reach) NearestWithin(slot, result.Distance, ref best, ref result);
-        other = _objects.Ids[best];
-        return true;
+        if (search.Best >= 0 && search.Result.Distance > reach) LookWithin(ref search, box, search.Result.Distance);
+        id = search.Best < 0 ? -1 : _objects.Ids[search.Best];
+        result = search.Result;
+        return search.Best >= 0;
     }
 
     /// <summary>Improves the nearest object found so far by those whose bounds are within reach.</summary>
-    private void NearestWithin(int slot, float reach, ref int best, ref DistanceResult result)
+    private void LookWithin(ref NearestSearch search, in Aabb box, float reach)
     {
-        _phase.CollectInBox(Widened(_objects.Bounds[slot].BoxAt(_objects.Poses[slot]), reach), _near);
-        for (int i = 0; i < _near.Count; i++)
-        {
-            int other = _near[i];
-            if (other == slot || !_objects.AreTested(slot, other)) continue;
-
-            // A little more than the best, so that equals are found and the one of several does not depend on the order
-            // of the search.
-            float limit = best < 0 ? float.PositiveInfinity : result.Distance * MarginSlack + float.Epsilon;
-            DistanceResult found = ConvexQuery.Distance(
-                _objects.Shapes[slot], _objects.Poses[slot], _objects.Shapes[other], _objects.Poses[other], limit);
-            bool better = best < 0 || found.Distance < result.Distance
-                || (found.Distance == result.Distance && other < best);
-            if (!better) continue;
-            best = other;
-            result = found;
-        }
+        _phase.CollectInBox(Widened(box, reach), _near);
+        for (int i = 0; i < _near.Count; i++) search.Look(_near[i]);
     }
+
+    /// <summary>
+    /// A little more than a distance, so that equals are found and the one of several does not depend on the order of
+    /// the search.
+    /// </summary>
+    internal static float JustBeyond(float distance) => distance * MarginSlack + float.Epsilon;
 
     private static Aabb Widened(in Aabb box, float reach)
     {

@@ -83,6 +83,9 @@ internal sealed class SceneObjects
     /// <summary>Whether the objects in two slots are tested against each other.</summary>
     public bool AreTested(int a, int b) => AreAllTested || ObjectSettings.AreTested(Settings[a], Settings[b]);
 
+    /// <summary>Whether a question sees the object in a slot.</summary>
+    public bool IsSeen(int slot, in QueryFilter filter) => filter.Sees(Ids[slot], Settings[slot]);
+
     /// <summary>Lets go of the hull, too.</summary>
     public void Remove(int slot)
     {

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
@@ -75,6 +77,15 @@ public class WorldAllocationTests
         var pairs = new ObjectPair[1000];
         for (int i = 0; i < pairs.Length; i++)
             pairs[i] = new ObjectPair(world.Rng.Below(Objects), world.Rng.Below(Objects));
+        RayQuery[] rays =
+            [.. Enumerable.Range(0, Objects).Select(i => new RayQuery(here[i].Position, world.Rng.Direction()))];
+        Vector3[] motions = [.. Enumerable.Range(0, Objects).Select(_ => world.Rng.Vector(-1, 1))];
+        var firstHits = new RayHit[Objects];
+        List<RayHit> rayHits = [];
+        List<CastHit> castHits = [];
+        List<int> ids = [];
+        var casts = new CastResult[pairs.Length];
+        var rayResults = new RayCastResult[Objects];
         bool back = false;
         return () =>
         {
@@ -98,18 +109,47 @@ public class WorldAllocationTests
                 scene.Distance(i, i + 1);
             }
 
+            AskPaths(scene, shapes, poses, rays, firstHits, rayHits, castHits, ids, ref counter, workers);
+            PairBatch.Cast(shapes, poses, motions, pairs, casts, 1, workers);
+            RayBatch.RayCast(shapes[0], poses[0], rays, rayResults, workers);
             PairBatch.Overlaps(shapes, poses, pairs, statuses, workers);
             PairBatch.Distance(shapes, poses, pairs, distances, 1, workers);
         };
     }
 
-    private struct Counter : IPairVisitor, IPairDistanceVisitor, IPairContactsVisitor
+    private static void AskPaths(
+        CollisionScene scene, ConvexShape[] shapes, RigidPose[] poses, RayQuery[] rays, RayHit[] firstHits,
+        List<RayHit> rayHits, List<CastHit> castHits, List<int> ids, ref Counter counter, Workers? workers)
+    {
+        scene.FindFirstRayHits(rays, firstHits, workers);
+        for (int i = 0; i < 20; i++)
+        {
+            scene.TryFindRayHit(rays[i], out int _, out RayCastResult _);
+            scene.FindRayHits(rays[i], rayHits);
+            scene.FindRayHits(rays[i], ref counter);
+            scene.TryFindCastHit(shapes[i], poses[i], Vector3.UnitX, out int _, out CastResult _);
+            scene.FindCastHits(shapes[i], poses[i], Vector3.UnitX, castHits);
+            scene.FindCastHits(shapes[i], poses[i], Vector3.UnitX, ref counter);
+            scene.FindOverlapping(shapes[i], poses[i], ids);
+            scene.FindOverlapping(shapes[i], poses[i], ref counter);
+            scene.TryFindNearest(shapes[i], poses[i], out int _, out _, 1);
+        }
+    }
+
+    private struct Counter
+        : IPairVisitor, IPairDistanceVisitor, IPairContactsVisitor, IRayHitVisitor, ICastHitVisitor, IObjectVisitor
     {
         private int _count;
 
         public void Visit(ObjectPair pair) => _count++;
 
         public void Visit(ObjectPair pair, in DistanceResult result) => _count++;
+
+        public void Visit(int id) => _count++;
+
+        public void Visit(int id, in RayCastResult result) => _count++;
+
+        public void Visit(int id, in CastResult result) => _count++;
 
         public void Visit(ObjectPair pair, in DistanceResult result, in ContactManifold manifold) => _count++;
     }

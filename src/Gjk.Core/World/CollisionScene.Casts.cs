@@ -1,0 +1,118 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+public sealed partial class CollisionScene
+{
+    private readonly List<CastHit> _castHits = [];
+
+    /// <summary>
+    /// The object that a shape meets first when it is translated; of several at the same fraction, rounded to float,
+    /// the one with the least id. The shape is none of the scene's, and the objects rest.
+    /// </summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
+    /// <param name="pose">Where it is at the start.</param>
+    /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
+    /// <param name="id">The object (B), or -1 where there is none.</param>
+    /// <param name="result">
+    /// When they first touch, with the bits of <c>ConvexQuery.Cast</c>; a miss where there is none. An object whose
+    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as missed.
+    /// </param>
+    /// <param name="maxFraction">
+    /// How much of the motion is looked at: at least 0; 1 for all of it, more for the same motion continued.
+    /// </param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <returns>Whether the shape meets an object.</returns>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The motion is not finite, or the fraction is negative or NaN.
+    /// </exception>
+    public bool TryFindCastHit(
+        in ConvexShape shape, in RigidPose pose, Vector3 translation, out int id, out CastResult result,
+        float maxFraction = 1, in QueryFilter filter = default)
+    {
+        CheckNotVisiting();
+        CheckCast(shape, pose, translation, maxFraction);
+        var moving = new MovingShape(shape, pose, translation, maxFraction, filter);
+        var first = new FirstCastHit(_objects, moving, maxFraction);
+        _phase.Sweep(moving.Path(), ref first);
+        id = first.Slot < 0 ? -1 : _objects.Ids[first.Slot];
+        result = first.Result;
+        return first.Slot >= 0;
+    }
+
+    /// <summary>All objects that a shape meets when it is translated, as it would without the others.</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
+    /// <param name="pose">Where it is at the start.</param>
+    /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
+    /// <param name="results">Emptied first; then the objects by fraction, at the same fraction by id.</param>
+    /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The motion is not finite, or the fraction is negative or NaN.
+    /// </exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    public void FindCastHits(
+        in ConvexShape shape, in RigidPose pose, Vector3 translation, List<CastHit> results, float maxFraction = 1,
+        in QueryFilter filter = default)
+    {
+        CheckNotVisiting();
+        CheckCast(shape, pose, translation, maxFraction);
+        Guard.NotNull(results, nameof(results)).Clear();
+        var moving = new MovingShape(shape, pose, translation, maxFraction, filter);
+        var all = new AllCastHits(_objects, moving, results);
+        _phase.Sweep(moving.Path(), ref all);
+        results.Sort();
+    }
+
+    /// <summary>
+    /// Shows all objects that a shape meets when it is translated to a visitor; as the other otherwise.
+    /// </summary>
+    /// <typeparam name="TVisitor">A struct.</typeparam>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
+    /// <param name="pose">Where it is at the start.</param>
+    /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
+    /// <param name="visitor">
+    /// It may not use the scene before it has seen all objects. What it throws passes through.
+    /// </param>
+    /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The motion is not finite, or the fraction is negative or NaN.
+    /// </exception>
+    public void FindCastHits<TVisitor>(
+        in ConvexShape shape, in RigidPose pose, Vector3 translation, ref TVisitor visitor, float maxFraction = 1,
+        in QueryFilter filter = default)
+        where TVisitor : struct, ICastHitVisitor
+    {
+        FindCastHits(shape, pose, translation, _castHits, maxFraction, filter);
+        _visiting = true;
+        try
+        {
+            for (int i = 0; i < _castHits.Count; i++) visitor.Visit(_castHits[i].Id, _castHits[i].Result);
+        }
+        finally
+        {
+            _visiting = false;
+        }
+    }
+
+    private static void CheckCast(
+        in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction)
+    {
+        CheckShape(shape);
+        CheckPose(pose);
+        Guard.Finite(translation, nameof(translation));
+        CheckDistance(maxFraction, nameof(maxFraction));
+    }
+
+    private static void CheckShape(in ConvexShape shape)
+    {
+        if (shape.Kind == ShapeKind.None)
+            throw new ArgumentException("A default ConvexShape is no shape.", nameof(shape));
+    }
+}

@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+
+namespace Gjk.Core;
+
+public sealed partial class CollisionScene
+{
+    private readonly List<RayHit> _rayHits = [];
+
+    /// <summary>
+    /// The object that a ray meets first; of several at the same distance, rounded to float, the one with the least id.
+    /// Where the ray begins in objects, that is one of these, at distance 0.
+    /// </summary>
+    /// <param name="ray">The ray.</param>
+    /// <param name="id">The object, or -1 where there is none.</param>
+    /// <param name="result">
+    /// Where the ray meets it, with the bits of <c>ConvexQuery.RayCast</c>; a miss where there is none. An object whose
+    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as missed.
+    /// </param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <returns>Whether the ray meets an object.</returns>
+    /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
+    public bool TryFindRayHit(in RayQuery ray, out int id, out RayCastResult result, in QueryFilter filter = default)
+    {
+        CheckNotVisiting();
+        CheckRay(ray);
+        var first = new FirstRayHit(_objects, ray, filter);
+        _phase.Sweep(ray.Path(), ref first);
+        id = first.Slot < 0 ? -1 : _objects.Ids[first.Slot];
+        result = first.Result;
+        return first.Slot >= 0;
+    }
+
+    /// <summary>All objects that a ray meets, as it would without the others.</summary>
+    /// <param name="ray">The ray.</param>
+    /// <param name="results">Emptied first; then the objects by distance, at the same distance by id.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    public void FindRayHits(in RayQuery ray, List<RayHit> results, in QueryFilter filter = default)
+    {
+        CheckNotVisiting();
+        CheckRay(ray);
+        Guard.NotNull(results, nameof(results)).Clear();
+        var all = new AllRayHits(_objects, ray, filter, results);
+        _phase.Sweep(ray.Path(), ref all);
+        results.Sort();
+    }
+
+    /// <summary>Shows all objects that a ray meets to a visitor; in the same order.</summary>
+    /// <typeparam name="TVisitor">A struct.</typeparam>
+    /// <param name="ray">The ray.</param>
+    /// <param name="visitor">
+    /// It may not use the scene before it has seen all objects. What it throws passes through.
+    /// </param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
+    public void FindRayHits<TVisitor>(in RayQuery ray, ref TVisitor visitor, in QueryFilter filter = default)
+        where TVisitor : struct, IRayHitVisitor
+    {
+        FindRayHits(ray, _rayHits, filter);
+        _visiting = true;
+        try
+        {
+            for (int i = 0; i < _rayHits.Count; i++) visitor.Visit(_rayHits[i].Id, _rayHits[i].Result);
+        }
+        finally
+        {
+            _visiting = false;
+        }
+    }
+
+    /// <summary>The object that each of many rays meets first, with the bits of asking for one ray at a time.</summary>
+    /// <param name="rays">The rays.</param>
+    /// <param name="results">At least as long as the rays; the id is -1 where a ray meets nothing.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentNullException">An array is null.</exception>
+    /// <exception cref="ArgumentException">
+    /// There are fewer results than rays, or a ray is a <c>default</c> struct; the message names the ray.
+    /// </exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void FindFirstRayHits(
+        RayQuery[] rays, RayHit[] results, Workers? workers = null, in QueryFilter filter = default)
+    {
+        CheckNotVisiting();
+        RayQuery.Check(rays, results);
+        if (_phase is DynamicAabbTree tree) tree.UpdateLeaves();
+        Workers.Run(
+            workers, new SceneRayJob(_phase, _objects, rays, results, filter), rays.Length, PairBatch.PartLength,
+            CancellationToken.None);
+    }
+
+    private static void CheckRay(in RayQuery ray)
+    {
+        if (!ray.IsValid) throw new ArgumentException("A default RayQuery has no direction.", nameof(ray));
+    }
+}

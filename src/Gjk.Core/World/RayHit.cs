@@ -1,0 +1,31 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// An object of a scene and where a ray meets it. Immutable. Ordered by distance; at the same distance by id.
+/// </summary>
+public readonly struct RayHit : IComparable<RayHit>
+{
+    /// <summary>The object, or -1 where the ray meets none.</summary>
+    public readonly int Id;
+
+    /// <summary>Where the ray meets it, with the bits of <see cref="ConvexQuery"/>.</summary>
+    public readonly RayCastResult Result;
+
+    internal RayHit(int id, in RayCastResult result)
+    {
+        Id = id;
+        Result = result;
+    }
+
+    /// <inheritdoc/>
+    public int CompareTo(RayHit other)
+    {
+        int order = Result.Distance.CompareTo(other.Result.Distance);
+        return order != 0 ? order : Id.CompareTo(other.Id);
+    }
+
+    /// <summary>The object and its result, for people to read.</summary>
+    public override string ToString() => FormattableString.Invariant($"{Id}: {Result}");
+}

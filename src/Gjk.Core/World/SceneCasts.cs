@@ -1,0 +1,64 @@
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>A shape that moves through a scene.</summary>
+internal readonly struct MovingShape(
+    in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter)
+{
+    public readonly QueryFilter Filter = filter;
+    private readonly ConvexShape _shape = shape;
+    private readonly RigidPose _pose = pose;
+
+    /// <summary>When it meets an object, as asked alone.</summary>
+    public CastResult Cast(SceneObjects objects, int slot) => ConvexQuery.Cast(
+        _shape, _pose, translation, objects.Shapes[slot], objects.Poses[slot], Vector3.Zero, maxFraction);
+
+    /// <summary>Its path for a broad phase.</summary>
+    public SweptBox Path()
+    {
+        Aabb box = new WorldBounds(_shape).BoxAt(_pose);
+        return new SweptBox(box.Min, box.Max, translation, maxFraction);
+    }
+}
+
+/// <summary>The first object that a moving shape meets, of those that the broad phase shows.</summary>
+/// <remarks>Each object is asked about the whole motion, as <see cref="FirstRayHit"/> does it.</remarks>
+internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float maxFraction) : ISweepVisitor
+{
+    /// <summary>The slot of the first object, or -1.</summary>
+    public int Slot = -1;
+
+    /// <summary>When the shape meets it.</summary>
+    public CastResult Result = CastResult.Nothing(CastStatus.Miss, maxFraction, 0);
+
+    private readonly MovingShape _shape = shape;
+    private double _limit = double.PositiveInfinity;
+
+    public double Visit(int slot)
+    {
+        if (!objects.IsSeen(slot, _shape.Filter)) return _limit;
+        CastResult found = _shape.Cast(objects, slot);
+        if (!found.IsHit) return _limit;
+        bool isFirst = Slot < 0 || found.Fraction < Result.Fraction
+            || (found.Fraction == Result.Fraction && slot < Slot);
+        if (!isFirst) return _limit;
+        Slot = slot;
+        Result = found;
+        _limit = SweptBox.After(found.Fraction);
+        return _limit;
+    }
+}
+
+/// <summary>All objects that a moving shape meets, in no order.</summary>
+internal readonly struct AllCastHits(SceneObjects objects, MovingShape shape, List<CastHit> hits) : ISweepVisitor
+{
+    public double Visit(int slot)
+    {
+        if (!objects.IsSeen(slot, shape.Filter)) return double.PositiveInfinity;
+        CastResult found = shape.Cast(objects, slot);
+        if (found.IsHit) hits.Add(new CastHit(objects.Ids[slot], found));
+        return double.PositiveInfinity;
+    }
+}

@@ -1,0 +1,183 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>
+/// What the questions about rays and shapes that are not in the scene refuse; small and empty scenes.
+/// </summary>
+public class ScenePathRefusalTests
+{
+    private static readonly ConvexShape Ball = CollisionSceneTests.Ball;
+    private static readonly RigidPose Here = RigidPose.Identity;
+    private static readonly RayQuery AlongX = new(new Vector3(-5, 0, 0), Vector3.UnitX);
+
+    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void ARowOfBallsIsMetInOrder(BroadPhaseKind kind, BoundKind bound)
+    {
+        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 9, 2, 5, 2);
+        List<RayHit> hits = [];
+        scene.FindRayHits(AlongX, hits);
+        Assert.Equal([(1, 6f), (3, 6f), (2, 9f), (0, 13f)], hits.Select(h => (h.Id, h.Result.Distance)));
+        Assert.True(scene.TryFindRayHit(AlongX, out int id, out RayCastResult ray));
+        Assert.Equal((1, 6f, -Vector3.UnitX), (id, ray.Distance, ray.Normal));
+        scene.Remove(1);
+        Assert.True(scene.TryFindRayHit(AlongX, out id, out _) && id == 3);
+        Assert.True(scene.TryFindRayHit(AlongX, out id, out _, new QueryFilter(ignoredId: 3)) && id == 2);
+
+        var start = new RigidPose(new Vector3(-5, 0, 0));
+        Assert.True(scene.TryFindCastHit(Ball, start, Vector3.UnitX * 10, out id, out CastResult cast));
+        Assert.Equal((3, 0.5f, Vector3.UnitX), (id, cast.Fraction, cast.Normal));
+        List<CastHit> casts = [];
+        scene.FindCastHits(Ball, start, Vector3.UnitX * 10, casts, 1.25f);
+        Assert.Equal([(3, 0.5f), (2, 0.8f), (0, 1.2f)], casts.Select(h => (h.Id, h.Result.Fraction)));
+
+        List<int> touching = [];
+        scene.FindOverlapping(Ball, new RigidPose(new Vector3(7, 0, 0)), touching);
+        Assert.Equal([0, 2], touching);
+        Assert.True(scene.TryFindNearest(Ball, start, out id, out DistanceResult nearest, 5));
+        Assert.Equal((3, 5f), (id, nearest.Distance));
+        Assert.False(scene.TryFindNearest(Ball, start, out id, out _, 4.99f) || id >= 0);
+    }
+
+    [Fact]
+    public void VisitorsSeeWhatListsGetAndMayNotUseTheScene()
+    {
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 9, 2, 5, 2);
+        var seen = new List<int>();
+        var visitor = new Visitor { Use = seen.Add };
+        scene.FindRayHits(AlongX, ref visitor);
+        scene.FindCastHits(Ball, Here, Vector3.UnitX * 10, ref visitor);
+        scene.FindOverlapping(Ball, Here, ref visitor);
+        Assert.Equal([1, 3, 2, 0, 1, 3, 2, 0, 1, 3], seen);
+        visitor.Use = _ => scene.TryFindRayHit(AlongX, out int _, out RayCastResult _);
+        Assert.Throws<InvalidOperationException>(() => scene.FindRayHits(AlongX, ref visitor));
+        Assert.Throws<InvalidOperationException>(() => scene.FindCastHits(Ball, Here, Vector3.UnitX, ref visitor, 9));
+        Assert.Throws<InvalidOperationException>(() => scene.FindOverlapping(Ball, Here, ref visitor));
+        Assert.True(scene.TryFindRayHit(AlongX, out int _, out RayCastResult _));
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void AnEmptySceneHasNoHits(BroadPhaseKind kind, BoundKind bound)
+    {
+        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 1);
+        scene.Remove(0);
+        List<RayHit> rays = [default];
+        List<CastHit> casts = [default];
+        List<int> ids = [3];
+        scene.FindRayHits(AlongX, rays);
+        scene.FindCastHits(Ball, Here, Vector3.UnitX, casts);
+        scene.FindOverlapping(Ball, Here, ids);
+        Assert.Equal((0, 0, 0), (rays.Count, casts.Count, ids.Count));
+        Assert.False(scene.TryFindRayHit(AlongX, out int id, out RayCastResult ray) || id >= 0);
+        Assert.Equal((CastStatus.Miss, float.PositiveInfinity), (ray.Status, ray.Distance));
+        Assert.False(scene.TryFindCastHit(Ball, Here, Vector3.UnitX, out id, out CastResult cast, 2) || id >= 0);
+        Assert.Equal((CastStatus.Miss, 2f), (cast.Status, cast.Fraction));
+        Assert.False(scene.TryFindNearest(Ball, Here, out id, out _) || id >= 0);
+        var results = new RayHit[1];
+        scene.FindFirstRayHits([AlongX], results);
+        Assert.Equal((-1, CastStatus.Miss), (results[0].Id, results[0].Result.Status));
+    }
+
+    [Fact]
+    public void BadRaysAreRefused()
+    {
+        foreach (Vector3 bad in new[] { new Vector3(0, float.NaN, 0), new Vector3(float.PositiveInfinity, 0, 0) })
+        {
+            Refused<ArgumentOutOfRangeException>("origin", () => new RayQuery(bad, Vector3.UnitX));
+            Refused<ArgumentOutOfRangeException>("direction", () => new RayQuery(default, bad));
+        }
+
+        Refused<ArgumentOutOfRangeException>("direction", () => new RayQuery(default, new Vector3(0, -0f, 0)));
+        Refused<ArgumentOutOfRangeException>("maxDistance", () => new RayQuery(default, Vector3.UnitX, float.NaN));
+        Refused<ArgumentOutOfRangeException>("maxDistance", () => new RayQuery(default, Vector3.UnitX, -1));
+
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0);
+        var visitor = new Visitor { Use = _ => { } };
+        List<RayHit> hits = [default];
+        Refused<ArgumentException>("ray", () => scene.TryFindRayHit(default, out int _, out RayCastResult _));
+        Refused<ArgumentException>("ray", () => scene.FindRayHits(default, hits));
+        Refused<ArgumentException>("ray", () => scene.FindRayHits(default, ref visitor));
+        Refused<ArgumentNullException>("results", () => scene.FindRayHits(AlongX, null!));
+        Assert.Single(hits);
+
+        var results = new RayHit[2];
+        Refused<ArgumentNullException>("rays", () => scene.FindFirstRayHits(null!, results));
+        Refused<ArgumentNullException>("results", () => scene.FindFirstRayHits([AlongX], null!));
+        Refused<ArgumentException>("results", () => scene.FindFirstRayHits([AlongX, AlongX, AlongX], results));
+        Assert.StartsWith(
+            "Ray 1 ",
+            Refused<ArgumentException>("rays", () => scene.FindFirstRayHits([AlongX, default], results)).Message);
+        var disposed = new Workers(2);
+        disposed.Dispose();
+        Assert.Throws<ObjectDisposedException>(() => scene.FindFirstRayHits([AlongX], results, disposed));
+    }
+
+    [Fact]
+    public void BadShapesAndMotionsAreRefused()
+    {
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0);
+        Vector3 x = Vector3.UnitX, bad = new(0, float.NaN, 0), far = new(float.NegativeInfinity, 0, 0);
+        List<CastHit> hits = [default];
+        List<int> ids = [7];
+        var visitor = new Visitor { Use = _ => { } };
+        foreach ((string name, ConvexShape shape, RigidPose pose) in
+                 new[] { ("shape", default, Here), ("pose", Ball, default(RigidPose)) })
+        {
+            Refused<ArgumentException>(name, () => scene.TryFindCastHit(shape, pose, x, out int _, out CastResult _));
+            Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, hits));
+            Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, ref visitor));
+            Refused<ArgumentException>(name, () => scene.FindOverlapping(shape, pose, ids));
+            Refused<ArgumentException>(name, () => scene.FindOverlapping(shape, pose, ref visitor));
+            Refused<ArgumentException>(name, () => scene.TryFindNearest(shape, pose, out int _, out _));
+        }
+
+        foreach (Vector3 v in new[] { bad, far })
+        {
+            Refused<ArgumentOutOfRangeException>("translation", () => scene.FindCastHits(Ball, Here, v, hits));
+            Refused<ArgumentOutOfRangeException>(
+                "translation", () => scene.TryFindCastHit(Ball, Here, v, out int _, out CastResult _));
+        }
+
+        foreach (float most in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
+        {
+            Refused<ArgumentOutOfRangeException>("maxFraction", () => scene.FindCastHits(Ball, Here, x, hits, most));
+            Refused<ArgumentOutOfRangeException>(
+                "maxFraction", () => scene.TryFindCastHit(Ball, Here, x, out int _, out CastResult _, most));
+            Refused<ArgumentOutOfRangeException>(
+                "maxDistance", () => scene.TryFindNearest(Ball, Here, out int _, out _, most));
+        }
+
+        Refused<ArgumentNullException>("results", () => scene.FindCastHits(Ball, Here, x, null!));
+        Refused<ArgumentNullException>("ids", () => scene.FindOverlapping(Ball, Here, null!));
+        Assert.Equal((1, 1), (hits.Count, ids.Count));
+    }
+
+    private static T Refused<T>(string name, Func<object> call)
+        where T : ArgumentException => Refused<T>(name, () => { call(); });
+
+    private static T Refused<T>(string name, Action call)
+        where T : ArgumentException
+    {
+        T refusal = Assert.Throws<T>(call);
+        Assert.Equal(name, refusal.ParamName);
+        return refusal;
+    }
+
+    private struct Visitor : IRayHitVisitor, ICastHitVisitor, IObjectVisitor
+    {
+        public Action<int> Use;
+
+        public readonly void Visit(int id, in RayCastResult result) => Use(id);
+
+        public readonly void Visit(int id, in CastResult result) => Use(id);
+
+        public readonly void Visit(int id) => Use(id);
+    }
+}

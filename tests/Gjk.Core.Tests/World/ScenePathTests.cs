@@ -1,0 +1,177 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>
+/// What a scene says of rays and shapes that are not in it is what asking every object alone says, to the last bit, for
+/// every broad phase and bound.
+/// </summary>
+public class ScenePathTests
+{
+    private const int Objects = 60;
+
+    private static readonly string[] Kinds = [.. Generators.AllKinds.Where(k => k != "point")];
+
+    /// <summary>Near the origin, and where a float has steps of 1/1000 and of 8.</summary>
+    private static readonly float[] Offsets = [0, 1e4f, 1e8f];
+
+    [Fact]
+    public void RaysAreThoseOfAskingEachObjectAlone()
+    {
+        var counts = new int[2];
+        foreach ((SceneSet set, string message) in Worlds(1))
+        {
+            var rays = new List<RayQuery>();
+            for (int k = 0; k < 3 * PathFamilies.Count; k++)
+            {
+                (Vector3 start, Vector3 motion, float most) =
+                    PathFamilies.Make(set.Rng, k % PathFamilies.Count, set.World, set.Side);
+                if (motion == default) continue;
+                rays.Add(new RayQuery(start, motion, (float)(most * ((Vector3D)motion).Length)));
+                QueryFilter filter = set.Filter();
+                RayHit[] expected = [.. set.Seen(filter).Select(i => new RayHit(i, set.RayCast(i, rays[^1])))
+                    .Where(h => h.Result.IsHit).Order()];
+                counts[expected.Length > 0 ? 1 : 0]++;
+                foreach (CollisionScene scene in set.Scenes)
+                    CheckRay(scene, rays[^1], filter, expected, $"{message}, {scene.BroadPhase}, {scene.Bound}, {k}");
+            }
+
+            if (set.Frame == 1) CheckBulk(set, [.. rays], message);
+        }
+
+        Assert.InRange((double)counts[1] / (counts[0] + counts[1]), 0.3, 0.8);
+    }
+
+    [Fact]
+    public void CastsAreThoseOfAskingEachObjectAlone()
+    {
+        var counts = new int[2];
+        foreach ((SceneSet set, string message) in Worlds(2))
+        {
+            for (int k = 0; k < 2 * PathFamilies.Count; k++)
+            {
+                (Vector3 start, Vector3 motion, float most) =
+                    PathFamilies.Make(set.Rng, k % PathFamilies.Count, set.World, set.Side);
+                ConvexShape shape = Generators.Shape(set.Rng, set.Kind(Generators.AllKinds)).Shape;
+                RigidPose pose = Generators.Pose(set.Rng, start);
+                QueryFilter filter = set.Filter();
+                if (set.Rng.Below(10) == 0) motion = default;
+                CastHit[] expected = [.. set.Seen(filter).Select(
+                    i => new CastHit(i, set.Cast(i, shape, pose, motion, most))).Where(h => h.Result.IsHit).Order()];
+                counts[expected.Length > 0 ? 1 : 0]++;
+                foreach (CollisionScene scene in set.Scenes)
+                {
+                    string where = $"{message}, {scene.BroadPhase}, {scene.Bound}, {k}";
+                    List<CastHit> all = [];
+                    scene.FindCastHits(shape, pose, motion, all, most, filter);
+                    Assert.True(Same(expected, all), where);
+                    Assert.True(
+                        scene.TryFindCastHit(shape, pose, motion, out int id, out CastResult first, most, filter)
+                            == (expected.Length > 0), where);
+                    Assert.True(id == (expected.Length > 0 ? expected[0].Id : -1), where);
+                    Assert.True(expected.Length == 0 ? first.Status == CastStatus.Miss && first.Fraction == most
+                        : CastBits.AreSame(expected[0].Result, first), where);
+                }
+            }
+        }
+
+        Assert.InRange((double)counts[1] / (counts[0] + counts[1]), 0.3, 0.9);
+    }
+
+    [Fact]
+    public void OverlappingAndNearestAreThoseOfAskingEachObjectAlone()
+    {
+        var counts = new int[2];
+        foreach ((SceneSet set, string message) in Worlds(3))
+        {
+            for (int k = 0; k < 20; k++)
+            {
+                ConvexShape shape = Generators.Shape(set.Rng, set.Kind(Generators.AllKinds)).Shape;
+                (Vector3 start, _, _) = PathFamilies.Make(set.Rng, k % 4, set.World, set.Side);
+                RigidPose pose = Generators.Pose(set.Rng, start);
+                QueryFilter filter = set.Filter();
+                float most = set.Rng.Below(3) switch { 0 => float.PositiveInfinity, 1 => 0, _ => set.Rng.Float(0, 1) };
+                int[] touching = [.. set.Seen(filter).Where(i => set.Overlaps(i, shape, pose))];
+                (int Id, DistanceResult Result) nearest = set.Nearest(shape, pose, most, filter);
+                counts[touching.Length > 0 ? 1 : 0]++;
+                foreach (CollisionScene scene in set.Scenes)
+                {
+                    string where = $"{message}, {scene.BroadPhase}, {scene.Bound}, {k}";
+                    List<int> found = [];
+                    scene.FindOverlapping(shape, pose, found, filter);
+                    Assert.True(touching.SequenceEqual(found), where);
+                    bool any = scene.TryFindNearest(shape, pose, out int id, out DistanceResult result, most, filter);
+                    Assert.True(any == (nearest.Id >= 0) && id == nearest.Id, $"{where}: {id}, not {nearest.Id}");
+                    Assert.True(!any || ResultBits.AreSame(nearest.Result, result), where);
+                }
+            }
+        }
+
+        Assert.InRange((double)counts[1] / (counts[0] + counts[1]), 0.3, 0.7);
+    }
+
+    private static void CheckRay(
+        CollisionScene scene, in RayQuery ray, in QueryFilter filter, RayHit[] expected, string message)
+    {
+        List<RayHit> all = [];
+        scene.FindRayHits(ray, all, filter);
+        Assert.True(
+            Same(expected, all), $"{message}, {ray}: {string.Join("; ", expected)} but {string.Join("; ", all)}");
+        bool isHit = scene.TryFindRayHit(ray, out int id, out RayCastResult first, filter);
+        Assert.True(isHit == (expected.Length > 0), message);
+        Assert.True(id == (isHit ? expected[0].Id : -1), $"{message}, {ray}");
+        Assert.True(isHit ? CastBits.AreSame(expected[0].Result, first)
+            : first.Status == CastStatus.Miss && first.Distance == ray.MaxDistance, message);
+    }
+
+    /// <summary>Many rays at once, on one thread and on several.</summary>
+    private static void CheckBulk(SceneSet set, RayQuery[] rays, string message)
+    {
+        using var workers = new Workers(3);
+        rays = [.. Enumerable.Repeat(rays, 6).SelectMany(r => r)];
+        var results = new RayHit[rays.Length];
+        foreach (CollisionScene scene in set.Scenes)
+        {
+            foreach (Workers? w in new[] { null, workers })
+            {
+                QueryFilter filter = set.Filter();
+                scene.FindFirstRayHits(rays, results, w, filter);
+                for (int i = 0; i < rays.Length; i++)
+                {
+                    scene.TryFindRayHit(rays[i], out int id, out RayCastResult result, filter);
+                    Assert.True(
+                        id == results[i].Id && CastBits.AreSame(result, results[i].Result),
+                        $"{message}, {scene.BroadPhase}, {scene.Bound}, ray {i}, {(w is null ? 1 : 3)} threads");
+                }
+            }
+        }
+    }
+
+    private static IEnumerable<(SceneSet Set, string Message)> Worlds(ulong salt)
+    {
+        for (int seed = 0; seed < Budget.Count(2); seed++)
+        {
+            foreach (float offset in Offsets)
+            {
+                var set = new SceneSet(1000 * salt + (ulong)seed, Objects, Kinds, offset);
+                for (int frame = 0; frame < 3; frame++)
+                {
+                    set.Change();
+                    yield return (set, $"seed {seed}, offset {offset:G9}, frame {frame}");
+                }
+            }
+        }
+    }
+
+    private static bool Same(RayHit[] expected, List<RayHit> found) =>
+        expected.Length == found.Count
+        && expected.Zip(found).All(p => p.First.Id == p.Second.Id && CastBits.AreSame(p.First.Result, p.Second.Result));
+
+    private static bool Same(CastHit[] expected, List<CastHit> found) =>
+        expected.Length == found.Count
+        && expected.Zip(found).All(p => p.First.Id == p.Second.Id && CastBits.AreSame(p.First.Result, p.Second.Result));
+}
