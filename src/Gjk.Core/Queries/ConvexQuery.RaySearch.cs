@@ -22,9 +22,10 @@ public static partial class ConvexQuery
     private struct RayQuestion : IPairQuestion
     {
         /// <summary>
-        /// Ratio of the origin's distance to the radius, beyond which the ray begins anew. Pinned by RayAccuracyTests.
+        /// Ratio of the origin's distance to the radius, beyond which the ray begins anew: from further away, rounding
+        /// could carry the point through a flat shape. Pinned by TheClosedFormAgreesWithTheCast in RayCastTests.
         /// </summary>
-        private const double FarOrigin = 8;
+        private const double FarOrigin = 3;
 
         /// <summary>Ratio to the radius: how far from the foot it begins then, outside the ball.</summary>
         private const double Anew = 2;

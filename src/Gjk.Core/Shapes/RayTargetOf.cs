@@ -7,17 +7,19 @@ using System.Reflection;
 
 namespace Gjk.Core;
 
-/// <summary>Asks a shape whose type may be unknown what a ray sees of it, without a box where the runtime can.</summary>
+/// <summary>
+/// Asks a shape whose type may be unknown what a ray sees of it, without a box where the runtime can.
+/// </summary>
 /// <typeparam name="T">The shape's type.</typeparam>
 internal static class RayTargetOf<T>
     where T : struct, ISupportMap
 {
 #if NET
     /// <summary>The body; false for a user's shape and for what no closed form fits.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.AtOnce)]
     public static bool TryGet(ref T shape, out RayTarget target)
     {
-        // Whoever optimizes this sees the type, and no box is made.
+        // Whoever optimizes this sees the type, and no box is made; code that is compiled in a hurry would make one.
         if (shape is IRayTarget) return ((IRayTarget)shape).TryGetTarget(out target);
         target = default;
         return false;

@@ -24,9 +24,15 @@ internal static class RayCaster
     /// <summary>
     /// Length, as a fraction of the radius: an origin whose ray crosses the surface nearer than this may be on either
     /// side. Above what the queries count as touching (<see cref="GjkTolerances.TouchCurved"/>). Pinned by
-    /// RayCastTests.
+    /// TheStartIsWhatContainsSays in RayCastTests.
     /// </summary>
     private const double SurfaceBand = 1e-9;
+
+    /// <summary>
+    /// Length, as a fraction of the radius: the same along a ray that enters at a grazing angle: the root of twice the
+    /// band, doubled. Pinned by TheStartIsWhatContainsSays in RayCastTests.
+    /// </summary>
+    private const double GrazingBand = 1e-4;
 
     /// <summary>
     /// Ratio to the distance and the radius: a hit that is beyond the reach by less is at its end: more than rounding
@@ -132,7 +138,7 @@ internal static class RayCaster
         hit.Status = CastStatus.Miss;
         hit.IsAtSurface = mayHold;
         if (!isFound || exit < -band) return;
-        hit.IsAtSurface = enter <= band && (enter >= -band || exit <= band);
+        hit.IsAtSurface = enter <= GrazingBand * radius && (enter >= -band || exit <= band);
         if (!hit.IsAtSurface && enter <= 0)
         {
             hit.Status = CastStatus.OverlappingAtStart;
