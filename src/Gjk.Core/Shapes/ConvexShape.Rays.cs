@@ -2,7 +2,10 @@ namespace Gjk.Core;
 
 public readonly partial struct ConvexShape
 {
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    bool IRayTarget.TryGetTarget(out RayTarget target) => TryGetTarget(out target);
+
+    /// <inheritdoc cref="IRayTarget.TryGetTarget"/>
+    internal bool TryGetTarget(out RayTarget target)
     {
         bool found = _parts.Layer is null ? TryGetCore(out target) : _parts.Layer.TryGetTarget(out target);
         return found && target.Round(_parts.Rounding);

@@ -19,6 +19,9 @@ internal static class RayTargetOf<T>
     [MethodImpl(Jit.AtOnce)]
     public static bool TryGet(ref T shape, out RayTarget target)
     {
+        // As an interface, the largest of the shapes would be copied.
+        if (typeof(T) == typeof(ConvexShape)) return Unsafe.As<T, ConvexShape>(ref shape).TryGetTarget(out target);
+
         // Whoever optimizes this sees the type, and no box is made; code that is compiled in a hurry would make one.
         if (shape is IRayTarget) return ((IRayTarget)shape).TryGetTarget(out target);
         target = default;
