@@ -55,6 +55,9 @@ public sealed class ConvexHull
     /// <summary>What it shows to contacts.</summary>
     internal readonly HullFaces Faces;
 
+    /// <summary>What it shows to rays; null where they are cast.</summary>
+    internal readonly HullPlanes? Planes;
+
     private const string NoPoints = "At least one point is needed.";
 
     private readonly int[] _sources;
@@ -94,6 +97,7 @@ public sealed class ConvexHull
 #if NET
         Centered = Vertices.Centered();
 #endif
+        Planes = HullPlanes.Of(this);
         IsExactBox = Cells.Kind == HullCells.LookupKind.Box
             && Bounds.Max - Center == Cells.Stretch && Center - Bounds.Min == Cells.Stretch;
     }

@@ -62,6 +62,12 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
+        if (TryCastPoint(
+            ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction, out CastResult met))
+        {
+            return met;
+        }
+
         var question = new CastQuestion(translationA, translationB, maxFraction, warmStart);
         Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
         warmStart = question.WarmStart;

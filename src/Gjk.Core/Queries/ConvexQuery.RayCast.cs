@@ -1,4 +1,6 @@
+using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -16,19 +18,72 @@ public static partial class ConvexQuery
     /// <returns>
     /// The first point of the ray that is in the closed shape, or <see cref="CastStatus.Miss"/>, or
     /// <see cref="CastStatus.OverlappingAtStart"/> where the origin is in it. The distance is the true one, rounded to
-    /// float.
+    /// float: within 1e-7 of the size or the way, whichever is larger, however far away the ray begins; the normal is
+    /// within 1e-6 of the true one where there is only one. Hit or miss is what exact geometry says, but for rays that
+    /// pass the surface within 1e-9 of the size.
     /// </returns>
+    /// <remarks>
+    /// Spheres, capsules, boxes, cylinders, cones, ellipsoids, triangles, and hulls of up to some 250 corners have
+    /// closed forms, scaled and placed, too. The rest is cast as a point: shapes of your own, shapes rounded that are
+    /// not spheres or capsules then, and flat ones.
+    /// </remarks>
     public static RayCastResult RayCast<T>(
         in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity)
         where T : struct, ISupportMap
     {
-        double length = ((Vector3D)direction).Length;
-        if (!(length > 0) || !Guard.IsFinite(origin))
-            return RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
-        CastResult hit = Cast(
-            shape, pose, Vector3.Zero, default(PointShape), new RigidPose(origin), direction,
-            (float)(maxDistance / length));
-        float distance = hit.Status == CastStatus.Miss ? maxDistance : (float)(hit.Fraction * length);
-        return new RayCastResult(hit.Status, distance, hit.Point, hit.Normal, hit.Iterations);
+        T copy = default;
+        var line = new WorldRay(origin, direction, ((Vector3D)direction).Length, Math.Max(maxDistance, 0));
+        CastRay(ref Inward(shape, ref copy), pose, line, out RayMeeting hit);
+        if (hit.Status == CastStatus.Hit)
+        {
+            return new RayCastResult(
+                CastStatus.Hit, (float)hit.Distance, (Vector3)hit.Point, (Vector3)hit.Normal, hit.Iterations);
+        }
+
+        if (hit.Status == CastStatus.OverlappingAtStart)
+            return new RayCastResult(CastStatus.OverlappingAtStart, 0, origin, Vector3.Zero, hit.Iterations);
+        float distance = hit.Status == CastStatus.Miss ? (float)line.Reach
+            : hit.Status == CastStatus.IterationLimit ? (float)hit.Distance : float.NaN;
+        return RayCastResult.Nothing(hit.Status, distance, hit.Iterations);
+    }
+
+    /// <summary>By a closed form where there is one, else by a cast.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="pose">Where it is.</param>
+    /// <param name="line">The ray; may be invalid.</param>
+    /// <param name="hit">What it met.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void CastRay<T>(ref T shape, in RigidPose pose, in WorldRay line, out RayMeeting hit)
+        where T : struct, ISupportMap
+    {
+        double turn = InverseTurn(pose.Rotation);
+        if (!IsRay(pose, turn, line))
+        {
+            hit = default;
+            hit.Status = CastStatus.InvalidInput;
+        }
+        else if (!RayTargetOf<T>.TryGet(ref shape, out RayTarget target)
+            || !RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out hit))
+        {
+            SearchRay(ref shape, pose, line, out hit);
+        }
+        else if (hit.IsAtSurface && IsInside(ref shape, pose, line.Origin))
+        {
+            hit.Status = CastStatus.OverlappingAtStart;
+        }
+    }
+
+    /// <summary>Whether the numbers are those of a ray and a rotation.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsRay(in RigidPose pose, double turn, in WorldRay line) =>
+        turn > 0 & line.Length > 0 & line.Length <= PairFrame.MaxMagnitude & line.Reach >= 0
+            & Guard.IsFinite(line.Origin) & Guard.IsFinite(pose.Position);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool IsInside<T>(ref T shape, in RigidPose pose, Vector3 point)
+        where T : struct, ISupportMap
+    {
+        PointShape at = default;
+        return StatusOf(ref shape, pose, ref at, new RigidPose(point)) == GjkStatus.Overlapping;
     }
 }

@@ -42,10 +42,12 @@ public readonly struct RayCastResult
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(
-            $"Hit after {Distance:G9} at {((Vector3D)Point).ToString("G9")} with {((Vector3D)Normal).ToString("G9")}"),
+            $"Hit after {Distance:G9} at {Text(Point)}, normal {Text(Normal)}"),
         CastStatus.Miss or CastStatus.IterationLimit => FormattableString.Invariant($"{Status} up to {Distance:G9}"),
         _ => Status.ToString(),
     };
+
+    private static string Text(Vector3 v) => ((Vector3D)v).ToString("G9");
 
     internal static RayCastResult Nothing(CastStatus status, float distance, int iterations)
     {

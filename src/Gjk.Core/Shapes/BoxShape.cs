@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A box about the local origin, its faces square to the local axes.</summary>
-public readonly struct BoxShape : ISupportMap, ISupportFace, ITightBounds
+public readonly struct BoxShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
 {
     /// <summary>Half the side lengths, each at least 0.</summary>
     public readonly Vector3 HalfExtents;
@@ -24,6 +24,12 @@ public readonly struct BoxShape : ISupportMap, ISupportFace, ITightBounds
     /// <summary>This, as queries ask it.</summary>
     internal void Get(out BoxCore box) =>
         BoxCore.Make(HalfExtents, default, BoxCorners.Plain, BoundingRadius, 0, out box);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Of(RayForm.Box, HalfExtents);
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point) =>

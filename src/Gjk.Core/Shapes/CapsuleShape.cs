@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A capsule along the local y axis: a segment core with the radius as its margin.</summary>
-public readonly struct CapsuleShape : ISupportMap, ISupportFace, ITightBounds
+public readonly struct CapsuleShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
 {
     /// <summary>The radius, at least 0.</summary>
     public readonly float Radius;
@@ -31,6 +31,13 @@ public readonly struct CapsuleShape : ISupportMap, ISupportFace, ITightBounds
         SegmentCore.Make(
             new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), 2, default, BoundingRadius, Radius,
             out segment);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Capsule(
+            new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), default, Radius);
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

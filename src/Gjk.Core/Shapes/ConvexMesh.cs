@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// <summary>
 /// The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.
 /// </summary>
-public readonly struct ConvexMesh : ISupportMap, ISupportFace, ITightBounds
+public readonly struct ConvexMesh : ISupportMap, ISupportFace, IRayTarget, ITightBounds
 {
     private readonly ConvexHull? _hull;
 
@@ -40,6 +40,12 @@ public readonly struct ConvexMesh : ISupportMap, ISupportFace, ITightBounds
 
     /// <summary>This, known to be a mesh.</summary>
     internal void Get(out HullCore hull) => hull = new HullCore(_hull!, _hull!.BoundingRadius, 0);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = _hull is null ? default : RayTarget.Of(_hull);
+        return _hull is not null;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -12,7 +12,8 @@ namespace Gjk.Core;
 /// Immutable. Scales are multiplied in where the product is exact (points, segments, triangles, boxes, ellipsoids); a
 /// mesh, cylinder or cone, and a capsule scaled unevenly, keep their factors and apply them to each support.
 /// </remarks>
-public readonly partial struct ConvexShape : ISupportMap, ISupportFace, ITightBounds, IEquatable<ConvexShape>
+public readonly partial struct ConvexShape
+    : ISupportMap, ISupportFace, IRayTarget, ITightBounds, IEquatable<ConvexShape>
 {
     private static readonly Vector3D Unscaled = new(1, 1, 1);
 

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A cylinder about the local y axis, centred at the local origin.</summary>
-public readonly struct CylinderShape : ISupportMap, ISupportFace, ITightBounds
+public readonly struct CylinderShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
 {
     /// <summary>The radius of the disc, at least 0.</summary>
     public readonly float Radius;
@@ -25,6 +25,12 @@ public readonly struct CylinderShape : ISupportMap, ISupportFace, ITightBounds
 
     /// <inheritdoc/>
     public double BoundingRadius => new Vector3D(Radius, HalfHeight, 0).Length;
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Of(RayForm.Cylinder, new Vector3D(Radius, HalfHeight, 0));
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>An ellipsoid about the local origin, its axes along the local ones. A radius of 0 flattens it.</summary>
-public readonly struct EllipsoidShape : ISupportMap, ITightBounds
+public readonly struct EllipsoidShape : ISupportMap, IRayTarget, ITightBounds
 {
     /// <summary>The semi-axes, each at least 0.</summary>
     public readonly Vector3 Radii;
@@ -21,6 +21,12 @@ public readonly struct EllipsoidShape : ISupportMap, ITightBounds
 
     /// <inheritdoc/>
     public double BoundingRadius => Math.Max(Math.Max(Radii.X, Radii.Y), Radii.Z);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Of(RayForm.Ellipsoid, Radii);
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// origin loses no accuracy.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Placed<T> : ISupportMap, ISupportFace
+public readonly struct Placed<T> : ISupportMap, ISupportFace, IRayTarget
     where T : struct, ISupportMap
 {
     /// <summary>Ratio: 16 u, more than a rotation in double can lengthen a vector by.</summary>
@@ -53,6 +53,20 @@ public readonly struct Placed<T> : ISupportMap, ISupportFace
     /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
     /// </summary>
     public double BoundingRadius => _pose.IsValid ? _boundingRadius : double.NaN;
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        T inner = _inner;
+        if (!_pose.IsValid || !RayTargetOf<T>.TryGet(ref inner, out target))
+        {
+            target = default;
+            return false;
+        }
+
+        target.Center = _center;
+        target.CenterError = _rotation.Rotate(target.CenterError) + _centerError;
+        return target.Place(_pose.Rotation);
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A single point: the local origin.</summary>
-public readonly struct PointShape : ISupportMap, ITightBounds
+public readonly struct PointShape : ISupportMap, IRayTarget, ITightBounds
 {
     /// <inheritdoc/>
     public Vector3D Center => default;
@@ -15,6 +15,12 @@ public readonly struct PointShape : ISupportMap, ITightBounds
     /// <summary>This, as queries ask it.</summary>
     internal void Get(out SegmentCore segment) =>
         SegmentCore.Make(default, default, 1, default, 0, 0, out segment);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Ball(0);
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

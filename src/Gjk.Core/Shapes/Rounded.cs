@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// fast.
 /// </summary>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Rounded<T> : ISupportMap, ISupportFace
+public readonly struct Rounded<T> : ISupportMap, ISupportFace, IRayTarget
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -33,6 +33,12 @@ public readonly struct Rounded<T> : ISupportMap, ISupportFace
 
     /// <inheritdoc/>
     public double BoundingRadius => _inner.BoundingRadius + _radius;
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        T inner = _inner;
+        return RayTargetOf<T>.TryGet(ref inner, out target) && target.Round(_radius);
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point) => _inner.Support(direction, out point);

@@ -12,7 +12,7 @@ namespace Gjk.Core;
 /// the margin's ball into an ellipsoid, which then belongs to the core.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Scaled<T> : ISupportMap, ISupportFace, ITightBounds
+public readonly struct Scaled<T> : ISupportMap, ISupportFace, IRayTarget, ITightBounds
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -56,6 +56,20 @@ public readonly struct Scaled<T> : ISupportMap, ISupportFace, ITightBounds
     /// less; NaN in a <c>default</c> struct, which no query accepts.
     /// </summary>
     public double BoundingRadius => _scale.Largest > 0 ? _boundingRadius : double.NaN;
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        T inner = _inner;
+        if (!(_scale.Largest > 0) || !RayTargetOf<T>.TryGet(ref inner, out target) || !target.Scale(_scale))
+        {
+            target = default;
+            return false;
+        }
+
+        target.Center = _center;
+        target.CenterError = _scale.Outward(target.CenterError) + _centerError;
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>The straight line between two points, both included; they may coincide.</summary>
-public readonly struct SegmentShape : ISupportMap, ISupportFace, ITightBounds
+public readonly struct SegmentShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
 {
     /// <summary>One end.</summary>
     public readonly Vector3 A;
@@ -31,6 +31,12 @@ public readonly struct SegmentShape : ISupportMap, ISupportFace, ITightBounds
     /// <summary>This, as queries ask it.</summary>
     internal void Get(out SegmentCore segment) =>
         SegmentCore.Make(A, B, 2, Center, BoundingRadius, 0, out segment);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Capsule(A, B, Center, 0);
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

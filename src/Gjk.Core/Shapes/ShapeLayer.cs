@@ -28,6 +28,9 @@ internal abstract class ShapeLayer
     /// <inheritdoc cref="ISupportMap.TryGetVertex"/>
     public abstract bool TryGetVertex(int id, out Vector3D point);
 
+    /// <inheritdoc cref="IRayTarget.TryGetTarget"/>
+    public abstract bool TryGetTarget(out RayTarget target);
+
     /// <summary>Whether two layers do the same to equal shapes.</summary>
     public static bool AreEqual(ShapeLayer? a, ShapeLayer? b)
     {
@@ -64,6 +67,12 @@ internal abstract class ShapeLayer<T> : ShapeLayer
         _shape.GetFace(direction, ref corners);
 
     public override bool TryGetVertex(int id, out Vector3D point) => _shape.TryGetVertex(id, out point);
+
+    public override bool TryGetTarget(out RayTarget target)
+    {
+        T shape = _shape;
+        return RayTargetOf<T>.TryGet(ref shape, out target);
+    }
 }
 
 /// <summary>A placed shape.</summary>

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A ball about the local origin: a point core with the radius as its margin.</summary>
-public readonly struct SphereShape : ISupportMap, ITightBounds
+public readonly struct SphereShape : ISupportMap, IRayTarget, ITightBounds
 {
     /// <summary>The radius, at least 0.</summary>
     public readonly float Radius;
@@ -22,6 +22,12 @@ public readonly struct SphereShape : ISupportMap, ITightBounds
     /// <summary>This, as queries ask it.</summary>
     internal void Get(out SegmentCore segment) =>
         SegmentCore.Make(default, default, 1, default, Radius, Radius, out segment);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Ball(Radius);
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

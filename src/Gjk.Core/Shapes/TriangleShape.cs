@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A triangle, filled; it may be degenerate (a segment or a point).</summary>
-public readonly struct TriangleShape : ISupportMap, ISupportFace, ITightBounds
+public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
 {
     /// <summary>The first corner.</summary>
     public readonly Vector3 A;
@@ -32,6 +32,12 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, ITightBounds
 
     /// <inheritdoc/>
     public double BoundingRadius => RadiusAbout(Center, A, B, C);
+
+    bool IRayTarget.TryGetTarget(out RayTarget target)
+    {
+        target = RayTarget.Triangle(A, B, C, Center);
+        return true;
+    }
 
     /// <inheritdoc/>
     public int Support(in Vector3D direction, out Vector3D point)

@@ -20,6 +20,12 @@ namespace Gjk.Core;
 /// </remarks>
 internal struct CastJump
 {
+    /// <summary>
+    /// Ratio to the line's error: how far behind a plane that was crossed its shape still counts as met. Pinned by
+    /// CastPortalTests.
+    /// </summary>
+    private const double Through = 4;
+
     /// <summary>Where B is now, a length along the line.</summary>
     public double Along;
 
@@ -66,7 +72,8 @@ internal struct CastJump
         bool isApart = state.Verdict == Verdict.Apart;
         double scale = isApart ? 1 / Math.Sqrt(state.Plane.NormalSquared) : 0;
         Vector3D normal = state.Plane.Normal * scale;
-        double slope = Vector3D.Dot(normal, line.Axis), ahead = (state.Plane.Value * scale - frame.Margins) / slope;
+        double slope = Vector3D.Dot(normal, line.Axis), away = state.Plane.Value * scale - frame.Margins;
+        double ahead = away / slope;
         bool isTouching = !isApart || Proofs.IsTouching(
             state, state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins);
         if (isTouching && (!_isJump || (slope > 0 && -ahead <= gap)))
@@ -86,7 +93,12 @@ internal struct CastJump
             return false;
         }
 
-        if (!isTouching && !_isJump) return End(line, Verdict.Apart, ref cast);
+        if (!isTouching && !_isJump)
+        {
+            // Where nothing is behind the plane that was crossed, rounding may have gone through it.
+            bool isThrough = Left < Along && away <= Through * line.Error;
+            return End(line, isThrough ? Verdict.Enclosed : Verdict.Apart, ref cast);
+        }
 
         // The first contact, if there is one, is behind.
         _right = Along;

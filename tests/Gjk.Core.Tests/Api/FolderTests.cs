@@ -30,11 +30,12 @@ public class FolderTests(ITestOutputHelper output)
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
         ("Solvers", ["Arithmetic", "Geometry", "Minkowski", "Simplex", "Solvers/Trace"]),
         ("Contacts", ["Geometry", "Minkowski", "Simplex", "Solvers"]),
+        ("Queries/Rays", ["Arithmetic", "Geometry", "Hulls", "Shapes", "Minkowski"]),
         (
             "Queries",
             [
                 "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
-                "Contacts",
+                "Contacts", "Queries/Rays",
             ]),
         ("Diagnostics", ["Geometry", "Hulls", "Shapes", "Queries"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),

@@ -1,0 +1,117 @@
+using System;
+using System.Collections.Generic;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The planes of a solid hull's facets, measured from its centre: the hull is where no plane is exceeded. Immutable.
+/// </summary>
+/// <remarks>
+/// A normal is computed in double-double and rounded once, so that even the plane of a sliver supports the hull to
+/// within rounding; each is proved to do so when it is made. Triangles that lie in one plane share it.
+/// </remarks>
+internal sealed class HullPlanes
+{
+    /// <summary>Planes in a block: the lanes of a 256-bit register of doubles.</summary>
+    public const int Lanes = 4;
+
+    /// <summary>Doubles in a block: the normals' x, y and z, and the offsets, of four planes.</summary>
+    public const int BlockDoubles = 4 * Lanes;
+
+    /// <summary>
+    /// Count: up to this many triangles, to clip a ray by all planes is faster than to cast it. Measured; pinned by
+    /// RayHullTests.
+    /// </summary>
+    private const int MostTriangles = 512;
+
+    /// <summary>
+    /// Length, as a fraction of the hull's radius: how far above a plane a corner may seem to be. Rounding makes it 4
+    /// u. Pinned by RayHullTests.
+    /// </summary>
+    private const double Above = 8 * RoundOff.Unit;
+
+    /// <summary>
+    /// Ratio: normals whose components differ by less, and whose planes do, are one plane's. Two facets that truly
+    /// differ by so little cannot be told apart in double. Pinned by RayHullTests.
+    /// </summary>
+    private const double SamePlane = 4 * RoundOff.Unit;
+
+    /// <summary>
+    /// Blocks of four: x, x, x, x, y, y, y, y, z, z, z, z and the offsets. The normals are of unit length. The last
+    /// block is filled up with copies of its first plane.
+    /// </summary>
+    public readonly double[] Blocks;
+
+    private HullPlanes(double[] blocks) => Blocks = blocks;
+
+    /// <summary>The planes of a hull.</summary>
+    /// <returns>Null where it is flat, has too many, or one of them is not certain.</returns>
+    public static HullPlanes? Of(ConvexHull hull)
+    {
+        if (hull.Dimension < 3 || hull.TriangleCount > MostTriangles) return null;
+        var normals = new List<Vector3D>();
+        var offsets = new List<double>();
+        for (int i = 0; i < hull.TriangleCount; i++)
+        {
+            if (!TryGetPlane(hull, i, out Vector3D normal, out double offset)) return null;
+            if (IsKnown(normals, offsets, normal, offset, hull.BoundingRadius)) continue;
+            normals.Add(normal);
+            offsets.Add(offset);
+        }
+
+        return new HullPlanes(Pack(normals, offsets));
+    }
+
+    /// <summary>The plane of a triangle, through the hull's highest corner over it.</summary>
+    private static bool TryGetPlane(ConvexHull hull, int triangle, out Vector3D normal, out double offset)
+    {
+        hull.GetTriangle(triangle, out int a, out int b, out int c);
+        hull.GetVertex(a, out Vector3D origin);
+        hull.GetVertex(b, out Vector3D second);
+        hull.GetVertex(c, out Vector3D third);
+        double unit = 1 / PowerOfTwo.AtMost(hull.BoundingRadius);
+        VectorDD ab = (VectorDD)(second * unit) - origin * unit, ac = (VectorDD)(third * unit) - origin * unit;
+        normal = (Vector3D)VectorDD.Cross(ab, ac);
+        normal *= 1 / normal.Length;
+        double own = Vector3D.Dot(normal, origin - hull.Center);
+        offset = own;
+        for (int i = 0; i < hull.VertexCount; i++)
+        {
+            hull.GetVertex(i, out Vector3D corner);
+            offset = Math.Max(offset, Vector3D.Dot(normal, corner - hull.Center));
+        }
+
+        return offset - own <= Above * hull.BoundingRadius;
+    }
+
+    private static bool IsKnown(
+        List<Vector3D> normals, List<double> offsets, in Vector3D normal, double offset, double radius)
+    {
+        for (int i = 0; i < normals.Count; i++)
+        {
+            if (Math.Abs(offsets[i] - offset) <= SamePlane * radius
+                && (normals[i] - normal).SumOfMagnitudes <= SamePlane)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static double[] Pack(List<Vector3D> normals, List<double> offsets)
+    {
+        int blocks = (normals.Count + Lanes - 1) / Lanes;
+        double[] packed = new double[blocks * BlockDoubles];
+        for (int i = 0; i < blocks * Lanes; i++)
+        {
+            int plane = i < normals.Count ? i : i - i % Lanes, at = i / Lanes * BlockDoubles + i % Lanes;
+            packed[at] = normals[plane].X;
+            packed[at + Lanes] = normals[plane].Y;
+            packed[at + 2 * Lanes] = normals[plane].Z;
+            packed[at + 3 * Lanes] = offsets[plane];
+        }
+
+        return packed;
+    }
+}

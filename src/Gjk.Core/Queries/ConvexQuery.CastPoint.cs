@@ -1,0 +1,70 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <remarks>
+/// A cast in which one of the shapes is a point is a ray, and has its closed forms. Any type that is a point comes
+/// here, so all of them have the same bits.
+/// </remarks>
+public static partial class ConvexQuery
+{
+    /// <summary>Casts a pair of which one shape is a point that moves, seen from the other.</summary>
+    /// <returns>False where it is no such pair, or no closed form fits it.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool TryCastPoint<TA, TB>(
+        ref TA a, in RigidPose poseA, Vector3 translationA, ref TB b, in RigidPose poseB, Vector3 translationB,
+        float maxFraction, out CastResult result)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        result = default;
+        Vector3D motion = (Vector3D)translationB - translationA;
+        if (IsPoint(ref b))
+            return TryCastPoint(ref a, poseA, translationA, poseB, motion, maxFraction, ref result);
+        if (!IsPoint(ref a)
+            || !TryCastPoint(ref b, poseB, translationB, poseA, -motion, maxFraction, ref result))
+        {
+            return false;
+        }
+
+        result = result.Swapped;
+        return true;
+    }
+
+    /// <summary>A point, which is seen to move, against a shape that is translated in the world.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool TryCastPoint<T>(
+        ref T shape, in RigidPose pose, Vector3 translation, in RigidPose point, in Vector3D motion, float maxFraction,
+        ref CastResult result)
+        where T : struct, ISupportMap
+    {
+        double turn = InverseTurn(pose.Rotation), length = motion.Length;
+        var line = new WorldRay(point.Position, motion, length, Math.Max(maxFraction, 0) * length);
+        if (!IsRay(pose, turn, line) || !point.IsValid || !Guard.IsFinite(translation)
+            || !RayTargetOf<T>.TryGet(ref shape, out RayTarget target)
+            || !RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out RayMeeting hit))
+        {
+            return false;
+        }
+
+        if (hit.IsAtSurface && IsInside(ref shape, pose, line.Origin)) hit.Status = CastStatus.OverlappingAtStart;
+        double fraction = hit.Distance / length;
+        result = hit.Status switch
+        {
+            CastStatus.Hit => new CastResult(
+                CastStatus.Hit, (float)fraction, (Vector3)(hit.Point + (Vector3D)translation * fraction),
+                (Vector3)hit.Normal, 0),
+            CastStatus.Miss => CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0),
+            _ => new CastResult(hit.Status, 0, line.Origin, Vector3.Zero, 0),
+        };
+        return true;
+    }
+
+    /// <summary>Whether nothing is left of a shape, which its own origin is then.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsPoint<T>(ref T shape)
+        where T : struct, ISupportMap =>
+        shape.BoundingRadius == 0 && shape.Margin == 0 && shape.Center.SumOfMagnitudes == 0;
+}

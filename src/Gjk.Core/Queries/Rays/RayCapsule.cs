@@ -1,0 +1,66 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A line against a capsule (Ericson 2005, section 5.3.7): where it crosses the infinite side beside the segment, there
+/// it crosses the capsule; where it crosses the side beyond an end, it does so in the ball about that end.
+/// </summary>
+internal static class RayCapsule
+{
+    /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>
+    /// <param name="foot">The line's point at the parameter 0, from the segment's middle.</param>
+    /// <param name="direction">Its direction.</param>
+    /// <param name="first">One end, from the middle.</param>
+    /// <param name="second">The other end.</param>
+    /// <param name="radius">Above 0.</param>
+    /// <param name="span">The part of the line in the capsule.</param>
+    /// <returns>False where it misses.</returns>
+    public static bool TryFind(
+        in Vector3D foot, in Vector3D direction, in Vector3D first, in Vector3D second, double radius,
+        out RaySpan span)
+    {
+        Vector3D toFirst = first - second;
+        double length = toFirst.Length, half = length * 0.5;
+        if (!(length > 0)) return RayBall.TryFind(foot, direction, radius, out span);
+        var axis = new Vector3D(toFirst.X / length, toFirst.Y / length, toFirst.Z / length);
+        if (!TryFindSide(foot, direction, axis, radius, out span)) return false;
+        double footAlong = Vector3D.Dot(foot, axis), along = Vector3D.Dot(direction, axis);
+        double enterAlong = At(span.Enter), exitAlong = At(span.Exit);
+        if (Math.Abs(enterAlong) <= half)
+        {
+            Vector3D entry = foot + direction * span.Enter;
+            span.Normal = entry - axis * Vector3D.Dot(entry, axis);
+        }
+        else
+        {
+            if (!RayBall.TryFind(foot - (enterAlong > 0 ? first : second), direction, radius, out RaySpan ball))
+                return false;
+            span.Enter = ball.Enter;
+            span.Normal = ball.Normal;
+        }
+
+        if (Math.Abs(exitAlong) <= half) return true;
+        bool found = RayBall.TryFind(foot - (exitAlong > 0 ? first : second), direction, radius, out RaySpan end);
+        span.Exit = Math.Max(end.Exit, span.Enter);
+        return found;
+
+        double At(double t) => footAlong + along * t;
+    }
+
+    /// <summary>The infinite cylinder about an axis, as <see cref="RayCylinder"/> has it about y.</summary>
+    private static bool TryFindSide(
+        in Vector3D foot, in Vector3D direction, in Vector3D axis, double radius, out RaySpan span)
+    {
+        Vector3D f = foot - axis * Vector3D.Dot(foot, axis), d = direction - axis * Vector3D.Dot(direction, axis);
+        double a = d.LengthSquared, b = Vector3D.Dot(f, d), c = f.LengthSquared - radius * radius;
+        double cross = Vector3D.Dot(axis, Vector3D.Cross(foot, direction));
+        double discriminant = a * radius * radius - cross * cross;
+        span = RaySpan.Everything;
+        if (!(discriminant >= 0)) return false;
+        if (!RayQuadratic.TrySolve(a, b, c, discriminant, out double enter, out double exit)) return c <= 0;
+        span.Enter = enter;
+        span.Exit = exit;
+        return true;
+    }
+}

@@ -1,0 +1,151 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>A ray against a shape that has a closed form.</summary>
+/// <remarks>
+/// The idea: the ray is brought to the shape's axes and measured from the point of its line that is nearest to the
+/// shape's centre (<see cref="LocalRay"/>), so nothing that follows knows how far away the ray began. The body cuts an
+/// interval out of the line (<see cref="RayBody"/>). The interval says all: beyond the reach, behind the origin, or
+/// around it.
+/// <para>
+/// All of it is in double. What rounding could turn is handed on: an origin within 1e-9 of the surface to the overlap
+/// query, so that both say the same; bodies that are flat to nothing to the cast (<see cref="CastSolver"/>).
+/// </para>
+/// <para>
+/// Sources: Ericson, Real-Time Collision Detection (2005), section 5.3, and Eberly's notes; there the interval is not
+/// measured from the foot, and grazing hits lose half the digits.
+/// </para>
+/// </remarks>
+internal static class RayCaster
+{
+    /// <summary>
+    /// Length, as a fraction of the radius: an origin whose ray crosses the surface nearer than this may be on either
+    /// side. Above what the queries count as touching (<see cref="GjkTolerances.TouchCurved"/>). Pinned by
+    /// TheStartIsWhatContainsSays in RayCastTests.
+    /// </summary>
+    private const double SurfaceBand = 1e-9;
+
+    /// <summary>
+    /// Length, as a fraction of the radius: the same along a ray that enters at a grazing angle: the root of twice the
+    /// band, doubled. Pinned by TheStartIsWhatContainsSays in RayCastTests.
+    /// </summary>
+    private const double GrazingBand = 1e-4;
+
+    /// <summary>
+    /// Ratio to the distance and the radius: a hit that is beyond the reach by less is at its end: more than rounding
+    /// makes of it. Pinned by RayCastTests.
+    /// </summary>
+    private const double EndError = 32 * RoundOff.Unit;
+
+    /// <summary>
+    /// Ratio to the distances that the foot is made of: what rounding does to it, ten times over. Pinned by
+    /// RayAccuracyTests.
+    /// </summary>
+    private const double FootError = 64 * RoundOff.Unit;
+
+    /// <summary>
+    /// Lengths: 2^-120 and 2^120. In between, the fourth powers of lengths and their quotients keep within the range of
+    /// double. Pinned by RayCastTests.
+    /// </summary>
+    private const double LeastRadius = 1.0 / (1L << 60) / (1L << 60), MostRadius = (double)(1L << 60) * (1L << 60);
+
+    /// <summary>Casts the ray.</summary>
+    /// <param name="target">The body.</param>
+    /// <param name="radius">Of a ball about its centre that holds it.</param>
+    /// <param name="pose">Where it is.</param>
+    /// <param name="turn">2 / |q|² of the pose.</param>
+    /// <param name="line">The ray.</param>
+    /// <param name="hit">What it met.</param>
+    /// <returns>False where there is no closed form.</returns>
+    public static bool TryCast(
+        in RayTarget target, double radius, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
+    {
+        hit = default;
+        if (!(radius >= LeastRadius && radius <= MostRadius)) return false;
+        Vector3D between = (Vector3D)line.Origin - pose.Position;
+        if (target.Form == RayForm.Ball && target.Center.SumOfMagnitudes == 0)
+            return TryCastBall(target.Radius, pose, between, line, ref hit);
+        Quaternion q = pose.Rotation;
+        RotationD.Set(out RotationD rotation, q.X, q.Y, q.Z, q.W, turn);
+        Vector3D local = rotation.InverseRotate(between) - target.Center;
+        double offset = target.Center.SumOfMagnitudes;
+        bool isNear = LocalRay.TryMake(
+            local, rotation.InverseRotate(line.Direction), line.Length, radius, out LocalRay ray)
+            && offset <= PairFrame.FarCenter * radius;
+        bool mayHold = local.LengthSquared <= radius * radius * (1 + SurfaceBand);
+        double reach = radius + FootError * (between.SumOfMagnitudes + offset);
+        if (ray.Foot.LengthSquared > reach * reach || ray.Shift < -reach || ray.Shift - reach > line.Reach)
+        {
+            hit.Status = CastStatus.Miss;
+            return true;
+        }
+
+        if (!isNear)
+        {
+            LocalRay.MakeFar(pose, target.Center, line, out ray);
+            ray.Foot = rotation.InverseRotate(ray.Foot);
+            ray.Direction = rotation.InverseRotate(ray.Direction);
+        }
+
+        RayFinding finding = RayBody.Find(target, ray, out RaySpan span);
+        if (finding == RayFinding.Unfit) return false;
+        Judge(finding == RayFinding.Found, span, ray.Shift, radius, line.Reach, mayHold, ref hit);
+        if (hit.Status != CastStatus.Hit) return true;
+        Vector3D normal = rotation.Rotate(span.Normal);
+        hit.Normal = normal * (1 / normal.Length);
+        hit.Point = isNear
+            ? line.At(hit.Distance)
+            : rotation.Rotate(ray.At(span.Enter) + target.Center) + pose.Position;
+        return true;
+    }
+
+    /// <summary>A ball about its own origin needs no rotation.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool TryCastBall(
+        double radius, in RigidPose pose, in Vector3D between, in WorldRay line, ref RayMeeting hit)
+    {
+        if (!(radius > 0)) return false;
+        if (!LocalRay.TryMake(between, line.Direction, line.Length, radius, out LocalRay ray))
+        {
+            double reach = radius + FootError * between.SumOfMagnitudes;
+            if (ray.Foot.LengthSquared > reach * reach)
+            {
+                hit.Status = CastStatus.Miss;
+                return true;
+            }
+
+            LocalRay.MakeFar(pose, default, line, out ray);
+        }
+
+        bool found = RayBall.TryFind(ray, radius, out RaySpan span);
+        bool mayHold = between.LengthSquared <= radius * radius * (1 + SurfaceBand);
+        Judge(found, span, ray.Shift, radius, line.Reach, mayHold, ref hit);
+        if (hit.Status != CastStatus.Hit) return true;
+        hit.Normal = span.Normal * (1 / radius);
+        hit.Point = span.Normal + pose.Position;
+        return true;
+    }
+
+    /// <summary>What the interval says of the ray.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Judge(
+        bool isFound, in RaySpan span, double shift, double radius, double reach, bool mayHold, ref RayMeeting hit)
+    {
+        double enter = span.Enter + shift, exit = span.Exit + shift, band = SurfaceBand * radius;
+        hit.Status = CastStatus.Miss;
+        hit.IsAtSurface = mayHold;
+        if (!isFound || exit < -band) return;
+        hit.IsAtSurface = enter <= GrazingBand * radius && (enter >= -band || exit <= band);
+        if (!hit.IsAtSurface && enter <= 0)
+        {
+            hit.Status = CastStatus.OverlappingAtStart;
+            return;
+        }
+
+        hit.Distance = Math.Max(enter, 0);
+        if (exit >= 0 && enter >= -band && enter - EndError * (enter + radius) <= reach) hit.Status = CastStatus.Hit;
+    }
+}

@@ -1,0 +1,54 @@
+namespace Gjk.Core;
+
+/// <summary>
+/// A line against a cone about the y axis, its apex at the top: the infinite cone, cut by the plane of its base and the
+/// one through the apex (Eberly, "Intersection of a Line and a Cone", 2000).
+/// </summary>
+/// <remarks>
+/// With y counted down from the apex, and k the radius over the height, the double cone is x² + z² ≤ k² y²: a quadratic
+/// form of the line's point f + d t. Its discriminant is written by the minors of f and d, which do not change when the
+/// line is measured from another of its points: k² (mxy² + mzy²) - mxz². Where the quadratic coefficient is positive,
+/// the line is flatter than the side, and in the double cone between the roots; the cut by y ≥ 0 leaves that of the
+/// lower one. Where it is negative, the line is steeper and passes through both: in the lower one from the greater root
+/// on when it goes down, up to the lesser when it goes up.
+/// </remarks>
+internal static class RayCone
+{
+    /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>
+    /// <param name="foot">The line's point at the parameter 0, from the middle of the axis.</param>
+    /// <param name="direction">Its direction.</param>
+    /// <param name="radius">Of the base, above 0.</param>
+    /// <param name="halfHeight">Above 0.</param>
+    /// <param name="span">The part of the line in the cone.</param>
+    /// <returns>False where it misses.</returns>
+    public static bool TryFind(
+        in Vector3D foot, in Vector3D direction, double radius, double halfHeight, out RaySpan span)
+    {
+        double k = radius / (2 * halfHeight);
+        double fx = foot.X, fy = halfHeight - foot.Y, fz = foot.Z;
+        double dx = direction.X, dy = -direction.Y, dz = direction.Z;
+
+        // From the point nearest to the apex, where the constant is as small as it can be.
+        double shift = -(fx * dx + fy * dy + fz * dz) / direction.LengthSquared;
+        (fx, fy, fz) = (fx + dx * shift, fy + dy * shift, fz + dz * shift);
+        double mxy = k * (fx * dy - fy * dx), mzy = k * (fz * dy - fy * dz), mxz = fx * dz - fz * dx;
+        double discriminant = mxy * mxy + mzy * mzy - mxz * mxz;
+        double a = dx * dx + dz * dz - k * k * dy * dy, b = fx * dx + fz * dz - k * k * fy * dy;
+        double c = fx * fx + fz * fz - k * k * fy * fy;
+        span = RaySpan.Everything;
+        if (!(discriminant >= 0))
+        {
+            if (a >= 0) return false;
+            discriminant = 0;
+        }
+
+        if (!RayQuadratic.TrySolve(a, b, c, discriminant, out double least, out double most)) return false;
+        if (a > 0) (span.Enter, span.Exit) = (least, most);
+        else if (dy > 0) span.Enter = a == 0 ? -c / (2 * b) : most;
+        else span.Exit = a == 0 ? -c / (2 * b) : least;
+        span.Normal = new Vector3D(fx + dx * span.Enter, k * k * (fy + dy * span.Enter), fz + dz * span.Enter);
+        span.Enter += shift;
+        span.Exit += shift;
+        return span.Clip(halfHeight, foot.Y, direction.Y, new Vector3D(0, 1, 0));
+    }
+}

@@ -1,0 +1,100 @@
+#if NET
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A line against a hull: cut by the planes of its facets (Cyrus and Beck 1978; Ericson 2005, section 5.3.8). Of planes
+/// that it enters through at the same parameter the first one gives the normal.
+/// </summary>
+internal static class RayHull
+{
+    /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>
+    public static bool TryFind(in Vector3D foot, in Vector3D direction, HullPlanes planes, out RaySpan span)
+    {
+        span = RaySpan.Everything;
+        int entry = -1;
+#if NET
+        bool isLeft = Vector256.IsHardwareAccelerated
+            ? ClipLanes(foot, direction, planes.Blocks, ref span, out entry)
+            : Clip(foot, direction, planes.Blocks, ref span, out entry);
+#else
+        bool isLeft = Clip(foot, direction, planes.Blocks, ref span, out entry);
+#endif
+        if (!isLeft || !(span.Enter <= span.Exit) || entry < 0) return false;
+        double[] blocks = planes.Blocks;
+        span.Normal = new Vector3D(
+            blocks[entry], blocks[entry + HullPlanes.Lanes], blocks[entry + 2 * HullPlanes.Lanes]);
+        return true;
+    }
+
+    private static bool Clip(
+        in Vector3D foot, in Vector3D direction, double[] blocks, ref RaySpan span, out int entry)
+    {
+        entry = -1;
+        bool isLeft = true;
+        for (int block = 0; block < blocks.Length; block += HullPlanes.BlockDoubles)
+        {
+            for (int i = block; i < block + HullPlanes.Lanes; i++)
+            {
+                double x = blocks[i], y = blocks[i + HullPlanes.Lanes], z = blocks[i + 2 * HullPlanes.Lanes];
+                double below = blocks[i + 3 * HullPlanes.Lanes] - (x * foot.X + y * foot.Y + z * foot.Z);
+                double slope = x * direction.X + y * direction.Y + z * direction.Z, t = below / slope;
+                if (slope < 0 && t > span.Enter)
+                {
+                    span.Enter = t;
+                    entry = i;
+                }
+
+                if (slope > 0 && t < span.Exit) span.Exit = t;
+                if (slope == 0 && below < 0) isLeft = false;
+            }
+        }
+
+        return isLeft;
+    }
+
+#if NET
+    /// <summary>The same with four planes at a time.</summary>
+    private static bool ClipLanes(
+        in Vector3D foot, in Vector3D direction, double[] blocks, ref RaySpan span, out int entry)
+    {
+        Vector256<double> fx = Vector256.Create(foot.X), fy = Vector256.Create(foot.Y), fz = Vector256.Create(foot.Z);
+        Vector256<double> dx = Vector256.Create(direction.X), dy = Vector256.Create(direction.Y);
+        Vector256<double> dz = Vector256.Create(direction.Z), none = Vector256<double>.Zero;
+        Vector256<double> enter = Vector256.Create(span.Enter), exit = Vector256.Create(span.Exit), above = none;
+        Vector256<double> entries = Vector256.Create(-1.0), index = Vector256.Create(0.0, 1, 2, 3);
+        Vector256<double> step = Vector256.Create((double)HullPlanes.BlockDoubles);
+        ref double first = ref MemoryMarshal.GetArrayDataReference(blocks);
+        for (nuint i = 0; i < (nuint)blocks.Length; i += HullPlanes.BlockDoubles)
+        {
+            var x = Vector256.LoadUnsafe(ref first, i);
+            var y = Vector256.LoadUnsafe(ref first, i + HullPlanes.Lanes);
+            var z = Vector256.LoadUnsafe(ref first, i + 2 * HullPlanes.Lanes);
+            Vector256<double> below = Vector256.LoadUnsafe(ref first, i + 3 * HullPlanes.Lanes)
+                - (x * fx + y * fy + z * fz);
+            Vector256<double> slope = x * dx + y * dy + z * dz, t = below / slope;
+            Vector256<double> isEntry = Vector256.LessThan(slope, none) & Vector256.GreaterThan(t, enter);
+            Vector256<double> isExit = Vector256.GreaterThan(slope, none) & Vector256.LessThan(t, exit);
+            above |= Vector256.Equals(slope, none) & Vector256.LessThan(below, none);
+            enter = Vector256.ConditionalSelect(isEntry, t, enter);
+            entries = Vector256.ConditionalSelect(isEntry, index, entries);
+            exit = Vector256.ConditionalSelect(isExit, t, exit);
+            index += step;
+        }
+
+        double latest = -1;
+        for (int lane = 0; lane < HullPlanes.Lanes; lane++)
+        {
+            double t = enter.GetElement(lane), at = entries.GetElement(lane);
+            if (t > span.Enter || (t == span.Enter && at < latest)) (span.Enter, latest) = (t, at);
+            if (exit.GetElement(lane) < span.Exit) span.Exit = exit.GetElement(lane);
+        }
+
+        entry = (int)latest;
+        return above.ExtractMostSignificantBits() == 0;
+    }
+#endif
+}

@@ -1,0 +1,101 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A shape as a ray sees it: one of the bodies that have a closed form, scaled and turned. All ways to write the same
+/// shape lead to the same numbers here, and so to the same bits.
+/// </summary>
+internal struct RayTarget
+{
+    /// <summary>Which body.</summary>
+    public RayForm Form;
+
+    /// <summary>Whether <see cref="Factors"/> are to be applied, and whether <see cref="Turn"/> is.</summary>
+    public bool IsScaled, IsPlaced;
+
+    /// <summary>Its numbers, as the form has them.</summary>
+    public Vector3D A, B, C;
+
+    /// <summary>The radius of a ball or capsule.</summary>
+    public double Radius;
+
+    /// <summary>The body's centre in the shape's local frame, and what its rounding took away.</summary>
+    public Vector3D Center, CenterError;
+
+    /// <summary>The scale along the body's axes, none 0, where it could not be multiplied in.</summary>
+    public Vector3D Factors;
+
+    /// <summary>The rotation of the scaled body in the shape's local frame.</summary>
+    public Quaternion Turn;
+
+    /// <summary>The hull of a body that is one.</summary>
+    public ConvexHull? Hull;
+
+    public static RayTarget Ball(double radius) => new() { Form = RayForm.Ball, Radius = radius };
+
+    /// <summary>A segment, with a radius or without.</summary>
+    public static RayTarget Capsule(in Vector3D a, in Vector3D b, in Vector3D center, double radius) =>
+        new() { Form = RayForm.Capsule, A = a - center, B = b - center, Center = center, Radius = radius };
+
+    public static RayTarget Triangle(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D center) =>
+        new() { Form = RayForm.Triangle, A = a - center, B = b - center, C = c - center, Center = center };
+
+    /// <summary>A box, cylinder, cone or ellipsoid.</summary>
+    public static RayTarget Of(RayForm form, in Vector3D size) => new() { Form = form, A = size };
+
+    public static RayTarget Of(ConvexHull hull) => hull.IsExactBox
+        ? new() { Form = RayForm.Box, A = hull.Cells.Stretch, Center = hull.Center }
+        : new() { Form = RayForm.Hull, Hull = hull, Center = hull.Center };
+
+    /// <summary>Scales the body along its axes; the centre is the caller's to scale.</summary>
+    /// <returns>False where that leaves no body of these forms.</returns>
+    public bool Scale(in AxisScale scale)
+    {
+        if (IsPlaced) return false;
+        Vector3D size = new(Math.Abs(scale.Factors.X), Math.Abs(scale.Factors.Y), Math.Abs(scale.Factors.Z));
+        switch (Form)
+        {
+            case RayForm.Ball when !scale.KeepsBalls:
+                Form = RayForm.Ellipsoid;
+                A = size * Radius;
+                Radius = 0;
+                return true;
+            case RayForm.Box or RayForm.Ellipsoid:
+                A = Vector3D.Multiply(size, A);
+                return true;
+            case RayForm.Cylinder or RayForm.Cone or RayForm.Hull:
+            case RayForm.Capsule when IsScaled || (!scale.KeepsBalls && Radius > 0):
+                Factors = IsScaled ? Vector3D.Multiply(Factors, scale.Factors) : scale.Factors;
+                IsScaled = true;
+                return true;
+            default:
+                A = Vector3D.Multiply(scale.Factors, A);
+                B = Vector3D.Multiply(scale.Factors, B);
+                C = Vector3D.Multiply(scale.Factors, C);
+                Radius = scale.Margin(Radius);
+                return true;
+        }
+    }
+
+    /// <summary>Widens the body.</summary>
+    /// <returns>False where that leaves no body of these forms.</returns>
+    public bool Round(double radius)
+    {
+        if (radius == 0) return true;
+        if (IsScaled || !(Form is RayForm.Ball or RayForm.Capsule)) return false;
+        Radius += radius;
+        return true;
+    }
+
+    /// <summary>Turns the body; the centre is the caller's to place.</summary>
+    /// <returns>False where it is turned already.</returns>
+    public bool Place(Quaternion turn)
+    {
+        bool wasPlaced = IsPlaced;
+        Turn = turn;
+        IsPlaced = true;
+        return !wasPlaced;
+    }
+}
