@@ -1,3 +1,5 @@
+using System;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -29,6 +31,9 @@ internal struct TurningBody
     private Vector3D _axis;
     private double _rate;
 
+    /// <summary>Upper bounds of how far the core reaches from the pivot along the axis and against it.</summary>
+    private double _most, _least;
+
     /// <summary>Whether it turns at all.</summary>
     public readonly bool IsTurning => _rate > 0;
 
@@ -44,31 +49,44 @@ internal struct TurningBody
         body._rate = body.Turn.Length;
         body._axis = body._rate > 0 ? body.Turn * (1 / body._rate) : default;
         body.Offset = body._rate > 0 ? center : default;
-        body.Reach = body.ReachAcross = body.Offset.Length + coreRadius;
+        body.Reach = body.ReachAcross = body._most = body._least = body.Offset.Length + coreRadius;
     }
 
     /// <summary>The rotation at a fraction, as long as the one at the start.</summary>
     public readonly QuaternionD At(double fraction) =>
         _rate > 0 ? QuaternionD.About(_axis, _rate * fraction) * _start : _start;
 
-    /// <summary>Measures how far the core reaches from the axis, by its local bounding box.</summary>
-    public void Measure<T>(ref T shape)
+    /// <summary>Upper bound of how far the core reaches from the pivot in a direction, however it has turned.</summary>
+    /// <param name="direction">In the world's axes, of unit length.</param>
+    public readonly double SweptReach(in Vector3D direction)
+    {
+        double along = Vector3D.Dot(direction, _axis);
+        double across = Math.Sqrt(Math.Max(direction.LengthSquared - along * along, 0));
+        return across * ReachAcross + (along > 0 ? along * _most : -along * _least);
+    }
+
+    /// <summary>Measures how far the core reaches from the axis and along it.</summary>
+    /// <param name="shape">The body's.</param>
+    /// <param name="directions">How many supports are asked for around the axis: 2% too much for 16, 0.1% for 64.</param>
+    public void Measure<T>(ref T shape, int directions)
         where T : struct, ISupportMap
     {
         if (!IsTurning) return;
-        CoreExtent.Box(ref shape, out Vector3D min, out Vector3D max);
-        var rotation = default(RotationD);
-        RotationD.Set(out rotation, _start.X, _start.Y, _start.Z, _start.W, Scale);
+        RotationD.Set(out RotationD rotation, _start.X, _start.Y, _start.Z, _start.W, Scale);
         Vector3D axis = rotation.InverseRotate(_axis);
-        double squared = 0;
-        for (int i = 0; i < 8; i++)
+        _most = Math.Min(_most, Along(ref shape, axis));
+        _least = Math.Min(_least, Along(ref shape, -axis));
+        var across = new PlaneBasis(axis);
+        double furthest = 0, half = Math.PI / directions;
+        for (int i = 0; i < directions; i++)
         {
-            var corner = new Vector3D(
-                (i & 1) == 0 ? min.X : max.X, (i & 2) == 0 ? min.Y : max.Y, (i & 4) == 0 ? min.Z : max.Z);
-            squared = System.Math.Max(squared, Vector3D.Cross(axis, corner + Offset).LengthSquared);
+            SineCosine.Of(2 * half * i, out double sine, out double cosine);
+            furthest = Math.Max(furthest, Along(ref shape, across.U * cosine + across.V * sine));
         }
 
-        ReachAcross = System.Math.Min(ReachAcross, System.Math.Sqrt(squared));
+        // No point is more than half of the angle between two directions away from one of them.
+        SineCosine.Of(half, out _, out double nearest);
+        ReachAcross = Math.Min(ReachAcross, furthest / nearest);
     }
 
     /// <summary>The same body in other units.</summary>
@@ -77,5 +95,15 @@ internal struct TurningBody
         Offset *= factor;
         Reach *= factor;
         ReachAcross *= factor;
+        _most *= factor;
+        _least *= factor;
+    }
+
+    /// <summary>How far the core reaches from the pivot in a direction of its own axes.</summary>
+    private readonly double Along<T>(ref T shape, in Vector3D direction)
+        where T : struct, ISupportMap
+    {
+        shape.Support(direction, out Vector3D point);
+        return Vector3D.Dot(direction, point + Offset);
     }
 }

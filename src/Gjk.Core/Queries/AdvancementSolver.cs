@@ -35,8 +35,11 @@ internal static class AdvancementSolver
     /// <summary>Count: the largest number of distances that a query asks for. Pinned by TimeOfImpactTests.</summary>
     public const int MaxSteps = 1024;
 
-    /// <summary>Count: steps after which it pays to measure how far the bodies reach from their axes.</summary>
-    private const int MeasureAfter = 6;
+    /// <summary>
+    /// Counts: after so many steps, and after each four times as many, it pays to measure how far the bodies reach from
+    /// their axes, by twice as many supports as there were steps.
+    /// </summary>
+    private const int MeasureAfter = 8, MeasureFactor = 4, SupportsPerStep = 2;
 
     /// <summary>
     /// Ratios to the tolerance: steps leave a proved gap of the floor, and aim at half of the gap that is accepted.
@@ -65,7 +68,7 @@ internal static class AdvancementSolver
         impact = default;
         impact.Fraction = interval.Begin;
         double speed = motion.Speed, floor = FloorRatio * tolerance;
-        while (true)
+        for (int measure = MeasureAfter; ;)
         {
             Measure(ref a, ref b, frame, ref warmStart, out state);
             impact.Iterations += state.Iterations;
@@ -95,7 +98,8 @@ internal static class AdvancementSolver
                     return;
                 }
             }
-            else
+            else if (!TrySweep(
+                ref a, ref b, ref frame, motion, plane, interval.End, floor, impact.Steps >= MeasureAfter, out next))
             {
                 next = Advance(ref a, ref b, ref frame, motion, plane, interval.End, floor);
             }
@@ -106,9 +110,10 @@ internal static class AdvancementSolver
             bool isStuck = !(next > impact.Fraction);
             impact.Fraction = isStuck ? impact.Fraction : Math.Min(next, interval.End);
             if (isEnd || isStuck || impact.Steps == MaxSteps) return;
-            if (impact.Steps != MeasureAfter) continue;
-            motion.A.Measure(ref a);
-            motion.B.Measure(ref b);
+            if (impact.Steps < measure) continue;
+            motion.A.Measure(ref a, SupportsPerStep * measure);
+            motion.B.Measure(ref b, SupportsPerStep * measure);
+            measure *= MeasureFactor;
         }
     }
 
@@ -125,6 +130,41 @@ internal static class AdvancementSolver
         next = plane.Start + step * plane.ProvedPart(step, gap, floor);
         motion.MoveTo(next, ref frame);
         return next;
+    }
+
+    /// <summary>
+    /// Goes on as long as the plane, if it stands still, separates all that the bodies can turn to: a wheel passes a
+    /// wall in one step.
+    /// </summary>
+    /// <returns>False where the other way goes further.</returns>
+    private static bool TrySweep<TA, TB>(
+        ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end, double floor,
+        bool isMeasured, out double next)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        next = plane.Start;
+        if (!isMeasured) return false;
+        Vector3D normal = plane.Normal;
+        double gap = -Vector3D.Dot(normal, motion.Between(plane.Start)) - frame.Margins;
+        gap -= Reach(ref a, motion.A, frame.RotationA.InverseRotate(-normal), -normal);
+        gap -= Reach(
+            ref b, motion.B, frame.Rotation.InverseRotate(frame.RotationA.InverseRotate(normal)), normal);
+        if (!(gap > floor)) return false;
+        double rate = -Vector3D.Dot(normal, motion.Velocity);
+        next = rate < 0 ? Math.Min(plane.Start + (gap - floor) / -rate, end) : end;
+        if (!(next >= Math.Min(plane.Start + plane.Step, end))) return false;
+        motion.MoveTo(next, ref frame);
+        return true;
+    }
+
+    /// <summary>How far a body reaches from its pivot in a direction, if it turns, whatever way it is turned.</summary>
+    private static double Reach<T>(ref T shape, in TurningBody body, in Vector3D local, in Vector3D world)
+        where T : struct, ISupportMap
+    {
+        if (body.IsTurning) return body.SweptReach(world);
+        shape.Support(local, out Vector3D point);
+        return Vector3D.Dot(local, point);
     }
 
     /// <summary>

@@ -41,7 +41,7 @@ internal struct TurningPlane
     public double Step;
 
     /// <summary>From B to A, of unit length, in the world's axes, at the start.</summary>
-    private Vector3D _normal;
+    public Vector3D Normal;
 
     /// <summary>How the normal turns, radians per fraction 1.</summary>
     private Vector3D _turn;
@@ -70,7 +70,7 @@ internal struct TurningPlane
         if (!isNewton) isNewton = plane.Try(corners, default, above, ref best);
         if (!isNewton && motion.A.IsTurning) isNewton = plane.Try(corners, corners.TurnA, above, ref best);
         if (!isNewton && motion.B.IsTurning) plane.Try(corners, corners.TurnB, above, ref best);
-        plane._normal = frame.RotationA.Rotate(corners.Normal);
+        plane.Normal = frame.RotationA.Rotate(corners.Normal);
         plane._turn = frame.RotationA.Rotate(best);
     }
 
@@ -83,7 +83,7 @@ internal struct TurningPlane
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D world = _normal;
+        Vector3D world = Normal;
         double rate = _turn.Length;
         if (rate > 0) world = QuaternionD.About(_turn * (1 / rate), rate * (fraction - Start)).Rotate(world);
         Vector3D normal = frame.RotationA.InverseRotate(world);
