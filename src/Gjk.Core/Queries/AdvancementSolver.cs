@@ -68,19 +68,9 @@ internal static class AdvancementSolver
         impact = default;
         impact.Fraction = interval.Begin;
         double speed = motion.Speed, floor = FloorRatio * tolerance;
-        for (int measure = MeasureAfter; ;)
+        int measure = MeasureAfter;
+        while (TryMeasure(ref a, ref b, frame, ref warmStart, ref impact, out state, out double gap))
         {
-            Measure(ref a, ref b, frame, ref warmStart, out state);
-            impact.Iterations += state.Iterations;
-            impact.Steps++;
-            impact.Outcome = state.Verdict;
-            if (state.Verdict is Verdict.Contradiction or Verdict.Undecided) return;
-            impact.Outcome = Verdict.Enclosed;
-            double gap = state.Verdict == Verdict.Apart
-                ? state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins
-                : 0;
-            if (state.Verdict == Verdict.Enclosed || Proofs.IsTouching(state, gap)) return;
-            impact.Normal = state.Plane.Normal * (-1 / Math.Sqrt(state.Plane.NormalSquared));
             double accepted = Math.Max(
                 Math.Min(tolerance - speed * impact.Fraction * FloatStep, MostAccepted * tolerance),
                 LeastAccepted * tolerance);
@@ -91,9 +81,9 @@ internal static class AdvancementSolver
             double next;
             if (isNear)
             {
+                double rounding = motion.Rounding(interval.End, frame.Margins);
                 if (!TryLeave(
-                    ref a, ref b, ref frame, motion, plane, interval.End, 2 * accepted,
-                    motion.Rounding(interval.End, frame.Margins), out next))
+                    ref a, ref b, ref frame, motion, plane, interval.End, 2 * accepted, rounding, out next))
                 {
                     return;
                 }
@@ -104,12 +94,7 @@ internal static class AdvancementSolver
                 next = Advance(ref a, ref b, ref frame, motion, plane, interval.End, floor);
             }
 
-            impact.Iterations++;
-            bool isEnd = next >= interval.End;
-            impact.Outcome = isEnd ? Verdict.Apart : Verdict.Undecided;
-            bool isStuck = !(next > impact.Fraction);
-            impact.Fraction = isStuck ? impact.Fraction : Math.Min(next, interval.End);
-            if (isEnd || isStuck || impact.Steps == MaxSteps) return;
+            if (!impact.TryGoTo(next, interval.End)) return;
             if (impact.Steps < measure) continue;
             motion.A.Measure(ref a, SupportsPerStep * measure);
             motion.B.Measure(ref b, SupportsPerStep * measure);
@@ -188,8 +173,11 @@ internal static class AdvancementSolver
         return isProved;
     }
 
-    private static void Measure<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, out SolverState state)
+    /// <summary>Asks for the distance where the pair is now.</summary>
+    /// <returns>False where that is the end: they touch, or there is no distance.</returns>
+    private static bool TryMeasure<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, ref Impact impact, out SolverState state,
+        out double gap)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -198,6 +186,16 @@ internal static class AdvancementSolver
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
         else ConvexQuery.SolveCores(
             ref a, ref b, frame, float.PositiveInfinity, ref warmStart, true, ref state, ref trace);
+        impact.Iterations += state.Iterations;
+        impact.Steps++;
+        gap = 0;
+        impact.Outcome = state.Verdict;
+        if (state.Verdict != Verdict.Apart) return false;
+        gap = state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins;
+        impact.Outcome = Verdict.Enclosed;
+        if (Proofs.IsTouching(state, gap)) return false;
+        impact.Normal = state.Plane.Normal * (-1 / Math.Sqrt(state.Plane.NormalSquared));
+        return true;
     }
 }
 
@@ -230,4 +228,15 @@ internal struct Impact
 
     /// <summary>Distances asked for.</summary>
     public int Steps;
+
+    /// <summary>Takes a fraction up to which the shapes are apart.</summary>
+    /// <returns>False where that is the end, or no later than the last, or there were too many steps.</returns>
+    public bool TryGoTo(double fraction, double end)
+    {
+        Iterations++;
+        Outcome = fraction >= end ? Verdict.Apart : Verdict.Undecided;
+        bool isLater = fraction > Fraction;
+        Fraction = Math.Max(Fraction, Math.Min(fraction, end));
+        return isLater && Outcome != Verdict.Apart && Steps < AdvancementSolver.MaxSteps;
+    }
 }
