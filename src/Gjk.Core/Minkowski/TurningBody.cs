@@ -67,7 +67,9 @@ internal struct TurningBody
 
     /// <summary>Measures how far the core reaches from the axis and along it.</summary>
     /// <param name="shape">The body's.</param>
-    /// <param name="directions">How many supports are asked for around the axis: 2% too much for 16, 0.1% for 64.</param>
+    /// <param name="directions">
+    /// How many supports are asked for around the axis: the reach is up to 2% too large for 16, 0.1% for 64.
+    /// </param>
     public void Measure<T>(ref T shape, int directions)
         where T : struct, ISupportMap
     {

@@ -9,7 +9,9 @@ public enum CastStatus : byte
     /// <summary>Nothing was asked: what an unwritten result holds. No query returns it.</summary>
     None = 0,
 
-    /// <summary>The shapes touch at the fraction, and not before it.</summary>
+    /// <summary>
+    /// The shapes touch at the fraction, and not before it; of a time of impact, they are within the tolerance at it.
+    /// </summary>
     Hit = 1,
 
     /// <summary>They do not touch up to the largest fraction, which the result has; point and normal: NaN.</summary>
@@ -23,7 +25,8 @@ public enum CastStatus : byte
 
     /// <summary>
     /// The iteration cap ended the query: the shapes are apart up to the fraction; point and normal are NaN. Only a
-    /// path along which curved shapes hardly come nearer gets here.
+    /// path along which curved shapes hardly come nearer gets here, and bodies that spin closely past each other for
+    /// many turns.
     /// </summary>
     IterationLimit = 4,
 
@@ -43,10 +46,15 @@ public readonly struct CastResult
     /// <summary>What was found; what is valid under it, <see cref="CastStatus"/> says.</summary>
     public readonly CastStatus Status;
 
-    /// <summary>The part of the motion, from 0, after which the shapes first share a point, rounded to float.</summary>
+    /// <summary>
+    /// The part of the motion, from 0, after which the shapes first share a point, rounded to float; of a time of
+    /// impact a part, rounded down, before which they share none.
+    /// </summary>
     public readonly float Fraction;
 
-    /// <summary>A point that they share then, on A as it has moved, in the world.</summary>
+    /// <summary>
+    /// A point that they share then, on A as it has moved, in the world; of a time of impact A's point nearest to B.
+    /// </summary>
     public readonly Vector3 Point;
 
     /// <summary>The unit vector from A to B at the hit, perpendicular to the planes that touch.</summary>

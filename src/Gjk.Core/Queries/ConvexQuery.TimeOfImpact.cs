@@ -19,10 +19,16 @@ public static partial class ConvexQuery
     private const double LeastTolerance = 1e-8;
 
     /// <summary>
-    /// Ratio to what rounding does to a gap: tolerances are at least this, so that the floor of a step, a 64th of it, is
-    /// no less than rounding. Pinned by TimeOfImpactTests.
+    /// Ratio to what rounding does to a gap: tolerances are at least this, so that the floor of a step, a 64th of it,
+    /// is no less than rounding. Pinned by TimeOfImpactTests.
     /// </summary>
     private const double RoundingTolerance = 64;
+
+    /// <summary>
+    /// Ratio: 2^-24, no more than from a float to the one before, and more than half of that. Pinned by
+    /// WhatDoesNotTurnIsCast in TimeOfImpactTests.
+    /// </summary>
+    private const double OneFloat = 1.0 / (1 << 24);
 
     /// <summary>When two shapes that move and turn at constant rates first come within a tolerance.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
@@ -32,20 +38,21 @@ public static partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
     /// <param name="tolerance">
-    /// The largest distance of a hit, in world units; 0 or less: 1e-5 of the longest side of the larger shape. Not finer
-    /// than 1e-8 of the sizes and 1e-13 of the distances and ways.
+    /// The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the longest side of the larger shape.
+    /// Not finer than 1e-8 of the sizes and 1e-13 of the distances and ways.
     /// </param>
     /// <param name="maxFraction">
     /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
     /// 0.
     /// </param>
     /// <returns>
-    /// Hit: the shapes are proved apart before the fraction, and at it their distance is at most the tolerance. The
-    /// fraction is rounded down to a float, so where the shapes move by more than the tolerance between two floats (some
-    /// 1e-7 of the way up to there), the distance may be larger by that much. Miss: they are proved apart up to the
-    /// largest fraction. OverlappingAtStart: they touch or overlap at 0, as <c>Distance</c> says. Shapes within the
-    /// tolerance that part at once do not hit. IterationLimit: apart up to the fraction, after 1024 steps or 10^6
-    /// radians. Where neither turns, hit and miss are those of <c>Cast</c>.
+    /// Hit: the shapes are proved apart before the fraction, and at it their distance is at most the tolerance; the
+    /// point is on A as it has moved. The fraction is rounded down to a float. Where the shapes move by more than the
+    /// tolerance between two floats (some 1e-7 of the way up to there), the distance may be larger by that much. Miss:
+    /// they are proved apart up to the largest fraction. OverlappingAtStart: they touch or overlap at 0, as
+    /// <c>Distance</c> says. Shapes that are within the tolerance at the start and part at once do not hit.
+    /// IterationLimit: they are apart up to the fraction, and 1024 steps or a million radians have been spent. Where
+    /// neither turns, hit and miss are those of <c>Cast</c>, and the fraction is the float before its.
     /// </returns>
     public static CastResult TimeOfImpact<TA, TB>(
         in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance = 0, float maxFraction = 1)
@@ -102,9 +109,6 @@ public static partial class ConvexQuery
             ? new CastResult(
                 CastStatus.Hit, RoundOff.Down(cast.Fraction * (1 - OneFloat)), cast.Point, cast.Normal, cast.Iterations)
             : cast;
-
-    /// <summary>Ratio: 2^-24, from a float to the one before, or less.</summary>
-    private const double OneFloat = 1.0 / (1 << 24);
 
     /// <summary>The pipeline of a time of impact, for any two cores.</summary>
     private struct ImpactQuestion : IPairQuestion

@@ -56,7 +56,9 @@ internal readonly struct MovingCorners
         if (Count > 2) Set(state.Simplex, state.Simplex.C, frame, motion, out _a2, out _b2);
     }
 
-    /// <summary>How the gap along a plane that turns at a rate changes at first: by the corner that nears most.</summary>
+    /// <summary>
+    /// How the gap along a plane that turns at a rate changes at first: by the corner that nears most.
+    /// </summary>
     public double Rate(in Vector3D turn)
     {
         Vector3D a = TurnA - turn, b = TurnB - turn;

@@ -38,7 +38,8 @@ internal static class MotionFamilies
             position = Near(rng, family, a, ref poseA, b, ref turned, direction);
             if (family is "tops") (turnA, turnB) = (direction * turnA.Length(), direction * turnB.Length());
             if (family is "grazing") velocity = Vector3.Cross(direction, rng.Direction()) * (float)reach;
-            if (family is "faces" or "edges" or "slow") velocity = (rng.Vector(-1, 1) - direction) * (float)reach * 0.3f;
+            if (family is "faces" or "edges" or "slow")
+                velocity = (rng.Vector(-1, 1) - direction) * (float)reach * 0.3f;
         }
 
         Vector3 velocityA = rng.Below(2) == 0 ? default : rng.Vector(-3, 3);

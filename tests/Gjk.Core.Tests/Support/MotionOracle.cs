@@ -17,7 +17,9 @@ internal sealed class MotionOracle
 
     public MotionOracle(MotionPair pair) => _pair = pair;
 
-    /// <summary>The distance's bounds: a plane's gap, and the nearest points found; both 0 or less in contact.</summary>
+    /// <summary>
+    /// The distance's bounds: a plane's gap, and the nearest points found; both 0 or less in contact.
+    /// </summary>
     public (double Least, double Most) At(double fraction)
     {
         _a = new Frame(_pair.A, _pair.MotionA, default, fraction);
