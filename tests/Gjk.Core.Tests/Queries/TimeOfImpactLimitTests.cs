@@ -117,7 +117,7 @@ public class TimeOfImpactLimitTests
             Assert.Equal(CastStatus.IterationLimit, r.Status);
             Assert.InRange(r.Fraction, 0, 0.667);
             Assert.True(float.IsNaN(r.Point.X) && float.IsNaN(r.Normal.X));
-            Assert.True(turn > 1e6f || r.Fraction > 0.3f, $"{r}");
+            Assert.True(turn > 1e6f || r.Fraction > 0.01f, $"{r}");
         }
 
         // Out of each other's reach nothing has to be followed.
