@@ -200,8 +200,8 @@ internal static class CommandLine
         Option<string?> output = CsvFile();
         var command = new Command(
             "cast",
-            "Move every pair's objects by their velocities over one frame, without turning them, and write when and "
-            + "where they first touch as CSV.")
+            "Move and turn every pair's objects by their velocities over one frame, and write when and where they "
+            + "first touch as CSV.")
         {
             scene, output,
         };
@@ -210,7 +210,7 @@ internal static class CommandLine
             string file = r.GetValue(scene)!;
             string? target = r.GetValue(output);
             TargetFiles.Check(file, ("--out", target));
-            CastCommand.Run(SceneFile.Load(file, cancel), file, target, cancel);
+            CastCommand.Run(SceneFile.Load(file, cancel), target, cancel);
             return ExitCode.Done;
         });
         return command;

@@ -9,10 +9,15 @@ public readonly struct CastResult
     /// <summary>What was found; what is valid under it, <see cref="CastStatus"/> says.</summary>
     public readonly CastStatus Status;
 
-    /// <summary>The part of the motion, from 0, after which the shapes first share a point, rounded to float.</summary>
+    /// <summary>
+    /// The part of the motion, from 0, after which the shapes first share a point, rounded to float; of a time of
+    /// impact a part, rounded down, before which they share none.
+    /// </summary>
     public readonly float Fraction;
 
-    /// <summary>A point that they share then, on A as it has moved, in the world.</summary>
+    /// <summary>
+    /// A point that they share then, on A as it has moved, in the world; of a time of impact A's point nearest to B.
+    /// </summary>
     public readonly Vector3 Point;
 
     /// <summary>The unit vector from A to B at the hit, perpendicular to the planes that touch.</summary>

@@ -6,7 +6,9 @@ public enum CastStatus : byte
     /// <summary>Nothing was asked: what an unwritten result holds. No query returns it.</summary>
     None = 0,
 
-    /// <summary>The shapes touch at the fraction, and not before it.</summary>
+    /// <summary>
+    /// The shapes touch at the fraction, and not before it; of a time of impact, they are within the tolerance at it.
+    /// </summary>
     Hit = 1,
 
     /// <summary>They do not touch up to the largest fraction, which the result has; point and normal: NaN.</summary>
@@ -20,7 +22,8 @@ public enum CastStatus : byte
 
     /// <summary>
     /// The iteration cap ended the query: the shapes are apart up to the fraction; point and normal are NaN. Only a
-    /// path along which curved shapes hardly come nearer gets here.
+    /// path along which curved shapes hardly come nearer gets here, and bodies that spin closely past each other for
+    /// many turns.
     /// </summary>
     IterationLimit = 4,
 

@@ -1,0 +1,47 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A quaternion of doubles, of any length: the rotation in the middle of a motion, which a float would round by more
+/// than the motion's tolerance. See <see cref="RotationD"/> for the matrix.
+/// </summary>
+internal readonly struct QuaternionD
+{
+    public readonly double X, Y, Z, W;
+
+    public QuaternionD(double x, double y, double z, double w)
+    {
+        X = x;
+        Y = y;
+        Z = z;
+        W = w;
+    }
+
+    public static implicit operator QuaternionD(Quaternion q) => new(q.X, q.Y, q.Z, q.W);
+
+    public double LengthSquared => X * X + Y * Y + Z * Z + W * W;
+
+    public QuaternionD Conjugate => new(-X, -Y, -Z, W);
+
+    /// <summary>The turn by an angle in radians about an axis of unit length.</summary>
+    public static QuaternionD About(in Vector3D axis, double angle)
+    {
+        SineCosine.Of(0.5 * angle, out double sine, out double cosine);
+        return new QuaternionD(axis.X * sine, axis.Y * sine, axis.Z * sine, cosine);
+    }
+
+    /// <summary>The turn by b, followed by that by a.</summary>
+    public static QuaternionD operator *(in QuaternionD a, in QuaternionD b) => new(
+        a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y,
+        a.W * b.Y + a.Y * b.W + a.Z * b.X - a.X * b.Z,
+        a.W * b.Z + a.Z * b.W + a.X * b.Y - a.Y * b.X,
+        a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z);
+
+    /// <summary>A vector turned by a quaternion of unit length: v + 2 u × (u × v + w v).</summary>
+    public Vector3D Rotate(in Vector3D v)
+    {
+        var u = new Vector3D(X, Y, Z);
+        return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * W) * 2;
+    }
+}

@@ -1,0 +1,238 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>
+    /// Ratio to the pair's size, which is at most 1.74 times its scale: the default tolerance, at most 1e-5 of the
+    /// scale. Pinned by TimeOfImpactTests.
+    /// </summary>
+    internal const double DefaultTolerance = 5e-6;
+
+    /// <summary>
+    /// Ratio to the pair's size: a finer tolerance would reach down to what counts as touching for curved cores (4e-10
+    /// of the size). Pinned by TimeOfImpactTests.
+    /// </summary>
+    private const double LeastTolerance = 1e-8;
+
+    /// <summary>
+    /// Ratio to what rounding does to a gap: tolerances are at least this, so that the floor of a step, a 64th of it,
+    /// is no less than rounding. Pinned by TimeOfImpactTests.
+    /// </summary>
+    private const double RoundingTolerance = 64;
+
+    /// <summary>
+    /// Ratio: 2^-24, no more than from a float to the one before, and more than half of that. Pinned by
+    /// WhatDoesNotTurnIsCast in TimeOfImpactTests.
+    /// </summary>
+    private const double OneFloat = 1.0 / (1 << 24);
+
+    /// <summary>When two shapes that move and turn at constant rates first come within a tolerance.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="motionB">How it moves.</param>
+    /// <param name="tolerance">
+    /// The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the longest side of the larger shape.
+    /// Not finer than 1e-8 of the sizes and 1e-13 of the distances and ways.
+    /// </param>
+    /// <param name="maxFraction">
+    /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
+    /// 0.
+    /// </param>
+    /// <returns>
+    /// Hit: the shapes are proved apart before the fraction, and at it their distance is at most the tolerance; the
+    /// point is on A as it has moved. The fraction is rounded down to a float. Where the shapes move by more than the
+    /// tolerance between two floats (some 1e-7 of the way up to there), the distance may be larger by that much. Miss:
+    /// they are proved apart up to the largest fraction. OverlappingAtStart: they touch or overlap at 0, as
+    /// <c>Distance</c> says. Shapes that are within the tolerance at the start and part at once do not hit.
+    /// IterationLimit: they are apart up to the fraction, and 1024 steps or a million radians have been spent. Where
+    /// neither turns, hit and miss are those of <c>Cast</c>, and the fraction is the float before its.
+    /// </returns>
+    public static CastResult TimeOfImpact<TA, TB>(
+        in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance = 0, float maxFraction = 1)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        WarmStart unused = default;
+        return TimeOfImpact(a, motionA, b, motionB, tolerance, maxFraction, ref unused);
+    }
+
+    /// <summary>
+    /// As the first, beginning where the last query of the pair ended: faster for pairs that move little.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="motionB">How it moves.</param>
+    /// <param name="tolerance">See the first overload.</param>
+    /// <param name="maxFraction">See the first overload.</param>
+    /// <param name="warmStart">
+    /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
+    /// uses.
+    /// </param>
+    /// <returns>See the first overload, whose promises hold here too.</returns>
+    public static CastResult TimeOfImpact<TA, TB>(
+        in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance, float maxFraction,
+        ref WarmStart warmStart)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (float.IsNaN(tolerance)) return CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+        if (motionA.AngularVelocity == Vector3.Zero && motionB.AngularVelocity == Vector3.Zero)
+        {
+            return BeforeTouching(
+                Cast(
+                    a, motionA.Pose, motionA.Velocity, b, motionB.Pose, motionB.Velocity, maxFraction, ref warmStart));
+        }
+
+        TA copyA = default;
+        TB copyB = default;
+        ref TA shapeA = ref Inward(a, ref copyA);
+        ref TB shapeB = ref Inward(b, ref copyB);
+        var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warmStart);
+        Ask(ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, ref question);
+        warmStart = question.WarmStart;
+        return question.Result;
+    }
+
+    /// <summary>A cast's fraction is the nearest float, which may be later; the one before is not.</summary>
+    private static CastResult BeforeTouching(in CastResult cast) =>
+        cast.Status == CastStatus.Hit
+            ? new CastResult(
+                CastStatus.Hit, RoundOff.Down(cast.Fraction * (1 - OneFloat)), cast.Point, cast.Normal, cast.Iterations)
+            : cast;
+
+    /// <summary>The pipeline of a time of impact, for any two cores.</summary>
+    private struct ImpactQuestion : IPairQuestion
+    {
+        public WarmStart WarmStart;
+        public CastResult Result;
+        private readonly RigidMotion _motionA, _motionB;
+        private readonly float _tolerance, _maxFraction;
+
+        public ImpactQuestion(
+            in RigidMotion motionA, in RigidMotion motionB, float tolerance, float maxFraction,
+            in WarmStart warmStart)
+        {
+            WarmStart = warmStart;
+            Result = default;
+            _motionA = motionA;
+            _motionB = motionB;
+            _tolerance = tolerance;
+            _maxFraction = maxFraction < 0 ? 0 : maxFraction;
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+            if (!frame.IsValid || !_motionA.IsValid || !_motionB.IsValid || float.IsNaN(_maxFraction))
+            {
+                Result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+                return;
+            }
+
+            if (!(TightBounds<TA>.Are && TightBounds<TB>.Are)) frame.TightenRadii(ref a, ref b);
+            PairMotion.Begin(_motionA, _motionB, frame, out PairMotion motion);
+            if (!motion.TryReach(frame.Margins, _maxFraction, out double begin, out double end))
+            {
+                Result = CastResult.Nothing(CastStatus.Miss, _maxFraction, 0);
+                return;
+            }
+
+            double turned = SineCosine.MaxAngle / motion.Rate;
+            bool isWhole = end <= turned;
+            if (!isWhole) end = turned;
+            if (begin > end)
+            {
+                Result = CastResult.Nothing(CastStatus.IterationLimit, RoundOff.Down(begin), 0);
+                return;
+            }
+
+            Advance(ref a, ref b, ref frame, ref motion, new FractionInterval(begin, end), isWhole);
+        }
+
+        /// <summary>Solves the pair from where its balls meet on.</summary>
+        private void Advance<TA, TB>(
+            ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, bool isWhole)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            SolverState state;
+            Impact impact;
+            if (interval.Begin > 0) motion.MoveTo(interval.Begin, ref frame);
+            frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
+            if (frame.IsOrdinary)
+            {
+                double tolerance = ToleranceOf(frame, motion, interval.End);
+                AdvancementSolver.Solve(
+                    ref a, ref b, ref frame, ref motion, interval, tolerance, ref WarmStart, out impact, out state);
+            }
+            else
+            {
+                SolverState.Begin<TA, TB>(frame, out state);
+                ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
+                motion.Resize(1 / frame.Unit);
+                double tolerance = ToleranceOf(frame, motion, interval.End);
+                AdvancementSolver.Solve(
+                    ref unitA, ref unitB, ref frame, ref motion, interval, tolerance, ref WarmStart, out impact,
+                    out state);
+            }
+
+            Result = Finish(impact, state, ref frame, motion, isWhole);
+        }
+
+        /// <summary>In solver units.</summary>
+        private readonly double ToleranceOf(in PairFrame frame, in PairMotion motion, double end)
+        {
+            double size = frame.Radius;
+
+            // Points have no size, but the arms that they turn on do, or the way between them.
+            if (!(size > 0)) size = motion.A.Reach + motion.B.Reach;
+            if (!(size > 0)) size = motion.Start.Length;
+            double least = Math.Max(LeastTolerance * size, RoundingTolerance * motion.Rounding(end, frame.Margins));
+            return Math.Max(_tolerance > 0 ? _tolerance / frame.Unit : DefaultTolerance * size, least);
+        }
+
+        private readonly CastResult Finish(
+            in Impact impact, in SolverState state, ref PairFrame frame, in PairMotion motion, bool isWhole)
+        {
+            int iterations = impact.Iterations;
+            if (impact.Outcome == Verdict.Contradiction)
+                return CastResult.Nothing(CastStatus.InvalidShape, float.NaN, iterations);
+            if (impact.Outcome == Verdict.Apart && isWhole)
+                return CastResult.Nothing(CastStatus.Miss, _maxFraction, iterations);
+            float fraction = RoundOff.Down(impact.Fraction);
+            if (impact.Outcome != Verdict.Enclosed)
+                return CastResult.Nothing(CastStatus.IterationLimit, fraction, iterations);
+            if (impact.Fraction == 0 && impact.Normal == default)
+            {
+                Vector3 common = ConvexQuery.Finish(
+                    state, frame, _motionA.Pose, _motionB.Pose, double.PositiveInfinity).PointA;
+                return new CastResult(CastStatus.OverlappingAtStart, 0, common, Vector3.Zero, iterations);
+            }
+
+            // Balls that touch where they meet come without a plane.
+            Vector3D normal = impact.Normal == default
+                ? frame.Translation * (1 / frame.Translation.Length)
+                : impact.Normal;
+            var outward = (Vector3)frame.RotationA.Rotate(normal);
+            Vector3D onA = state.Simplex.PointOnA(state.Weights) + normal * frame.MarginA + frame.CenterA;
+            motion.MoveTo(fraction, ref frame);
+            Vector3D position = (Vector3D)_motionA.Pose.Position + (Vector3D)_motionA.Velocity * fraction;
+            return new CastResult(
+                CastStatus.Hit, fraction, (Vector3)(position + frame.RotationA.Rotate(onA * frame.Unit)), outward,
+                iterations);
+        }
+    }
+}
