@@ -51,7 +51,7 @@ internal static class CastSolver
     /// <param name="cast">What was found.</param>
     public static void Solve<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
-        out Cast cast)
+        out CastFinding cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -84,7 +84,7 @@ internal static class CastSolver
                 if (cast.Outcome == Verdict.Apart) return;
                 cast.OnA = state.Simplex.PointOnA(state.Weights);
                 if (!place.IsPastStart) cast.OnA += ToCommon(state, frame);
-                else if (state.IsCurved) CastNormal.Sharpen(ref a, ref b, ref frame, ref state, ref cast);
+                else if (state.IsCurved) CastNormal.Sharpen(ref a, ref b, ref frame, line, ref state, ref cast);
                 return;
             }
 
@@ -109,7 +109,8 @@ internal static class CastSolver
 
     /// <summary>Looks for the entry by vertices alone; leaves the frame as it was where that tells nothing.</summary>
     private static bool TryPortal<TA, TB>(
-        ref TA a, ref TB b, ref PairFrame frame, in CastLine line, double most, ref Cast cast, ref SolverState state)
+        ref TA a, ref TB b, ref PairFrame frame, in CastLine line, double most, ref CastFinding cast,
+        ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -126,7 +127,7 @@ internal static class CastSolver
 
     /// <summary>Begins where the bounding balls touch, which is what separates them there.</summary>
     private static void StartLater(
-        in CastLine line, in CastJump place, ref PairFrame frame, ref Cast cast, ref SolverState state)
+        in CastLine line, in CastJump place, ref PairFrame frame, ref CastFinding cast, ref SolverState state)
     {
         frame.Translation = line.At(place.Along);
         cast.Normal = frame.Translation * (1 / frame.Translation.Length);

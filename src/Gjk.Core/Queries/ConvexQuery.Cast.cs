@@ -62,6 +62,8 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
+        if (AreBalls(ref shapeA, ref shapeB))
+            return CastBalls(ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction);
         if (TryCastPoint(
             ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction, out CastResult met))
         {
@@ -109,7 +111,7 @@ public static partial class ConvexQuery
                 return;
             }
 
-            Solve(ref a, ref b, ref frame, out Cast cast);
+            Solve(ref a, ref b, ref frame, out CastFinding cast);
             Result = Finish(cast, frame, poseA);
         }
 
@@ -120,11 +122,11 @@ public static partial class ConvexQuery
         {
             SolverState.Begin<TA, TB>(frame, out SolverState state);
             ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-            Solve(ref unitA, ref unitB, ref frame, out Cast cast);
+            Solve(ref unitA, ref unitB, ref frame, out CastFinding cast);
             Result = Finish(cast, frame, poseA);
         }
 
-        private void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out Cast cast)
+        private void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
@@ -133,7 +135,7 @@ public static partial class ConvexQuery
         }
 
         /// <summary>Where A's surface is met, with A as it has moved.</summary>
-        private readonly CastResult Finish(in Cast cast, in PairFrame frame, in RigidPose poseA)
+        private readonly CastResult Finish(in CastFinding cast, in PairFrame frame, in RigidPose poseA)
         {
             if (cast.Outcome == Verdict.Contradiction)
                 return CastResult.Nothing(CastStatus.InvalidShape, float.NaN, cast.Iterations);

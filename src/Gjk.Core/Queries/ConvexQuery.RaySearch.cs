@@ -72,7 +72,7 @@ public static partial class ConvexQuery
             where TB : struct, ISupportMap
         {
             WarmStart unused = default;
-            Cast cast;
+            CastFinding cast;
             double power = PowerOfTwo.AtMost(length);
             Vector3D motion = frame.RotationA.InverseRotate(direction * (1 / power));
             if (frame.IsOrdinary)

@@ -67,7 +67,7 @@ internal struct CastJump
     /// <param name="line">The line.</param>
     /// <param name="gap">How far behind the contact a jump may end.</param>
     /// <param name="cast">Gets the end.</param>
-    public bool TryEnd(in SolverState state, in PairFrame frame, in CastLine line, double gap, ref Cast cast)
+    public bool TryEnd(in SolverState state, in PairFrame frame, in CastLine line, double gap, ref CastFinding cast)
     {
         bool isApart = state.Verdict == Verdict.Apart;
         double scale = isApart ? 1 / Math.Sqrt(state.Plane.NormalSquared) : 0;
@@ -106,7 +106,7 @@ internal struct CastJump
         return false;
     }
 
-    private readonly bool End(in CastLine line, Verdict outcome, ref Cast cast)
+    private readonly bool End(in CastLine line, Verdict outcome, ref CastFinding cast)
     {
         cast.Outcome = outcome;
         cast.Fraction = FractionOf(line, Along);

@@ -74,7 +74,8 @@ internal static class CastPortal
     /// <param name="state">Gets the simplex and the weights of the point that the shapes share.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static Verdict Solve<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in CastLine line, double most, ref Cast cast, ref SolverState state)
+        ref TA a, ref TB b, in PairFrame frame, in CastLine line, double most, ref CastFinding cast,
+        ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -121,7 +122,7 @@ internal static class CastPortal
     /// <param name="simplex">Gets the support points.</param>
     /// <param name="turn">The sign that makes (B - A) × (C - A) point along the motion.</param>
     private static Verdict Enclose<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in CastLine line, ref FeatureVertices portal, ref Cast cast,
+        ref TA a, ref TB b, in PairFrame frame, in CastLine line, ref FeatureVertices portal, ref CastFinding cast,
         ref Simplex simplex, out double turn)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

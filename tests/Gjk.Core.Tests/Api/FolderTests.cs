@@ -45,10 +45,13 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
                 "Queries", "BroadPhase", "Threading",
             ]),
-        ("Batch", ["Geometry", "Shapes", "Queries", "Threading", "BroadPhase", "Wide"]),
+        ("Batch", ["Geometry", "Shapes", "Queries", "Queries/Rays", "Threading", "BroadPhase", "Wide"]),
         (
             "World",
-            ["Geometry", "Shapes", "Solvers", "Contacts", "Queries", "Threading", "BroadPhase", "Wide", "Batch"]),
+            [
+                "Geometry", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading", "BroadPhase",
+                "Wide", "Batch",
+            ]),
     ];
 
     [Fact]

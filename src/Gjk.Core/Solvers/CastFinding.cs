@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>What a cast found.</summary>
-internal struct Cast
+internal struct CastFinding
 {
     /// <summary>Enclosed where the shapes touch, Apart where they do not.</summary>
     public Verdict Outcome;
