@@ -231,7 +231,8 @@ internal static class CommandLine
         };
         Option<double> seconds = Seconds();
         var command = new Command(
-            "time", "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving and boolean.")
+            "time",
+            "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving, boolean, depth and cast.")
         {
             scenes, seconds,
         };
