@@ -133,11 +133,23 @@ public static partial class ConvexQuery
             if (cast.Outcome == Verdict.Apart)
                 return CastResult.Nothing(CastStatus.Miss, _maxFraction, cast.Iterations);
             CastStatus status = cast.Fraction > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart;
-            Vector3D onA = state.Simplex.PointOnA(state.Weights) + cast.Normal * frame.MarginA;
+            Vector3D toSurface = status == CastStatus.Hit ? cast.Normal * frame.MarginA : ToCommon(state, frame);
+            Vector3D onA = state.Simplex.PointOnA(state.Weights) + toSurface;
             Vector3D world = frame.RotationA.Rotate((onA + frame.CenterA) * frame.Unit) + poseA.Position;
             return new CastResult(
                 status, (float)cast.Fraction, (Vector3)(world + _translationA * cast.Fraction),
                 (Vector3)frame.RotationA.Rotate(cast.Normal), cast.Iterations);
+        }
+
+        /// <summary>
+        /// From A's core to a point of both shapes at the start: where only the margins overlap, it lies between the
+        /// cores.
+        /// </summary>
+        private static Vector3D ToCommon(in SolverState state, in PairFrame frame)
+        {
+            if (state.Verdict == Verdict.Enclosed || !(frame.Margins > 0)) return default;
+            double share = state.Feature.Height / (state.Feature.NormalSquared * frame.Margins);
+            return state.Feature.Normal * (-share * frame.MarginA);
         }
     }
 }

@@ -55,6 +55,21 @@ public class CastTests
         Assert.InRange(r.Point.Y, -1, 1);
     }
 
+    /// <summary>Spheres whose centres are apart, with a small one in the large one's margin, either way.</summary>
+    [Theory]
+    [InlineData(1, 0, 0.25f)]
+    [InlineData(0, 1, 0.25f)]
+    [InlineData(0.75f, 0.25f, 0.9f)]
+    public void WhereOnlyMarginsOverlapThePointIsInBoth(float radiusA, float radiusB, float apart)
+    {
+        SphereShape a = new(radiusA), b = new(radiusB);
+        CastResult r = ConvexQuery.Cast(
+            a, RigidPose.Identity, Vector3.UnitX, b, new RigidPose(new Vector3(0, apart, 0)), default);
+        Assert.Equal(CastStatus.OverlappingAtStart, r.Status);
+        Assert.InRange(r.Point.Length(), 0, radiusA * 1.0000001f);
+        Assert.InRange((r.Point - new Vector3(0, apart, 0)).Length(), 0, radiusB * 1.0000001f);
+    }
+
     [Fact]
     public void TheLargestFractionIsHonoured()
     {
