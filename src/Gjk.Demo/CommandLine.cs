@@ -209,7 +209,7 @@ internal static class CommandLine
         Option<double> seconds = Seconds();
         var command = new Command(
             "time",
-            "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving, boolean, depth and cast.")
+            "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving, boolean, depths, casts.")
         {
             scenes, seconds,
         };
