@@ -53,8 +53,15 @@ public sealed class ImpactTests
     {
         PageText page = View($"{{{Box}}},{{{Box},\"position\":[6,0,0]{motion}}}", out string svg);
         Assert.DoesNotContain("<circle", svg);
-        if (motion.Length == 0) Assert.DoesNotContain(Impact, svg);
-        else Assert.Equal(([], [0, 1]), (page.Column<int>("castIndices"), page.Column<byte>("turns")));
+        if (motion.Length == 0)
+        {
+            Assert.DoesNotContain(Impact, svg);
+            Assert.False(page.Data.TryGetProperty("velocities", out _));
+            return;
+        }
+
+        Assert.Empty(page.Column<int>("castIndices"));
+        Assert.Equal([0, 1], page.Column<byte>("turns"));
     }
 
     private static PageText View(string objects, out string svg, string frames = "")
