@@ -20,7 +20,8 @@ public sealed class BenchOptions
                             about two minutes. Without it every benchmark runs in a process of its own, and '*' takes
                             more than half an hour.
           --table           Measure every figure that has a goal: the report's scenes, random pairs, primitives,
-                            hulls of up to 100,000 vertices, and the depths and contact points of overlapping pairs.
+                            hulls of up to 100,000 vertices, the depths and contact points of overlapping pairs,
+                            and casts and rays.
                             Library and baseline run in turn in this process, without BenchmarkDotNet. Print tables
                             with the goals scaled to this machine. Takes about two and a half minutes.
           --scale           Find the intersecting pairs among 20 to 100,000 cubes, at rest and moving, with every broad

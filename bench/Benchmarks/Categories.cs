@@ -8,6 +8,7 @@ public static class Categories
     public const string Distance = "Distance";
     public const string Overlap = "Overlap";
     public const string Depth = "Depth";
+    public const string Cast = "Cast";
     public const string Support = "Support";
     public const string Simplex = "Simplex";
     public const string SphereSphere = "SphereSphere";

@@ -1,3 +1,4 @@
+using System.Numerics;
 using Gjk.Bench.Baseline;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
@@ -78,6 +79,25 @@ public static class SceneQueries
         {
             (int a, int b) = (pairs[i].A, pairs[i].B);
             sum += ConvexQuery.SignedDistance(shapes[a], poses[a], shapes[b], poses[b], ref warmStarts[i]).Distance;
+        }
+
+        return sum;
+    }
+
+    /// <summary>When the moving pairs first touch; pairs of the set of rays are asked as rays.</summary>
+    public static float Cast(CastScene scene)
+    {
+        ConvexShape[] shapes = scene.Shapes;
+        RigidPose[] poses = scene.Poses;
+        BenchScene.Pair[] pairs = scene.Pairs;
+        Vector3[] motions = scene.Motions;
+        float sum = 0;
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            (int a, int b) = (pairs[i].A, pairs[i].B);
+            sum += scene.IsRays
+                ? (float)CastCheck.RayOf(scene, i).Status
+                : ConvexQuery.Cast(shapes[a], poses[a], default, shapes[b], poses[b], motions[i]).Fraction;
         }
 
         return sum;

@@ -25,7 +25,7 @@ internal sealed class DepthBody
     /// <summary>Half the sides of a box. Zero for other shapes.</summary>
     public Vector3 Half { get; private init; }
 
-    /// <summary>True for all but spheres and capsules.</summary>
+    /// <summary>True for boxes and meshes.</summary>
     public bool HasFaces => _surface is not null;
 
     public static DepthBody Box(Vector3 half) =>
@@ -46,6 +46,9 @@ internal sealed class DepthBody
 
     public static DepthBody Capsule(float radius, float halfHeight) =>
         new(ConvexShape.Capsule(radius, halfHeight), null, default);
+
+    /// <summary>Any other shape, about its own origin.</summary>
+    public static DepthBody Curved(in ConvexShape shape) => new(shape, null, default);
 
     /// <summary>The furthest point of the surface, margin included, in the shape's frame.</summary>
     public Vector3D Furthest(in Vector3D direction)

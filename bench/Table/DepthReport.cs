@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
@@ -22,20 +21,22 @@ internal static class DepthReport
         TableRow[] contacts = [.. all.Where(r => r.Query == Query.ContactsOnTop)];
         if (cold.Length == 0) return;
 
-        Header(text, "depth here, ns per pair", cold);
-        Line(text, "Gjk, cold", cold, r => Time(r.Library));
-        Line(text, "Gjk, warm, moving", all.Where(r => r.Query == Query.DepthMoving), r => Time(r.Library));
-        Line(text, "the best engine, cold, scaled", cold, r => $"{r.Best?.Engine} {Time(r.BestHere)}");
-        Line(text, "wins, cold", cold, r => r.Winner ?? "");
-        Line(text, "goal, cold, scaled", cold, r => Time(r.GoalHere));
-        Line(text, "contacts, cold, on top", contacts, r => Time(r.Library));
-        Line(text, "goal, contacts, scaled", contacts, r => Time(r.GoalHere));
+        SetColumns.Header(text, "depth here, ns per pair", cold);
+        SetColumns.Line(text, "Gjk, cold", cold, r => SetColumns.Time(r.Library));
+        SetColumns.Line(
+            text, "Gjk, warm, moving", all.Where(r => r.Query == Query.DepthMoving), r => SetColumns.Time(r.Library));
+        SetColumns.Line(
+            text, "the best engine, cold, scaled", cold, r => $"{r.Best?.Engine} {SetColumns.Time(r.BestHere)}");
+        SetColumns.Line(text, "wins, cold", cold, r => r.Winner ?? "");
+        SetColumns.Line(text, "goal, cold, scaled", cold, r => SetColumns.Time(r.GoalHere));
+        SetColumns.Line(text, "contacts, cold, on top", contacts, r => SetColumns.Time(r.Library));
+        SetColumns.Line(text, "goal, contacts, scaled", contacts, r => SetColumns.Time(r.GoalHere));
 
-        Header(text, "depth elsewhere, cold", cold);
+        SetColumns.Header(text, "depth elsewhere, cold", cold);
         foreach (string engine in DepthGoals.EngineNames)
-            Line(text, engine, cold, r => Time(DepthGoals.Of(engine, r.Set)));
-        Line(text, "goal", cold, r => Time(r.Goal));
-        Line(text, "goal, contacts, on top", contacts, r => Time(r.Goal));
+            SetColumns.Line(text, engine, cold, r => SetColumns.Time(DepthGoals.Of(engine, r.Set)));
+        SetColumns.Line(text, "goal", cold, r => SetColumns.Time(r.Goal));
+        SetColumns.Line(text, "goal, contacts, on top", contacts, r => SetColumns.Time(r.Goal));
         text.Append(
             CultureInfo.InvariantCulture,
             $"""
@@ -50,17 +51,4 @@ internal static class DepthReport
 
             """);
     }
-
-    private static void Header(StringBuilder text, string title, TableRow[] cold)
-    {
-        text.Append('\n');
-        Line(text, title, cold, r => r.Set);
-        text.Append("|---|").Insert(text.Length, "--:|", cold.Length).Append('\n');
-    }
-
-    private static void Line(
-        StringBuilder text, string name, IEnumerable<TableRow> rows, Func<TableRow, string> cell) =>
-        text.Append("| ").Append(name).Append(" | ").AppendJoin(" | ", rows.Select(cell)).Append(" |\n");
-
-    private static string Time(double? nanoseconds) => nanoseconds?.ToString("0", CultureInfo.InvariantCulture) ?? "-";
 }

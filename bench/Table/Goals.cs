@@ -80,6 +80,7 @@ internal static class Goals
     public static double? For(string set, Query query)
     {
         if (DepthGoals.Covers(query)) return DepthGoals.For(set, query);
+        if (query == Query.Cast) return CastGoals.For(set);
         if (OfPrimitives.TryGetValue(set, out double primitive)) return primitive;
         int column = Column(set);
         return column >= 0 && Of.TryGetValue(query, out double[]? goals) ? goals[column] : null;
@@ -89,6 +90,7 @@ internal static class Goals
     public static (string Engine, double Nanoseconds)? BestEngine(string set, Query query)
     {
         if (DepthGoals.Covers(query)) return DepthGoals.BestEngine(set, query);
+        if (query == Query.Cast) return CastGoals.BestEngine(set);
         if (set == "box" && BestOfBoxShapes.TryGetValue(query, out (string, double) boxes)) return boxes;
         int column = Column(set);
         if (column < 0 || !Best.TryGetValue(query, out (string Engine, double Nanoseconds)[]? engines)) return null;

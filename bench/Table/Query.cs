@@ -42,4 +42,7 @@ internal enum Query
     /// calls.
     /// </summary>
     ContactsOnTop,
+
+    /// <summary>The first touch of pairs of which one object moves. Nothing is kept between the calls.</summary>
+    Cast,
 }

@@ -15,7 +15,7 @@ internal static class TableReport
         var text = new StringBuilder();
         text.Append("| set | query | library | baseline | factor | goal | goal here | | best other | here | wins |\n");
         text.Append("|---|---|--:|--:|--:|--:|--:|---|--:|--:|---|\n");
-        foreach (TableRow r in rows.Where(r => !DepthReport.Covers(r)))
+        foreach (TableRow r in rows.Where(r => !DepthReport.Covers(r) && r.Query != Query.Cast))
         {
             string met = r.Met switch { true => "met", false => "missed", null => "" };
             text.Append(
@@ -39,6 +39,7 @@ internal static class TableReport
 
             """);
         DepthReport.Append(text, rows, meanSlowness);
+        CastReport.Append(text, rows, meanSlowness);
         return text.ToString();
     }
 

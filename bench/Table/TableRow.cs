@@ -9,7 +9,8 @@ namespace Gjk.Bench.Table;
 /// <param name="Query">The query that is measured.</param>
 /// <param name="Library">The time of the library. For <see cref="Query.ContactsOnTop"/> it is a difference.</param>
 /// <param name="Baseline">The time of the baseline. This is its boolean query for a boolean, and its cold distance for
-/// everything else, because it has no warm start. Null for depths and contacts, which it does not answer.</param>
+/// everything else, because it has no warm start. Null for depths, contacts and casts, which it does not
+/// answer.</param>
 /// <param name="Goal">The goal on the goals' machine. Null if none was set.</param>
 /// <param name="Best">The best other engine and its time on that machine. Null if none was measured.</param>
 /// <param name="Slowness">How many times slower this machine is than that one.</param>

@@ -34,6 +34,9 @@ internal static class TableRun
     /// </summary>
     private const double DepthShare = 0.3;
 
+    /// <summary>The share of a set's seconds for casts, of which each set has one loop.</summary>
+    private const double CastShare = 0.15;
+
     /// <param name="progress">Receives a line per set.</param>
     /// <param name="seconds">How many seconds to measure a set.</param>
     /// <param name="meanSlowness">How many times slower this machine is than the goals' machine.</param>
@@ -49,17 +52,22 @@ internal static class TableRun
 
         TableSet[] depths = [.. DepthPairs.Names.Select(TableSet.OfDepthPairs)];
 
+        TableSet[] casts = [.. CastPairs.Names.Select(TableSet.OfCastPairs)];
+
         progress.WriteLine("warming up");
         double commonSeconds = Math.Min(CommonWarmUpSeconds, seconds * scenes.Length);
-        TurnTaking.WarmUp([.. scenes.Concat(primitives).Concat(depths).SelectMany(s => s.Loops)], commonSeconds);
+        TurnTaking.WarmUp(
+            [.. scenes.Concat(primitives).Concat(depths).Concat(casts).SelectMany(s => s.Loops)], commonSeconds);
         Measure(progress, scenes, seconds);
         Measure(progress, primitives, seconds * PrimitiveShare);
         Measure(progress, large, seconds * LargeShare);
         Measure(progress, depths, seconds * DepthShare);
+        Measure(progress, casts, seconds * CastShare);
 
         double mean = Goals.MeanSlowness(scenes.Select(s => s.Slowness).OfType<double>());
         meanSlowness = mean;
-        return [.. scenes.Concat(primitives).Concat(large).Concat(depths).SelectMany(s => s.Rows(mean))];
+        TableSet[] all = [.. scenes, .. primitives, .. large, .. depths, .. casts];
+        return [.. all.SelectMany(s => s.Rows(mean))];
     }
 
     private static void Measure(TextWriter progress, TableSet[] sets, double seconds)

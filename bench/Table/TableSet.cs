@@ -37,7 +37,7 @@ internal sealed class TableSet
 
     public IReadOnlyCollection<TimedLoop> Loops => _loops;
 
-    /// <summary>The report's distance. Null for depths.</summary>
+    /// <summary>The report's distance. Null for depths and casts.</summary>
     public TimedLoop? Baseline => _baseline;
 
     /// <summary>
@@ -89,6 +89,16 @@ internal sealed class TableSet
         float[] mostGaps = [.. scene.Pairs.Select(p => MostGap(scene.Shapes[p.A], scene.Shapes[p.B]))];
         var contacts = new TimedLoop(pairs, () => SceneQueries.Contacts(scene, mostGaps));
         set.AddOnTop(Query.ContactsOnTop, depth, contacts);
+        return set;
+    }
+
+    /// <summary>Pairs that move. The baseline does not know when they meet.</summary>
+    public static TableSet OfCastPairs(string name)
+    {
+        CastScene scene = CastPairs.Create(name);
+        int pairs = scene.Pairs.Length;
+        var set = new TableSet(name, CastPairs.VerticesOf(name), pairs, baseline: null);
+        set.Add(Query.Cast, new TimedLoop(pairs, () => SceneQueries.Cast(scene)));
         return set;
     }
 

@@ -8,7 +8,6 @@ using System.Linq;
 using System.Numerics;
 using System.Threading;
 using Gjk.Demo.Fuzz;
-using Gjk.Demo.Output;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
@@ -142,17 +141,6 @@ internal static class CommandLine
 
     private static Command BuildQuery(CancellationToken cancel)
     {
-        var scene = new Argument<string?>("SCENE.json")
-        {
-            Description = "The scene. Use - to read it from standard input.",
-            Arity = ArgumentArity.ZeroOrOne,
-        };
-        var record = new Option<string?>("--record")
-        {
-            Description = "Answer one query instead of a scene. The text has the form of the library's QueryRecord. "
-                + "Use - to read it from standard input.",
-            HelpName = "TEXT",
-        };
         Option<string?> output = CsvFile();
         var max = new Option<float>("--max-distance")
         {
@@ -171,21 +159,14 @@ internal static class CommandLine
         };
         var command = new Command("query", "Write the distance and the closest points of every pair of a scene as CSV.")
         {
-            scene, output, max, depth, record,
+            output, max, depth,
         };
-        command.Validators.Add(result =>
-        {
-            bool hasRecord = result.GetResult(record) is not null;
-            bool hasScene = result.GetResult(scene) is { Implicit: false };
-            if (hasRecord && hasScene) result.AddError("--record and SCENE.json exclude each other.");
-            if (!hasRecord && !hasScene) result.AddError("SCENE.json or --record is needed.");
-        });
+        var input = new PairInput(command);
         command.SetAction(r =>
         {
-            string? file = r.GetValue(scene), target = r.GetValue(output);
-            TargetFiles.Check(file ?? RecordScene.InputOf(r.GetValue(record)!), ("--out", target));
-            Scene asked = file is null ? RecordScene.Read(r.GetValue(record)!, cancel) : SceneFile.Load(file, cancel);
-            QueryCommand.Run(asked, target, r.GetValue(max), r.GetValue(depth), cancel);
+            string? target = r.GetValue(output);
+            (Scene scene, _) = input.Read(r, target, cancel);
+            QueryCommand.Run(scene, target, r.GetValue(max), r.GetValue(depth), cancel);
             return ExitCode.Done;
         });
         return command;
@@ -193,24 +174,20 @@ internal static class CommandLine
 
     private static Command BuildCast(CancellationToken cancel)
     {
-        var scene = new Argument<string>("SCENE.json")
-        {
-            Description = "The scene. Use - to read it from standard input.",
-        };
         Option<string?> output = CsvFile();
         var command = new Command(
             "cast",
             "Move and turn every pair's objects by their velocities over one frame, and write when and where they "
             + "first touch as CSV.")
         {
-            scene, output,
+            output,
         };
+        var input = new PairInput(command);
         command.SetAction(r =>
         {
-            string file = r.GetValue(scene)!;
             string? target = r.GetValue(output);
-            TargetFiles.Check(file, ("--out", target));
-            CastCommand.Run(SceneFile.Load(file, cancel), target, cancel);
+            (Scene scene, _) = input.Read(r, target, cancel);
+            CastCommand.Run(scene, target, cancel);
             return ExitCode.Done;
         });
         return command;
@@ -231,7 +208,8 @@ internal static class CommandLine
         };
         Option<double> seconds = Seconds();
         var command = new Command(
-            "time", "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving and boolean.")
+            "time",
+            "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving, boolean, depths, casts.")
         {
             scenes, seconds,
         };

@@ -25,7 +25,7 @@ const rows = (page) => page.locator('.rows .row')
 async function builtIn(name, intersecting, free, contacts) {
   const page = await open(name);
   await check(`${name}: the counts are the report's`, async () => {
-    const expected = { objects: 20, pairs: 190, frames: 1, frame: 0, overlapping: 5, lines: 185, arrows: 5, contacts };
+    const expected = { objects: 20, pairs: 190, frames: 1, frame: 0, overlapping: 5, lines: 185, arrows: 5, contacts, paths: 0, impacts: 0 };
     assert.deepEqual(await counts(page), expected);
     assert.match(await text(page, '.summary'), /^20 objects, 190 pairs, 5 intersecting$/);
     const { objects, pairs, overlapping } = await page.evaluate(() => ({ ...document.body.dataset }));
@@ -193,6 +193,48 @@ await check('moving: the slider replays the frames, and what meets turns red', a
 });
 await check('moving: no error, nothing fetched', async () => assert.deepEqual(moving.complaints, []));
 await moving.close();
+
+const sweep = await open('sweep');
+await check('sweep: the list says when the pairs meet, and what turns is not cast', async () => {
+  const found = Object.fromEntries((await rows(sweep)).map(([a, b, , impact]) => [`${a} ${b}`, impact]));
+  assert.equal(found['crate ball'], '0.5');
+  assert.equal(found['crate passer'], 'miss');
+  assert.equal(found['crate inside'], 'at start');
+  assert.equal(found['crate turner'], '');
+  const { paths, impacts } = await counts(sweep);
+  assert.deepEqual([paths, impacts], [4, 1]);
+});
+await check('sweep: the impact is on the screen, with its facts, and a button hides it', async () => {
+  const pair = await sweep.evaluate(() => {
+    window.__gjk.drawNow();
+    const { a, b } = window.__gjk.model;
+    return a.findIndex((first, i) => first === 0 && b[i] === 1);
+  });
+  const at = await sweep.evaluate((p) => window.__gjk.impactAt(p), pair);
+  const [[r, g, b]] = await colorsAt(context, sweep, [at]);
+  assert.ok(r > 1.2 * g && g > 1.2 * b, `the impact is ${[r, g, b]}`);
+  await sweep.mouse.move(at.x, at.y);
+  assert.match(await text(sweep, '.tip'), /impact after\s+0\.5 of a frame\s+impact at\s+\(−1, 0, 0\)\s+impact normal\s+\(−1\.0000, 0\.0000, 0\.0000\)/);
+  await keep(sweep, 'sweep');
+  await sweep.locator('button', { hasText: 'hidden' }).click();
+  const { paths, impacts } = await counts(sweep);
+  assert.deepEqual([paths, impacts], [0, 0]);
+  await sweep.locator('button', { hasText: 'shown' }).click();
+});
+await check('sweep: sorted by impact; a selected pair shows only its own', async () => {
+  await sweep.locator('.head button', { hasText: 'impact' }).click();
+  const impacts = (await rows(sweep)).map((cells) => cells[3]);
+  assert.deepEqual(impacts.slice(0, 2), ['at start', '0.5']);
+  await sweep.locator('.rows .row').nth(1).click();
+  const shown = await counts(sweep);
+  assert.deepEqual([shown.paths, shown.impacts], [1, 1]);
+  await sweep.setViewportSize({ width: 390, height: 844 });
+  const list = await sweep.locator('.rows').boundingBox(), row = await sweep.locator('.rows .row').first().boundingBox();
+  assert.ok(list.height > 27 && row.x + row.width <= 390, JSON.stringify([list, row]));
+  await keep(sweep, 'sweep-small');
+  assert.deepEqual(sweep.complaints, []);
+});
+await sweep.close();
 
 await check('many: two thousand objects open, select and sort in seconds', async () => {
   const start = Date.now();

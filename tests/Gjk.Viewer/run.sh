@@ -51,6 +51,7 @@ for scene in moving many; do
   demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
   demo query "TestResults/$scene.json" --out "TestResults/$scene.csv"
 done
+demo view TestResults/sweep.json --out TestResults/sweep.html
 demo trace --builtin cubes --pair 0,5 --out TestResults/trace-apart.html
 demo trace --builtin cubes --pair 10,11 --out TestResults/trace-hit.html
 demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html

@@ -1,4 +1,5 @@
-// Writes the scenes that the built-in ones do not cover. One moves and has every kind of shape, one has shapes deep in
+// Writes the scenes that the built-in ones do not cover. One moves and has every kind of shape, one has
+// objects that meet, miss, overlap and turn over a frame, one has shapes deep in
 // each other, and one has many objects.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -29,6 +30,18 @@ const moving = {
   ],
 };
 writeFileSync(join(folder, 'moving.json'), JSON.stringify(moving));
+
+const sweep = {
+  version: 1, name: 'sweep',
+  objects: [
+    { name: 'crate', shape: { type: 'box', halfExtents: [1, 1, 1] } },
+    { name: 'ball', shape: { type: 'sphere', radius: 0.5 }, position: [-5.5, 0, 0], velocity: [8, 0, 0] },
+    { name: 'passer', shape: { type: 'box', halfExtents: [0.5, 0.5, 0.5] }, position: [-4, 3, 0], velocity: [8, 0, 0] },
+    { name: 'inside', shape: { type: 'sphere', radius: 0.5 }, position: [0, -1.2, 0], velocity: [0, -1, 0] },
+    { name: 'turner', shape: { type: 'box', halfExtents: [0.5, 0.5, 0.5] }, position: [4, -3, 0], velocity: [-1, 0, 0], angularVelocity: [0, 0, 1] },
+  ],
+};
+writeFileSync(join(folder, 'sweep.json'), JSON.stringify(sweep));
 
 const gem = [[1, 0, 0.1], [-1, 0.1, 0], [0.1, 1, 0], [0, -1, 0.2], [0.3, 0.1, 1], [0, 0.2, -1], [0.7, 0.7, 0.5]];
 const deep = {

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using System.Text;
 
 namespace Gjk.Core;
@@ -10,33 +11,46 @@ namespace Gjk.Core;
 /// <remarks>
 /// The line is <c>gjk1</c>, then each shape with its pose: a kind with its numbers; for a scaled shape <c>*</c> and
 /// three factors, for a rounded one <c>+</c> and the radius, for a placed one <c>&gt;</c>, the rotation (x y z w) and
-/// the position, in the order in which they apply; then <c>@</c>, the pose's rotation and position. A mesh is written
-/// as its hull's corners. Numbers are in invariant culture and read back as the same bits. Immutable.
+/// the position, in the order in which they apply; then <c>@</c>, the pose's rotation and position; then, for a shape
+/// that moves, <c>~</c>, its velocity and its angular velocity. A mesh is written as its hull's corners. Numbers are in
+/// invariant culture and read back as the same bits. Immutable.
 /// </remarks>
 public readonly struct QueryRecord
 {
     private const string Tag = "gjk1";
 
-    /// <summary>Makes a record of a query.</summary>
+    /// <summary>Makes a record of a query of two shapes at rest.</summary>
     public QueryRecord(in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB)
+        : this(a, new RigidMotion(poseA, default), b, new RigidMotion(poseB, default))
+    {
+    }
+
+    /// <summary>Makes a record of a query of two shapes that move.</summary>
+    public QueryRecord(in ConvexShape a, in RigidMotion motionA, in ConvexShape b, in RigidMotion motionB)
     {
         A = a;
-        PoseA = poseA;
+        MotionA = motionA;
         B = b;
-        PoseB = poseB;
+        MotionB = motionB;
     }
 
     /// <summary>The first shape.</summary>
     public ConvexShape A { get; }
 
-    /// <summary>Where it is.</summary>
-    public RigidPose PoseA { get; }
+    /// <summary>Where it is, or where it begins.</summary>
+    public RigidPose PoseA => MotionA.Pose;
+
+    /// <summary>Where it begins and how it moves.</summary>
+    public RigidMotion MotionA { get; }
 
     /// <summary>The second shape.</summary>
     public ConvexShape B { get; }
 
-    /// <summary>Where it is.</summary>
-    public RigidPose PoseB { get; }
+    /// <summary>Where it is, or where it begins.</summary>
+    public RigidPose PoseB => MotionB.Pose;
+
+    /// <summary>Where it begins and how it moves.</summary>
+    public RigidMotion MotionB { get; }
 
     /// <summary>Reads a record.</summary>
     /// <exception cref="ArgumentNullException">The text is null.</exception>
@@ -46,11 +60,11 @@ public readonly struct QueryRecord
         var words = new RecordReader(Guard.NotNull(text, nameof(text)));
         words.Expect(Tag);
         ConvexShape a = ShapeText.Read(words);
-        RigidPose poseA = PoseAfterAt(words);
+        RigidMotion motionA = MotionAfterAt(words);
         ConvexShape b = ShapeText.Read(words);
-        RigidPose poseB = PoseAfterAt(words);
+        RigidMotion motionB = MotionAfterAt(words);
         words.ExpectEnd();
-        return new QueryRecord(a, poseA, b, poseB);
+        return new QueryRecord(a, motionA, b, motionB);
     }
 
     /// <summary>Reads a record, or says why it cannot.</summary>
@@ -74,23 +88,39 @@ public readonly struct QueryRecord
         }
     }
 
-    /// <summary>Runs the query.</summary>
+    /// <summary>Runs the query of the distance, where the shapes begin.</summary>
     public DistanceResult Distance() => ConvexQuery.Distance(A, PoseA, B, PoseB);
+
+    /// <summary>Runs the query of a cast by the velocities alone: nothing turns.</summary>
+    public CastResult Cast() => ConvexQuery.Cast(A, PoseA, MotionA.Velocity, B, PoseB, MotionB.Velocity);
 
     /// <summary>The line.</summary>
     public override string ToString()
     {
         var text = new StringBuilder(Tag);
         ShapeText.Write(text, A);
-        ShapeText.Add(text.Append(" @"), PoseA);
+        Add(text, MotionA);
         ShapeText.Write(text, B);
-        ShapeText.Add(text.Append(" @"), PoseB);
+        Add(text, MotionB);
         return text.ToString();
     }
 
-    private static RigidPose PoseAfterAt(RecordReader words)
+    private static void Add(StringBuilder text, in RigidMotion motion)
+    {
+        ShapeText.Add(text.Append(" @"), motion.Pose);
+        if (motion.Velocity == default && motion.AngularVelocity == default) return;
+        text.Append(" ~");
+        ShapeText.Add(text, motion.Velocity);
+        ShapeText.Add(text, motion.AngularVelocity);
+    }
+
+    private static RigidMotion MotionAfterAt(RecordReader words)
     {
         words.Expect("@");
-        return ShapeText.ReadPose(words);
+        RigidPose pose = ShapeText.ReadPose(words);
+        if (words.Peek != "~") return new RigidMotion(pose, default);
+        words.Expect("~");
+        var velocity = new Vector3(words.Float(), words.Float(), words.Float());
+        return new RigidMotion(pose, velocity, new Vector3(words.Float(), words.Float(), words.Float()));
     }
 }

@@ -31,6 +31,14 @@ internal static class ShapeText
         foreach (float number in new[] { q.X, q.Y, q.Z, q.W, p.X, p.Y, p.Z }) Add(text, number);
     }
 
+    /// <summary>The three components of a vector of floats.</summary>
+    public static void Add(StringBuilder text, Vector3 v)
+    {
+        Add(text, v.X);
+        Add(text, v.Y);
+        Add(text, v.Z);
+    }
+
     public static RigidPose ReadPose(RecordReader words)
     {
         var rotation = new Quaternion(words.Float(), words.Float(), words.Float(), words.Float());

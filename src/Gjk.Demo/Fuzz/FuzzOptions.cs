@@ -35,8 +35,8 @@ internal static class FuzzOptions
             CustomParser = Seed,
         };
         const string Purpose =
-            "Search at random for a pair of shapes whose distance or depth breaks a promise of the library, and shrink "
-            + "what is found.";
+            "Search at random for a pair of shapes whose distance, depth or cast breaks a promise of the library, and "
+            + "shrink what is found.";
         var command = new Command("fuzz", Purpose) { seconds, seed, count };
         command.SetAction(r =>
         {

@@ -10,6 +10,8 @@ internal sealed class FuzzPair
     private readonly FuzzShape _a, _b;
     private FuzzTruth? _truth;
     private DistanceResult? _signed;
+    private CastResult? _cast;
+    private FuzzSweep? _sweep;
 
     public FuzzPair(in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB)
         : this(a, poseA, b, poseB, ConvexQuery.Distance(a.Shape, poseA, b.Shape, poseB))
@@ -32,6 +34,17 @@ internal sealed class FuzzPair
         Noise = Accuracy.Rounding * (BodyA.LongestSide + BodyB.LongestSide + Centers.Length);
     }
 
+    /// <summary>The same pair, that moves, with a cast from elsewhere if one is given, which may be wrong.</summary>
+    private FuzzPair(FuzzPair atRest, in PairMotion motion, in CastResult? cast)
+    {
+        (_a, PoseA, _b, PoseB) = (atRest._a, atRest.PoseA, atRest._b, atRest.PoseB);
+        (Answer, _signed, _truth) = (atRest.Answer, atRest._signed, atRest._truth);
+        (BodyA, BodyB, Scale) = (atRest.BodyA, atRest.BodyB, atRest.Scale);
+        (Centers, Noise) = (atRest.Centers, atRest.Noise);
+        Motion = motion;
+        _cast = cast;
+    }
+
     public ConvexShape A => _a.Shape;
 
     public ConvexShape B => _b.Shape;
@@ -45,6 +58,15 @@ internal sealed class FuzzPair
 
     /// <summary>What the cold query of the signed distance says, asked when it is first needed.</summary>
     public DistanceResult Signed => _signed ??= ConvexQuery.SignedDistance(A, PoseA, B, PoseB);
+
+    /// <summary>How the shapes move over the fractions from 0 to 1; they do not turn.</summary>
+    public PairMotion Motion { get; }
+
+    /// <summary>What the cold query of the cast says, asked when it is first needed.</summary>
+    public CastResult Cast => _cast ??= ConvexQuery.Cast(A, PoseA, Motion.A, B, PoseB, Motion.B);
+
+    /// <summary>The distance along the motion.</summary>
+    public FuzzSweep Sweep => _sweep ??= new FuzzSweep(this);
 
     public PosedShape BodyA { get; }
 
@@ -71,7 +93,8 @@ internal sealed class FuzzPair
     /// <summary>
     /// The pair as a line that <c>query --record</c> reads; its meshes are all the points that they were made of.
     /// </summary>
-    public string Text => FuzzText.Of(_a, PoseA, _b, PoseB);
+    public string Text =>
+        FuzzText.Of(_a, new RigidMotion(PoseA, Motion.A), _b, new RigidMotion(PoseB, Motion.B));
 
     /// <summary>How much a distance may be off.</summary>
     public double Band(double distance) => Unavoidable + (IsCurved
@@ -109,6 +132,11 @@ internal sealed class FuzzPair
     /// <summary>From a point in A's frame to one in B's, in the world's axes, to the last place of a double.</summary>
     public Vector3D Between(in Vector3D localA, in Vector3D localB) =>
         new ExactProblem([localB], 0, PoseB, [localA], 0, PoseA).FirstVertex();
+
+    /// <summary>The same pair with another motion.</summary>
+    /// <param name="motion">The motion.</param>
+    /// <param name="cast">An answer from elsewhere, which may be wrong; null: the query's own.</param>
+    public FuzzPair Moving(in PairMotion motion, in CastResult? cast = null) => new(this, motion, cast);
 
     /// <summary>The same shapes in other places.</summary>
     public FuzzPair At(in RigidPose poseA, in RigidPose poseB) => new(_a, poseA, _b, poseB);

@@ -16,9 +16,9 @@ internal static class FuzzText
 {
     private const string Tag = "gjk1";
 
-    public static string Of(in FuzzShape a, in RigidPose poseA, in FuzzShape b, in RigidPose poseB)
+    public static string Of(in FuzzShape a, in RigidMotion motionA, in FuzzShape b, in RigidMotion motionB)
     {
-        Queue<string> words = Words(new QueryRecord(a.Shape, poseA, b.Shape, poseB).ToString());
+        Queue<string> words = Words(new QueryRecord(a.Shape, motionA, b.Shape, motionB).ToString());
         return Of(WithCloud(ShapeWords.Read(words), a.Cloud), WithCloud(ShapeWords.Read(words), b.Cloud));
     }
 
@@ -32,16 +32,19 @@ internal static class FuzzText
     }
 
     /// <summary>
-    /// False for what is no record, for a scale that is not of floats, and for rounded or placed shapes.
+    /// False for what is no record, for a scale that is not of floats, for rounded or placed shapes, and for shapes
+    /// that turn.
     /// </summary>
     public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
     {
         pair = null;
         if (!QueryRecord.TryParse(text, out QueryRecord record, out _)) return false;
         if (record.A.IsDecorated || record.B.IsDecorated) return false;
+        if (record.MotionA.AngularVelocity != default || record.MotionB.AngularVelocity != default) return false;
         (ShapeWords a, ShapeWords b) = Split(text);
         if (!HasFloatScale(a) || !HasFloatScale(b)) return false;
-        pair = new FuzzPair(Shape(record.A, a), record.PoseA, Shape(record.B, b), record.PoseB);
+        pair = new FuzzPair(Shape(record.A, a), record.PoseA, Shape(record.B, b), record.PoseB)
+            .Moving(new PairMotion(record.MotionA.Velocity, record.MotionB.Velocity));
         return true;
     }
 

@@ -16,7 +16,7 @@ internal sealed class FuzzTruth
     {
         _pair = pair;
         if (IsKnown) Answer = Solve(default);
-        AtMost = IsKnown ? Answer.Distance : BetweenPoints();
+        AtMost = IsKnown ? Answer.Distance : Math.Max(0, pair.Sweep.At(0).AtMost);
     }
 
     /// <summary>False where a core is curved.</summary>
@@ -51,21 +51,4 @@ internal sealed class FuzzTruth
         ExactOracle.Solve(
             _pair.BodyA.Vertices, _pair.A.Margin, _pair.PoseA, _pair.BodyB.Vertices, _pair.B.Margin, _pair.PoseB,
             moveB);
-
-    private double BetweenPoints()
-    {
-        ExactGuess.Walk(Difference(new Vector3D(1, 0, 0)), Difference, out Vector3D nearest);
-        return Math.Max(0, nearest.Length - _pair.A.Margin - _pair.B.Margin) + _pair.Noise;
-    }
-
-    /// <summary>The furthest point of A - B in a direction of the world, seen from B's centre.</summary>
-    private ExactGuess.Corner Difference(Vector3D direction)
-    {
-        PosedShape a = _pair.BodyA, b = _pair.BodyB;
-        _pair.A.Support(a.InverseRotate(direction), out Vector3D onA);
-        _pair.B.Support(b.InverseRotate(-direction), out Vector3D onB);
-        return new ExactGuess.Corner(
-            -1, -1,
-            a.Rotate(_pair.A.Center - a.Center + onA) - b.Rotate(_pair.B.Center - b.Center + onB) - _pair.Centers);
-    }
 }

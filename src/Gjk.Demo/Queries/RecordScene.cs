@@ -1,4 +1,3 @@
-using System.Numerics;
 using System.Text;
 using System.Threading;
 using Gjk.Core;
@@ -24,10 +23,10 @@ internal static class RecordScene
         if (text == InputFile.StandardInput) text = Encoding.UTF8.GetString(InputFile.Read(text, cancel));
         if (!QueryRecord.TryParse(text, out QueryRecord record, out string? reason))
             throw new RefusedException("--record: " + reason);
-        SceneObject[] objects = [Object("A", record.A, record.PoseA), Object("B", record.B, record.PoseB)];
+        SceneObject[] objects = [Object("A", record.A, record.MotionA), Object("B", record.B, record.MotionB)];
         return new Scene("record", objects, ScenePairs.All(objects.Length), 1);
     }
 
-    private static SceneObject Object(string name, in ConvexShape shape, in RigidPose pose) =>
-        new(name, shape, pose, Vector3.Zero, Vector3.Zero);
+    private static SceneObject Object(string name, in ConvexShape shape, in RigidMotion motion) =>
+        new(name, shape, motion.Pose, motion.Velocity, motion.AngularVelocity);
 }

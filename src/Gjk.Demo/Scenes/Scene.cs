@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using Gjk.Core;
 
@@ -24,6 +25,12 @@ internal sealed class Scene
 
     /// <summary>How many frames the motion lasts. The first frame has the poses as given.</summary>
     public int Frames { get; }
+
+    /// <summary>True if an object has a velocity.</summary>
+    public bool HasVelocities => Array.Exists(Objects, o => o.Velocity != Vector3.Zero);
+
+    /// <summary>True if an object turns.</summary>
+    public bool HasTurns => Array.Exists(Objects, o => o.AngularVelocity != Vector3.Zero);
 
     public static Scene From(BuiltInScene scene)
     {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
@@ -19,6 +20,7 @@ internal sealed class PairLoop
 
     private readonly ConvexShape[] _shapes;
     private readonly RigidPose[] _poses;
+    private readonly Vector3[] _velocities;
     private readonly int[] _a;
     private readonly int[] _b;
     private readonly CancellationToken _cancel;
@@ -32,6 +34,7 @@ internal sealed class PairLoop
     {
         _shapes = Array.ConvertAll(scene.Objects, o => o.Shape);
         _poses = Array.ConvertAll(scene.Objects, o => o.Pose);
+        _velocities = Array.ConvertAll(scene.Objects, o => o.Velocity);
         _a = new int[scene.Pairs.Count];
         _b = new int[scene.Pairs.Count];
         scene.Pairs.CopyTo(_a, _b);
@@ -147,6 +150,25 @@ internal sealed class PairLoop
             if (k % PairsPerLook == 0) _cancel.ThrowIfCancellationRequested();
             int i = _overlapping[k], a = _a[i], b = _b[i];
             iterations += ConvexQuery.SignedDistance(_shapes[a], _poses[a], _shapes[b], _poses[b]).Iterations;
+        }
+
+        Iterations = iterations;
+    }
+
+    /// <summary>The casts of one frame: both objects of a pair move by their velocities. Without warm starts.</summary>
+    public void Casts()
+    {
+        long iterations = 0;
+        for (int start = 0; start < _a.Length; start += PairsPerLook)
+        {
+            _cancel.ThrowIfCancellationRequested();
+            int end = Math.Min(start + PairsPerLook, _a.Length);
+            for (int i = start; i < end; i++)
+            {
+                int a = _a[i], b = _b[i];
+                iterations += ConvexQuery.Cast(
+                    _shapes[a], _poses[a], _velocities[a], _shapes[b], _poses[b], _velocities[b]).Iterations;
+            }
         }
 
         Iterations = iterations;

@@ -21,6 +21,7 @@ internal sealed class SceneTimer
 
     private readonly PairLoop _pairs;
     private readonly ScenePath _path;
+    private readonly bool _isCast;
     private readonly TimeSpan _duration;
     private readonly CancellationToken _cancel;
 
@@ -28,6 +29,7 @@ internal sealed class SceneTimer
     {
         _pairs = new PairLoop(scene, cancel);
         _path = new ScenePath(scene);
+        _isCast = scene.HasVelocities && !scene.HasTurns;
         _duration = duration;
         _cancel = cancel;
     }
@@ -52,6 +54,7 @@ internal sealed class SceneTimer
         times.BatchBooleanNs = Measure(_pairs.BatchBoolean, _pairs.Count, BatchShare).MinimumNs;
         int overlapping = _pairs.CollectOverlapping();
         if (overlapping > 0) times.DepthNs = Measure(_pairs.Depth, overlapping, OtherShare).MinimumNs;
+        if (_isCast) times.CastNs = Measure(_pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
         return times;
     }
 

@@ -41,6 +41,12 @@ internal sealed class SceneTimes
     /// <summary>The signed distance of the pairs that overlap, without warm starts. Null if none does.</summary>
     public double? DepthNs { get; set; }
 
+    /// <summary>
+    /// The casts of all pairs over one frame, without warm starts. Null if no object has a velocity, and if one turns,
+    /// which a cast does not.
+    /// </summary>
+    public double? CastNs { get; set; }
+
     /// <summary>Writes one line of JSON and flushes it.</summary>
     public void Write(Stream stream, string scene)
     {
@@ -61,7 +67,7 @@ internal sealed class SceneTimes
             Write(json, "batch_warm_ns", BatchWarmNs);
             Write(json, "batch_bool_ns", BatchBooleanNs);
             Write(json, "depth_ns", DepthNs);
-            Write(json, "cast_ns", null);
+            Write(json, "cast_ns", CastNs);
             json.WriteEndObject();
         }
 

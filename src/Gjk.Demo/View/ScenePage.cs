@@ -34,6 +34,7 @@ internal static class ScenePage
         data.Array<int>("overlapping", results.Overlapping);
         data.Array("contactCounts", results.Contacts.Counts);
         data.Array("contactPoints", results.Contacts.Points);
+        if (scene.HasVelocities) WriteMotion(data, scene, results.Casts);
         json.WriteEndObject();
         HtmlPage.Write(
             stream, scene.Name,
@@ -54,6 +55,23 @@ internal static class ScenePage
         data.Array<int>("triangles", mesh.Triangles);
         data.Array<int>("edges", mesh.Edges);
         data.Json.WriteEndObject();
+    }
+
+    /// <summary>What a scene at rest does not need.</summary>
+    private static void WriteMotion(PageData data, Scene scene, SceneCasts casts)
+    {
+        var velocities = new Vector3[scene.Objects.Length];
+        var turns = new byte[velocities.Length];
+        for (int i = 0; i < velocities.Length; i++)
+        {
+            velocities[i] = scene.Objects[i].Velocity;
+            turns[i] = (byte)(scene.Objects[i].AngularVelocity == Vector3.Zero ? 0 : 1);
+        }
+
+        data.Array<float>("velocities", MemoryMarshal.Cast<Vector3, float>(velocities));
+        data.Array<byte>("turns", turns);
+        data.Array("castIndices", casts.Indices);
+        data.Array("casts", casts.Entries);
     }
 
     private static void WriteNames(Utf8JsonWriter json, Scene scene)

@@ -66,6 +66,9 @@ internal sealed class SceneResults
     /// <summary>One entry for each pair that overlaps in a frame.</summary>
     public SceneContacts Contacts { get; } = new();
 
+    /// <summary>One entry for each pair that meets over the frame that follows.</summary>
+    public SceneCasts Casts { get; } = new();
+
     /// <exception cref="RefusedException">The scene is more than a page can hold, or the motion leaves the range of
     /// float.</exception>
     public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
@@ -96,6 +99,7 @@ internal sealed class SceneResults
                     shapeA, poses[a], shapeB, poses[b], mostGap, ref manifold);
                 int index = frame * pairs + pair++;
                 results.Store(index, answer);
+                results.Casts.Add(index, scene.Objects[a], poses[a], scene.Objects[b], poses[b]);
                 if (!results.Overlaps(index)) continue;
                 results.Overlapping[frame]++;
                 // Where only bounds of the depth are known, its points would be no contacts.

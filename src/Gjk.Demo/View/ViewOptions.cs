@@ -13,7 +13,7 @@ internal static class ViewOptions
         var page = new Option<string?>("--out")
         {
             Description = "Write the page to this file. It has a 3D view, a list of pairs and, for a moving scene, its "
-                + "frames. In each overlap it shows the shortest way out and the contact points.",
+                + "frames, paths and impacts. In each overlap it shows the shortest way out and the contact points.",
             HelpName = "FILE.html",
         };
         var picture = new Option<string?>("--svg")

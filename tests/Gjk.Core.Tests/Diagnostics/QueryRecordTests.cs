@@ -37,6 +37,26 @@ public class QueryRecordTests
         Assert.Equal(RigidPose.Identity, record.PoseA);
     }
 
+    /// <summary>A motion stands behind the pose of its shape; a shape at rest has none.</summary>
+    [Fact]
+    public void MotionsComeBackAndAreCast()
+    {
+        const string Moving = "gjk1 point 1 @ 0 0 0 1 0 0 0 point 0.5 @ 0 0 0 1 3 0 0 ~ -3 0 0 0 0.100000001 1E-45";
+        QueryRecord record = QueryRecord.Parse(Moving);
+        Assert.Equal(Moving.Replace("1E-45", "1.40129846E-45"), record.ToString());
+        Assert.Equal((Vector3.Zero, Vector3.Zero), (record.MotionA.Velocity, record.MotionA.AngularVelocity));
+        Assert.Equal(new Vector3(-3, 0, 0), record.MotionB.Velocity);
+        Assert.Equal(new Vector3(0, 0.1f, float.Epsilon), record.MotionB.AngularVelocity);
+        Assert.Equal((CastStatus.Hit, 0.5f), (record.Cast().Status, record.Cast().Fraction));
+
+        var both = new QueryRecord(
+            record.A, new RigidMotion(record.PoseA, new Vector3(1, -2, 1e-38f)), record.B, record.MotionB);
+        QueryRecord back = QueryRecord.Parse(both.ToString());
+        Assert.Equal(both.ToString(), back.ToString());
+        Assert.Equal(both.MotionA.Velocity, back.MotionA.Velocity);
+        Assert.Equal(Sphere, new QueryRecord(record.A, record.PoseA, record.B, record.PoseB).ToString());
+    }
+
     [Fact]
     public void WhiteSpaceOfAnyKindSeparates() =>
         Assert.Equal(Sphere, QueryRecord.Parse("  " + Sphere.Replace(" ", "\t \r\n") + "\n").ToString());
@@ -121,6 +141,9 @@ public class QueryRecordTests
     [InlineData("gjk1 point 1 0 0 0 1", "Word 4, '0', should be '@'.")]
     [InlineData("gjk1 point 1 @ 0 0 0 1e39 0 0 0", "Word 8, '1e39', should be a finite number.")]
     [InlineData("gjk1 point 1 @ 0 0 0 1 0 0", "The record ends where a number should be.")]
+    [InlineData(Sphere + " ~ 1 2 3", "The record ends where a number should be.")]
+    [InlineData(Sphere + " ~ 1 2 3 0 0 NaN", "Word 28, 'NaN', should be a finite number.")]
+    [InlineData("gjk1 point 1 @ 0 0 0 1 0 0 0 ~ 1 0 0", "The record ends where a number should be.")]
     [InlineData(Sphere + " 1", "Word 22, '1', comes after the end of the record.")]
     public void WhatIsNoRecordIsRefused(string text, string message)
     {

@@ -62,10 +62,24 @@ public sealed class CastTests
         Assert.Equal(["3", "1", "OverlappingAtStart", "0"], rows[4][..4]);
     }
 
+    /// <summary>The pair that <c>fuzz</c> reports, with its motion.</summary>
+    [Fact]
+    public void ARecordIsCastAsASceneIs()
+    {
+        const string Record =
+            "gjk1 box 1 1 1 @ 0 0 0 1 0 0 0 ~ 0 1 0 0 0 0 point 0.5 @ 0 0 0 1 0 4 0 ~ 0 -4 0 0 0 0";
+        DemoRun run = DemoProcess.Run("cast", "--record", Record);
+        run.AssertDone();
+        Assert.StartsWith("0,1,Hit,0.5,0,1.5,0,0,1,0,", run.Out.Split('\n')[1]);
+        DemoProcess.Run("cast", "--record", Record + " 1").AssertRefused("--record: Word");
+        DemoProcess.Run("cast", "--record", Record[..^5] + "0 1 0").AssertRefused("$.objects[1].angularVelocity");
+        DemoProcess.Run("cast", "scene.json", "--record", Record).AssertRefused("exclude each other");
+    }
+
     [Fact]
     public void AMissingSceneIsRefused()
     {
-        DemoProcess.Run("cast").AssertRefused("cast");
+        DemoProcess.Run("cast").AssertRefused("SCENE.json or --record");
         DemoProcess.Run("cast", "no-such-file.json").AssertRefused("no-such-file.json");
     }
 }

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Gjk.Demo.Fuzz.Families;
 
-/// <summary>All families, and the draw between them.</summary>
+/// <summary>All families, and the draw between them. What a pair is does not depend on how it moves.</summary>
 internal static class PairFamilies
 {
     private static readonly PairFamily[] All =
@@ -49,6 +49,7 @@ internal static class PairFamilies
         int left = random.Below(Weights), i = 0;
         while (left >= All[i].Weight) left -= All[i++].Weight;
         family = All[i].Name;
-        return All[i].Make(random);
+        FuzzPair atRest = All[i].Make(random);
+        return atRest.Moving(Motions.Draw(random, atRest));
     }
 }

@@ -46,10 +46,12 @@ internal static class Placement
         random.OneIn(8) ? 0 : random.Sign() * random.Magnitude(1e-15, 0.1);
 
     /// <summary>Any direction of the world, or one across a face of A.</summary>
-    public static Vector3D AnyNormal(FuzzRandom random, in FuzzShape a, in RigidPose poseA)
+    public static Vector3D AnyNormal(FuzzRandom random, in FuzzShape a, in RigidPose poseA) =>
+        random.OneIn(2) ? random.Direction() : FaceNormal(random, new PosedShape(a, poseA));
+
+    /// <summary>Across a face of a mesh, in the world; any direction for what has none.</summary>
+    public static Vector3D FaceNormal(FuzzRandom random, PosedShape body)
     {
-        if (random.OneIn(2)) return random.Direction();
-        var body = new PosedShape(a, poseA);
         Vector3D[] faces = [.. body.FaceNormals(8)];
         return faces.Length == 0 ? random.Direction() : body.Rotate(faces[random.Below(faces.Length)]);
     }

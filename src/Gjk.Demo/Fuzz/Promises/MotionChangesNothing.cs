@@ -60,13 +60,8 @@ internal sealed class MotionChangesNothing : IPromise
 
     private static bool TryShift(in RigidPose pose, Vector3 by, out RigidPose shifted)
     {
-        Vector3 sum = pose.Position + by;
-        bool exact = IsSum(pose.Position.X, by.X, sum.X) && IsSum(pose.Position.Y, by.Y, sum.Y)
-            && IsSum(pose.Position.Z, by.Z, sum.Z);
+        bool exact = ExactSums.TryAdd(pose.Position, by, out Vector3 sum);
         shifted = exact ? new RigidPose(pose.Rotation, sum) : pose;
         return exact;
     }
-
-    /// <summary>Both parts come back out of the sum, which then has lost nothing (Knuth's test).</summary>
-    private static bool IsSum(float a, float b, float sum) => float.IsFinite(sum) && sum - a == b && sum - b == a;
 }

@@ -4,13 +4,15 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Fuzz.Shrinking;
 
-/// <summary>One posed shape of a record, as its words: what shrinking changes. Immutable.</summary>
+/// <summary>One posed shape of a record with its motion, as its words: what shrinking changes. Immutable.</summary>
 /// <param name="Kind">The shape's name.</param>
 /// <param name="Numbers">Its numbers; of a mesh three for each corner.</param>
 /// <param name="Scale">Three factors, or none.</param>
 /// <param name="Pose">Rotation and position, seven numbers.</param>
+/// <param name="Motion">Velocity and angular velocity, six numbers, or none.</param>
 internal sealed record ShapeWords(
-    string Kind, IReadOnlyList<string> Numbers, IReadOnlyList<string> Scale, IReadOnlyList<string> Pose)
+    string Kind, IReadOnlyList<string> Numbers, IReadOnlyList<string> Scale, IReadOnlyList<string> Pose,
+    IReadOnlyList<string> Motion)
 {
     public const string Mesh = "mesh";
 
@@ -33,9 +35,14 @@ internal sealed record ShapeWords(
             words.Dequeue();
         }
 
-        var pose = new string[7];
-        for (int i = 0; i < pose.Length; i++) pose[i] = words.Dequeue();
-        return new ShapeWords(kind, numbers, scale, pose);
+        string[] pose = Next(words, 7), motion = [];
+        if (words.TryPeek(out string? sign) && sign == "~")
+        {
+            words.Dequeue();
+            motion = Next(words, 6);
+        }
+
+        return new ShapeWords(kind, numbers, scale, pose, motion);
     }
 
     public override string ToString()
@@ -47,7 +54,16 @@ internal sealed record ShapeWords(
         words.AddRange(Scale);
         words.Add("@");
         words.AddRange(Pose);
+        if (Motion.Count > 0) words.Add("~");
+        words.AddRange(Motion);
         return string.Join(' ', words);
+    }
+
+    private static string[] Next(Queue<string> words, int count)
+    {
+        var next = new string[count];
+        for (int i = 0; i < count; i++) next[i] = words.Dequeue();
+        return next;
     }
 
     private static List<string> UntilSign(Queue<string> words)

@@ -13,6 +13,7 @@ internal static class SimplerShapes
     public static IEnumerable<ShapeWords> Of(ShapeWords shape)
     {
         if (shape.Kind != "point") yield return shape with { Kind = "point", Numbers = ["0"], Scale = [] };
+        if (shape.Motion.Count > 0) yield return shape with { Motion = [] };
         if (shape.Scale.Count > 0) yield return shape with { Scale = [] };
         if (!shape.Pose.Take(4).SequenceEqual(Identity))
             yield return shape with { Pose = [.. Identity, .. shape.Pose.Skip(4)] };
@@ -22,6 +23,7 @@ internal static class SimplerShapes
         foreach (IReadOnlyList<string> numbers in Rounder(shape.Numbers)) yield return shape with { Numbers = numbers };
         foreach (IReadOnlyList<string> scale in Rounder(shape.Scale)) yield return shape with { Scale = scale };
         foreach (IReadOnlyList<string> pose in Rounder(shape.Pose)) yield return shape with { Pose = pose };
+        foreach (IReadOnlyList<string> motion in Rounder(shape.Motion)) yield return shape with { Motion = motion };
     }
 
     /// <summary>Without the first half, the second half, each quarter and so on, down to single corners.</summary>

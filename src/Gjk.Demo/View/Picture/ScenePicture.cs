@@ -170,6 +170,7 @@ internal sealed class ScenePicture
         WriteLines(writer, cancel);
         WriteContacts(writer, cancel);
         WriteArrows(writer, cancel);
+        new PictureCasts(_scene, _results, _camera, v => Drawn(v)).Write(writer, _bodies);
         progress(1);
         writer.WriteLine("</svg>");
     }

@@ -6,7 +6,13 @@ const ROW = 27;
 /** The most rows of the list. The tallest element of a browser holds about a million rows. */
 const MOST_ROWS = 1_000_000;
 
-const COLUMNS = [['a', 'A'], ['b', 'B'], ['distance', 'distance'], ['iterations', 'iter.']];
+const AT_REST = [['a', 'A'], ['b', 'B'], ['distance', 'distance'], ['iterations', 'iter.']];
+
+/** With the fraction of the frame after which a pair meets. */
+const MOVING = [['a', 'A'], ['b', 'B'], ['distance', 'distance'], ['impact', 'impact'], ['iterations', 'iter.']];
+
+/** A fraction in a narrow column. */
+const short = (x) => (x < 1e-4 ? x.toExponential(0) : String(Number(x.toPrecision(4))));
 
 /** The table of pairs, sorted by a column. It may have any length, because only the visible rows exist. */
 export class PairList {
@@ -18,10 +24,12 @@ export class PairList {
     this.object = -1;
     this.selected = -1;
     this.order = new Int32Array(0);
-    this.buttons = COLUMNS.map(([key, text]) => element('button', {
-      type: 'button', textContent: text, className: key === 'distance' || key === 'iterations' ? 'number' : '', onclick: () => this.sortBy(key),
+    this.columns = model.castData.isMoving ? MOVING : AT_REST;
+    this.className = model.castData.isMoving ? 'row moving' : 'row';
+    this.buttons = this.columns.map(([key, text]) => element('button', {
+      type: 'button', textContent: text, className: key === 'a' || key === 'b' ? '' : 'number', onclick: () => this.sortBy(key),
     }));
-    this.head = element('div', { className: 'row head' }, ...this.buttons);
+    this.head = element('div', { className: `${this.className} head` }, ...this.buttons);
     this.filler = element('div');
     this.rows = element('div', { className: 'rows', tabIndex: 0, role: 'listbox', 'aria-label': 'pairs' }, this.filler);
     this.rows.onscroll = () => this.fill();
@@ -46,14 +54,15 @@ export class PairList {
       a: (pair) => model.a[pair], b: (pair) => model.b[pair],
       iterations: (pair) => model.iterations[model.index(pair)],
       distance: (pair) => { const d = model.distance(pair); return Number.isNaN(d) ? Infinity : d; },
+      impact: (pair) => (model.overlaps(pair) ? -1 : model.impact(pair)?.fraction ?? Infinity),
     }[this.column];
     const keys = new Float64Array(model.pairs);
     for (const pair of keep) keys[pair] = key(pair);
     const sign = this.rising ? 1 : -1;
     this.order = Int32Array.from(keep).sort((p, q) => (keys[p] < keys[q] ? -sign : keys[p] > keys[q] ? sign : p - q));
     this.buttons.forEach((button, i) => {
-      const isKey = COLUMNS[i][0] === this.column;
-      button.textContent = COLUMNS[i][1] + (isKey ? (this.rising ? ' ↑' : ' ↓') : '');
+      const isKey = this.columns[i][0] === this.column;
+      button.textContent = this.columns[i][1] + (isKey ? (this.rising ? ' ↑' : ' ↓') : '');
       if (isKey) button.setAttribute('aria-sort', this.rising ? 'ascending' : 'descending');
       else button.removeAttribute('aria-sort');
     });
@@ -87,9 +96,11 @@ export class PairList {
     const text = hit ? `depth ${model.depth(pair)}`
       : Number.isNaN(model.distance(pair)) ? model.statusName(pair) : number(model.distance(pair));
     const row = element(
-      'div', { className: `row${hit ? ' hit' : ''}${isSelected ? ' selected' : ''}`, role: 'option', 'aria-selected': isSelected, 'data-pair': pair, onclick: () => this.select(isSelected ? -1 : pair) },
+      'div', { className: `${this.className}${hit ? ' hit' : ''}${isSelected ? ' selected' : ''}`, role: 'option', 'aria-selected': isSelected, 'data-pair': pair, onclick: () => this.select(isSelected ? -1 : pair) },
       element('span', { textContent: model.names[model.a[pair]] }), element('span', { textContent: model.names[model.b[pair]] }),
-      element('span', { className: 'number', textContent: text }), element('span', { className: 'number', textContent: model.iterations[model.index(pair)] }));
+      element('span', { className: 'number', textContent: text }),
+      ...(model.castData.isMoving ? [element('span', { className: 'number', textContent: model.impactText(pair, short) })] : []),
+      element('span', { className: 'number', textContent: model.iterations[model.index(pair)] }));
     row.style.top = `${at * ROW}px`;
     return row;
   }

@@ -1,4 +1,5 @@
 import { Quaternion, Vector3 } from 'three';
+import { CastData } from './cast-data.js';
 import { ContactData } from './contact-data.js';
 import { bytes, floats, ints, number, shape, shorts } from './data.js';
 
@@ -36,6 +37,7 @@ export class SceneModel {
     this.normals = floats(json.normal);
     this.overlapping = ints(json.overlapping);
     this.contactData = new ContactData(json, this.overlapping);
+    this.castData = new CastData(json);
     this.frame = 0;
     this.measure();
   }
@@ -136,6 +138,37 @@ export class SceneModel {
     const [nx, ny, nz] = this.normal(pair);
     return this.contactData.of(pair).map(([x, y, z, gap]) => (
       { gap, ends: [this.drawn(x, y, z), this.drawn(x + nx * gap, y + ny * gap, z + nz * gap)] }));
+  }
+
+  /** When a pair first touches over the frame that follows; null if it does not. */
+  impact(pair) {
+    return this.castData.entry(this.index(pair));
+  }
+
+  /** The impact for a reader: a fraction of the frame, or why there is none; empty where nothing moves or one turns. */
+  impactText(pair, text = number) {
+    if (!this.castData.applies(this.a[pair], this.b[pair])) return '';
+    if (this.overlaps(pair)) return 'at start';
+    const impact = this.impact(pair);
+    return impact ? `${impact.isKnown ? '' : '≥ '}${text(impact.fraction)}` : 'miss';
+  }
+
+  /** How far an object goes over a part of the frame, as it is drawn. */
+  moved(object, fraction) {
+    return new Vector3(...this.castData.velocity(object)).multiplyScalar(fraction * this.unit);
+  }
+
+  /** The pair in which each object is the first time in another's way, or -1. */
+  firstImpacts() {
+    const first = new Int32Array(this.objects).fill(-1);
+    for (let pair = 0; pair < this.pairs && this.castData.isMoving; pair++) {
+      const impact = this.impact(pair);
+      if (!impact?.isKnown) continue;
+      for (const object of [this.a[pair], this.b[pair]]) {
+        if (first[object] < 0 || impact.fraction < this.impact(first[object]).fraction) first[object] = pair;
+      }
+    }
+    return first;
   }
 
   /** Goes to a frame. Finds the objects that overlap another, and the pair of each object with its nearest partner. */

@@ -3,7 +3,7 @@ import { number, vector } from './data.js';
 import { definitions, element, player, segmented, swatch } from './dom.js';
 import { PairList } from './pair-list.js';
 import { SceneModel } from './scene-model.js';
-import { CONTACT, SceneView, WAY_OUT } from './scene-view.js';
+import { CONTACT, IMPACT, SceneView, WAY_OUT } from './scene-view.js';
 import { Stage } from './stage.js';
 
 /** With more pairs than this, the page starts with only the lines to nearest partners. */
@@ -27,18 +27,24 @@ export function scenePage(json) {
     view.lineMode = mode;
     view.paint();
   });
+  const casts = segmented('paths and impacts', [[true, 'shown'], [false, 'hidden']], true, (isShown) => {
+    view.showsCasts = isShown;
+    view.paint();
+  });
   const frames = player('frame', model.frames, showFrame, FRAME_MS);
   const tip = element('div', { className: 'tip', hidden: true });
   const legend = element('div', { className: 'legend' }, swatch('#e5484d', 'intersecting'), swatch('#38a873', 'free'),
     swatch('#fff', 'closest points'), swatch(`#${WAY_OUT.toString(16)}`, 'shortest way out'),
     swatch(`#${CONTACT.toString(16)}`, 'contact points'),
+    ...(model.castData.isMoving ? [swatch(`#${IMPACT.toString(16)}`, 'path of a frame, impact')] : []),
     element('span', { textContent: 'drag to turn, scroll to zoom, click to pick' }));
   stage.root.append(legend, tip);
   document.body.append(
     element('main', { className: 'stage' }, stage.root, frames.root),
     element('aside', { className: 'side' },
       element('header', {}, element('h1', { textContent: model.name }), summary, element('div', { className: 'controls' }, 'lines', lines.root,
-        element('button', { type: 'button', className: 'plain', textContent: 'reset view', onclick: () => { stage.look = null; stage.fit(view.balls()); } }))),
+        element('button', { type: 'button', className: 'plain', textContent: 'reset view', onclick: () => { stage.look = null; stage.fit(view.balls()); } })),
+        element('div', { className: 'controls', hidden: !model.castData.isMoving }, 'paths and impacts', casts.root)),
       chip, list.head, list.rows, detail));
 
   function showFrame(frame) {
@@ -81,7 +87,7 @@ export function scenePage(json) {
       : [['distance', number(model.distance(pair))], ['normal', vector(model.normal(pair))]];
     const status = model.statusName(pair);
     if (status !== 'Separated' && status !== 'Overlapping') entries.push(['status', status]);
-    return definitions([...entries, ['iterations', String(model.iterations[model.index(pair)])]]);
+    return definitions([...entries, ...impactFacts(pair), ['iterations', String(model.iterations[model.index(pair)])]]);
   }
 
   function overlapFacts(pair) {
@@ -98,6 +104,14 @@ export function scenePage(json) {
     const [least, most] = [number(Math.min(...gaps)), number(Math.max(...gaps))];
     const range = least === most ? ['gap', least] : ['gaps', `${least} to ${most}`];
     return [['contact points', String(gaps.length)], range];
+  }
+
+  function impactFacts(pair) {
+    const text = model.impactText(pair), impact = model.impact(pair);
+    if (!text) return [];
+    if (!impact?.isKnown) return [['impact', text]];
+    const point = `(${impact.point.map(number).join(', ')})`;
+    return [['impact after', `${text} of a frame`], ['impact at', point], ['impact normal', vector(impact.normal)]];
   }
 
   function describe(hit) {
@@ -136,7 +150,7 @@ export function scenePage(json) {
     counts: () => ({
       objects: model.objects, pairs: model.pairs, frames: model.frames, frame: model.frame,
       overlapping: model.overlapping[model.frame], lines: view.lines.pairs.length, arrows: view.arrows.pairs.length,
-      contacts: view.contacts.points.length,
+      contacts: view.contacts.points.length, paths: view.casts.paths, impacts: view.casts.impacts.length,
     }),
     colorOf: (object) => view.colorOf(object),
     positionOf: (object) => stage.project(model.position(object)),
@@ -145,6 +159,7 @@ export function scenePage(json) {
       return stage.project(new Vector3().lerpVectors(from, to, share));
     },
     contactAt: (pair, i) => stage.project(model.contacts(pair)[i].ends[0]),
+    impactAt: (pair) => stage.project(model.drawn(...model.impact(pair).point)),
     selected: () => view.selected,
     drawNow: () => stage.drawNow(),
   };

@@ -1,13 +1,14 @@
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4,
   Mesh, MeshBasicMaterial, MeshLambertMaterial, SphereGeometry, Vector3,
 } from 'three';
 import { Arrows, arrow } from './arrows.js';
+import { Casts } from './casts.js';
 import { Contacts } from './contacts.js';
 import { edges, rod, surface } from './geometry.js';
 
 export const RED = 0xe5484d, GREEN = 0x38a873;
-export const WAY_OUT = 0x7cc4ff, CONTACT = 0xf0a6ff;
+export const WAY_OUT = 0x7cc4ff, CONTACT = 0xf0a6ff, IMPACT = 0xffb86b;
 const ACCENT = 0xffd166;
 
 /** While a pair is selected, all other bodies keep this share of their colour. */
@@ -22,6 +23,12 @@ const MOST_EDGED = 2000, MOST_EDGES = 300_000;
 /** The thickness of a drawn point or segment, in units (a scene is 20 across). */
 const THIN = 0.035;
 
+/** In degrees. The outline of a round shape is its net, whose facets are further apart than this. */
+const ROUND_ANGLE = 5;
+
+/** A path is brought into view where it is no longer than this, in units. */
+const LONGEST_PATH = 30;
+
 /** The bodies and lines of a scene in three.js. */
 export class SceneView {
   constructor(stage, model) {
@@ -33,6 +40,9 @@ export class SceneView {
     this.makeBodies();
     this.makeLines();
     this.contacts = new Contacts(stage, model, CONTACT);
+    this.edges = new Map();
+    this.showsCasts = true;
+    this.casts = new Casts(stage, model, IMPACT, (object) => this.outlineOf(object));
     this.arrows = new Arrows(stage, model, WAY_OUT, ACCENT);
     this.marks = new Group();
     stage.scene.add(this.marks);
@@ -104,8 +114,20 @@ export class SceneView {
     this.fillLines();
     this.contacts.fill(this.selected, this.lineMode !== 'none');
     this.arrows.fill(this.selected, this.lineMode !== 'none');
+    this.casts.fill(this.selected, this.showsCasts);
     this.markSelected();
     this.stage.draw();
+  }
+
+  /** The edges of an object's shape; a round one's surface as a net. A point has none. */
+  outlineOf(object) {
+    const at = this.model.shapeOf[object], shape = this.model.shapes[at];
+    if (shape.dimension === 0) return null;
+    if (!this.edges.has(at)) {
+      const isRound = shape.smooth && shape.edges.length === 0;
+      this.edges.set(at, isRound ? new EdgesGeometry(this.surfaces[at], ROUND_ANGLE) : edges(shape, this.model.unit));
+    }
+    return this.edges.get(at);
   }
 
   isSelected(object) {
@@ -156,7 +178,7 @@ export class SceneView {
   pick(clientX, clientY) {
     const ray = this.stage.ray(clientX, clientY);
     const reach = 5 * this.stage.pixelAt(this.stage.controls.target);
-    for (const marks of [this.arrows, this.contacts]) {
+    for (const marks of [this.arrows, this.casts, this.contacts]) {
       const pair = marks.pick(ray.ray, reach);
       if (pair >= 0) return { pair };
     }
@@ -177,6 +199,11 @@ export class SceneView {
 
   balls() {
     const { model } = this;
-    return Array.from(model.shapeOf, (_, i) => ({ center: model.position(i), radius: model.radius(i) }));
+    const here = Array.from(model.shapeOf, (_, i) => ({ center: model.position(i), radius: model.radius(i) }));
+    const paths = here.flatMap(({ center }, i) => {
+      const moved = model.moved(i, 1), length = moved.length();
+      return length > 0 && length <= LONGEST_PATH ? [{ center: moved.add(center), radius: 0.2 }] : [];
+    });
+    return [...here, ...paths];
   }
 }
