@@ -48,7 +48,7 @@ public static partial class ConvexQuery
     /// <returns>
     /// Hit: the shapes are proved apart before the fraction, and at it their distance is at most the tolerance; the
     /// point is on A as it has moved. The fraction is rounded down to a float. Where the shapes move by more than the
-    /// tolerance between two floats (some 1e-7 of the way up to there), the distance may be larger by that much. Miss:
+    /// tolerance between two floats (some 1e-7 of the way up to there), the distance may be larger by twice that. Miss:
     /// they are proved apart up to the largest fraction. OverlappingAtStart: they touch or overlap at 0, as
     /// <c>Distance</c> says. Shapes that are within the tolerance at the start and part at once do not hit.
     /// IterationLimit: they are apart up to the fraction, and 1024 steps or a million radians have been spent. Where

@@ -24,11 +24,14 @@ internal static class CastNormal
     /// </summary>
     private const double Gap = 1e-13;
 
-    /// <summary>Ratio to the radii: the last step's gap is at most this. Pinned by CurvedCastTests.</summary>
-    private const double LastGap = 1e-8;
+    /// <summary>Ratio to the radii: the last step is at most this long. Pinned by CurvedCastTests.</summary>
+    private const double LastStep = 1e-5;
 
-    /// <summary>Ratio: the slope of a graze that no last step is taken on. Pinned by CurvedCastTests.</summary>
-    private const double LeastSlope = 1e-5;
+    /// <summary>
+    /// Sine of the angle by which the normal may have changed for a last step to be taken: at an apex or a rim there is
+    /// more than one. Pinned by CurvedCastTests.
+    /// </summary>
+    private const double SameNormal = 3e-4;
 
     /// <summary>Count: rarely more than twenty are taken. Pinned by CurvedCastTests.</summary>
     private const int MaxRounds = 64;
@@ -45,6 +48,7 @@ internal static class CastNormal
         ClosestFeature feature = Walk(ref a, ref b, frame, ref vertices, ref state.Simplex, ref cast);
         double length = Math.Sqrt(feature.NormalSquared);
         if (!(length > 0)) return;
+        Vector3D before = cast.Normal;
         cast.Normal = feature.Normal * (-1 / length);
         state.Simplex.Select(
             vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
@@ -54,7 +58,8 @@ internal static class CastNormal
             ref a, ref b, frame, -cast.Normal, ref state.Simplex, vertices.FreeSlot, out _);
         cast.Iterations++;
         double slope = -Vector3D.Dot(cast.Normal, line.Axis), gap = -Vector3D.Dot(cast.Normal, w) - frame.Margins;
-        if (slope > LeastSlope && Math.Abs(gap) <= LastGap * frame.Radius)
+        bool isSame = (cast.Normal - before).LengthSquared <= SameNormal * SameNormal;
+        if (isSame && slope > 0 && Math.Abs(gap) <= LastStep * frame.Radius * slope)
             cast.Fraction = Math.Max(cast.Fraction + gap / (slope * line.Speed), double.Epsilon);
     }
 

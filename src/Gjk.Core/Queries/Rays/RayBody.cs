@@ -61,16 +61,17 @@ internal static class RayBody
         {
             case RayForm.Ball when target.Radius > 0:
                 return Result(RayBall.TryFind(ray, target.Radius, out span));
-            case RayForm.Box when size.X * size.Y + size.Y * size.Z + size.Z * size.X > 0:
+            case RayForm.Box when size.X * size.Y + size.Y * size.Z + size.Z * size.X > 0
+                && !RayBox.IsAlongSide(ray, size):
                 return Result(RayBox.TryFind(ray, size, out span));
             case RayForm.Hull when target.Hull!.Planes is not null:
-                return Result(RayHull.TryFind(ray.Foot, ray.Direction, target.Hull.Planes, out span));
+                return RayHull.Find(ray.Foot, ray.Direction, target.Hull, target.Hull.Planes, out span);
             case RayForm.Capsule when target.Radius > 0:
                 return Result(
                     RayCapsule.TryFind(ray.Foot, ray.Direction, target.A, target.B, target.Radius, out span));
-            case RayForm.Cylinder when size.X > 0:
+            case RayForm.Cylinder when size.X > 0 && !IsAlongCap(ray, size):
                 return Result(RayCylinder.TryFind(ray.Foot, ray.Direction, size.X, size.Y, out span));
-            case RayForm.Cone when size.X > 0 && size.Y > 0:
+            case RayForm.Cone when size.X > 0 && size.Y > 0 && !IsAlongCap(ray, size):
                 return Result(RayCone.TryFind(ray.Foot, ray.Direction, size.X, size.Y, out span));
             case RayForm.Ellipsoid when size.X > 0 && size.Y > 0 && size.Z > 0:
                 return Result(RayEllipsoid.TryFind(ray, size, out span));
@@ -81,6 +82,11 @@ internal static class RayBody
                 return RayFinding.Unfit;
         }
     }
+
+    /// <summary>Whether the line runs along the base of a cone, or an end of a cylinder.</summary>
+    private static bool IsAlongCap(in LocalRay ray, in Vector3D size) =>
+        RayGraze.IsAlongSlab(
+            size.Y, ray.Foot.Y, ray.Direction.Y, RayGraze.LengthOf(ray.Direction), size.X + size.Y);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static RayFinding Result(bool found) => found ? RayFinding.Found : RayFinding.Missed;

@@ -5,6 +5,17 @@ namespace Gjk.Core;
 /// <summary>A line against a box: three slabs (Kay and Kajiya 1986; Ericson 2005, section 5.3.3).</summary>
 internal static class RayBox
 {
+    /// <summary>Whether the line runs along a side.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsAlongSide(in LocalRay ray, in Vector3D half)
+    {
+        double length = RayGraze.LengthOf(ray.Direction), size = half.X + half.Y + half.Z;
+        return RayGraze.IsAlongSlab(half.X, ray.Foot.X, ray.Direction.X, length, size)
+            | RayGraze.IsAlongSlab(half.Y, ray.Foot.Y, ray.Direction.Y, length, size)
+            | RayGraze.IsAlongSlab(half.Z, ray.Foot.Z, ray.Direction.Z, length, size);
+    }
+
+    /// <summary>The part of the line in the box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryFind(in LocalRay ray, in Vector3D half, out RaySpan span)
     {

@@ -1,3 +1,5 @@
+using System;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -10,10 +12,17 @@ namespace Gjk.Core;
 /// line is measured from another of its points: k² (mxy² + mzy²) - mxz². Where the quadratic coefficient is positive,
 /// the line is flatter than the side, and in the double cone between the roots; the cut by y ≥ 0 leaves that of the
 /// lower one. Where it is negative, the line is steeper and passes through both: in the lower one from the greater root
-/// on when it goes down, up to the lesser when it goes up.
+/// on when it goes down, up to the lesser when it goes up. Where it is nothing, the line is parallel to a side and cuts
+/// one of the two cones in a parabola: it stays inside from its only root on, or up to it.
 /// </remarks>
 internal static class RayCone
 {
+    /// <summary>
+    /// Ratio of the quadratic coefficient to its parts: 16 roundings. Below it, its sign says nothing, and what it adds
+    /// within the cone is rounding. Pinned by RayConeTests.
+    /// </summary>
+    private const double Parallel = 16 * RoundOff.Unit;
+
     /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>
     /// <param name="foot">The line's point at the parameter 0, from the middle of the axis.</param>
     /// <param name="direction">Its direction.</param>
@@ -36,16 +45,21 @@ internal static class RayCone
         double a = dx * dx + dz * dz - k * k * dy * dy, b = fx * dx + fz * dz - k * k * fy * dy;
         double c = fx * fx + fz * fz - k * k * fy * fy;
         span = RaySpan.Everything;
-        if (!(discriminant >= 0))
+        if (Math.Abs(a) <= Parallel * (k * k * dy * dy))
         {
-            if (a >= 0) return false;
-            discriminant = 0;
+            if (b == 0 && c > 0) return false;
+            if (b < 0) span.Enter = -c / (2 * b);
+            if (b > 0) span.Exit = -c / (2 * b);
+        }
+        else
+        {
+            if (discriminant < 0 && a > 0) return false;
+            RayQuadratic.TrySolve(a, b, c, Math.Max(discriminant, 0), out double least, out double most);
+            if (a > 0) (span.Enter, span.Exit) = (least, most);
+            else if (dy > 0) span.Enter = most;
+            else span.Exit = least;
         }
 
-        if (!RayQuadratic.TrySolve(a, b, c, discriminant, out double least, out double most)) return false;
-        if (a > 0) (span.Enter, span.Exit) = (least, most);
-        else if (dy > 0) span.Enter = a == 0 ? -c / (2 * b) : most;
-        else span.Exit = a == 0 ? -c / (2 * b) : least;
         span.Normal = new Vector3D(fx + dx * span.Enter, k * k * (fy + dy * span.Enter), fz + dz * span.Enter);
         span.Enter += shift;
         span.Exit += shift;

@@ -11,30 +11,42 @@ namespace Gjk.Core;
 /// </summary>
 internal static class RayHull
 {
+    /// <summary>Stands for an entry that rounding would choose.</summary>
+    private const int Along = -2;
+
     /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>
-    public static bool TryFind(in Vector3D foot, in Vector3D direction, HullPlanes planes, out RaySpan span)
+    /// <param name="foot">The line's point at the parameter 0, from the hull's centre.</param>
+    /// <param name="direction">Its direction.</param>
+    /// <param name="hull">The hull.</param>
+    /// <param name="planes">Its planes.</param>
+    /// <param name="span">The part of the line in the hull.</param>
+    public static RayFinding Find(
+        in Vector3D foot, in Vector3D direction, ConvexHull hull, HullPlanes planes, out RaySpan span)
     {
         span = RaySpan.Everything;
         int entry = -1;
+        double length = RayGraze.LengthOf(direction), size = hull.BoundingRadius;
 #if NET
         bool isLeft = Vector256.IsHardwareAccelerated
-            ? ClipLanes(foot, direction, planes.Blocks, ref span, out entry)
-            : Clip(foot, direction, planes.Blocks, ref span, out entry);
+            ? ClipLanes(foot, direction, planes.Blocks, length, size, ref span, out entry)
+            : Clip(foot, direction, planes.Blocks, length, size, ref span, out entry);
 #else
-        bool isLeft = Clip(foot, direction, planes.Blocks, ref span, out entry);
+        bool isLeft = Clip(foot, direction, planes.Blocks, length, size, ref span, out entry);
 #endif
-        if (!isLeft || !(span.Enter <= span.Exit) || entry < 0) return false;
+        if (entry == Along) return RayFinding.Unfit;
+        if (!isLeft || !(span.Enter <= span.Exit) || entry < 0) return RayFinding.Missed;
         double[] blocks = planes.Blocks;
         span.Normal = new Vector3D(
             blocks[entry], blocks[entry + HullPlanes.Lanes], blocks[entry + 2 * HullPlanes.Lanes]);
-        return true;
+        return RayFinding.Found;
     }
 
     private static bool Clip(
-        in Vector3D foot, in Vector3D direction, double[] blocks, ref RaySpan span, out int entry)
+        in Vector3D foot, in Vector3D direction, double[] blocks, double length, double size, ref RaySpan span,
+        out int entry)
     {
         entry = -1;
-        bool isLeft = true;
+        bool isLeft = true, isAlong = false;
         for (int block = 0; block < blocks.Length; block += HullPlanes.BlockDoubles)
         {
             for (int i = block; i < block + HullPlanes.Lanes; i++)
@@ -50,23 +62,29 @@ internal static class RayHull
 
                 if (slope > 0 && t < span.Exit) span.Exit = t;
                 if (slope == 0 && below < 0) isLeft = false;
+                isAlong |= RayGraze.IsAlong(below, slope, length, size);
             }
         }
 
+        if (isAlong) entry = Along;
         return isLeft;
     }
 
 #if NET
     /// <summary>The same with four planes at a time.</summary>
     private static bool ClipLanes(
-        in Vector3D foot, in Vector3D direction, double[] blocks, ref RaySpan span, out int entry)
+        in Vector3D foot, in Vector3D direction, double[] blocks, double length, double size, ref RaySpan span,
+        out int entry)
     {
         Vector256<double> fx = Vector256.Create(foot.X), fy = Vector256.Create(foot.Y), fz = Vector256.Create(foot.Z);
         Vector256<double> dx = Vector256.Create(direction.X), dy = Vector256.Create(direction.Y);
         Vector256<double> dz = Vector256.Create(direction.Z), none = Vector256<double>.Zero;
         Vector256<double> enter = Vector256.Create(span.Enter), exit = Vector256.Create(span.Exit), above = none;
         Vector256<double> entries = Vector256.Create(-1.0), index = Vector256.Create(0.0, 1, 2, 3);
-        Vector256<double> step = Vector256.Create((double)HullPlanes.BlockDoubles);
+        Vector256<double> step = Vector256.Create((double)HullPlanes.BlockDoubles), along = none;
+        Vector256<double> flattest = Vector256.Create(RayGraze.LeastSlope * length), twice = Vector256.Create(2.0);
+        Vector256<double> lengths = Vector256.Create(length), sizes = Vector256.Create(size);
+        Vector256<double> error = Vector256.Create(RayGraze.FootError * length);
         ref double first = ref MemoryMarshal.GetArrayDataReference(blocks);
         for (nuint i = 0; i < (nuint)blocks.Length; i += HullPlanes.BlockDoubles)
         {
@@ -79,6 +97,9 @@ internal static class RayHull
             Vector256<double> isEntry = Vector256.LessThan(slope, none) & Vector256.GreaterThan(t, enter);
             Vector256<double> isExit = Vector256.GreaterThan(slope, none) & Vector256.LessThan(t, exit);
             above |= Vector256.Equals(slope, none) & Vector256.LessThan(below, none);
+            Vector256<double> flat = Vector256.Abs(slope);
+            along |= Vector256.LessThanOrEqual(flat, flattest)
+                & Vector256.LessThanOrEqual(Vector256.Abs(below) * lengths, (twice * flat + error) * sizes);
             enter = Vector256.ConditionalSelect(isEntry, t, enter);
             entries = Vector256.ConditionalSelect(isEntry, index, entries);
             exit = Vector256.ConditionalSelect(isExit, t, exit);
@@ -93,7 +114,7 @@ internal static class RayHull
             if (exit.GetElement(lane) < span.Exit) span.Exit = exit.GetElement(lane);
         }
 
-        entry = (int)latest;
+        entry = along.ExtractMostSignificantBits() != 0 ? Along : (int)latest;
         return above.ExtractMostSignificantBits() == 0;
     }
 #endif
