@@ -206,6 +206,9 @@ public sealed class GlbTests
         }
     }
 
+    /// <summary>A file without a fault.</summary>
+    internal static byte[] Good() => Framed($$"""{{{Mesh}},{{OneNode}},{{Data}}}""", Plain);
+
     private static Imported Of(string json, params string[] lines) => Of(json, Plain, lines);
 
     private static Imported Of(string json, byte[] binary, params string[] lines)
@@ -219,6 +222,13 @@ public sealed class GlbTests
 
     private static string Save(TempDirectory directory, string json, byte[] binary)
     {
+        string file = directory.File("model.glb");
+        File.WriteAllBytes(file, Framed(json, binary));
+        return file;
+    }
+
+    private static byte[] Framed(string json, byte[] binary)
+    {
         byte[] text = Encoding.UTF8.GetBytes(json);
         text = [.. text, .. Enumerable.Repeat((byte)' ', (4 - text.Length % 4) % 4)];
         byte[] chunks =
@@ -226,10 +236,7 @@ public sealed class GlbTests
             .. BitConverter.GetBytes(text.Length), .. "JSON"u8, .. text,
             .. BitConverter.GetBytes(binary.Length), .. "BIN\0"u8, .. binary,
         ];
-        string file = directory.File("model.glb");
-        File.WriteAllBytes(
-            file, [.. "glTF"u8, .. BitConverter.GetBytes(2), .. BitConverter.GetBytes(12 + chunks.Length), .. chunks]);
-        return file;
+        return [.. "glTF"u8, .. BitConverter.GetBytes(2), .. BitConverter.GetBytes(12 + chunks.Length), .. chunks];
     }
 
     private static byte[] Bytes(Vector3 v) =>

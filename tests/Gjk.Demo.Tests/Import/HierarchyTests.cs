@@ -29,6 +29,8 @@ public sealed class HierarchyTests
 
     private readonly Random _random = new(Seed);
 
+    private bool _isEven;
+
     [Fact]
     public void ShapesReachAsFarAsTheFullMatrixSays()
     {
@@ -51,6 +53,11 @@ public sealed class HierarchyTests
         Assert.True(skewed > Hierarchies / 2, $"seed {Seed}: only {skewed} are skewed");
         Imported imported = Imported.Of(text.Save(directory, "random.unity"));
         Assert.Contains("(Mesh): warning: it has no faces", Assert.Single(imported.Lines));
+        AssertReach(imported, expected);
+    }
+
+    private void AssertReach(Imported imported, Dictionary<string, Func<Vector3D, double>> expected)
+    {
         Assert.Equal(expected.Count, imported.Scene.Objects.Length);
         foreach ((string name, Func<Vector3D, double> reach) in expected)
         {
@@ -65,6 +72,40 @@ public sealed class HierarchyTests
             }
         }
     }
+
+    /// <summary>
+    /// Without uneven scales nothing is skewed, so colliders must reach as far as the full matrix says, too. Mirrors
+    /// along any of the axes do not change that.
+    /// </summary>
+    [Fact]
+    public void CollidersStayExactUnderMirrors()
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        var expected = new Dictionary<string, Func<Vector3D, double>>();
+        for (int i = 0; i < Hierarchies; i++)
+        {
+            _isEven = true;
+            (UnityObject top, Matrix world) = Object(text, null, Matrix.Identity, false);
+            (UnityObject middle, world) = Object(text, top, world, false);
+            (UnityObject leaf, world) = Object(text, middle, world, false, $"leaf {i}");
+            Assert.False(world.IsSkewed);
+            Vector3 center = Vector(2), size = 2 * new Vector3(_random.NextSingle(), 0.5f, _random.NextSingle());
+            Vector3D half = 0.5 * (Vector3D)size;
+            int axis = i % 3;
+            if (i % 2 == 0) text.Box(leaf, size, center);
+            else text.Capsule(leaf, 0.5f, 3, axis, center);
+            expected.Add($"leaf {i}", i % 2 == 0
+                ? d => Across(Vector3D.Multiply(half, world.Back(d))) + Vector3D.Dot(d, world.Apply(center))
+                : d => Along(world.Back(d), axis) + 0.5 * world.Back(d).Length + Vector3D.Dot(d, world.Apply(center)));
+        }
+
+        AssertReach(Imported.Quietly(text.Save(directory, "mirrors.unity")), expected);
+    }
+
+    private static double Across(Vector3D v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
+
+    private static double Along(Vector3D v, int axis) => Math.Abs(axis == 0 ? v.X : axis == 1 ? v.Y : v.Z);
 
     /// <summary>The kinds take turns. A flat capsule or cylinder cannot be made, so these stay solid.</summary>
     private static void AddShape(
@@ -89,6 +130,8 @@ public sealed class HierarchyTests
         UnityText text, UnityObject? parent, Matrix above, bool isFlat, string name = "node")
     {
         Vector3 position = Vector(5), scale = new(Factor(), isFlat ? 0 : Factor(), Factor());
+        if (_isEven)
+            scale = MathF.Abs(scale.X) * new Vector3(Math.Sign(scale.X), Math.Sign(scale.Y), Math.Sign(scale.Z));
         Quaternion turn = Quaternion.Normalize(new Quaternion(Vector(1), Number(1)));
         UnityObject added = text.Object(name, parent, position, turn, scale);
         Vector3D X(Vector3 axis, float factor) => above.Turn(Turned(turn, axis)) * factor;
@@ -131,6 +174,8 @@ public sealed class HierarchyTests
             > 1e-3 * Math.Max(X.LengthSquared, Math.Max(Y.LengthSquared, Z.LengthSquared));
 
         public Vector3D Turn(Vector3D v) => X * v.X + Y * v.Y + Z * v.Z;
+
+        public Vector3D Apply(Vector3D p) => Turn(p) + Origin;
 
         public Vector3D Back(Vector3D d) => new(Vector3D.Dot(X, d), Vector3D.Dot(Y, d), Vector3D.Dot(Z, d));
     }

@@ -46,7 +46,7 @@ public sealed class PrefabTests
         text.Stripped(114, 5003, "MonoBehaviour", 77, Crate, 5000);
         var prefabRoot = new UnityObject(0, 5001);
         text.ScriptCollider(text.Object("below", prefabRoot, new(0, 5, 0)), UnityText.Cube);
-        text.Ball(new UnityObject(5002, 0), 0.25f);
+        text.Ball(new UnityObject(5002, 0), 0.5f);
         Imported imported = Imported.Quietly(text.Save(directory, "Assets/scene.unity"));
         Assert.Equal(["crate", "lid", "below"], imported.Names);
         Imported.AssertBounds(imported["below"], new(9.5f, 4.5f, -0.5f), new(10.5f, 5.5f, 0.5f));
@@ -83,6 +83,51 @@ public sealed class PrefabTests
         // The prefab itself can be imported, too.
         Assert.Equal(
             ["crate", "lid", "crate #2", "lid #2"], Imported.Quietly(directory.File("Assets/Stack.prefab")).Names);
+    }
+
+    /// <summary>A variant is a prefab that is an instance of another one, with changes of its own.</summary>
+    [Fact]
+    public void AVariantKeepsItsChanges()
+    {
+        using var directory = new TempDirectory();
+        UnityObject lid = SaveCrate(directory, out UnityObject root);
+        var variant = new UnityText();
+        variant.Instance(
+            300, Crate, 0, [(lid.GameObject, "m_IsActive", "0"), (root.GameObject, "m_Name", "open crate")]);
+        variant.Save(directory, "Assets/Open.prefab", Stack);
+        var text = new UnityText();
+        text.Instance(5000, Stack, 0, [((300 ^ root.Transform) & long.MaxValue, "m_LocalPosition.x", "7")]);
+        text.Instance(5001, Stack, 0, []);
+        string scene = text.Save(directory, "Assets/scene.unity");
+
+        // Some versions name the object by the file that it was first written in.
+        File.WriteAllText(scene, File.ReadAllText(scene) + $"""
+            --- !u!1001 &5002
+            PrefabInstance:
+              m_Modification:
+                m_TransformParent: {UnityText.Ref(0)}
+                m_Modifications:
+                - target: {UnityText.Ref(root.Transform, Crate)}
+                  propertyPath: m_LocalPosition.x
+                  value: 9
+                  objectReference: {UnityText.Ref(0)}
+              m_SourcePrefab: {UnityText.Ref(100100000, Stack)}
+
+            """);
+        Imported imported = Imported.Quietly(scene);
+        Assert.Equal(["open crate", "open crate #2", "open crate #3"], imported.Names);
+        Assert.Equal([7f, 0, 9], imported.Scene.Objects.Select(o => o.Pose.Position.X));
+    }
+
+    /// <summary>Old prefab files hold a document about themselves.</summary>
+    [Fact]
+    public void AnOldPrefabFileIsNoInstanceOfItself()
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        text.Add(1001, 100100000, "Prefab:\n  m_Modification: {}\n  m_ParentPrefab: {fileID: 0}");
+        text.Box(text.Object("old"));
+        Assert.Equal(["old"], Imported.Quietly(text.Save(directory, "old.prefab")).Names);
     }
 
     [Fact]

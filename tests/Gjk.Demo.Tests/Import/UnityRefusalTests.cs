@@ -109,6 +109,19 @@ public sealed class UnityRefusalTests
         Assert.Equal(["A \u00e9 \" name"], Imported.Quietly(scene).Names);
     }
 
+    [Fact]
+    public void CharactersOutsideTheBasicPlaneAreRead()
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        text.Box(text.Object("\"\\uD83D\\uDE00\""));
+        text.Box(text.Object("\"\\U0001F600\""));
+        text.Box(text.Object("\"half \\uD83D\""));
+        Imported imported = Imported.Of(text.Save(directory, "scene.unity"));
+        Assert.Equal(["\U0001F600", "\U0001F600 #2"], imported.Names);
+        Assert.Contains("(GameObject): not valid YAML", imported.Lines[0]);
+    }
+
     /// <summary>A value within values, deeper than the stack allows.</summary>
     [Fact]
     public void DeepYamlDoesNotEndTheProcess()

@@ -6,12 +6,14 @@ namespace Gjk.Demo.Import.Unity;
 
 /// <summary>Where an object is.</summary>
 /// <param name="World">Unity's localToWorldMatrix.</param>
-/// <param name="Rotation">The product of the rotations, without the scales: Unity's transform.rotation.</param>
+/// <param name="Rotation">The product of the rotations, without the scales: Unity's transform.rotation. A mirror above
+/// an object turns its rotation round.</param>
+/// <param name="Signs">The signs of all scales down to this object, along the axes: 1 or -1 each.</param>
 /// <param name="IsActive">True if the object and all above it are active.</param>
 /// <param name="HasLayout">True if a layout places it or an object above it.</param>
-internal readonly record struct UnityPlace(Affine World, TurnD Rotation, bool IsActive, bool HasLayout)
+internal readonly record struct UnityPlace(Affine World, TurnD Rotation, Vector3D Signs, bool IsActive, bool HasLayout)
 {
-    public static readonly UnityPlace Root = new(Affine.Identity, TurnD.Identity, true, false);
+    public static readonly UnityPlace Root = new(Affine.Identity, TurnD.Identity, new(1, 1, 1), true, false);
 
     /// <summary>Unity's lossyScale: the scale that is left along the object's own axes.</summary>
     public Vector3D LossyScale
@@ -86,9 +88,14 @@ internal sealed class UnityHierarchy
         var given = new TurnD(turn.Number("x"), turn.Number("y"), turn.Number("z"), turn.Number("w"));
         TurnD rotation = given.Normalized();
         if (!double.IsFinite(rotation.W)) throw new UnreadableException("m_LocalRotation has no length");
-        Affine local = Affine.Of(body.Vector("m_LocalPosition"), rotation, body.Vector("m_LocalScale"));
+        Vector3D scale = body.Vector("m_LocalScale");
+        Affine local = Affine.Of(body.Vector("m_LocalPosition"), rotation, scale);
         bool isActive = parent.IsActive && (Find(transform.Owner) is not { } owner || !IsInactive(owner));
         bool hasLayout = parent.HasLayout || transform.ClassId == UnityClass.RectTransform;
-        return new UnityPlace(parent.World * local, (parent.Rotation * rotation).Normalized(), isActive, hasLayout);
+        TurnD turned = (parent.Rotation * rotation.Mirrored(parent.Signs)).Normalized();
+        Vector3D signs = Vector3D.Multiply(parent.Signs, new(Sign(scale.X), Sign(scale.Y), Sign(scale.Z)));
+        return new UnityPlace(parent.World * local, turned, signs, isActive, hasLayout);
     }
+
+    private static double Sign(double factor) => factor < 0 ? -1 : 1;
 }

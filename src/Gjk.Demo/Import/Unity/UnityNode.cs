@@ -43,14 +43,15 @@ internal sealed class UnityNode
     /// <exception cref="UnreadableException">It is YAML that Unity does not write.</exception>
     public static UnityNode Parse(TextReader text)
     {
-        var parser = new Parser(text);
-        parser.Consume<StreamStart>();
-        if (parser.Accept<StreamEnd>(out _)) return OfText("");
-        parser.Consume<DocumentStart>();
-        UnityNode root = Value(parser);
-        parser.Consume<DocumentEnd>();
-        if (!parser.Accept<StreamEnd>(out _)) throw new UnreadableException("a second document begins in it");
-        return root;
+        try
+        {
+            return Document(text);
+        }
+        catch (InvalidOperationException)
+        {
+            // The scanner of YamlDotNet 16 throws this at a bracket after some broken plain texts.
+            throw new UnreadableException("not valid YAML");
+        }
     }
 
     /// <summary>A copy that can be changed on its own.</summary>
@@ -114,6 +115,18 @@ internal sealed class UnityNode
     /// <summary>A reference to an object of this or, with a GUID, another file. None is 0.</summary>
     public UnityReference Reference(string field) =>
         this[field] is { } value ? new UnityReference(value.Whole("fileID", 0), value["guid"]?.Text ?? "") : default;
+
+    private static UnityNode Document(TextReader text)
+    {
+        var parser = new Parser(text);
+        parser.Consume<StreamStart>();
+        if (parser.Accept<StreamEnd>(out _)) return OfText("");
+        parser.Consume<DocumentStart>();
+        UnityNode root = Value(parser);
+        parser.Consume<DocumentEnd>();
+        if (!parser.Accept<StreamEnd>(out _)) throw new UnreadableException("a second document begins in it");
+        return root;
+    }
 
     /// <summary>
     /// Reads a value without recursion, because the text decides how deep it goes. An unfinished value is kept on a

@@ -73,7 +73,7 @@ internal sealed class UnityProject
             byte[] bytes = InputFile.Read(asset + ".meta", MetaBytes, _cancel);
             return UnityNode.Parse(new StreamReader(new MemoryStream(bytes)));
         }
-        catch (Exception e) when (e is YamlException or RefusedException)
+        catch (Exception e) when (e is YamlException or UnreadableException or RefusedException)
         {
             throw new UnreadableException(e is RefusedException ? e.Message : $"{asset}.meta: not valid YAML");
         }
