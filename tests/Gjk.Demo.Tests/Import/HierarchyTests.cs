@@ -103,6 +103,46 @@ public sealed class HierarchyTests
         AssertReach(Imported.Quietly(text.Save(directory, "mirrors.unity")), expected);
     }
 
+    /// <summary>Rounded rotations alone do not look like skew: all objects share the mesh.</summary>
+    [Fact]
+    public void WithoutSkewAMeshIsShared()
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        text.Mesh(77, "cloud", [new(0, 0, 0), new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]);
+        _isEven = true;
+        for (int i = 0; i < Hierarchies; i++)
+        {
+            (UnityObject top, Matrix world) = Object(text, null, Matrix.Identity, false);
+            (UnityObject middle, world) = Object(text, top, world, false);
+            text.MeshFilter(Object(text, middle, world, false).Object, "{fileID: 77}");
+        }
+
+        Assert.Equal(["cloud"], Imported.Quietly(text.Save(directory, "even.unity")).Builder.Meshes.Keys);
+    }
+
+    /// <summary>A skew of a few units in the sixth digit is more than the tolerance leaves out.</summary>
+    [Theory]
+    [InlineData(1.000004f)]
+    [InlineData(1.00003f)]
+    [InlineData(1.001f)]
+    public void ASmallSkewIsKept(float factor)
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        text.Mesh(77, "tip", [new(0, 0, 0), new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]);
+        UnityObject top = text.Object("top", scale: new(factor, 1, 1));
+        Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 4);
+        text.MeshFilter(text.Object("leaf", top, rotation: turn), "{fileID: 77}");
+        text.MeshFilter(text.Object("ball", top, rotation: turn), UnityText.Sphere);
+        Imported imported = Imported.Quietly(text.Save(directory, "small.unity"));
+        Vector3D x = Turned(turn, Vector3.UnitX), d = new(Math.Sqrt(0.5), Math.Sqrt(0.5), 0);
+        double leaf = d.X * factor * x.X + d.Y * x.Y;
+        double ball = 0.5 * new Vector3D(d.X * factor, d.Y, 0).Length;
+        Assert.Equal(leaf, Imported.Reach(imported["leaf"], d), Tolerance / 5);
+        Assert.Equal(ball, Imported.Reach(imported["ball"], d), Tolerance / 5);
+    }
+
     private static double Across(Vector3D v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
 
     private static double Along(Vector3D v, int axis) => Math.Abs(axis == 0 ? v.X : axis == 1 ? v.Y : v.Z);

@@ -10,7 +10,7 @@ internal static class Placement
     /// <summary>
     /// Share of the largest factor. The rotations of a file are rounded to float, so even a hierarchy without skew
     /// leaves about 1e-7 of it. A vertex moves by less than 1e-6 of the size if this much is left out, which
-    /// HierarchyTests pins.
+    /// HierarchyTests.ASmallSkewIsKept pins.
     /// </summary>
     private const double RotationNoise = 3e-7;
 
