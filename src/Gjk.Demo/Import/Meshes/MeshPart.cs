@@ -46,8 +46,7 @@ internal sealed class MeshPart
 
     private static int IndexOf(Vector3 vertex, List<Vector3> distinct, Dictionary<Vector3, int> known)
     {
-        // Adding 0 turns -0 into 0, so that both are one vertex.
-        vertex += Vector3.Zero;
+        // -0 and 0 are equal and have one hash, so they are one vertex.
         if (known.TryGetValue(vertex, out int index)) return index;
         known.Add(vertex, distinct.Count);
         distinct.Add(vertex);
