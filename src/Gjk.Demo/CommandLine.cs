@@ -8,6 +8,7 @@ using System.Linq;
 using System.Numerics;
 using System.Threading;
 using Gjk.Demo.Fuzz;
+using Gjk.Demo.Import;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
@@ -39,6 +40,7 @@ internal static class CommandLine
             BuildReplay(cancel),
             BuildQuery(cancel),
             BuildCast(cancel),
+            ImportOptions.Build(cancel),
             BuildTime(cancel),
             FuzzOptions.Build(cancel),
             ViewOptions.Build(cancel),

@@ -5,7 +5,7 @@ internal static class ExitCode
 {
     public const int Done = 0;
 
-    /// <summary>A check failed, or an internal error.</summary>
+    /// <summary>A check failed, something could not be imported, or an internal error.</summary>
     public const int Failed = 1;
 
     /// <summary>Bad arguments, bad input, or a file that cannot be read or written.</summary>

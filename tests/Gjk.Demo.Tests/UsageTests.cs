@@ -11,6 +11,7 @@ public sealed class UsageTests
     [InlineData("--help", "replay", "query", "time")]
     [InlineData("replay --help", "--seconds", "--frames", "--json")]
     [InlineData("query --help", "SCENE.json", "--out", "--max-distance")]
+    [InlineData("import --help", ".unity", "--project", "left-handed")]
     [InlineData("time --help", "SCENE.json", "--seconds", "")]
     [InlineData("view --help", "SCENE.json", "--out", "--svg")]
     [InlineData("trace --help", "SCENE.json", "--pair", "--out")]

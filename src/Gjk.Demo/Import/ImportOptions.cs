@@ -1,0 +1,61 @@
+using System.CommandLine;
+using System.Threading;
+using Gjk.Demo.Import.Meshes;
+using Gjk.Demo.Import.Unity;
+using Gjk.Demo.Output;
+
+namespace Gjk.Demo.Import;
+
+/// <summary>The command line of <c>import</c>.</summary>
+internal static class ImportOptions
+{
+    private const string Endings = ".unity, .prefab, .obj, .stl, .ply or .glb";
+
+    public static Command Build(CancellationToken cancel)
+    {
+        var file = new Argument<string>("FILE")
+        {
+            Description = "What to import. Its name must end in " + Endings + ". Each part of a mesh file is an object "
+                + "(o and g of an OBJ, a solid of an STL, a primitive in its place of a GLB). A mesh counts as its "
+                + "convex hull; a part that is not convex gets a warning.",
+        };
+        var output = new Option<string?>("--out")
+        {
+            Description = "Write the scene to this file instead of standard output.",
+            HelpName = "SCENE.json",
+        };
+        var project = new Option<string?>("--project")
+        {
+            Description = "The Unity project that FILE needs for its prefabs and meshes. By default the folder that "
+                + "holds the Assets folder above FILE.",
+            HelpName = "DIR",
+        };
+        var command = new Command(
+            "import",
+            "Make a scene of a Unity scene or prefab, or of a mesh file. Units and axes stay as they are: Unity's axes "
+            + "are left-handed, which changes no distance. In Unity, an object is its enabled colliders, or without "
+            + "any, its mesh; inactive objects are left out. Unity's own sphere, capsule and cylinder become the "
+            + "smooth shapes. What cannot be read is listed on standard error with file, line and fileID; the rest is "
+            + "written, and the exit code is 1.")
+        {
+            file, output, project,
+        };
+        command.Validators.Add(result =>
+        {
+            if (result.GetResult(file) is not { Implicit: false } || result.GetValue(file) is not { } name) return;
+            bool isUnity = UnityImport.IsUnityFile(name);
+            if (!isUnity && !MeshFile.IsPartsFile(name) && !MeshFile.IsGlb(name))
+                result.AddError($"{name}: its name must end in {Endings}.");
+            else if (!isUnity && result.GetResult(project) is not null)
+                result.AddError("--project is for files of Unity.");
+        });
+        command.SetAction(r =>
+        {
+            string name = r.GetValue(file)!;
+            string? target = r.GetValue(output);
+            TargetFiles.Check(name, ("--out", target));
+            return ImportCommand.Run(name, r.GetValue(project), target, cancel);
+        });
+        return command;
+    }
+}

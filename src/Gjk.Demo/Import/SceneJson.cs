@@ -1,0 +1,143 @@
+using System.Globalization;
+using System.IO;
+using System.Numerics;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using System.Threading;
+
+namespace Gjk.Demo.Import;
+
+/// <summary>
+/// Writes a scene as JSON, one line for each object and for each vertex. Floats have enough digits to give the same
+/// bits back.
+/// </summary>
+internal sealed class SceneJson
+{
+    private const int LinesPerLook = 4096;
+
+    private readonly StreamWriter _out;
+    private readonly CancellationToken _cancel;
+    private int _untilLook;
+
+    private SceneJson(Stream stream, CancellationToken cancel)
+    {
+        _out = new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" };
+        _cancel = cancel;
+    }
+
+    /// <param name="stream">Where to write.</param>
+    /// <param name="name">The scene's name.</param>
+    /// <param name="scene">What to write.</param>
+    /// <param name="cancel">Ends the work.</param>
+    public static void Write(Stream stream, string name, SceneBuilder scene, CancellationToken cancel)
+    {
+        var json = new SceneJson(stream, cancel);
+        json._out.Write($"{{ \"version\": 1, \"name\": {Quoted(name)},\n");
+        json.WriteMeshes(scene);
+        json.WriteObjects(scene);
+        json._out.Write("}\n");
+        json._out.Flush();
+    }
+
+    private void WriteMeshes(SceneBuilder scene)
+    {
+        if (scene.Meshes.Count == 0) return;
+        _out.Write("  \"meshes\": {");
+        string separator = "\n";
+        foreach ((string name, Vector3[] vertices) in scene.Meshes)
+        {
+            _out.Write($"{separator}    {Quoted(name)}: [");
+            for (int i = 0; i < vertices.Length; i++)
+            {
+                Look();
+                _out.Write(i == 0 ? "\n      " : ",\n      ");
+                Write(vertices[i]);
+            }
+
+            _out.Write("]");
+            separator = ",\n";
+        }
+
+        _out.Write(" },\n");
+    }
+
+    private void WriteObjects(SceneBuilder scene)
+    {
+        _out.Write("  \"objects\": [");
+        string separator = "\n";
+        foreach (ImportedObject one in scene.Objects)
+        {
+            Look();
+            _out.Write($"{separator}    {{ \"name\": {Quoted(one.Name)}, \"shape\": ");
+            Write(one.Shape);
+            _out.Write(", \"position\": ");
+            Write(one.Position);
+            if (one.Rotation != Quaternion.Identity)
+            {
+                _out.Write(", \"rotation\": ");
+                Write(one.Rotation);
+            }
+
+            if (one.Scale != Vector3.One)
+            {
+                _out.Write(", \"scale\": ");
+                Write(one.Scale);
+            }
+
+            _out.Write(" }");
+            separator = ",\n";
+        }
+
+        _out.Write(" ]\n");
+    }
+
+    private void Write(ImportedShape shape)
+    {
+        _out.Write($"{{ \"type\": \"{shape.Type}\"");
+        switch (shape.Type)
+        {
+            case "mesh":
+                _out.Write($", \"mesh\": {Quoted(shape.Mesh)}");
+                break;
+            case "box":
+                _out.Write(", \"halfExtents\": ");
+                Write(shape.Sizes);
+                break;
+            case "ellipsoid":
+                _out.Write(", \"radii\": ");
+                Write(shape.Sizes);
+                break;
+            default:
+                _out.Write($", \"radius\": {Number((float)shape.Radius)}");
+                if (shape.Type is "capsule" or "cylinder")
+                    _out.Write($", \"halfHeight\": {Number((float)shape.HalfHeight)}");
+                break;
+        }
+
+        if (shape.Rotation != Quaternion.Identity)
+        {
+            _out.Write(", \"rotation\": ");
+            Write(shape.Rotation);
+        }
+
+        _out.Write(" }");
+    }
+
+    private void Write(Vector3 v) => _out.Write($"[{Number(v.X)}, {Number(v.Y)}, {Number(v.Z)}]");
+
+    private void Write(Quaternion q) => _out.Write($"[{Number(q.X)}, {Number(q.Y)}, {Number(q.Z)}, {Number(q.W)}]");
+
+    /// <summary>Adding 0 turns -0 into 0.</summary>
+    private static string Number(float value) => (value + 0f).ToString("R", CultureInfo.InvariantCulture);
+
+    private static string Quoted(string text) =>
+        $"\"{JsonEncodedText.Encode(text, JavaScriptEncoder.UnsafeRelaxedJsonEscaping)}\"";
+
+    private void Look()
+    {
+        if (--_untilLook >= 0) return;
+        _cancel.ThrowIfCancellationRequested();
+        _untilLook = LinesPerLook;
+    }
+}

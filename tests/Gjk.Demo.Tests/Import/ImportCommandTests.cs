@@ -1,0 +1,145 @@
+using System;
+using System.IO;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Import;
+
+/// <summary>The command itself: exit codes, what it prints, what it leaves behind.</summary>
+public sealed class ImportCommandTests
+{
+    private const string Cube = """
+        v -1 -1 -1
+        v 1 -1 -1
+        v 1 1 -1
+        v -1 1 -1
+        v -1 -1 1
+        v 1 -1 1
+        v 1 1 1
+        v -1 1 1
+        f 1 4 3 2
+        f 5 6 7 8
+        f 1 2 6 5
+        f 2 3 7 6
+        f 3 4 8 7
+        f 4 1 5 8
+
+        """;
+
+    [Theory]
+    [InlineData("import", "FILE")]
+    [InlineData("import scene.json", "scene.json: its name must end in .unity, .prefab, .obj")]
+    [InlineData("import -", "-: its name must end in")]
+    [InlineData("import a.obj b.obj", "b.obj")]
+    [InlineData("import a.obj --nope", "--nope")]
+    [InlineData("import a.obj --out", "--out")]
+    [InlineData("import a.obj --out a.obj", "overwrite")]
+    [InlineData("import a.obj --project .", "--project is for files of Unity")]
+    [InlineData("import none.obj", "none.obj: cannot be read: there is no such file")]
+    [InlineData("import none.unity", "none.unity: cannot be read")]
+    [InlineData("import none.unity --project nowhere", "nowhere: --project: there is no such directory")]
+    public void WrongArgumentsAreOneLine(string args, string part) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+
+    [Fact]
+    public void TheUsualCase()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("cube.obj", Cube);
+        DemoRun run = DemoProcess.Run("import", file);
+        run.AssertDone();
+        Assert.StartsWith("{ \"version\": 1, \"name\": \"cube\",\n  \"meshes\": {\n    \"default\": [\n", run.Out);
+    }
+
+    /// <summary>A warning alone is no failure.</summary>
+    [Fact]
+    public void AWarningGoesToStandardError()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("open.obj", Cube.Replace("f 4 1 5 8\n", ""));
+        DemoRun run = DemoProcess.Run("import", file, "--out", directory.File("scene.json"));
+        Assert.Equal(0, run.ExitCode);
+        Assert.Equal(
+            $"gjk-demo: {file}: warning: the part \"default\" is not closed, so whether it is convex is not known: it "
+            + "is taken as the hull of its points\n",
+            run.Error);
+    }
+
+    [Fact]
+    public void WhatIsLeftIsWrittenAndTheExitCodeTellsOfTheRest()
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        text.Box(text.Object("good"));
+        UnityObject bad = text.Object("bad");
+        int line = text.NextLine;
+        long id = text.Component(bad.GameObject, 154, "TerrainCollider");
+        string scene = text.Save(directory, "scene.unity");
+        string target = directory.File("scene.json");
+        DemoRun run = DemoProcess.Run("import", scene, "--out", target);
+        Assert.Equal((1, ""), (run.ExitCode, run.Out));
+        Assert.Equal(
+            $"gjk-demo: {scene}:{line}: fileID {id} (TerrainCollider) of \"bad\": a TerrainCollider is not convex\n"
+            + $"gjk-demo: {scene}: 1 thing could not be read; the scene has the other object\n",
+            run.Error);
+        DemoProcess.Run("query", target).AssertDone();
+    }
+
+    [Fact]
+    public void IfNothingIsLeftTheOldFileStays()
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        text.Component(text.Object("bad").GameObject, 154, "TerrainCollider");
+        string scene = text.Save(directory, "scene.unity");
+        string target = directory.Write("scene.json", "old");
+        DemoRun run = DemoProcess.Run("import", scene, "--out", target);
+        Assert.Equal((1, ""), (run.ExitCode, run.Out));
+        Assert.EndsWith("1 thing could not be read; nothing is left to write\n", run.Error);
+        Assert.Equal("old", File.ReadAllText(target));
+        Assert.Equal(2, directory.Files.Length);
+    }
+
+    [Fact]
+    public void ARefusalLeavesNoFile()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("bad.obj", Cube + "f 1 2 9\n");
+        DemoProcess.Run("import", file, "--out", directory.File("scene.json")).AssertRefused(
+            $"{file}:15: there is no vertex 9: 8 came before this face");
+        Assert.Equal([file], directory.Files);
+    }
+
+    /// <summary>A name may hold anything.</summary>
+    [Fact]
+    public void NamesAreQuotedAndMadeUnique()
+    {
+        using var directory = new TempDirectory();
+        const string triangle = "f 1 2 3\n";
+        string file = directory.Write(
+            "names.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no a \"\\\\ \u00e9\n" + triangle + "o b\n" + triangle);
+        Assert.Equal(["a \"\\\\ \u00e9", "b"], Imported.Quietly(file).Names);
+    }
+
+    [UnixFact]
+    public void CtrlCLeavesNoFile()
+    {
+        using var directory = new TempDirectory();
+        string pipe = directory.File("slow.obj");
+        DemoProcess.Shell("mkfifo \"$1\"", pipe).AssertDone();
+        using DemoProcess demo = DemoProcess.Start("import", pipe, "--out", directory.File("scene.json"));
+        demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal)));
+        demo.Interrupt();
+        DemoRun run = demo.Wait();
+        Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
+        Assert.Equal([pipe], directory.Files);
+    }
+
+    [LinuxFact]
+    public void AnInputWithoutAnEndIsRefused()
+    {
+        using var directory = new TempDirectory();
+        File.CreateSymbolicLink(directory.File("endless.stl"), "/dev/zero");
+        DemoProcess.Run("import", directory.File("endless.stl")).AssertRefused("more than 268435456 bytes");
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Import;
+using Gjk.Demo.Import.Placing;
+using Gjk.Demo.Scenes;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Import;
+
+/// <summary>
+/// A file as <c>import</c> makes a scene of it, written and read again by the reader of the other commands.
+/// </summary>
+internal sealed class Imported
+{
+    private Imported(Scene scene, SceneBuilder builder, IReadOnlyList<string> lines)
+    {
+        Scene = scene;
+        Builder = builder;
+        Lines = lines;
+    }
+
+    public Scene Scene { get; }
+
+    public SceneBuilder Builder { get; }
+
+    /// <summary>What is printed on standard error.</summary>
+    public IReadOnlyList<string> Lines { get; }
+
+    public IEnumerable<string?> Names => Scene.Objects.Select(o => o.Name);
+
+    public SceneObject this[string name] => Scene.Objects.Single(o => o.Name == name);
+
+    public static Imported Of(string file, string? project = null)
+    {
+        var builder = new SceneBuilder();
+        var log = new ImportLog();
+        ImportCommand.Read(file, project, builder, log, CancellationToken.None);
+        using var directory = new TempDirectory();
+        string json = directory.File("scene.json");
+        using (FileStream stream = File.Create(json))
+            SceneJson.Write(stream, Path.GetFileNameWithoutExtension(file), builder, CancellationToken.None);
+        Scene scene = SceneFile.Load(json, CancellationToken.None);
+        Assert.Equal(builder.Objects.Select(o => o.Name), scene.Objects.Select(o => o.Name));
+        return new Imported(scene, builder, log.Lines);
+    }
+
+    /// <summary>As <see cref="Of"/>, and nothing is said about the file.</summary>
+    public static Imported Quietly(string file, string? project = null)
+    {
+        Imported imported = Of(file, project);
+        Assert.Empty(imported.Lines);
+        return imported;
+    }
+
+    /// <summary>Asserts that the file is refused, with these parts in the message.</summary>
+    public static void Refused(string file, params string[] parts)
+    {
+        var refused = Assert.Throws<RefusedException>(
+            () => ImportCommand.Read(file, null, new SceneBuilder(), new ImportLog(), CancellationToken.None));
+        foreach (string part in parts) Assert.Contains(part, refused.Message);
+    }
+
+    /// <summary>How far an object reaches in a direction of length 1, in the world.</summary>
+    public static double Reach(SceneObject one, in Vector3D direction)
+    {
+        Affine turn = TurnD.From(one.Pose.Rotation).ToAffine();
+        Vector3D inward = turn.TurnBack(direction);
+        one.Shape.Support(inward, out Vector3D point);
+        return Vector3D.Dot(inward, point + one.Shape.Center) + one.Shape.Margin
+            + Vector3D.Dot(direction, one.Pose.Position);
+    }
+
+    /// <summary>Asserts how far an object reaches along the axes.</summary>
+    public static void AssertBounds(SceneObject one, Vector3 min, Vector3 max)
+    {
+        const double tolerance = 1e-6;
+        Vector3D[] axes = [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)];
+        double size = Math.Max(min.Length(), max.Length());
+        for (int i = 0; i < 3; i++)
+        {
+            Assert.Equal(max[i], Reach(one, axes[i]), tolerance * size);
+            Assert.Equal(min[i], -Reach(one, -axes[i]), tolerance * size);
+        }
+    }
+}

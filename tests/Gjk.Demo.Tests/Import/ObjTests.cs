@@ -1,0 +1,100 @@
+using System.Linq;
+using System.Numerics;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Import;
+
+/// <summary>OBJ files: parts, the ways to name a vertex, and what is refused.</summary>
+public sealed class ObjTests
+{
+    private const string Corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+    private const string Tetrahedron = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+    [Fact]
+    public void EachObjectAndGroupIsAPart()
+    {
+        Imported imported = Of(Corners + "o one\n" + Tetrahedron + "v 9 0 0\no two\ng left\nf 1 3 2\nf 1 2 4\ng right\n"
+            + "f 2 3 5\nf 1 5 2\ng left\nf 1 4 3\nf 2 3 4\no empty\ng default\n");
+        Assert.Equal(["one", "two/left", "two/right"], imported.Names);
+        Imported.AssertBounds(imported["one"], new(0), new(1));
+        Imported.AssertBounds(imported["two/left"], new(0), new(1));
+        Imported.AssertBounds(imported["two/right"], new(0), new(9, 1, 0));
+    }
+
+    [Theory]
+    [InlineData("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")]
+    [InlineData("f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n")]
+    [InlineData("f 1/1 3/2 2/3\nf 1//1 2//1 4//1\nf 1/1/1 4/2/1 3/3/1\nf 2 3/ 4\n")]
+    [InlineData("f 1 3 \\\n2\nf 1 \\\r\n 2\\\n 4 # a comment\n\n\tf\t1 4 3\r\nf 2 3 4")]
+    public void FacesNameVerticesInManyWays(string faces)
+    {
+        // If a corner were mistaken, the mesh would not be closed, and a warning would say so.
+        using var directory = new TempDirectory();
+        string text = "# made by hand\nmtllib a.mtl\n" + Corners + faces;
+        Imported imported = Imported.Quietly(directory.Write("a.obj", text));
+        Assert.Equal(4, imported.Scene.Objects[0].Shape.Hull!.VertexCount);
+    }
+
+    [Fact]
+    public void CopiesOfAVertexAreWelded()
+    {
+        using var directory = new TempDirectory();
+        string text = Corners + Corners.Replace("v 0 0 0", "v -0 0 -0.0")
+            + "f 1 3 2\nf 5 6 8\nf 1 8 7\nf 6 7 4\nv 5 5 5\n";
+        Imported imported = Imported.Quietly(directory.Write("a.obj", text));
+
+        // The last vertex belongs to no face.
+        Assert.Equal(
+            [new(0, 0, 0), new(0, 1, 0), new(1, 0, 0), new(0, 0, 1)], imported.Builder.Meshes["default"]);
+    }
+
+    [Fact]
+    public void NumbersAreRoundedOnceAndMayBeFollowedByAWeight()
+    {
+        Imported imported = Of("v 1.00000005960464477540 1e-45 -16777217.0000000001 1\nv 0 0 0 0.5 0.5 1\nl 1 2\n");
+        Assert.Contains(new Vector3(1.0000001f, float.Epsilon, -16777218f), imported.Builder.Meshes["default"]);
+    }
+
+    [Fact]
+    public void PointsWithoutFacesAreAPartToo()
+    {
+        using var directory = new TempDirectory();
+        Imported imported = Imported.Of(directory.Write("a.obj", "o cloud\n" + Corners + "o more\nv 7 7 7\n"));
+        Assert.Equal(["cloud", "more"], imported.Names);
+        Assert.Contains("the part \"cloud\" has no faces", Assert.Single(imported.Lines));
+    }
+
+    [Theory]
+    [InlineData("", "there are no vertices in it")]
+    [InlineData("v 1 2\n", ":1: a vertex needs three coordinates, but has 2")]
+    [InlineData("v 1 2 three\n", ":1: \"three\" is not a number")]
+    [InlineData("v 1 2 1e39\n", ":1: 1e39 is too large for a float")]
+    [InlineData("v 1 2 nan\n", ":1: \"nan\" is not a number")]
+    [InlineData("v 0 0 0\n\nf 1 1\n", ":3: a face needs three corners, but has 2")]
+    [InlineData("v 0 0 0\nf 1 1 0\n", ":2: there is no vertex 0: 1 came before")]
+    [InlineData("v 0 0 0\nf 1 1 -2\n", ":2: there is no vertex -2")]
+    [InlineData("v 0 0 0\nf 1 1 2\nv 0 0 0\n", ":2: there is no vertex 2")]
+    [InlineData("v 0 0 0\nf 1 1 1.5\n", ":2: \"1.5\" is not a whole number")]
+    [InlineData("v 0 0 0\nf 1 1 99999999999\n", ":2: \"99999999999\" is not a whole number")]
+    [InlineData("v 0 0 0\nf 1 1 -2147483648\n", ":2: there is no vertex -2147483648")]
+    [InlineData("v 0 0 0\nl 2\n", ":2: there is no vertex 2")]
+    [InlineData("v 0 0 0\\\n\ncstype bezier\n", ":3: \"cstype\": curves and surfaces are not read")]
+    [InlineData("\u0089PNG\n", "is not a statement of an OBJ file")]
+    public void WhatIsWrongIsNamedWithItsLine(string text, string part)
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("bad.obj", text);
+        Imported.Refused(file, file, part);
+    }
+
+    private static Imported Of(string text)
+    {
+        using var directory = new TempDirectory();
+        Imported imported = Imported.Of(directory.Write("a.obj", text));
+        Assert.All(imported.Lines, l => Assert.Matches("is not closed|do not fill its outline|no faces", l));
+        Assert.Equal(imported.Names.Distinct(), imported.Names);
+        return imported;
+    }
+}
