@@ -6,7 +6,7 @@ namespace Gjk.Unity.Checks;
 
 /// <summary>
 /// Runs the package's tests and counts what the components allocate per frame, on the runtime that started this. With
-/// "frames" it runs the frames alone, which needs no reflection over tests: for code compiled ahead of time.
+/// "frames" it runs the frames alone.
 /// </summary>
 internal static class Program
 {
@@ -47,11 +47,11 @@ internal static class Program
         if (load.Near.Least == load.Near.Most) throw new InvalidOperationException("Nothing came near or left.");
         if (load.Distance.Problem is { } problem) throw new InvalidOperationException(problem);
         int collections = GC.CollectionCount(0);
-        long before = Allocated();
         var clock = Stopwatch.StartNew();
+        long before = Allocated();
         for (int i = 0; i < Frames; i++) load.Frame();
-        double microseconds = clock.Elapsed.TotalMilliseconds * 1000 / Frames;
         long bytes = Allocated() - before;
+        double microseconds = clock.Elapsed.TotalMilliseconds * 1000 / Frames;
         Console.WriteLine(FormattableString.Invariant(
             $"{bytes} bytes in {Frames} frames, {microseconds:F0} us a frame, {load.Sensor.WatchedCount} colliders"));
         if (bytes != 0 || GC.CollectionCount(0) != collections)

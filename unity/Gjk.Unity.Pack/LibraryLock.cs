@@ -12,8 +12,8 @@ namespace Gjk.Unity.Pack;
 /// from.
 /// </summary>
 /// <remarks>
-/// A Git URL installs what is in the repository, so the DLL must be in it. It is not built anew for every change: it may
-/// be behind the sources between releases, and this says whether it is. At a release it must not.
+/// A Git URL installs what is in the repository, so the DLL must be in it. It is not built anew for every change: it
+/// may be behind the sources between releases, and this says whether it is. At a release it must not.
 /// </remarks>
 public static class LibraryLock
 {
@@ -37,14 +37,16 @@ public static class LibraryLock
     public static bool IsCurrent(Layout layout) =>
         Read(layout).GetValueOrDefault(SourcesLabel) == SourcesHash(layout);
 
-    /// <summary>Of all files that decide what the library's build is, with their paths; line ends do not count.</summary>
+    /// <summary>
+    /// Of all files that decide what the library's build is, with their paths; line ends do not count.
+    /// </summary>
     public static string SourcesHash(Layout layout)
     {
         string library = Path.Combine(layout.Root, "src", "Gjk.Core");
         IEnumerable<string> inputs = Directory.EnumerateFiles(library, "*.cs*", SearchOption.AllDirectories)
             .Concat(SharedInputs.Select(f => Path.Combine(layout.Root, f)))
             .Select(f => Path.GetRelativePath(layout.Root, f).Replace('\\', '/'))
-            .Where(f => !f.Contains("/obj/", StringComparison.Ordinal) && !f.Contains("/bin/", StringComparison.Ordinal))
+            .Where(f => !f.Split('/').Any(part => part is "obj" or "bin"))
             .Order(StringComparer.Ordinal);
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         foreach (string input in inputs)

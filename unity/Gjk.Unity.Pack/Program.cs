@@ -40,7 +40,8 @@ internal static class Program
         string version = manifest.RootElement.GetProperty("version").GetString()!;
         Console.WriteLine($"wrote {Package.Export(layout, version, target)}");
         string packed = Path.Combine(target, Layout.PackageName, "Runtime", "Plugins", Layout.Library[0]);
-        byte[] dll = File.ReadAllBytes(packed), built = File.ReadAllBytes(Path.Combine(layout.Build, Layout.Library[0]));
+        byte[] dll = File.ReadAllBytes(packed);
+        byte[] built = File.ReadAllBytes(Path.Combine(layout.Build, Layout.Library[0]));
         if (!dll.AsSpan().SequenceEqual(built))
         {
             Console.Error.WriteLine("The DLL in the package is not the build's.");

@@ -75,7 +75,8 @@ public sealed class SceneWriter
     /// <summary>Adds a script; its fields are lines of YAML without indentation.</summary>
     public void AddScript(int owner, string guid, params string[] fields)
     {
-        string body = $"  m_Enabled: 1\n  m_EditorHideFlags: 0\n  m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\n"
+        string body = "  m_Enabled: 1\n  m_EditorHideFlags: 0\n"
+            + $"  m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\n"
             + "  m_Name: \n  m_EditorClassIdentifier: \n";
         AddPart(owner, 114, "MonoBehaviour", body + string.Concat(Array.ConvertAll(fields, f => $"  {f}\n")));
     }

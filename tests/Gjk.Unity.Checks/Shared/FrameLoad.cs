@@ -37,7 +37,7 @@ internal sealed class FrameLoad : IDisposable
 
     public ProximitySensor Sensor { get; }
 
-    /// <summary>The most and the least that the sensor had near, so that a test sees that objects came and went.</summary>
+    /// <summary>The least and the most that the sensor had near: a test sees that objects came and went.</summary>
     public (int Least, int Most) Near { get; private set; } = (int.MaxValue, 0);
 
     public void Frame()

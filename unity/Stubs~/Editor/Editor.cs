@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace UnityEngine
@@ -60,13 +61,13 @@ namespace UnityEditor
         {
         }
 
-        public static void LabelField(string label, string label2, params GUILayoutOption[] options)
-        {
-        }
+        /// <summary>What was drawn, for tests.</summary>
+        public static List<string> Drawn { get; } = new List<string>();
 
-        public static void HelpBox(string message, MessageType type)
-        {
-        }
+        public static void LabelField(string label, string label2, params GUILayoutOption[] options) =>
+            Drawn.Add(label + ": " + label2);
+
+        public static void HelpBox(string message, MessageType type) => Drawn.Add(type + ": " + message);
     }
 
     public sealed class Selection

@@ -81,9 +81,10 @@ namespace UnityEngine
     {
         public static Color color { get; set; }
 
-        public static void DrawLine(Vector3 from, Vector3 to)
-        {
-        }
+        /// <summary>The last line's ends, for tests.</summary>
+        public static Vector3[] LastLine { get; private set; }
+
+        public static void DrawLine(Vector3 from, Vector3 to) => LastLine = new[] { from, to };
     }
 
     public class Debug
@@ -100,9 +101,10 @@ namespace UnityEngine
             WarningCount++;
         }
 
-        public static void DrawLine(Vector3 start, Vector3 end, Color color)
-        {
-        }
+        /// <summary>How many lines were drawn, for tests.</summary>
+        public static int LineCount { get; set; }
+
+        public static void DrawLine(Vector3 start, Vector3 end, Color color) => LineCount++;
     }
 
     public class Application

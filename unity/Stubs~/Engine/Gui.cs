@@ -27,9 +27,10 @@ namespace UnityEngine
 
     public class GUILayout
     {
-        public static void Label(string text, params GUILayoutOption[] options)
-        {
-        }
+        /// <summary>The last label, for tests.</summary>
+        public static string LastLabel { get; private set; }
+
+        public static void Label(string text, params GUILayoutOption[] options) => LastLabel = text;
 
         public static bool Button(string text, params GUILayoutOption[] options) => false;
 

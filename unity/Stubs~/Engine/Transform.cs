@@ -22,11 +22,7 @@ namespace UnityEngine
         public Vector3 position
         {
             get => _parent is null ? localPosition : _parent.localToWorldMatrix.MultiplyPoint3x4(localPosition);
-            set
-            {
-                if (_parent is null) localPosition = value;
-                else throw new NotSupportedException("The stub sets world positions of roots only.");
-            }
+            set => localPosition = _parent is null ? value : Solve(_parent.localToWorldMatrix, value);
         }
 
         public Quaternion rotation
@@ -78,6 +74,20 @@ namespace UnityEngine
         }
 
         public Vector3 TransformPoint(Vector3 position) => localToWorldMatrix.MultiplyPoint3x4(position);
+
+        /// <summary>The point that the matrix maps to another one, by Cramer's rule.</summary>
+        private static Vector3 Solve(in Matrix4x4 m, Vector3 p)
+        {
+            var x = new Vector3(m.m00, m.m10, m.m20);
+            var y = new Vector3(m.m01, m.m11, m.m21);
+            var z = new Vector3(m.m02, m.m12, m.m22);
+            Vector3 v = p - new Vector3(m.m03, m.m13, m.m23);
+            float whole = Volume(x, y, z);
+            return new Vector3(Volume(v, y, z), Volume(x, v, z), Volume(x, y, v)) / whole;
+        }
+
+        private static float Volume(Vector3 a, Vector3 b, Vector3 c) =>
+            a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
 
         /// <summary>S R S, where S holds the signs of the scale: the rotation as the mirror shows it.</summary>
         private static Quaternion Mirrored(Quaternion q, Vector3 scale)

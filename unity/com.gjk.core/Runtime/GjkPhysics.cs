@@ -9,12 +9,14 @@ namespace Gjk.Unity
     /// overlap. No physics scene is asked, so neither needs a rigid body, a simulation step or to be enabled.
     /// </summary>
     /// <remarks>
-    /// For the main thread. Nothing is allocated once the hulls of the meshes are made. What a collider must be, and the
-    /// exceptions for one that is not, are those of <see cref="GjkShapes"/>.
+    /// For the main thread. Nothing is allocated once the hulls of the meshes are made. What a collider must be, and
+    /// the exceptions for one that is not, are those of <see cref="GjkShapes"/>.
     /// </remarks>
     public static class GjkPhysics
     {
-        /// <summary>How far two colliders are apart, or how deep they overlap, with the closest or deepest points.</summary>
+        /// <summary>
+        /// How far two colliders are apart, or how deep they overlap, with the closest or deepest points.
+        /// </summary>
         /// <param name="colliderA">The first.</param>
         /// <param name="colliderB">The second.</param>
         public static ColliderDistance3D Distance(Collider colliderA, Collider colliderB) =>
@@ -81,7 +83,7 @@ namespace Gjk.Unity
             if (!(length > 0) || double.IsInfinity(length))
                 throw new ArgumentOutOfRangeException(nameof(direction), direction, "The direction has no length.");
             if (!(maxDistance >= 0) || float.IsInfinity(maxDistance))
-                throw new ArgumentOutOfRangeException(nameof(maxDistance), maxDistance, "Must be finite and not below 0.");
+                throw new ArgumentOutOfRangeException(nameof(maxDistance), maxDistance, "Must be finite, from 0 on.");
             PosedShape a = GjkShapes.From(colliderA), b = GjkShapes.From(colliderB);
             var way = (System.Numerics.Vector3)(
                 new Vector3D(direction.x, direction.y, direction.z) * (maxDistance / length));

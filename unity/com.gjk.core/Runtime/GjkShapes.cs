@@ -20,13 +20,17 @@ namespace Gjk.Unity
         /// be convex.
         /// </param>
         /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
-        /// <exception cref="ArgumentException">It has no convex shape; the message names the object and why.</exception>
+        /// <exception cref="ArgumentException">
+        /// It has no convex shape; the message names the object and says why.
+        /// </exception>
         public static PosedShape From(Collider collider) => From((Component)collider);
 
         /// <summary>The shape of a mesh that is shown.</summary>
         /// <param name="filter">Its mesh must be readable and convex.</param>
         /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
-        /// <exception cref="ArgumentException">It has no convex shape; the message names the object and why.</exception>
+        /// <exception cref="ArgumentException">
+        /// It has no convex shape; the message names the object and says why.
+        /// </exception>
         public static PosedShape From(MeshFilter filter) => From((Component)filter);
 
         /// <summary>The shape of a collider or mesh filter.</summary>

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Gjk.Unity.Tests
 {
-    /// <summary>A transform's whole matrix in double, from the local values: what the adapters are held against.</summary>
+    /// <summary>
+    /// A transform's whole matrix in double, from the local values: what the adapters are held against.
+    /// </summary>
     internal readonly struct Affine
     {
         private readonly Vector3D _x, _y, _z, _position;
@@ -47,7 +49,9 @@ namespace Gjk.Unity.Tests
             return most;
         }
 
-        /// <summary>The cosine of the two axes that are furthest from a right angle; 0 where one has no length.</summary>
+        /// <summary>
+        /// The cosine of the two axes that are furthest from a right angle; 0 where one has no length.
+        /// </summary>
         public double Skew => Math.Max(Cosine(_x, _y), Math.Max(Cosine(_y, _z), Cosine(_x, _z)));
 
         /// <summary>

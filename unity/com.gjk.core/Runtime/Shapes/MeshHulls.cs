@@ -34,7 +34,7 @@ namespace Gjk.Unity
 
         public static void Forget(Mesh mesh) => _known.Remove(mesh);
 
-        /// <summary>Projects can keep the domain when play begins; then statics must begin anew by themselves.</summary>
+        /// <summary>A project can keep the domain when play begins; then statics must begin anew themselves.</summary>
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Reset() => _known = new ConditionalWeakTable<Mesh, MeshHull>();
     }

@@ -52,7 +52,8 @@ namespace Gjk.Samples
         {
             GUILayout.BeginArea(new Rect(10, 10, 400, 120));
             GUILayout.Label(_figures);
-            if (GUILayout.Button(_cubes.activeSelf ? "spheres" : "cubes")) Choose(_cubes.activeSelf ? _spheres : _cubes);
+            bool areCubes = _cubes.activeSelf;
+            if (GUILayout.Button(areCubes ? "spheres" : "cubes")) Choose(areCubes ? _spheres : _cubes);
             GUILayout.EndArea();
         }
 
