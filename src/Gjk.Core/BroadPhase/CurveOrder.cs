@@ -66,7 +66,7 @@ internal sealed class CurveOrder(BoundsTable table)
         if (end - begin > FewInCell && (IsOneCell(begin, end) || IsUnusualSize(begin, end)))
         {
             SetCells(begin, end);
-            Array.Sort(_keys, begin, end - begin);
+            InPlaceSort.Sort(_keys, begin, end - begin);
         }
 
         return IsOneCell(begin, end) ? Middle(begin, end) : MortonCurve.Split(_keys, begin, end);

@@ -55,7 +55,7 @@ internal sealed class PairKeys
     /// <summary>Sorts; the objects' numbers are below the given end.</summary>
     public void Sort(int end)
     {
-        if (Count < end / ObjectsPerPair || Count <= ShortBucket) Array.Sort(Keys, 0, Count);
+        if (Count < end / ObjectsPerPair || Count <= ShortBucket) InPlaceSort.Sort(Keys, 0, Count);
         else SortByBuckets(end);
     }
 
@@ -107,7 +107,7 @@ internal sealed class PairKeys
     {
         if (end - start > ShortBucket)
         {
-            Array.Sort(Keys, start, end - start);
+            InPlaceSort.Sort(Keys, start, end - start);
             return;
         }
 

@@ -40,7 +40,7 @@ internal static class SortKeys
     {
         if (n < LeastForRadix)
         {
-            Array.Sort(keys, 0, n);
+            InPlaceSort.Sort(keys, 0, n);
             return;
         }
 

@@ -1,0 +1,141 @@
+namespace UnityEngine
+{
+    public struct Color
+    {
+        public float r;
+        public float g;
+        public float b;
+        public float a;
+
+        public Color(float r, float g, float b)
+        {
+            this.r = r;
+            this.g = g;
+            this.b = b;
+            a = 1;
+        }
+
+        public static Color red => new Color(1, 0, 0);
+
+        public static Color green => new Color(0, 1, 0);
+
+        public static Color blue => new Color(0, 0, 1);
+
+        public static Color white => new Color(1, 1, 1);
+
+        public static Color yellow => new Color(1, 0.92156863f, 0.015686275f);
+
+        public static Color gray => new Color(0.5f, 0.5f, 0.5f);
+    }
+
+    public struct Rect
+    {
+        public Rect(float x, float y, float width, float height)
+        {
+            this.x = x;
+            this.y = y;
+            this.width = width;
+            this.height = height;
+        }
+
+        public float x { get; set; }
+
+        public float y { get; set; }
+
+        public float width { get; set; }
+
+        public float height { get; set; }
+    }
+
+    public struct Ray
+    {
+        public Ray(Vector3 origin, Vector3 direction)
+        {
+            this.origin = origin;
+            this.direction = direction;
+        }
+
+        public Vector3 origin { get; set; }
+
+        public Vector3 direction { get; set; }
+    }
+
+    public class Material : Object
+    {
+        public Color color { get; set; }
+    }
+
+    public class Renderer : Component
+    {
+        public Material material { get; set; } = new Material();
+    }
+
+    public class Camera : Behaviour
+    {
+        public static Camera main { get; set; }
+
+        public Ray ScreenPointToRay(Vector3 pos) => new Ray(transform.position, transform.rotation * Vector3.forward);
+    }
+
+    public sealed class Gizmos
+    {
+        public static Color color { get; set; }
+
+        /// <summary>The last line's ends, for tests.</summary>
+        public static Vector3[] LastLine { get; private set; }
+
+        public static void DrawLine(Vector3 from, Vector3 to) => LastLine = new[] { from, to };
+    }
+
+    public class Debug
+    {
+        /// <summary>The last warning, for tests; the engine has no such member.</summary>
+        public static string LastWarning { get; private set; }
+
+        /// <summary>How many warnings there were, for tests.</summary>
+        public static int WarningCount { get; private set; }
+
+        public static void LogWarning(object message, Object context)
+        {
+            LastWarning = message.ToString();
+            WarningCount++;
+        }
+
+        /// <summary>How many lines were drawn, for tests.</summary>
+        public static int LineCount { get; set; }
+
+        public static void DrawLine(Vector3 start, Vector3 end, Color color) => LineCount++;
+    }
+
+    public class Application
+    {
+        public static bool isPlaying { get; set; }
+    }
+
+    public struct LayerMask
+    {
+        private int m_Mask;
+
+        public int value
+        {
+            get => m_Mask;
+            set => m_Mask = value;
+        }
+
+        public static implicit operator int(LayerMask mask) => mask.m_Mask;
+
+        public static implicit operator LayerMask(int intVal)
+        {
+            LayerMask mask = default;
+            mask.m_Mask = intVal;
+            return mask;
+        }
+    }
+
+    public class Screen
+    {
+        public static int width { get; set; } = 1280;
+
+        public static int height { get; set; } = 800;
+    }
+}

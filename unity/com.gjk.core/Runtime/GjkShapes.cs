@@ -1,0 +1,104 @@
+using System;
+using Gjk.Core;
+using UnityEngine;
+
+namespace Gjk.Unity
+{
+    /// <summary>
+    /// Colliders and meshes as shapes of the library, where their transforms put them.
+    /// </summary>
+    /// <remarks>
+    /// For the main thread only, as all of the engine's objects are. Box, sphere and capsule take no memory; a mesh
+    /// builds its hull the first time and keeps it as long as the mesh lives. Skew, negative, uneven and zero scales
+    /// are honoured as the engine does: a mesh goes through the whole matrix, the others follow lossyScale.
+    /// </remarks>
+    public static class GjkShapes
+    {
+        /// <summary>The shape of a collider: box, sphere, capsule or mesh.</summary>
+        /// <param name="collider">
+        /// It may be disabled. A mesh must be readable. With Convex ticked, its convex hull is meant; without, it must
+        /// be convex.
+        /// </param>
+        /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
+        /// <exception cref="ArgumentException">
+        /// It has no convex shape; the message names the object and says why.
+        /// </exception>
+        public static PosedShape From(Collider collider) => From((Component)collider);
+
+        /// <summary>The shape of a mesh that is shown.</summary>
+        /// <param name="filter">Its mesh must be readable and convex.</param>
+        /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
+        /// <exception cref="ArgumentException">
+        /// It has no convex shape; the message names the object and says why.
+        /// </exception>
+        public static PosedShape From(MeshFilter filter) => From((Component)filter);
+
+        /// <summary>The shape of a collider or mesh filter.</summary>
+        /// <inheritdoc cref="From(Collider)" path="/exception"/>
+        public static PosedShape From(Component source)
+        {
+            if (TryFrom(source, out PosedShape posed, out string reason)) return posed;
+            throw Refused(source, reason, nameof(source));
+        }
+
+        /// <summary>
+        /// The shape of a collider or mesh filter as if its transform were somewhere else in the world; the scale
+        /// stays.
+        /// </summary>
+        /// <param name="source">The collider or mesh filter.</param>
+        /// <param name="position">Instead of the transform's position.</param>
+        /// <param name="rotation">Instead of the transform's rotation; of unit length.</param>
+        /// <inheritdoc cref="From(Collider)" path="/exception"/>
+        public static PosedShape From(Component source, Vector3 position, Quaternion rotation)
+        {
+            if (source == null) throw new ArgumentNullException(nameof(source));
+            TransformFrame.Of(source.transform, out TransformFrame frame);
+            frame.Turn = new Turn(rotation);
+            frame.Position = new Vector3D(position.x, position.y, position.z);
+            if (TryFrom(source, frame, out PosedShape posed, out string reason)) return posed;
+            throw Refused(source, reason, nameof(source));
+        }
+
+        /// <summary>The shape of a collider or mesh filter, or why there is none.</summary>
+        /// <param name="source">The collider or mesh filter.</param>
+        /// <param name="posed">The shape and its pose.</param>
+        /// <param name="reason">Null, or one sentence that names the object.</param>
+        public static bool TryFrom(Component source, out PosedShape posed, out string reason)
+        {
+            if (source == null)
+            {
+                posed = default;
+                reason = "There is no collider, or it was destroyed.";
+                return false;
+            }
+
+            TransformFrame.Of(source.transform, out TransformFrame frame);
+            return TryFrom(source, frame, out posed, out reason);
+        }
+
+        /// <summary>
+        /// Forgets the hull of a mesh. Call it after changing the vertices of a mesh by script; a change of their
+        /// number is noticed without.
+        /// </summary>
+        public static void Forget(Mesh mesh) => MeshHulls.Forget(mesh);
+
+        private static bool TryFrom(
+            Component source, in TransformFrame frame, out PosedShape posed, out string reason)
+        {
+            posed = default;
+            reason = ShapeReader.Read(source, frame.Stretch, out LocalShape local);
+            if (reason != null) return false;
+            if (!frame.TryPose(local.Offset, local.Turn, out RigidPose pose))
+            {
+                reason = "'" + source.name + "' is not at a finite position.";
+                return false;
+            }
+
+            posed = new PosedShape(local.Shape, pose);
+            return true;
+        }
+
+        private static ArgumentException Refused(Component source, string reason, string name) =>
+            source == null ? new ArgumentNullException(name, reason) : new ArgumentException(reason, name);
+    }
+}

@@ -1,0 +1,38 @@
+using Gjk.Core;
+using UnityEngine;
+
+namespace Gjk.Unity
+{
+    /// <summary>
+    /// Where a moving collider first touches another one. World units, world frame. Immutable.
+    /// </summary>
+    public readonly struct ColliderCastHit
+    {
+        internal ColliderCastHit(in CastResult result, float reach)
+        {
+            fraction = result.Fraction;
+            distance = result.Fraction * reach;
+            point = result.Point.ToUnity();
+            normal = (-result.Normal).ToUnity();
+            isOverlappedAtStart = result.Status == CastStatus.OverlappingAtStart;
+        }
+
+        /// <summary>How far the collider moved until it touched; 0 where the two overlapped before.</summary>
+        public float distance { get; }
+
+        /// <summary>The same as a part of the longest way, 0 to 1.</summary>
+        public float fraction { get; }
+
+        /// <summary>A point that the two share then.</summary>
+        public Vector3 point { get; }
+
+        /// <summary>
+        /// The unit normal of the surface that was hit, towards the collider that moved; zero where the two overlapped
+        /// before.
+        /// </summary>
+        public Vector3 normal { get; }
+
+        /// <summary>Whether they overlapped before anything moved.</summary>
+        public bool isOverlappedAtStart { get; }
+    }
+}

@@ -1,0 +1,12 @@
+using Gjk.Core;
+
+namespace Gjk.Unity
+{
+    /// <summary>A shape with its scale, and its place in the rigid frame of its transform.</summary>
+    internal struct LocalShape
+    {
+        public ConvexShape Shape;
+        public Vector3D Offset;
+        public Turn Turn;
+    }
+}

@@ -1,0 +1,75 @@
+using Gjk.Core;
+using UnityEngine;
+using Numerics = System.Numerics;
+
+namespace Gjk.Unity
+{
+    /// <summary>
+    /// A transform's matrix as a rigid pose times a stretch, in double.
+    /// </summary>
+    /// <remarks>
+    /// It is computed from the local values of the transform and its parents, not from localToWorldMatrix: that way a
+    /// stretch keeps its bits while the whole hierarchy turns and moves, so that a hull made for it can be kept, and
+    /// nothing depends on how the engine rounds. The product is the same matrix.
+    /// The rotation is the one that the engine's manual implies for <c>Transform.rotation</c>: without skew, rotation
+    /// times lossyScale is the matrix, mirrored parents included.
+    /// </remarks>
+    internal struct TransformFrame
+    {
+        /// <summary>The rotation of the rigid pose.</summary>
+        public Turn Turn;
+
+        /// <summary>The position of the rigid pose.</summary>
+        public Vector3D Position;
+
+        /// <summary>The rest of the matrix, applied before the pose.</summary>
+        public Stretch Stretch;
+
+        /// <summary>The signs of all scales so far, multiplied: 1 or -1 each.</summary>
+        private Vector3D _signs;
+
+        /// <summary>The frame of a transform in the world.</summary>
+        public static void Of(Transform transform, out TransformFrame frame)
+        {
+            Transform parent = transform.parent;
+            if (parent == null)
+            {
+                frame.Turn = Turn.None;
+                frame.Position = default;
+                frame.Stretch = Stretch.None;
+                frame._signs = new Vector3D(1, 1, 1);
+            }
+            else
+            {
+                Of(parent, out frame);
+            }
+
+            frame.Descend(transform.localPosition, transform.localRotation, transform.localScale);
+        }
+
+        /// <summary>The world pose of something placed in the rigid frame; false where it is not finite.</summary>
+        public readonly bool TryPose(in Vector3D offset, in Turn turn, out RigidPose pose)
+        {
+            var position = (Numerics.Vector3)(Position + Turn.Rotate(offset));
+            Numerics.Quaternion rotation = Turn.Times(turn).Rounded;
+            float check = position.X - position.X + (position.Y - position.Y) + (position.Z - position.Z)
+                + (rotation.X - rotation.X);
+            bool isFinite = check == 0;
+            pose = isFinite ? new RigidPose(rotation, position) : default;
+            return isFinite;
+        }
+
+        private void Descend(Vector3 position, Quaternion rotation, Vector3 scale)
+        {
+            var turn = new Turn(rotation);
+            Turn seen = turn.Mirrored(_signs);
+            var factors = new Vector3D(scale.x, scale.y, scale.z);
+            Position += Turn.Rotate(Stretch.Apply(new Vector3D(position.x, position.y, position.z)));
+            Stretch = Stretch.Child(seen, turn, factors);
+            Turn = Turn.Times(seen);
+            _signs = Vector3D.Multiply(_signs, new Vector3D(Sign(scale.x), Sign(scale.y), Sign(scale.z)));
+        }
+
+        private static double Sign(float scale) => scale < 0 ? -1 : 1;
+    }
+}
