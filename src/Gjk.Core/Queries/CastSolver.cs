@@ -83,7 +83,7 @@ internal static class CastSolver
                 warmStart.Keep(state);
                 if (cast.Outcome == Verdict.Apart) return;
                 cast.OnA = state.Simplex.PointOnA(state.Weights);
-                if (!place.IsPastStart) cast.OnA += ToCommon(state, frame);
+                if (cast.Fraction == 0) cast.OnA += ToCommon(state, frame);
                 else if (state.IsCurved) CastNormal.Sharpen(ref a, ref b, ref frame, line, ref state, ref cast);
                 return;
             }

@@ -88,7 +88,15 @@ internal struct CastJump
             Left = Along;
             _safe = Along + ahead;
             if (_safe > _end) return End(line, Verdict.Apart, ref cast);
-            if (!(_safe > Along)) return End(line, Verdict.Enclosed, ref cast);
+            if (!(_safe > Along))
+            {
+                // The bounds of a curved core's distance can be on either side of touching: what is not overlapping at
+                // the start is hit, however soon.
+                End(line, Verdict.Enclosed, ref cast);
+                cast.Fraction = Math.Max(cast.Fraction, double.Epsilon);
+                return true;
+            }
+
             MoveTo(Along + AheadTo(state, frame, line.Axis));
             return false;
         }

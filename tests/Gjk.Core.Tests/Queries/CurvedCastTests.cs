@@ -56,6 +56,19 @@ public class CurvedCastTests
         }
     }
 
+    /// <summary>In exact contact the distance's two bounds may disagree; the start is what Overlaps says.</summary>
+    [Fact]
+    public void AStartInContactIsWhatOverlapsSays()
+    {
+        var capsule = ConvexShape.Capsule(0.5f, 0.25f);
+        var ball = ConvexShape.Ellipsoid(new Vector3(0.25f));
+        var at = new RigidPose(new Vector3(-0.75f, 0.25f, 0));
+        CastResult r = ConvexQuery.Cast(capsule, at, default, ball, RigidPose.Identity, new Vector3(-1, 0, 0));
+        bool isIn = ConvexQuery.Overlaps(capsule, at, ball, RigidPose.Identity);
+        Assert.Equal((isIn ? CastStatus.OverlappingAtStart : CastStatus.Hit, 0f), (r.Status, r.Fraction));
+        Assert.Equal(-0.25f, r.Point.X, 1e-5f);
+    }
+
     /// <summary>The rim of a rounded cylinder is a ring, whose normal turns quickly.</summary>
     [Fact]
     public void AThinMarginAroundARimHasTheRingsNormal()
