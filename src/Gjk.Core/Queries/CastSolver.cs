@@ -49,7 +49,21 @@ internal static class CastSolver
     /// <param name="most">The largest fraction.</param>
     /// <param name="warmStart">Where the first round begins; updated.</param>
     /// <param name="cast">What was found.</param>
+    /// <remarks>
+    /// Where they touch does not depend on the most: it only cuts off what, rounded to float, is beyond it.
+    /// </remarks>
     public static void Solve<TA, TB>(
+        ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
+        out CastFinding cast)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double beyond = most * (1 + GjkTolerances.FloatBand);
+        Find(ref a, ref b, ref frame, motion, beyond, ref warmStart, out cast);
+        if (cast.Outcome == Verdict.Enclosed && (float)cast.Fraction > (float)most) cast.Outcome = Verdict.Apart;
+    }
+
+    private static void Find<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
         out CastFinding cast)
         where TA : struct, ISupportMap

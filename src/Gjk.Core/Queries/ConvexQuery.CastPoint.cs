@@ -41,7 +41,8 @@ public static partial class ConvexQuery
         where T : struct, ISupportMap
     {
         double turn = InverseTurn(pose.Rotation), length = motion.Length;
-        var line = new WorldRay(point.Position, motion, length, Math.Max(maxFraction, 0) * length);
+        double reach = Math.Max(maxFraction, 0) * length * (1 + GjkTolerances.FloatBand);
+        var line = new WorldRay(point.Position, motion, length, reach);
         if (!IsRay(pose, turn, line) || !point.IsValid || !Guard.IsFinite(translation)
             || !RayTargetOf<T>.TryGet(ref shape, out RayTarget target)
             || !RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out RayMeeting hit))
@@ -51,6 +52,7 @@ public static partial class ConvexQuery
 
         if (hit.IsAtSurface && IsInside(ref shape, pose, line.Origin)) hit.Status = CastStatus.OverlappingAtStart;
         double fraction = hit.Distance / length;
+        if (hit.Status == CastStatus.Hit && (float)fraction > maxFraction) hit.Status = CastStatus.Miss;
         result = hit.Status switch
         {
             CastStatus.Hit => new CastResult(

@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -88,7 +89,7 @@ public static partial class ConvexQuery
                 CastSolver.Solve(ref unitA, ref unitB, ref frame, motion, most, ref unused, out cast);
             }
 
-            Hit.Distance = begin + cast.Fraction * (length / power) * frame.Unit;
+            Hit.Distance = Math.Min(begin + cast.Fraction * (length / power) * frame.Unit, _line.Reach);
             Hit.Iterations = cast.Iterations;
             Hit.Status = cast.Outcome == Verdict.Contradiction ? CastStatus.InvalidShape
                 : cast.Outcome == Verdict.Undecided ? CastStatus.IterationLimit

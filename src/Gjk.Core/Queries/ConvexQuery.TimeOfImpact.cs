@@ -97,6 +97,14 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
+        if (AreBalls(ref shapeA, ref shapeB))
+        {
+            DistanceResult start = AskBalls(
+                ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, float.PositiveInfinity);
+            if (start.IsOverlapping && motionA.IsValid && motionB.IsValid && !float.IsNaN(maxFraction))
+                return new CastResult(CastStatus.OverlappingAtStart, 0, start.PointA, Vector3.Zero, 1);
+        }
+
         var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warmStart);
         Ask(ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, ref question);
         warmStart = question.WarmStart;

@@ -32,7 +32,7 @@ internal struct CastJump
     /// <summary>Up to here they are apart.</summary>
     public double Left;
 
-    /// <summary>Where the start is, and the end.</summary>
+    /// <summary>Where the start is, and the end, with what rounding may do to it.</summary>
     private double _start, _end;
 
     /// <summary>Up to here the plane at <see cref="Left"/> proves them apart.</summary>
@@ -49,7 +49,7 @@ internal struct CastJump
     {
         place = default;
         place._start = -line.Middle * line.Speed;
-        place._end = (most - line.Middle) * line.Speed;
+        place._end = (most - line.Middle) * line.Speed + line.Error;
         place._right = double.PositiveInfinity;
         place.Along = place.Left = place._safe = Math.Max(place._start, -line.HalfChord);
     }
@@ -78,7 +78,7 @@ internal struct CastJump
             state, state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins);
         if (isTouching && (!_isJump || (slope > 0 && -ahead <= gap)))
         {
-            if (isApart && frame.Margins > 0 && IsPastStart) cast.Normal = -normal;
+            if (isApart && frame.Margins > 0 && IsPastStart && slope > 0) cast.Normal = -normal;
             return End(line, Verdict.Enclosed, ref cast);
         }
 
@@ -116,7 +116,8 @@ internal struct CastJump
 
     private readonly bool End(in CastLine line, Verdict outcome, ref CastFinding cast)
     {
-        cast.Outcome = outcome;
+        // A jump may have gone past the end: where it went does not depend on the end.
+        cast.Outcome = Along > _end ? Verdict.Apart : outcome;
         cast.Fraction = FractionOf(line, Along);
         return true;
     }
@@ -125,7 +126,7 @@ internal struct CastJump
     private void MoveTo(double jump)
     {
         _isJump = jump > _safe && jump < _right;
-        Along = _isJump ? Math.Min(jump, _end) : _safe;
+        Along = _isJump ? jump : _safe;
     }
 
     /// <summary>

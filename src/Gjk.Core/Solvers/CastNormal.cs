@@ -3,15 +3,15 @@ using System;
 namespace Gjk.Core;
 
 /// <summary>
-/// The normal in which a curved core is touched, and the place, sharper than the distance needs them. A normal that is
+/// The normal in which a curved core is touched, and the point, sharper than the distance needs them. A normal that is
 /// wrong by an angle costs a distance only the angle's square, so a walk that ends within 1e-10 of the distance can be
-/// 1e-5 off; and where the motion only grazes, a gap of 1e-10 is a longer way.
+/// 1e-5 off.
 /// </summary>
 /// <remarks>
 /// Cores without margins are first moved away from the contact, along the normal that is known: the closest points
 /// stay where they are but for a small part of its error. There the textbook's walk goes on until the distance stops
-/// falling. Nothing but the last digits depend on its end, so nothing need be proved. The gap along the sharper normal
-/// is then Newton's last step.
+/// falling. Nothing but the last digits depend on its end, so nothing need be proved: the normal is taken if its plane
+/// is at least as good as the one that is known.
 /// </remarks>
 internal static class CastNormal
 {
@@ -24,43 +24,43 @@ internal static class CastNormal
     /// </summary>
     private const double Gap = 1e-13;
 
-    /// <summary>Ratio to the radii: the last step is at most this long. Pinned by CurvedCastTests.</summary>
-    private const double LastStep = 1e-5;
-
-    /// <summary>
-    /// Sine of the angle by which the normal may have changed for a last step to be taken: at an apex or a rim there is
-    /// more than one. Pinned by CurvedCastTests.
-    /// </summary>
-    private const double SameNormal = 3e-4;
-
     /// <summary>Count: rarely more than twenty are taken. Pinned by CurvedCastTests.</summary>
     private const int MaxRounds = 64;
 
-    /// <summary>Makes normal, point and fraction sharper; the simplex in the state is used up.</summary>
+    /// <summary>Makes normal and point sharper; the simplex in the state is used up.</summary>
     public static void Sharpen<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in CastLine line, ref SolverState state, ref CastFinding cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         Vector3D contact = frame.Translation;
+        double known = GapAlong(ref a, ref b, frame, cast.Normal, ref state.Simplex, ref cast);
         if (frame.Margins == 0) frame.Translation += cast.Normal * (Retreat * frame.Radius);
         FeatureVertices.Begin(out FeatureVertices vertices);
         ClosestFeature feature = Walk(ref a, ref b, frame, ref vertices, ref state.Simplex, ref cast);
         double length = Math.Sqrt(feature.NormalSquared);
         if (!(length > 0)) return;
-        Vector3D before = cast.Normal;
-        cast.Normal = feature.Normal * (-1 / length);
+        Vector3D normal = feature.Normal * (-1 / length);
         state.Simplex.Select(
             vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
-        cast.OnA = state.Simplex.PointOnA(ClosestPointWeights.Of(state.Simplex));
+        Vector3D onA = state.Simplex.PointOnA(ClosestPointWeights.Of(state.Simplex));
         frame.Translation = contact;
-        Vector3D w = MinkowskiDifference.Support(
-            ref a, ref b, frame, -cast.Normal, ref state.Simplex, vertices.FreeSlot, out _);
+        double slope = -Vector3D.Dot(normal, line.Axis);
+        double gap = GapAlong(ref a, ref b, frame, normal, ref state.Simplex, ref cast);
+
+        // Of all planes the one in which they touch leaves the widest gap.
+        if (gap >= known && slope > 0) (cast.Normal, cast.OnA) = (normal, onA);
+    }
+
+    /// <summary>The gap between the shapes along a normal, negative where they reach past each other.</summary>
+    private static double GapAlong<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref Simplex simplex, ref CastFinding cast)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out _);
         cast.Iterations++;
-        double slope = -Vector3D.Dot(cast.Normal, line.Axis), gap = -Vector3D.Dot(cast.Normal, w) - frame.Margins;
-        bool isSame = (cast.Normal - before).LengthSquared <= SameNormal * SameNormal;
-        if (isSame && slope > 0 && Math.Abs(gap) <= LastStep * frame.Radius * slope)
-            cast.Fraction = Math.Max(cast.Fraction + gap / (slope * line.Speed), double.Epsilon);
+        return -Vector3D.Dot(normal, w) - frame.Margins;
     }
 
     /// <summary>The feature nearest the origin, as near as a double can tell.</summary>

@@ -103,7 +103,9 @@ internal static class CastPortal
             {
                 cast.Fraction = line.FractionAt(entry);
                 cast.Normal = normal * (-1 / Math.Sqrt(squared));
-                return Certify(frame, line, portal, normal, plane, entry, most, cast.Fraction, ref state);
+                if (!IsCertain(frame, line, portal, normal, plane, entry, ref state)) return Verdict.Undecided;
+                if (!(cast.Fraction * line.Speed > gap)) return Verdict.Undecided;
+                return Verdict.Enclosed;
             }
 
             Replace(ref portal, new MinkowskiVertex(w, slot), line.Axis, turn);
@@ -246,9 +248,9 @@ internal static class CastPortal
         simplex.IdA(slot) == simplex.IdA(other) & simplex.IdB(slot) == simplex.IdB(other);
 
     /// <summary>Whether the portal is a face, and its point on the line the entry.</summary>
-    private static Verdict Certify(
+    private static bool IsCertain(
         in PairFrame frame, in CastLine line, in FeatureVertices portal, in Vector3D normal, double plane, double entry,
-        double most, double fraction, ref SolverState state)
+        ref SolverState state)
     {
         Vector3D a = portal.A.W, b = portal.B.W, c = portal.C.W;
         double wa = Math.Abs(Vector3D.Dot(line.Axis, Vector3D.Cross(b, c)));
@@ -260,12 +262,10 @@ internal static class CastPortal
         Vector3D off = state.Simplex.PointOf(state.Weights) - line.Axis * entry;
         double gap = EntryGap * frame.Radius, length = normal.Length, level = Level * frame.Radius * length;
         double widest = Math.Sqrt(Math.Max((b - a).LengthSquared, (c - a).LengthSquared));
-        bool isEntry = off.LengthSquared <= gap * gap
+        return off.LengthSquared <= gap * gap
             && length >= LeastHeight * frame.Radius * widest
             && Math.Abs(Vector3D.Dot(normal, a) - plane) <= level
             && Math.Abs(Vector3D.Dot(normal, b) - plane) <= level
             && Math.Abs(Vector3D.Dot(normal, c) - plane) <= level;
-        double room = gap / line.Speed;
-        return isEntry && fraction > room && fraction < most - room ? Verdict.Enclosed : Verdict.Undecided;
     }
 }

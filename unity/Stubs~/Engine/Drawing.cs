@@ -114,20 +114,20 @@ namespace UnityEngine
 
     public struct LayerMask
     {
-        private int m_Mask;
+        private int _mask;
 
         public int value
         {
-            get => m_Mask;
-            set => m_Mask = value;
+            get => _mask;
+            set => _mask = value;
         }
 
-        public static implicit operator int(LayerMask mask) => mask.m_Mask;
+        public static implicit operator int(LayerMask mask) => mask._mask;
 
         public static implicit operator LayerMask(int intVal)
         {
             LayerMask mask = default;
-            mask.m_Mask = intVal;
+            mask._mask = intVal;
             return mask;
         }
     }

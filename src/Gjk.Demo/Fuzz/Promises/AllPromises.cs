@@ -26,6 +26,7 @@ internal static class AllPromises
         new CastsMirror(),
         new OnlyTheRelativeMotionCounts(),
         new WarmCastsAreCold(),
+        new ImpactsAreProved(),
         new SwappingMirrors(),
         new WarmStartsChangeNothing(),
         new MaxDistanceEndsEarly(),
