@@ -41,6 +41,12 @@ internal static class CastSolver
     /// </summary>
     private const double JumpGap = 1e-10;
 
+    /// <summary>
+    /// Ratio to the largest fraction: 16 roundings, what a contact exactly at the end may be told beyond it. Pinned by
+    /// TheLargestFractionIsHonoured in CastTests.
+    /// </summary>
+    private const double LastPlaces = 16 * RoundOff.Unit;
+
     /// <summary>Moves B until it touches A.</summary>
     /// <param name="a">The first core.</param>
     /// <param name="b">The second one.</param>
@@ -50,7 +56,7 @@ internal static class CastSolver
     /// <param name="warmStart">Where the first round begins; updated.</param>
     /// <param name="cast">What was found.</param>
     /// <remarks>
-    /// Where they touch does not depend on the most: it only cuts off what, rounded to float, is beyond it.
+    /// Where they touch does not depend on the most: it only cuts off what is beyond it.
     /// </remarks>
     public static void Solve<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
@@ -60,8 +66,11 @@ internal static class CastSolver
     {
         double beyond = most * (1 + GjkTolerances.FloatBand);
         Find(ref a, ref b, ref frame, motion, beyond, ref warmStart, out cast);
-        if (cast.Outcome == Verdict.Enclosed && (float)cast.Fraction > (float)most) cast.Outcome = Verdict.Apart;
+        if (cast.Outcome == Verdict.Enclosed && IsBeyond(cast.Fraction, most)) cast.Outcome = Verdict.Apart;
     }
+
+    /// <summary>Whether a fraction is larger than the most, by more than rounding in double does.</summary>
+    public static bool IsBeyond(double fraction, double most) => fraction > most * (1 + LastPlaces);
 
     private static void Find<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,

@@ -46,7 +46,7 @@ public static partial class ConvexQuery
         if (passing > radii + BallLineError * (radii + way)) return CastResult.Nothing(CastStatus.Miss, most, 1);
         if (passing < radii) along -= Math.Sqrt((radii - passing) * (radii + passing));
         double fraction = Math.Max(along, 0) / speed;
-        if ((float)fraction > most) return CastResult.Nothing(CastStatus.Miss, most, 1);
+        if (CastSolver.IsBeyond(fraction, most)) return CastResult.Nothing(CastStatus.Miss, most, 1);
         Vector3D normal = nearest + axis * (along - way);
         normal = radii > 0 ? normal * (1 / normal.Length) : -axis;
         Vector3D point = Place(poseA, a.Center) + normal * a.Margin + (Vector3D)translationA * fraction;

@@ -52,7 +52,8 @@ public static partial class ConvexQuery
 
         if (hit.IsAtSurface && IsInside(ref shape, pose, line.Origin)) hit.Status = CastStatus.OverlappingAtStart;
         double fraction = hit.Distance / length;
-        if (hit.Status == CastStatus.Hit && (float)fraction > maxFraction) hit.Status = CastStatus.Miss;
+        if (hit.Status == CastStatus.Hit && CastSolver.IsBeyond(fraction, Math.Max(maxFraction, 0)))
+            hit.Status = CastStatus.Miss;
         result = hit.Status switch
         {
             CastStatus.Hit => new CastResult(
