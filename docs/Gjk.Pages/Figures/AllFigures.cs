@@ -1,0 +1,24 @@
+using System.Collections.Generic;
+
+namespace Gjk.Pages;
+
+/// <summary>The figures of the book, in its order.</summary>
+internal static class AllFigures
+{
+    public static IEnumerable<Figure> Make()
+    {
+        yield return OriginFigure.Draw();
+        yield return DifferenceFigure.Draw();
+        yield return SupportFigure.Draw();
+        yield return DropFigure.Draw();
+        yield return RegionsFigure.Draw();
+        yield return DistanceFigure.Draw();
+        yield return WeightsFigure.Draw();
+        yield return BoundsFigure.Draw();
+        yield return TouchingFigure.Draw();
+        yield return EpsilonFigure.Draw();
+        yield return DepthFigure.Draw();
+        yield return MarginsFigure.Draw();
+        yield return ConcaveFigure.Draw();
+    }
+}

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Builds the site of the book into docs/site: the playground, made by the demo, and the pages, made by VitePress.
+# Needs Node.js 18 or later. After the first run, which restores the packages, it needs no network.
+# GJK_SITE_BASE: the folder that the site is served from, with slashes (default /).
+# GJK_REPOSITORY_URL: where the sources can be read on the web; without it, links to sources are plain names.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+command -v npm > /dev/null || { echo "build.sh: Node.js is missing" >&2; exit 2; }
+[ -d node_modules/vitepress ] || npm ci --silent
+dotnet build -c Release -v quiet --nologo ../src/Gjk.Demo/Gjk.Demo.csproj
+mkdir -p public
+dotnet ../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll play --out public/play.html
+npx --no-install vitepress build .

@@ -1,0 +1,100 @@
+// Opens every page of the site, wide and narrow: no console error, no missing file, no dead link, nothing cut off.
+import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
+import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { extname, join, resolve } from 'node:path';
+import { chromium } from 'playwright-core';
+import { FLAGS } from './browser.mjs';
+import { check, finish } from './check.mjs';
+
+const [site, pictures] = process.argv.slice(2).map((path) => resolve(path));
+const SIZES = { wide: { width: 1280, height: 800 }, narrow: { width: 390, height: 844 } };
+const TYPES = {
+  '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json',
+  '.woff2': 'font/woff2', '.png': 'image/png',
+};
+// Pages of which a picture is kept, to be looked at.
+const KEPT = ['index', 'book/01-the-origin', 'book/02-the-simplex', 'book/looping', 'queries', 'api/queries', 'performance'];
+
+const server = createServer((request, response) => {
+  const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+  const file = join(site, path.endsWith('/') ? path + 'index.html' : path);
+  const found = [file, file + '.html'].find((f) => f.startsWith(site) && isFile(f));
+  response.writeHead(found ? 200 : 404, { 'Content-Type': TYPES[extname(found ?? '')] ?? 'application/octet-stream' });
+  response.end(found ? readFileSync(found) : 'not found');
+});
+await new Promise((done) => server.listen(0, '127.0.0.1', done));
+const origin = `http://127.0.0.1:${server.address().port}`;
+
+const pages = files(site).filter((file) => file.endsWith('.html') && !/(^|\/)(404|play)\.html$/.test(file));
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
+const links = new Map();
+for (const [size, viewport] of Object.entries(SIZES)) {
+  const context = await browser.newContext({ viewport });
+  for (const page of pages) await check(`${page} is whole at ${viewport.width} x ${viewport.height}`, () => look(context, page, size));
+  await context.close();
+}
+
+await check('no link is dead', async () => {
+  const dead = [];
+  for (const [link, from] of links) {
+    const [path, anchor] = link.split('#');
+    const response = await fetch(path);
+    if (!response.ok) dead.push(`${link} of ${from}`);
+    else if (anchor && !(await response.text()).includes(`id="${decodeURIComponent(anchor)}"`)) dead.push(`${link} of ${from}`);
+  }
+  assert.deepEqual(dead, []);
+  assert.ok(links.size > 50, `only ${links.size} links were found`);
+});
+
+await check('the search finds a page', async () => {
+  const page = await (await browser.newContext({ viewport: SIZES.wide })).newPage();
+  await page.goto(origin);
+  await page.locator('#local-search button').click();
+  await page.locator('.search-input').fill('epsilon');
+  await page.locator('.results a[href*="epsilon"]').first().waitFor();
+});
+await browser.close();
+server.close();
+finish();
+
+async function look(context, name, size) {
+  const page = await context.newPage();
+  const complaints = [];
+  page.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()); });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('response', (response) => { if (!response.ok()) complaints.push(`${response.status()} ${response.url()}`); });
+  page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(origin)) complaints.push(`fetched ${request.url()}`); });
+  await page.goto(`${origin}/${name.replace(/\.html$/, '')}`.replace(/index$/, ''), { waitUntil: 'load' });
+  await page.locator('.VPDoc, .VPHome').first().waitFor();
+  const cut = await page.evaluate(() => {
+    const width = document.documentElement.clientWidth;
+    const wide = document.documentElement.scrollWidth > width + 1 ? [`the page is ${document.documentElement.scrollWidth} wide`] : [];
+    // Code and tables scroll by themselves; all other text must end inside the window.
+    for (const element of document.querySelectorAll('.vp-doc :is(h1, h2, h3, p, li, img, figcaption)')) {
+      const right = element.getBoundingClientRect().right;
+      if (right > width + 1 && !element.closest('table, pre')) wide.push(element.textContent.slice(0, 60));
+    }
+    const images = [...document.images].filter((image) => image.complete && image.naturalWidth === 0).map((image) => image.src);
+    return [...wide, ...images];
+  });
+  for (const href of await page.locator('a[href]').evaluateAll((all) => all.map((a) => a.href))) {
+    if (href.startsWith(origin)) links.set(href, name);
+  }
+  const plain = name.replace(/\.html$/, '');
+  if (KEPT.includes(plain)) await page.screenshot({ path: join(pictures, `${plain.replaceAll('/', '-')}-${size}.png`) });
+  await page.close();
+  assert.deepEqual([...complaints, ...cut], []);
+}
+
+function files(folder) {
+  return readdirSync(folder, { recursive: true }).filter((file) => isFile(join(folder, file)));
+}
+
+function isFile(path) {
+  try {
+    return statSync(path).isFile();
+  } catch {
+    return false;
+  }
+}
