@@ -19,8 +19,8 @@ internal sealed class HullPlanes
     public const int BlockDoubles = 4 * Lanes;
 
     /// <summary>
-    /// Count: up to this many triangles, to clip a ray by all planes is faster than to cast it. Measured; pinned by
-    /// RayHullTests.
+    /// Count: up to this many triangles, to clip a ray by all planes is taken to be faster than to cast it. Estimated
+    /// from the price of a plane and of a support, not measured; pinned by RayHullTests.
     /// </summary>
     private const int MostTriangles = 512;
 
