@@ -6,12 +6,15 @@ namespace Gjk.Demo.Output;
 
 internal static class StandardError
 {
-    /// <summary>Writes one line. Control characters in a file name or a field name must not break it in two.</summary>
+    /// <summary>
+    /// Writes one line. A line break in a name must not break it in two, and other control characters must not reach
+    /// the terminal.
+    /// </summary>
     public static void Line(string message)
     {
-        var line = new StringBuilder();
-        foreach (char c in message) line.Append(char.IsControl(c) ? ' ' : c);
-        Text(line.ToString());
+        var line = new StringBuilder(message);
+        foreach (char space in "\r\n\t") line.Replace(space, ' ');
+        Text(PlainText.Of(line.ToString()));
     }
 
     /// <summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using Gjk.Demo.Output;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
@@ -28,7 +29,7 @@ internal sealed class ProgressBar
     public Action<double> Add(string title)
     {
         if (_context is null) return _ => { };
-        ProgressTask task = _context.AddTask(Markup.Escape(title), maxValue: 1);
+        ProgressTask task = _context.AddTask(Markup.Escape(PlainText.Of(title)), maxValue: 1);
         _context.Refresh();
         return done =>
         {

@@ -52,6 +52,9 @@ internal static class TraceOptions
                 throw new RefusedException(
                     $"{name}: --pair {a},{b}: the scene has {count} objects, counted from 0");
             }
+
+            ShapeRange.Check(scene, name, a);
+            ShapeRange.Check(scene, name, b);
             Write(scene, (a, b), html, cancel);
             return ExitCode.Done;
         });

@@ -17,6 +17,7 @@ internal static class ViewCommand
     /// <param name="cancel">Ends the work. No file is left then.</param>
     public static int Run(Scene scene, string name, string? page, string? picture, CancellationToken cancel)
     {
+        ShapeRange.Check(scene, name);
         using AtomicFile? pageFile = page is null ? null : new AtomicFile(page, cancel);
         using AtomicFile? pictureFile = picture is null ? null : new AtomicFile(picture, cancel);
         ProgressBar.Show(OutputConsole.Create(), OutputConsole.IsPlain, bars =>
