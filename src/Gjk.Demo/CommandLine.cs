@@ -41,7 +41,7 @@ internal static class CommandLine
             BuildQuery(cancel),
             BuildCast(cancel),
             ImportOptions.Build(cancel),
-            BuildTime(cancel),
+            TimeOptions.Build(Seconds(), cancel),
             FuzzOptions.Build(cancel),
             ViewOptions.Build(cancel),
             TraceOptions.Build(cancel),
@@ -131,12 +131,14 @@ internal static class CommandLine
                 result.AddError("--frames and --seconds exclude each other.");
         });
         var world = new WorldOptions(command);
+        Option<SphereMesh> mesh = BuiltInOptions.MeshOption();
+        command.Options.Add(mesh);
         command.SetAction(r =>
         {
             var length = new ReplayLength(TimeSpan.FromSeconds(r.GetValue(seconds)), r.GetValue(frames));
             return world.Read(r) is { } settings
-                ? ReplayCommand.RunWorlds(settings, length, r.GetValue(json), cancel)
-                : ReplayCommand.Run(length, r.GetValue(json), cancel);
+                ? ReplayCommand.RunWorlds(settings, r.GetValue(mesh), length, r.GetValue(json), cancel)
+                : ReplayCommand.Run(r.GetValue(mesh), length, r.GetValue(json), cancel);
         });
         return command;
     }
@@ -200,24 +202,6 @@ internal static class CommandLine
         Description = "Write the CSV to this file instead of standard output.",
         HelpName = "FILE.csv",
     };
-
-    private static Command BuildTime(CancellationToken cancel)
-    {
-        var scenes = new Argument<string[]>("SCENE.json")
-        {
-            Description = "The scenes.",
-            Arity = ArgumentArity.OneOrMore,
-        };
-        Option<double> seconds = Seconds();
-        var command = new Command(
-            "time",
-            "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving, boolean, depths, casts.")
-        {
-            scenes, seconds,
-        };
-        command.SetAction(r => TimeCommand.Run(r.GetValue(scenes)!, TimeSpan.FromSeconds(r.GetValue(seconds)), cancel));
-        return command;
-    }
 
     private static Option<double> Seconds()
     {
