@@ -41,6 +41,7 @@ internal static class CommandLine
             BuildQuery(cancel),
             BuildCast(cancel),
             ImportOptions.Build(cancel),
+            ExampleCommand.Build(cancel),
             TimeOptions.Build(Seconds(), cancel),
             FuzzOptions.Build(cancel),
             ViewOptions.Build(cancel),
@@ -145,7 +146,6 @@ internal static class CommandLine
 
     private static Command BuildQuery(CancellationToken cancel)
     {
-        Option<string?> output = CsvFile();
         var max = new Option<float>("--max-distance")
         {
             Description = "Report pairs further apart than this as such, without a distance.",
@@ -163,14 +163,13 @@ internal static class CommandLine
         };
         var command = new Command("query", "Write the distance and the closest points of every pair of a scene as CSV.")
         {
-            output, max, depth,
+            max, depth,
         };
         var input = new PairInput(command);
         command.SetAction(r =>
         {
-            string? target = r.GetValue(output);
-            (Scene scene, _) = input.Read(r, target, cancel);
-            QueryCommand.Run(scene, target, r.GetValue(max), r.GetValue(depth), cancel);
+            (Scene scene, PairTable table) = input.Read(r, cancel);
+            QueryCommand.Run(scene, table, r.GetValue(max), r.GetValue(depth), cancel);
             return ExitCode.Done;
         });
         return command;
@@ -178,30 +177,19 @@ internal static class CommandLine
 
     private static Command BuildCast(CancellationToken cancel)
     {
-        Option<string?> output = CsvFile();
         var command = new Command(
             "cast",
             "Move and turn every pair's objects by their velocities over one frame, and write when and where they "
-            + "first touch as CSV.")
-        {
-            output,
-        };
+            + "first touch as CSV.");
         var input = new PairInput(command);
         command.SetAction(r =>
         {
-            string? target = r.GetValue(output);
-            (Scene scene, _) = input.Read(r, target, cancel);
-            CastCommand.Run(scene, target, cancel);
+            (Scene scene, PairTable table) = input.Read(r, cancel);
+            CastCommand.Run(scene, table, cancel);
             return ExitCode.Done;
         });
         return command;
     }
-
-    private static Option<string?> CsvFile() => new("--out")
-    {
-        Description = "Write the CSV to this file instead of standard output.",
-        HelpName = "FILE.csv",
-    };
 
     private static Option<double> Seconds()
     {

@@ -17,6 +17,13 @@ internal static class StandardError
         Text(PlainText.Of(line.ToString()));
     }
 
+    /// <summary>Tells what was written to a file, such as "wrote 190 pairs to a.csv".</summary>
+    /// <param name="count">How many there are.</param>
+    /// <param name="thing">What one of them is called.</param>
+    /// <param name="file">As the user named it.</param>
+    public static void Wrote(long count, string thing, string file) =>
+        Line($"wrote {count} {thing}{(count == 1 ? "" : "s")} to {file}");
+
     /// <summary>
     /// Writes the text unchanged. If standard error is closed or its disk is full, nobody can be told. The exit code is
     /// then the only signal.

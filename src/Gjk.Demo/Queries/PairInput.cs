@@ -6,7 +6,9 @@ using Gjk.Demo.View;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>What <c>query</c> and <c>cast</c> are asked about: a scene, or one pair as a record.</summary>
+/// <summary>
+/// What <c>query</c> and <c>cast</c> are asked about, a scene or one pair as a record, and where the answers go.
+/// </summary>
 internal sealed class PairInput
 {
     private readonly SceneSource _scene = new();
@@ -18,9 +20,23 @@ internal sealed class PairInput
         HelpName = "TEXT",
     };
 
+    private readonly Option<string?> _output = new("--out")
+    {
+        Description = "Write the CSV to this file instead of standard output.",
+        HelpName = "FILE.csv",
+    };
+
+    private readonly Option<bool> _names = new("--names")
+    {
+        Description = "Add the columns a_name and b_name with the names of the objects. Control characters are written "
+            + "as \\u001b.",
+    };
+
     /// <summary>Adds the argument and the options to a command.</summary>
     public PairInput(Command command)
     {
+        command.Add(_output);
+        command.Add(_names);
         command.Add(_scene.File);
         command.Add(_scene.BuiltIn);
         _scene.Validate(command, _record);
@@ -29,19 +45,28 @@ internal sealed class PairInput
 
     /// <summary>Reads the scene, after a check that the output may be written beside it.</summary>
     /// <param name="parsed">The arguments.</param>
-    /// <param name="output">The file to write, or null for standard output.</param>
     /// <param name="cancel">Ends the reading.</param>
+    /// <returns>The scene, and the table for its answers.</returns>
     /// <exception cref="RefusedException">The input is not valid.</exception>
-    public (Scene Scene, string Name) Read(ParseResult parsed, string? output, CancellationToken cancel)
+    public (Scene Scene, PairTable Table) Read(ParseResult parsed, CancellationToken cancel)
+    {
+        string? output = parsed.GetValue(_output);
+        Scene scene = Load(parsed, output, cancel, out string name);
+        bool hasNames = parsed.GetValue(_names);
+        if (hasNames) ObjectNames.WarnOfRepeats(scene, name);
+        return (scene, new PairTable(scene, output, hasNames));
+    }
+
+    private Scene Load(ParseResult parsed, string? output, CancellationToken cancel, out string name)
     {
         if (parsed.GetValue(_record) is { } record)
         {
             TargetFiles.Check(RecordScene.InputOf(record), "the record", ("--out", output));
-            return (RecordScene.Read(record, cancel), "--record");
+            name = "--record";
+            return RecordScene.Read(record, cancel);
         }
 
         TargetFiles.Check(parsed.GetValue(_scene.File), ("--out", output));
-        Scene scene = _scene.Load(parsed, cancel, out string name);
-        return (scene, name);
+        return _scene.Load(parsed, cancel, out name);
     }
 }

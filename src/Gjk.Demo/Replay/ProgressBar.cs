@@ -6,7 +6,7 @@ using Spectre.Console;
 namespace Gjk.Demo.Replay;
 
 /// <summary>
-/// Shows one bar per scene on a terminal, and nothing elsewhere. It draws between frames, on the measuring thread, so
+/// Shows bars on a terminal, and nothing elsewhere. It draws between frames, on the measuring thread, so
 /// that it does not disturb the measured times.
 /// </summary>
 internal sealed class ProgressBar
@@ -18,11 +18,14 @@ internal sealed class ProgressBar
 
     private ProgressBar(ProgressContext? context) => _context = context;
 
-    /// <summary>Shows bars while the work runs.</summary>
-    public static void Show(IAnsiConsole console, bool plain, Action<ProgressBar> work)
+    /// <summary>
+    /// Shows bars on standard error while the work runs, and removes them at the end. Standard output stays for the
+    /// results.
+    /// </summary>
+    public static void Show(Action<ProgressBar> work)
     {
-        if (plain) work(new ProgressBar(null));
-        else console.Progress().AutoRefresh(false).Start(context => work(new ProgressBar(context)));
+        if (OutputConsole.ForProgress() is not { } console) work(new ProgressBar(null));
+        else console.Progress().AutoRefresh(false).AutoClear(true).Start(context => work(new ProgressBar(context)));
     }
 
     /// <summary>Adds a bar. The returned action takes the completed share, from 0 to 1.</summary>

@@ -55,12 +55,14 @@ internal static class ReplayCommand
         TargetFiles.Check(null, ("--json", jsonFile));
         if (jsonFile is not null) AtomicFile.Check(jsonFile);
         IAnsiConsole console = OutputConsole.Create();
+        bool isWritten = false;
         var reports = new List<TReport>();
         bool cancelled = false;
-        ProgressBar.Show(console, OutputConsole.IsPlain, bar => cancelled = !RunScenes(scenes, replay, bar, reports));
+        ProgressBar.Show(bar => cancelled = !RunScenes(scenes, replay, bar, reports));
         if (jsonFile is not null && reports.Count > 0)
-            WriteJson(jsonFile, !cancelled, stream => writeJson(stream, reports));
+            isWritten = WriteJson(jsonFile, !cancelled, stream => writeJson(stream, reports));
         print(console, reports, OutputConsole.IsPlain);
+        if (isWritten) StandardError.Wrote(reports.Count, "scene", jsonFile!);
         return cancelled ? ExitCode.Cancelled : ExitCode.Done;
     }
 
@@ -89,11 +91,13 @@ internal static class ReplayCommand
     /// Writes the file before the table is printed, so that a full disk leaves nothing on standard output. A cancelled
     /// replay has only some of the scenes, or none. It may create a new file, but it must not replace a complete one.
     /// </summary>
-    private static void WriteJson(string name, bool isComplete, Action<Stream> write)
+    /// <returns>True if the file was written.</returns>
+    private static bool WriteJson(string name, bool isComplete, Action<Stream> write)
     {
         using var json = new AtomicFile(name, CancellationToken.None);
-        if (!isComplete && json.ReplacesAFile) return;
+        if (!isComplete && json.ReplacesAFile) return false;
         write(json.Stream);
         json.Commit();
+        return true;
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Gjk.Demo.Output;
+using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
@@ -31,8 +32,9 @@ internal static class TimeCommand
         using Stream stdout = OutputConsole.OpenStream(cancel);
         foreach ((string name, Scene scene) in scenes)
         {
-            SceneTimes times = new SceneTimer(scene, duration, cancel).Run();
-            times.Write(stdout, Path.GetFileNameWithoutExtension(name));
+            SceneTimes? times = null;
+            ProgressBar.Show(bars => times = new SceneTimer(scene, duration, bars.Add(scene.Name), cancel).Run());
+            times!.Write(stdout, Path.GetFileNameWithoutExtension(name));
         }
 
         return ExitCode.Done;
