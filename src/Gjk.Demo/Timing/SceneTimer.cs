@@ -62,6 +62,7 @@ internal sealed class SceneTimer
         int overlapping = _pairs.CollectOverlapping();
         if (overlapping > 0) times.DepthNs = Measure(_pairs.Depth, overlapping, OtherShare).MinimumNs;
         if (_isCast) times.CastNs = Measure(_pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
+        _progress(1);
         return times;
     }
 
