@@ -41,7 +41,8 @@ internal static class CommandLine
             BuildQuery(cancel),
             BuildCast(cancel),
             ImportOptions.Build(cancel),
-            BuildTime(cancel),
+            ExampleCommand.Build(cancel),
+            TimeOptions.Build(Seconds(), cancel),
             FuzzOptions.Build(cancel),
             ViewOptions.Build(cancel),
             TraceOptions.Build(cancel),
@@ -131,19 +132,20 @@ internal static class CommandLine
                 result.AddError("--frames and --seconds exclude each other.");
         });
         var world = new WorldOptions(command);
+        Option<SphereMesh> mesh = BuiltInOptions.MeshOption();
+        command.Options.Add(mesh);
         command.SetAction(r =>
         {
             var length = new ReplayLength(TimeSpan.FromSeconds(r.GetValue(seconds)), r.GetValue(frames));
             return world.Read(r) is { } settings
-                ? ReplayCommand.RunWorlds(settings, length, r.GetValue(json), cancel)
-                : ReplayCommand.Run(length, r.GetValue(json), cancel);
+                ? ReplayCommand.RunWorlds(settings, r.GetValue(mesh), length, r.GetValue(json), cancel)
+                : ReplayCommand.Run(r.GetValue(mesh), length, r.GetValue(json), cancel);
         });
         return command;
     }
 
     private static Command BuildQuery(CancellationToken cancel)
     {
-        Option<string?> output = CsvFile();
         var max = new Option<float>("--max-distance")
         {
             Description = "Report pairs further apart than this as such, without a distance.",
@@ -161,14 +163,13 @@ internal static class CommandLine
         };
         var command = new Command("query", "Write the distance and the closest points of every pair of a scene as CSV.")
         {
-            output, max, depth,
+            max, depth,
         };
         var input = new PairInput(command);
         command.SetAction(r =>
         {
-            string? target = r.GetValue(output);
-            (Scene scene, _) = input.Read(r, target, cancel);
-            QueryCommand.Run(scene, target, r.GetValue(max), r.GetValue(depth), cancel);
+            (Scene scene, PairTable table) = input.Read(r, cancel);
+            QueryCommand.Run(scene, table, r.GetValue(max), r.GetValue(depth), cancel);
             return ExitCode.Done;
         });
         return command;
@@ -176,46 +177,17 @@ internal static class CommandLine
 
     private static Command BuildCast(CancellationToken cancel)
     {
-        Option<string?> output = CsvFile();
         var command = new Command(
             "cast",
             "Move and turn every pair's objects by their velocities over one frame, and write when and where they "
-            + "first touch as CSV.")
-        {
-            output,
-        };
+            + "first touch as CSV.");
         var input = new PairInput(command);
         command.SetAction(r =>
         {
-            string? target = r.GetValue(output);
-            (Scene scene, _) = input.Read(r, target, cancel);
-            CastCommand.Run(scene, target, cancel);
+            (Scene scene, PairTable table) = input.Read(r, cancel);
+            CastCommand.Run(scene, table, cancel);
             return ExitCode.Done;
         });
-        return command;
-    }
-
-    private static Option<string?> CsvFile() => new("--out")
-    {
-        Description = "Write the CSV to this file instead of standard output.",
-        HelpName = "FILE.csv",
-    };
-
-    private static Command BuildTime(CancellationToken cancel)
-    {
-        var scenes = new Argument<string[]>("SCENE.json")
-        {
-            Description = "The scenes.",
-            Arity = ArgumentArity.OneOrMore,
-        };
-        Option<double> seconds = Seconds();
-        var command = new Command(
-            "time",
-            "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving, boolean, depths, casts.")
-        {
-            scenes, seconds,
-        };
-        command.SetAction(r => TimeCommand.Run(r.GetValue(scenes)!, TimeSpan.FromSeconds(r.GetValue(seconds)), cancel));
         return command;
     }
 

@@ -56,7 +56,7 @@ public sealed class RecordTests
     public void ASceneAndARecordExcludeEachOther()
     {
         DemoProcess.Run("query", "scene.json", "--record", Spheres).AssertRefused("exclude each other");
-        DemoProcess.Run("query").AssertRefused("SCENE.json or --record");
+        DemoProcess.Run("query").AssertRefused("SCENE.json, --builtin or --record");
         DemoProcess.Run("query", "--record").AssertRefused("--record");
     }
 

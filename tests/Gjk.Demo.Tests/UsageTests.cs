@@ -15,6 +15,9 @@ public sealed class UsageTests
     [InlineData("time --help", "SCENE.json", "--seconds", "")]
     [InlineData("view --help", "SCENE.json", "--out", "--svg")]
     [InlineData("trace --help", "SCENE.json", "--pair", "--out")]
+    [InlineData("cast --help", "--builtin", "--mesh", "--names")]
+    [InlineData("time --help", "--builtin", "512 MiB", "386 distinct corners")]
+    [InlineData("example --help", "--out", "scene-format.md", "scene.schema.json")]
     public void HelpSaysWhatThereIs(string args, string one, string two, string three)
     {
         DemoRun run = DemoProcess.Run(args.Split(' '));
@@ -54,6 +57,15 @@ public sealed class UsageTests
     [InlineData("replay --frames 2 --seconds 1", "exclude")]
     [InlineData("replay extra", "extra")]
     [InlineData("@file", "@file")]
+    [InlineData("query a.json --builtin cubes", "--builtin and SCENE.json exclude")]
+    [InlineData("query --builtin cubes --record x", "--record and --builtin exclude")]
+    [InlineData("query --builtin teapots", "--builtin teapots: must be cubes or spheres")]
+    [InlineData("cast", "SCENE.json, --builtin or --record is needed")]
+    [InlineData("time a.json --builtin cubes", "--builtin and SCENE.json exclude")]
+    [InlineData("time - -", "standard input can be read only once")]
+    [InlineData("replay --mesh round", "--mesh round: must be even or unity")]
+    [InlineData("query --builtin cubes --mesh unity", "--mesh is for --builtin spheres")]
+    [InlineData("time a.json --mesh unity", "--mesh is for --builtin spheres")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
         DemoProcess.Run(args.Split(' ')).AssertRefused(part);
 

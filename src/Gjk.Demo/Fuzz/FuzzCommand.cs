@@ -1,7 +1,6 @@
 using System;
 using System.Threading;
 using Gjk.Demo.Fuzz.Promises;
-using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 
 namespace Gjk.Demo.Fuzz;
@@ -16,8 +15,7 @@ internal static class FuzzCommand
     {
         var run = new FuzzRun(length, seed, AllPromises.Make());
         BrokenPromise? broken = null;
-        ProgressBar.Show(
-            OutputConsole.Create(), OutputConsole.IsPlain, bar => broken = run.Search(bar.Add("pairs"), cancel));
+        ProgressBar.Show(bar => broken = run.Search(bar.Add("pairs"), cancel));
         FuzzReport report = FuzzReport.Of(run, broken, cancel.IsCancellationRequested);
         Console.Out.Write(report.Text);
         return report.ExitCode;

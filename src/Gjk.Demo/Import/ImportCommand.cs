@@ -28,7 +28,12 @@ internal static class ImportCommand
         bool isEmpty = scene.Objects.Count == 0;
         if (!isEmpty) Write(Path.GetFileNameWithoutExtension(file), scene, target, cancel);
         log.Print();
-        if (log.Missing == 0) return ExitCode.Done;
+        if (log.Missing == 0)
+        {
+            if (output is not null) StandardError.Wrote(scene.Objects.Count, "object", output);
+            return ExitCode.Done;
+        }
+
         string things = log.Missing == 1 ? "1 thing" : $"{log.Missing} things";
         string rest = isEmpty ? "nothing is left to write" : $"the scene has the other {Objects(scene.Objects.Count)}";
         StandardError.Line($"{file}: {things} could not be read; {rest}");

@@ -53,7 +53,7 @@ internal static class ImportOptions
         {
             string name = r.GetValue(file)!;
             string? target = r.GetValue(output);
-            TargetFiles.Check(name, ("--out", target));
+            TargetFiles.Check(name, "the file that is imported", ("--out", target));
             return ImportCommand.Run(name, r.GetValue(project), target, cancel);
         });
         return command;

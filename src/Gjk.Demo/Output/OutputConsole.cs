@@ -42,6 +42,11 @@ internal static class OutputConsole
         return new RefusingStream("standard output", stream, waits ? cancel : CancellationToken.None);
     }
 
+    /// <summary>Standard error for progress, or null if it is not a terminal.</summary>
+    public static IAnsiConsole? ForProgress() => Console.IsErrorRedirected
+        ? null
+        : AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
+
     public static IAnsiConsole Create()
     {
         if (!IsPlain) return AnsiConsole.Console;

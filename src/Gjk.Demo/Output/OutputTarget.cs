@@ -17,7 +17,7 @@ internal readonly record struct OutputTarget(string Path, FileStatus Status, boo
     /// <exception cref="ArgumentException">The name is not a path.</exception>
     public static OutputTarget Of(string name)
     {
-        string full = System.IO.Path.GetFullPath(name);
+        string full = FullPath.Of(name);
         if (!OperatingSystem.IsWindows() && Array.IndexOf(StandardOutputNames, full) >= 0)
             return new OutputTarget(full, FileStatus.Of(full), true);
 

@@ -22,7 +22,7 @@ internal static class RealPath
     public static string Of(string path)
     {
         char[] separators = [Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar];
-        string rooted = Path.IsPathFullyQualified(path) ? path : Path.Combine(Environment.CurrentDirectory, path);
+        string rooted = Path.IsPathFullyQualified(path) ? path : Path.Combine(FullPath.Of("."), path);
         string real = Path.GetPathRoot(rooted)!;
         var ahead = new Stack<string>();
         Push(rooted[real.Length..]);

@@ -6,13 +6,23 @@ namespace Gjk.Demo.Output;
 
 internal static class StandardError
 {
-    /// <summary>Writes one line. Control characters in a file name or a field name must not break it in two.</summary>
+    /// <summary>
+    /// Writes one line. A line break in a name must not break it in two, and other control characters must not reach
+    /// the terminal.
+    /// </summary>
     public static void Line(string message)
     {
-        var line = new StringBuilder();
-        foreach (char c in message) line.Append(char.IsControl(c) ? ' ' : c);
-        Text(line.ToString());
+        var line = new StringBuilder(message);
+        foreach (char space in "\r\n\t") line.Replace(space, ' ');
+        Text(PlainText.Of(line.ToString()));
     }
+
+    /// <summary>Tells what was written to a file, such as "wrote 190 pairs to a.csv".</summary>
+    /// <param name="count">How many there are.</param>
+    /// <param name="thing">What one of them is called.</param>
+    /// <param name="file">As the user named it.</param>
+    public static void Wrote(long count, string thing, string file) =>
+        Line($"wrote {count} {thing}{(count == 1 ? "" : "s")} to {file}");
 
     /// <summary>
     /// Writes the text unchanged. If standard error is closed or its disk is full, nobody can be told. The exit code is

@@ -1,5 +1,5 @@
+using System;
 using System.Collections.Generic;
-using System.IO;
 
 namespace Gjk.Demo.Output;
 
@@ -17,41 +17,48 @@ internal static class TargetFiles
     /// <param name="outputs">The options and the files that they name. A file is null if its option was not
     /// given.</param>
     /// <exception cref="RefusedException">Two of them are the same file, or an output cannot be written.</exception>
-    public static void Check(string? input, params (string Option, string? File)[] outputs)
+    public static void Check(string? input, params (string Option, string? File)[] outputs) =>
+        Check(input, "the scene", outputs);
+
+    /// <inheritdoc cref="Check(string?, ValueTuple{string, string?}[])"/>
+    /// <param name="input">The file that is read, <see cref="InputFile.StandardInput"/>, or null.</param>
+    /// <param name="what">What the input is, for the message.</param>
+    /// <param name="outputs">The options and the files that they name.</param>
+    public static void Check(string? input, string what, params (string Option, string? File)[] outputs)
     {
         string? source = input == InputFile.StandardInput ? StandardInputFile : input;
-        if (!string.IsNullOrEmpty(source)) source = Path.GetFullPath(source);
+        if (!string.IsNullOrEmpty(source)) source = Resolve(source, "cannot be read", FullPath.Of);
         var known = new List<(string Option, string Path)>();
         foreach ((string option, string? file) in outputs)
         {
             if (file is null) continue;
-            OutputTarget target = Resolve(file);
+            OutputTarget target = Resolve(file, "cannot be written", OutputTarget.Of);
 
             // A device or a pipe can be read and written at the same time. A terminal is one example.
             if (source is not null && target.Status.Kind != FileKind.Stream && FileStatus.IsSame(source, target.Path))
-                throw new RefusedException($"{file}: {option} would overwrite the scene");
+                throw new RefusedException($"{file}: {option} would overwrite {what}");
             bool isFile = !target.IsStandardOutput && target.Status.Kind == FileKind.Regular;
             if (isFile && FileStatus.IsSame(StandardOutputFile, target.Path))
                 throw new RefusedException($"{file}: {option} would overwrite standard output");
-            foreach ((string what, string path) in known)
+            foreach ((string other, string path) in known)
             {
                 if (FileStatus.IsSame(path, target.Path))
-                    throw new RefusedException($"{file}: {option} would overwrite what {what} writes");
+                    throw new RefusedException($"{file}: {option} would overwrite what {other} writes");
             }
 
             known.Add((option, target.Path));
         }
     }
 
-    private static OutputTarget Resolve(string file)
+    private static T Resolve<T>(string file, string failed, Func<string, T> resolve)
     {
         try
         {
-            return OutputTarget.Of(file);
+            return resolve(file);
         }
-        catch (System.Exception e) when (RefusedException.IsFileTrouble(e))
+        catch (Exception e) when (RefusedException.IsFileTrouble(e))
         {
-            throw new RefusedException(file, "cannot be written", e);
+            throw new RefusedException(file, failed, e);
         }
     }
 }

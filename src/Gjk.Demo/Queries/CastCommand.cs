@@ -12,13 +12,13 @@ namespace Gjk.Demo.Queries;
 internal static class CastCommand
 {
     /// <param name="scene">The scene.</param>
-    /// <param name="output">The file to write, or null for standard output.</param>
+    /// <param name="table">The table to write.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
-    public static void Run(Scene scene, string? output, CancellationToken cancel)
+    public static void Run(Scene scene, PairTable table, CancellationToken cancel)
     {
         SceneObject[] objects = scene.Objects;
-        PairTable.Write(
-            scene, output, CsvWriter.Casts, (rows, a, b) => rows.Write(a, b, Answer(objects[a], objects[b])), cancel);
+        table.Write(
+            CsvWriter.Casts, (rows, a, b) => rows.Write(a, b, Answer(objects[a], objects[b])), cancel);
     }
 
     /// <summary>A pair that does not turn is answered to the last bit, one that does to a tolerance.</summary>

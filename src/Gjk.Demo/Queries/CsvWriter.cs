@@ -21,21 +21,28 @@ internal sealed class CsvWriter
 
     private const int BufferBytes = 1 << 16;
 
+    /// <summary>The columns that follow the others with the names of the objects.</summary>
+    private const string NameColumns = ",a_name,b_name";
+
     /// <summary>
-    /// Bytes. More than the longest row, which has 13 numbers of at most 16 characters, the indices and the words.
+    /// Bytes. More than the longest row without names, which has 13 numbers of at most 16 characters, the indices and
+    /// the words.
     /// </summary>
     private const int RowBytes = 512;
 
     private readonly Stream _stream;
     private readonly byte[] _buffer = new byte[BufferBytes];
+    private readonly string[]? _names;
     private int _used;
 
     /// <param name="stream">Where to write.</param>
-    /// <param name="header">The columns: <see cref="Distances"/> or <see cref="Casts"/>.</param>
-    public CsvWriter(Stream stream, string header)
+    /// <param name="columns">The columns: <see cref="Distances"/> or <see cref="Casts"/>.</param>
+    /// <param name="names">The name of each object as a field of CSV, or null for a table without names.</param>
+    public CsvWriter(Stream stream, string columns, string[]? names = null)
     {
         _stream = stream;
-        Add(header);
+        _names = names;
+        Add(names is null ? columns : columns + NameColumns);
         EndRow();
     }
 
@@ -52,7 +59,7 @@ internal sealed class CsvWriter
         Add(result.PointB);
         Add(result.Normal);
         Add(result.Iterations);
-        EndRow();
+        EndRow(a, b);
     }
 
     /// <summary>A row of <see cref="Casts"/>. What a status says nothing of is empty.</summary>
@@ -66,7 +73,7 @@ internal sealed class CsvWriter
         AddOrNothing(result.Point);
         AddOrNothing(result.Normal);
         Add(result.Iterations);
-        EndRow();
+        EndRow(a, b);
     }
 
     /// <summary>Writes the buffer to the stream.</summary>
@@ -114,7 +121,8 @@ internal sealed class CsvWriter
         Add(v.Z);
     }
 
-    private void Add(float value) => Add<float>(value, "R");
+    /// <summary>Adding 0 turns -0 into 0.</summary>
+    private void Add(float value) => Add<float>(value + 0f, "R");
 
     private void Add(int value) => Add<int>(value, default);
 
@@ -129,6 +137,34 @@ internal sealed class CsvWriter
     private void Add(string text)
     {
         _used += Encoding.ASCII.GetBytes(text, _buffer.AsSpan(_used));
+        _buffer[_used++] = (byte)',';
+    }
+
+    private void EndRow(int a, int b)
+    {
+        if (_names is not null)
+        {
+            AddName(_names[a]);
+            AddName(_names[b]);
+        }
+
+        EndRow();
+    }
+
+    /// <summary>Adds a field of any length. One byte stays free for the comma.</summary>
+    private void AddName(string field)
+    {
+        Encoder encoder = Encoding.UTF8.GetEncoder();
+        ReadOnlySpan<char> rest = field;
+        for (bool isDone = false; !isDone;)
+        {
+            if (_used > BufferBytes - RowBytes) Flush();
+            Span<byte> room = _buffer.AsSpan(_used, BufferBytes - _used - 1);
+            encoder.Convert(rest, room, flush: true, out int read, out int written, out isDone);
+            rest = rest[read..];
+            _used += written;
+        }
+
         _buffer[_used++] = (byte)',';
     }
 

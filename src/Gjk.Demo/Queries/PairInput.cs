@@ -2,17 +2,16 @@ using System.CommandLine;
 using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
+using Gjk.Demo.View;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>What <c>query</c> and <c>cast</c> are asked about: a scene, or one pair as a record.</summary>
+/// <summary>
+/// What <c>query</c> and <c>cast</c> are asked about, a scene or one pair as a record, and where the answers go.
+/// </summary>
 internal sealed class PairInput
 {
-    private readonly Argument<string?> _scene = new("SCENE.json")
-    {
-        Description = "The scene. Use - to read it from standard input.",
-        Arity = ArgumentArity.ZeroOrOne,
-    };
+    private readonly SceneSource _scene = new();
 
     private readonly Option<string?> _record = new("--record")
     {
@@ -21,31 +20,53 @@ internal sealed class PairInput
         HelpName = "TEXT",
     };
 
-    /// <summary>Adds the argument and the option to a command.</summary>
+    private readonly Option<string?> _output = new("--out")
+    {
+        Description = "Write the CSV to this file instead of standard output.",
+        HelpName = "FILE.csv",
+    };
+
+    private readonly Option<bool> _names = new("--names")
+    {
+        Description = "Add the columns a_name and b_name with the names of the objects. Control characters are written "
+            + "as \\u001b.",
+    };
+
+    /// <summary>Adds the argument and the options to a command.</summary>
     public PairInput(Command command)
     {
-        command.Add(_scene);
+        command.Add(_output);
+        command.Add(_names);
+        command.Add(_scene.File);
+        command.Add(_scene.BuiltIn);
+        _scene.Validate(command, _record);
         command.Add(_record);
-        command.Validators.Add(result =>
-        {
-            bool hasRecord = result.GetResult(_record) is not null;
-            bool hasScene = result.GetResult(_scene) is { Implicit: false };
-            if (hasRecord && hasScene) result.AddError("--record and SCENE.json exclude each other.");
-            if (!hasRecord && !hasScene) result.AddError("SCENE.json or --record is needed.");
-        });
     }
 
     /// <summary>Reads the scene, after a check that the output may be written beside it.</summary>
     /// <param name="parsed">The arguments.</param>
-    /// <param name="output">The file to write, or null for standard output.</param>
     /// <param name="cancel">Ends the reading.</param>
+    /// <returns>The scene, and the table for its answers.</returns>
     /// <exception cref="RefusedException">The input is not valid.</exception>
-    public (Scene Scene, string Name) Read(ParseResult parsed, string? output, CancellationToken cancel)
+    public (Scene Scene, PairTable Table) Read(ParseResult parsed, CancellationToken cancel)
     {
-        string? file = parsed.GetValue(_scene), record = parsed.GetValue(_record);
-        TargetFiles.Check(file ?? RecordScene.InputOf(record!), ("--out", output));
-        return file is null
-            ? (RecordScene.Read(record!, cancel), "--record")
-            : (SceneFile.Load(file, cancel), file);
+        string? output = parsed.GetValue(_output);
+        Scene scene = Load(parsed, output, cancel, out string name);
+        bool hasNames = parsed.GetValue(_names);
+        if (hasNames) ObjectNames.WarnOfRepeats(scene, name);
+        return (scene, new PairTable(scene, output, hasNames));
+    }
+
+    private Scene Load(ParseResult parsed, string? output, CancellationToken cancel, out string name)
+    {
+        if (parsed.GetValue(_record) is { } record)
+        {
+            TargetFiles.Check(RecordScene.InputOf(record), "the record", ("--out", output));
+            name = "--record";
+            return RecordScene.Read(record, cancel);
+        }
+
+        TargetFiles.Check(parsed.GetValue(_scene.File), ("--out", output));
+        return _scene.Load(parsed, cancel, out name);
     }
 }

@@ -11,16 +11,16 @@ namespace Gjk.Demo.Queries;
 internal static class QueryCommand
 {
     /// <param name="scene">The scene.</param>
-    /// <param name="output">The file to write, or null for standard output.</param>
+    /// <param name="table">The table to write.</param>
     /// <param name="maxDistance">Pairs further apart are reported as such, without a distance. +infinity asks for all
     /// distances.</param>
     /// <param name="depth">Whether overlapping pairs are answered with their depth.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
-    public static void Run(Scene scene, string? output, float maxDistance, bool depth, CancellationToken cancel)
+    public static void Run(Scene scene, PairTable table, float maxDistance, bool depth, CancellationToken cancel)
     {
         SceneObject[] objects = scene.Objects;
-        PairTable.Write(
-            scene, output, CsvWriter.Distances,
+        table.Write(
+            CsvWriter.Distances,
             (rows, a, b) => rows.Write(a, b, Answer(objects[a], objects[b], maxDistance, depth)), cancel);
     }
 

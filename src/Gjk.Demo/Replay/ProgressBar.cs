@@ -1,11 +1,12 @@
 using System;
 using System.Diagnostics;
+using Gjk.Demo.Output;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
 /// <summary>
-/// Shows one bar per scene on a terminal, and nothing elsewhere. It draws between frames, on the measuring thread, so
+/// Shows bars on a terminal, and nothing elsewhere. It draws between frames, on the measuring thread, so
 /// that it does not disturb the measured times.
 /// </summary>
 internal sealed class ProgressBar
@@ -17,18 +18,21 @@ internal sealed class ProgressBar
 
     private ProgressBar(ProgressContext? context) => _context = context;
 
-    /// <summary>Shows bars while the work runs.</summary>
-    public static void Show(IAnsiConsole console, bool plain, Action<ProgressBar> work)
+    /// <summary>
+    /// Shows bars on standard error while the work runs, and removes them at the end. Standard output stays for the
+    /// results.
+    /// </summary>
+    public static void Show(Action<ProgressBar> work)
     {
-        if (plain) work(new ProgressBar(null));
-        else console.Progress().AutoRefresh(false).Start(context => work(new ProgressBar(context)));
+        if (OutputConsole.ForProgress() is not { } console) work(new ProgressBar(null));
+        else console.Progress().AutoRefresh(false).AutoClear(true).Start(context => work(new ProgressBar(context)));
     }
 
     /// <summary>Adds a bar. The returned action takes the completed share, from 0 to 1.</summary>
     public Action<double> Add(string title)
     {
         if (_context is null) return _ => { };
-        ProgressTask task = _context.AddTask(Markup.Escape(title), maxValue: 1);
+        ProgressTask task = _context.AddTask(Markup.Escape(PlainText.Of(title)), maxValue: 1);
         _context.Refresh();
         return done =>
         {

@@ -11,12 +11,14 @@ namespace Gjk.Demo.Replay;
 internal static class ReplayCommand
 {
     /// <summary>Replays the report's scenes. Each frame asks for the closest points of all pairs.</summary>
+    /// <param name="mesh">The mesh of the spheres.</param>
     /// <param name="length">How long to measure each scene.</param>
     /// <param name="jsonFile">Where to write figures and results, or null.</param>
     /// <param name="cancel">Ends the work. Completed scenes are still printed. They are also written, unless that would
     /// replace a file.</param>
-    public static int Run(ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
-        [BuiltInScenes.Cubes, BuiltInScenes.Spheres],
+    public static int Run(
+        SphereMesh mesh, ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
+        [BuiltInScenes.Cubes, () => BuiltInScenes.Spheres(mesh)],
         (scene, progress) => SceneReplay.Run(scene, length, progress, cancel),
         jsonFile,
         ReplayJson.Write,
@@ -27,16 +29,17 @@ internal static class ReplayCommand
     /// intersecting pairs.
     /// </summary>
     /// <param name="settings">How many objects there are, how they move and how pairs are found.</param>
+    /// <param name="mesh">The mesh of the spheres.</param>
     /// <param name="length">How long to measure each scene.</param>
     /// <param name="jsonFile">Where to write figures and pairs, or null.</param>
     /// <param name="cancel">Ends the work. Completed scenes are still printed. They are also written, unless that would
     /// replace a file.</param>
     public static int RunWorlds(
-        WorldSettings settings, ReplayLength length, string? jsonFile, CancellationToken cancel)
+        WorldSettings settings, SphereMesh mesh, ReplayLength length, string? jsonFile, CancellationToken cancel)
     {
         Func<BuiltInScene>[] scenes = settings.Objects is int count
-            ? [() => BuiltInScenes.Cubes(count), () => BuiltInScenes.Spheres(count)]
-            : [BuiltInScenes.Cubes, BuiltInScenes.Spheres];
+            ? [() => BuiltInScenes.Cubes(count), () => BuiltInScenes.Spheres(count, mesh)]
+            : [BuiltInScenes.Cubes, () => BuiltInScenes.Spheres(mesh)];
         return Run(
             scenes,
             (scene, progress) => WorldReplay.Run(scene, settings, length, progress, cancel),
@@ -52,12 +55,14 @@ internal static class ReplayCommand
         TargetFiles.Check(null, ("--json", jsonFile));
         if (jsonFile is not null) AtomicFile.Check(jsonFile);
         IAnsiConsole console = OutputConsole.Create();
+        bool isWritten = false;
         var reports = new List<TReport>();
         bool cancelled = false;
-        ProgressBar.Show(console, OutputConsole.IsPlain, bar => cancelled = !RunScenes(scenes, replay, bar, reports));
+        ProgressBar.Show(bar => cancelled = !RunScenes(scenes, replay, bar, reports));
         if (jsonFile is not null && reports.Count > 0)
-            WriteJson(jsonFile, !cancelled, stream => writeJson(stream, reports));
+            isWritten = WriteJson(jsonFile, !cancelled, stream => writeJson(stream, reports));
         print(console, reports, OutputConsole.IsPlain);
+        if (isWritten) StandardError.Wrote(reports.Count, "scene", jsonFile!);
         return cancelled ? ExitCode.Cancelled : ExitCode.Done;
     }
 
@@ -86,11 +91,13 @@ internal static class ReplayCommand
     /// Writes the file before the table is printed, so that a full disk leaves nothing on standard output. A cancelled
     /// replay has only some of the scenes, or none. It may create a new file, but it must not replace a complete one.
     /// </summary>
-    private static void WriteJson(string name, bool isComplete, Action<Stream> write)
+    /// <returns>True if the file was written.</returns>
+    private static bool WriteJson(string name, bool isComplete, Action<Stream> write)
     {
         using var json = new AtomicFile(name, CancellationToken.None);
-        if (!isComplete && json.ReplacesAFile) return;
+        if (!isComplete && json.ReplacesAFile) return false;
         write(json.Stream);
         json.Commit();
+        return true;
     }
 }

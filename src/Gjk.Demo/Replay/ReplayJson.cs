@@ -113,9 +113,10 @@ internal static class ReplayJson
         json.WriteEndObject();
     }
 
+    /// <summary>Adding 0 turns -0 into 0.</summary>
     private static void Write(Utf8JsonWriter json, string name, float value)
     {
-        if (float.IsFinite(value)) json.WriteNumber(name, value);
+        if (float.IsFinite(value)) json.WriteNumber(name, value + 0f);
         else json.WriteNull(name);
     }
 }

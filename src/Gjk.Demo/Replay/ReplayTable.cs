@@ -18,6 +18,7 @@ internal static class ReplayTable
         console.WriteLine();
         console.WriteLine($"report: {PublishedFigures.Machine}");
         console.WriteLine($"here:   {TextTable.ThisMachine}");
+        console.WriteLine($"hash:   {string.Join(", ", reports.Select(r => $"{r.Name} {r.Hash}"))}");
         foreach (SceneReport report in reports) PrintPairs(console, report);
     }
 
@@ -28,22 +29,19 @@ internal static class ReplayTable
         void Add(string title, Func<PublishedFigures, string> published, Func<SceneReport, string> here) =>
             rows.Add(Row(reports, title, published, here));
 
-        rows.Add(["per scene", .. reports.SelectMany(r => new[] { $"{r.Name}, report", $"{r.Name}, here" })]);
+        rows.Add(["per scene", .. reports.SelectMany(r => new[] { $"{r.Name} report", $"{r.Name} here" })]);
         Add("objects", p => Text(p.Objects), r => Text(r.ObjectNames.Length));
-        Add(
-            "vertices (of the hull)", p => Text(p.Vertices),
-            r => $"{Text(r.VerticesPerObject)} ({Text(r.HullVertices)})");
+        Add("vertices (hull)", p => Text(p.Vertices), r => $"{Text(r.VerticesPerObject)} ({Text(r.HullVertices)})");
         Add("calls per frame", p => Text(p.CallsPerFrame), r => Text(r.Results.Length));
-        Add("intersecting pairs", _ => None, r => Text(r.IntersectingPairs));
+        Add("intersecting", _ => None, r => Text(r.IntersectingPairs));
         Add("loops per call", p => Text(p.LoopsPerCall, "F2"), r => Text(r.LoopsPerCall, "F2"));
-        Add("ms per frame, median", p => Text(p.MsPerFrame, "F0"), r => Text(r.MedianMs, "F4"));
-        Add("ms per frame, 99 %", _ => None, r => Text(r.P99Ms, "F4"));
+        Add("ms/frame, median", p => Text(p.MsPerFrame, "F0"), r => Text(r.MedianMs, "F4"));
+        Add("ms/frame, 99 %", _ => None, r => Text(r.P99Ms, "F4"));
         Add("time in support", p => p.SupportShare, r => Text(r.SupportShare * 100, "F0") + " %");
         Add("factor", _ => "1", r => Text(PublishedFigures.Of(r.Name).MsPerFrame / r.MedianMs, "F0"));
         Add("bytes per call", _ => None, r => Text(r.BytesPerCall, "0.##"));
         Add("iteration limits", _ => None, r => Text(r.IterationLimits));
         Add("frames measured", _ => None, r => Text(r.Frames));
-        Add("result hash", _ => None, r => r.Hash);
         return rows;
     }
 

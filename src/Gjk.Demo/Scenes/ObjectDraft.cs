@@ -23,8 +23,9 @@ internal sealed class ObjectDraft
 
     public RigidPose Pose => new(_rotation, _position);
 
-    public static bool IsField(string field) =>
-        field is "name" or "shape" or "position" or "rotation" or "scale" or "velocity" or "angularVelocity";
+    /// <summary>The fields of an object.</summary>
+    public static string[] Fields { get; } =
+        ["name", "shape", "position", "rotation", "scale", "velocity", "angularVelocity"];
 
     public void Read(ref StrictJsonReader json, string field)
     {

@@ -5,6 +5,7 @@ using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
+using Gjk.Demo.Replay;
 
 namespace Gjk.Demo.Scenes;
 
@@ -16,6 +17,9 @@ internal sealed class SceneFile
 {
     private const int Version = 1;
 
+    /// <summary>A mesh file of more vertices takes seconds to build, so that a terminal shows progress.</summary>
+    private const int ManyVertices = 100_000;
+
     private readonly Dictionary<string, List<Vector3>> _meshes = [];
     private readonly Dictionary<string, ConvexShape> _hulls = [];
     private readonly List<ObjectDraft> _objects = [];
@@ -23,6 +27,9 @@ internal sealed class SceneFile
     private List<int>? _pairs;
     private string? _name;
     private int _frames = 1;
+
+    /// <summary>The fields of a scene.</summary>
+    public static string[] Fields { get; } = ["$schema", "version", "name", "meshes", "objects", "pairs", "frames"];
 
     private SceneFile()
     {
@@ -43,6 +50,7 @@ internal sealed class SceneFile
         json.Start();
         scene.ReadRoot(ref json);
         json.End();
+        scene.BuildHulls(Path.GetFileName(file));
         return scene.Resolve(json, Path.GetFileNameWithoutExtension(file));
     }
 
@@ -52,8 +60,7 @@ internal sealed class SceneFile
         json.BeginObject("an object: a scene");
         while (json.NextField(seen, out string field))
         {
-            if (field is not ("version" or "name" or "meshes" or "objects" or "pairs" or "frames"))
-                throw json.Refuse("unknown field");
+            if (Array.IndexOf(Fields, field) < 0) throw json.Refuse("unknown field");
             json.Value();
             ReadRootField(ref json, field);
             json.EndField();
@@ -71,6 +78,9 @@ internal sealed class SceneFile
     {
         switch (field)
         {
+            case "$schema":
+                json.String("a string");
+                break;
             case "version":
                 int version = json.Whole("the number 1");
                 if (version != Version) throw json.Refuse($"version {version} is not known; must be {Version}");
@@ -118,7 +128,7 @@ internal sealed class SceneFile
         json.BeginObject("an object with a \"shape\"");
         while (json.NextField(_objectFields, out string field))
         {
-            if (!ObjectDraft.IsField(field)) throw json.Refuse("unknown field");
+            if (Array.IndexOf(ObjectDraft.Fields, field) < 0) throw json.Refuse("unknown field");
             json.Value();
             draft.Read(ref json, field);
             json.EndField();
@@ -157,6 +167,32 @@ internal sealed class SceneFile
         }
     }
 
+    /// <summary>Builds the hulls of all meshes that an object names. Many vertices take a while.</summary>
+    private void BuildHulls(string title)
+    {
+        var used = new HashSet<string>();
+        long vertices = 0;
+        foreach (ObjectDraft draft in _objects)
+        {
+            if (draft.Shape.Mesh is { } name && _meshes.ContainsKey(name) && used.Add(name))
+                vertices += _meshes[name].Count;
+        }
+
+        if (vertices <= ManyVertices) Build(_ => { });
+        else ProgressBar.Show(bars => Build(bars.Add($"{title}: hulls")));
+
+        void Build(Action<double> progress)
+        {
+            long done = 0;
+            foreach (string name in used)
+            {
+                _hulls.Add(name, ConvexShape.Mesh(_meshes[name]));
+                done += _meshes[name].Count;
+                progress((double)done / vertices);
+            }
+        }
+    }
+
     private Scene Resolve(in StrictJsonReader json, string fileName)
     {
         var objects = new SceneObject[_objects.Count];
@@ -182,22 +218,13 @@ internal sealed class SceneFile
         return new SceneObject(draft.Name, shape, draft.Pose, draft.Velocity, draft.AngularVelocity);
     }
 
-    /// <summary>
-    /// A mesh by its name. Its hull is built at the first use and shared by all objects that name it.
-    /// </summary>
+    /// <summary>A mesh by its name. All objects that name it share its hull.</summary>
     private ConvexShape MeshNamed(in StrictJsonReader json, string name)
     {
         if (_hulls.TryGetValue(name, out ConvexShape known)) return known;
-        if (!_meshes.TryGetValue(name, out List<Vector3>? vertices))
-        {
-            json.Path.Enter("shape");
-            json.Path.Enter("mesh");
-            throw json.Refuse($"there is no mesh \"{name}\" in \"meshes\"");
-        }
-
-        ConvexShape shape = ConvexShape.Mesh(vertices);
-        _hulls.Add(name, shape);
-        return shape;
+        json.Path.Enter("shape");
+        json.Path.Enter("mesh");
+        throw json.Refuse($"there is no mesh \"{name}\" in \"meshes\"");
     }
 
     private void CheckPairs(in StrictJsonReader json, List<int> pairs)

@@ -13,6 +13,9 @@ internal sealed class ShapeReader
 {
     private const string Kinds = "point, segment, triangle, sphere, capsule, box, cylinder, cone, ellipsoid or mesh";
 
+    private static readonly string[] AllFields =
+        ["type", "mesh", "radius", "halfHeight", "halfExtents", "radii", "a", "b", "c", .. Decorations];
+
     private readonly HashSet<string> _seen = [];
     private string _type = "";
     private string _mesh = "";
@@ -26,7 +29,7 @@ internal sealed class ShapeReader
         json.BeginObject("an object with a \"type\"");
         while (json.NextField(_seen, out string field))
         {
-            if (!IsField(field)) throw json.Refuse("unknown field");
+            if (Array.IndexOf(AllFields, field) < 0) throw json.Refuse("unknown field");
             json.Value();
             Read(ref json, field);
             json.EndField();
@@ -34,6 +37,9 @@ internal sealed class ShapeReader
 
         CheckFields(json);
     }
+
+    /// <summary>The optional fields that every type may have.</summary>
+    public static string[] Decorations => ["rounding", "position", "rotation"];
 
     /// <summary>Reads a shape.</summary>
     /// <param name="json">The reader, positioned on the shape.</param>
@@ -49,14 +55,8 @@ internal sealed class ShapeReader
     public ConvexShape Build(in ConvexShape mesh) =>
         (Mesh is null ? Primitive() : mesh).Rounded(_rounding).Placed(new RigidPose(_rotation, _position));
 
-    private static bool IsField(string field) =>
-        field is "type" or "mesh" or "radius" or "halfHeight" or "halfExtents" or "radii" or "a" or "b" or "c"
-        || IsDecoration(field);
-
-    /// <summary>True for the optional fields that every type may have.</summary>
-    private static bool IsDecoration(string field) => field is "rounding" or "position" or "rotation";
-
-    private static string[]? FieldsOf(string type) => type switch
+    /// <summary>The fields that a type needs besides "type", or null if there is no such type.</summary>
+    public static string[]? FieldsOf(string type) => type switch
     {
         "point" => [],
         "segment" => ["a", "b"],
@@ -122,9 +122,10 @@ internal sealed class ShapeReader
             if (!_seen.Contains(field)) throw Missing(json, field);
         }
 
+        string[] known = ["type", .. wanted, .. Decorations];
         foreach (string field in _seen)
         {
-            if (field == "type" || IsDecoration(field) || Array.IndexOf(wanted, field) >= 0) continue;
+            if (Array.IndexOf(known, field) >= 0) continue;
             json.Path.Enter(field);
             throw json.Refuse($"unknown field for the type \"{_type}\"");
         }

@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using Gjk.Demo.Output;
+using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
@@ -15,25 +17,26 @@ internal static class TimeCommand
     /// <summary>Pairs. Every pair keeps a warm start, so the list must fit into memory.</summary>
     private const long MostPairs = 50_000_000;
 
-    public static int Run(string[] files, TimeSpan duration, CancellationToken cancel)
+    /// <param name="scenes">The scenes, each with the user's name for it.</param>
+    /// <param name="duration">How long to measure each of them.</param>
+    /// <param name="cancel">Ends the work. The lines of the finished scenes stay.</param>
+    public static int Run(List<(string Name, Scene Scene)> scenes, TimeSpan duration, CancellationToken cancel)
     {
-        Scene[] scenes = Array.ConvertAll(files, file => Load(file, cancel));
-        using Stream stdout = OutputConsole.OpenStream(cancel);
-        for (int i = 0; i < scenes.Length; i++)
+        foreach ((string name, Scene scene) in scenes)
         {
-            SceneTimes times = new SceneTimer(scenes[i], duration, cancel).Run();
-            times.Write(stdout, Path.GetFileNameWithoutExtension(files[i]));
+            if (scene.Pairs.Count <= MostPairs) continue;
+            throw new RefusedException(
+                $"{InputFile.NameOf(name)}: $.pairs: {scene.Pairs.Count} pairs, but at most {MostPairs} can be timed");
+        }
+
+        using Stream stdout = OutputConsole.OpenStream(cancel);
+        foreach ((string name, Scene scene) in scenes)
+        {
+            SceneTimes? times = null;
+            ProgressBar.Show(bars => times = new SceneTimer(scene, duration, bars.Add(scene.Name), cancel).Run());
+            times!.Write(stdout, Path.GetFileNameWithoutExtension(name));
         }
 
         return ExitCode.Done;
-    }
-
-    private static Scene Load(string file, CancellationToken cancel)
-    {
-        Scene scene = SceneFile.Load(file, cancel);
-        return scene.Pairs.Count <= MostPairs
-            ? scene
-            : throw new RefusedException(
-                $"{file}: $.pairs: {scene.Pairs.Count} pairs, but at most {MostPairs} can be timed");
     }
 }

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.CommandLine;
-using System.Globalization;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
@@ -17,8 +16,8 @@ internal static class TraceOptions
         var source = new SceneSource();
         var pair = new Option<string?>("--pair")
         {
-            Description = "The indices of the two objects in the scene, such as 0,1.",
-            HelpName = "I,J",
+            Description = "The two objects, by their names or their indices in the scene, such as crate,ball or 0,1.",
+            HelpName = "A,B",
             Required = true,
         };
         var page = new Option<string?>("--out")
@@ -29,8 +28,9 @@ internal static class TraceOptions
         };
         pair.Validators.Add(result =>
         {
-            if (result.Tokens.Count == 1 && !TryParse(result.Tokens[0].Value, out _, out _))
-                result.AddError($"--pair {result.Tokens[0].Value}: must be two different indices, such as 0,1.");
+            if (result.Tokens is not [{ Value: var text }]) return;
+            if (!text.Contains(',') || (NamedPair.TryParseIndices(text, out int a, out int b) && a == b))
+                result.AddError($"--pair {text}: must be two different objects, such as 0,1 or crate,ball.");
         });
         var command = new Command(
             "trace",
@@ -45,13 +45,9 @@ internal static class TraceOptions
             string html = r.GetValue(page)!;
             TargetFiles.Check(r.GetValue(source.File), ("--out", html));
             Scene scene = source.Load(r, cancel, out string name);
-            TryParse(r.GetValue(pair)!, out int a, out int b);
-            int count = scene.Objects.Length;
-            if (a >= count || b >= count)
-            {
-                throw new RefusedException(
-                    $"{name}: --pair {a},{b}: the scene has {count} objects, counted from 0");
-            }
+            (int a, int b) = NamedPair.Find(scene, name, r.GetValue(pair)!);
+            ShapeRange.Check(scene, name, a);
+            ShapeRange.Check(scene, name, b);
             Write(scene, (a, b), html, cancel);
             return ExitCode.Done;
         });
@@ -68,15 +64,6 @@ internal static class TraceOptions
         DepthAnswer? depth = result.IsOverlapping ? DepthAnswer.Of(a, b) : null;
         TracePage.Write(file.Stream, scene, pair, steps, result, depth);
         file.Commit();
-    }
-
-    private static bool TryParse(string text, out int a, out int b)
-    {
-        string[] parts = text.Split(',');
-        b = 0;
-        return int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out a)
-            && parts.Length == 2
-            && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out b)
-            && a != b;
+        StandardError.Wrote(steps.Count + (depth?.Search.Steps.Count ?? 0), "step", target);
     }
 }

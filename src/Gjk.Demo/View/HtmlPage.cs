@@ -1,9 +1,9 @@
 using System;
 using System.Globalization;
 using System.IO;
-using System.Net;
 using System.Reflection;
 using System.Text;
+using Gjk.Demo.Output;
 
 namespace Gjk.Demo.View;
 
@@ -34,7 +34,7 @@ internal static class HtmlPage
             switch (rest[(start + 2)..end])
             {
                 case "title":
-                    Add(stream, WebUtility.HtmlEncode(title));
+                    Add(stream, PlainText.Markup(title));
                     break;
                 case "counts":
                     Add(stream, counts.ToString());

@@ -73,7 +73,7 @@ internal sealed class SceneResults
     /// float.</exception>
     public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
     {
-        if ((long)scene.Objects.Length * scene.Frames > MostPoses)
+        if ((long)Math.Max(scene.Objects.Length, 1) * scene.Frames > MostPoses)
             throw new RefusedException(
                 $"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses "
                 + "that a page can hold");

@@ -5,38 +5,42 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>The arguments that select the scene: a file, or one of the report's two scenes.</summary>
+/// <summary>The arguments that select the scene: a file, standard input, or one of the report's two scenes.</summary>
 internal sealed class SceneSource
 {
-    public SceneSource()
-    {
-        BuiltIn.Validators.Add(result =>
-        {
-            if (result.Tokens.Count == 1 && result.Tokens[0].Value is not ("cubes" or "spheres"))
-                result.AddError($"--builtin {result.Tokens[0].Value}: must be cubes or spheres.");
-        });
-    }
+    private readonly BuiltInOptions _builtIn = new();
 
     public Argument<string?> File { get; } = new("SCENE.json")
     {
-        Description = "The scene. Use - to read it from standard input.",
+        Description = "The scene, at most 512 MiB. Use - to read it from standard input.",
         Arity = ArgumentArity.ZeroOrOne,
     };
 
-    public Option<string?> BuiltIn { get; } = new("--builtin")
-    {
-        Description = "Show one of the report's scenes, cubes or spheres, instead of a file.",
-        HelpName = "NAME",
-    };
+    public Option<string?> BuiltIn => _builtIn.Name;
 
-    /// <summary>Makes the command refuse both arguments together, and neither of them.</summary>
-    public void Validate(Command command) => command.Validators.Add(result =>
+    /// <summary>
+    /// Adds the option for the mesh of a built-in scene, and makes the command refuse two sources, and none.
+    /// </summary>
+    /// <param name="command">The command, which has the argument and the option.</param>
+    /// <param name="other">Another option that can take the place of a scene.</param>
+    public void Validate(Command command, Option<string?>? other = null)
     {
-        bool hasFile = result.GetResult(File) is { Implicit: false };
-        bool hasBuiltIn = result.GetResult(BuiltIn) is not null;
-        if (hasFile && hasBuiltIn) result.AddError("--builtin and SCENE.json exclude each other.");
-        if (!hasFile && !hasBuiltIn) result.AddError("SCENE.json or --builtin is needed.");
-    });
+        _builtIn.AddTo(command);
+        command.Validators.Add(result =>
+        {
+            bool hasFile = result.GetResult(File) is { Implicit: false };
+            bool hasBuiltIn = _builtIn.IsGiven(result);
+            bool hasOther = other is not null && result.GetResult(other) is not null;
+            if (hasFile && hasBuiltIn) result.AddError("--builtin and SCENE.json exclude each other.");
+            else if (hasOther && hasFile) result.AddError($"{other!.Name} and SCENE.json exclude each other.");
+            else if (hasOther && hasBuiltIn) result.AddError($"{other!.Name} and --builtin exclude each other.");
+            if (hasFile || hasBuiltIn || hasOther) return;
+            result.AddError(
+                other is null
+                    ? "SCENE.json or --builtin is needed."
+                    : $"SCENE.json, --builtin or {other.Name} is needed.");
+        });
+    }
 
     /// <param name="parsed">The command line.</param>
     /// <param name="cancel">Ends the wait for a pipe.</param>
@@ -50,7 +54,7 @@ internal sealed class SceneSource
             return SceneFile.Load(file, cancel);
         }
 
-        Scene scene = Scene.From(parsed.GetValue(BuiltIn) == "cubes" ? BuiltInScenes.Cubes() : BuiltInScenes.Spheres());
+        Scene scene = _builtIn.Load(parsed);
         name = scene.Name;
         return scene;
     }

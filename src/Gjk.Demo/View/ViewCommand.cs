@@ -17,11 +17,14 @@ internal static class ViewCommand
     /// <param name="cancel">Ends the work. No file is left then.</param>
     public static int Run(Scene scene, string name, string? page, string? picture, CancellationToken cancel)
     {
+        ShapeRange.Check(scene, name);
         using AtomicFile? pageFile = page is null ? null : new AtomicFile(page, cancel);
         using AtomicFile? pictureFile = picture is null ? null : new AtomicFile(picture, cancel);
-        ProgressBar.Show(OutputConsole.Create(), OutputConsole.IsPlain, bars =>
+        long pairs = 0;
+        ProgressBar.Show(bars =>
         {
             SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
+            pairs = results.Pairs.Count;
             var shapes = new ShapeTable(scene);
             if (pageFile is not null) ScenePage.Write(pageFile.Stream, scene, shapes, results);
             if (pictureFile is not null)
@@ -32,6 +35,8 @@ internal static class ViewCommand
         pictureFile?.Complete();
         pageFile?.Commit();
         pictureFile?.Commit();
+        if (page is not null) StandardError.Wrote(pairs, "pair", page);
+        if (picture is not null) StandardError.Wrote(scene.Objects.Length, "object", picture);
         return ExitCode.Done;
     }
 }

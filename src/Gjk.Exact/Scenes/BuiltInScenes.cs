@@ -76,8 +76,6 @@ public static class BuiltInScenes
     /// <summary>Units. The radius of the spheres, and half the side of the cubes.</summary>
     private const float Half = 0.5f;
 
-    private const int SphereVertices = 515;
-
     /// <summary>
     /// Cubic units. The volume in which one unit cube's centre lies when it touches another cube and both are turned at
     /// random. This is the mean volume of their Minkowski sum, V + V' + (S M' + S' M) / 4 pi, with the volume 1, the
@@ -109,14 +107,16 @@ public static class BuiltInScenes
         return new("cubes", "Cube", CubeMesh(), PosesIn(room, objects, CubeSeed), room);
     }
 
-    /// <summary>Spheres of 515 distinct vertices. Each of them is a corner of the hull.</summary>
-    public static BuiltInScene Spheres() => new("spheres", "Sphere", SphereMesh(), GridPoses(SphereSeed), GridRoom);
+    /// <summary>Spheres. Each distinct vertex is a corner of the hull.</summary>
+    public static BuiltInScene Spheres(SphereMesh mesh = SphereMesh.Even) =>
+        new("spheres", "Sphere", SphereMeshes.Vertices(mesh, Half), GridPoses(SphereSeed), GridRoom);
 
     /// <summary>The same spheres in any number.</summary>
-    public static BuiltInScene Spheres(int objects)
+    public static BuiltInScene Spheres(int objects, SphereMesh mesh = SphereMesh.Even)
     {
         Aabb room = RoomFor(objects, SphereContactVolume);
-        return new("spheres", "Sphere", SphereMesh(), PosesIn(room, objects, SphereSeed), room);
+        return new(
+            "spheres", "Sphere", SphereMeshes.Vertices(mesh, Half), PosesIn(room, objects, SphereSeed), room);
     }
 
     private static Vector3[] CubeMesh()
@@ -135,27 +135,6 @@ public static class BuiltInScenes
         }
 
         return vertices.ToArray();
-    }
-
-    /// <summary>
-    /// A Fibonacci sphere. Each vertex lies one golden angle further about the axis and one equal slice lower (Swinbank
-    /// and Purser 2006).
-    /// </summary>
-    private static Vector3[] SphereMesh()
-    {
-        // Cosine and sine of the golden angle, pi (3 - sqrt 5). They are constants, because the sine of two machines
-        // may differ in the last bit.
-        const double cos = -0.7373688780783197, sin = 0.6754902942615238;
-        var vertices = new Vector3[SphereVertices];
-        double x = 1, z = 0;
-        for (int i = 0; i < vertices.Length; i++)
-        {
-            double y = 1 - (2 * i + 1) / (double)vertices.Length, ring = Math.Sqrt(1 - y * y);
-            vertices[i] = new Vector3((float)(Half * ring * x), (float)(Half * y), (float)(Half * ring * z));
-            (x, z) = (x * cos - z * sin, x * sin + z * cos);
-        }
-
-        return vertices;
     }
 
     private static RigidPose[] GridPoses(ulong seed)

@@ -103,5 +103,5 @@ public class AlgebraicLawTests
 
     private static void Check<T>(Gen<T> gen, Func<T, bool> law, int count = 300) =>
         Prop.ForAll(gen.ToArbitrary(), law).Check(
-            Config.QuickThrowOnFailure.WithMaxTest(Budget.Count(count)).WithReplay(20221, 7));
+            Config.QuickThrowOnFailure.WithQuietOnSuccess(true).WithMaxTest(Budget.Count(count)).WithReplay(20221, 7));
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
@@ -175,20 +176,14 @@ public class TimeOfImpactLimitTests
         CastResult typed = default, closed = default;
         ConvexShape closedBox = ConvexShape.Box(new Vector3(0.5f, 1, 0.7f));
         var closedCapsule = ConvexShape.Capsule(0.3f, 1);
-        long least = long.MaxValue;
-        for (int run = 0; run < 3; run++)
+        Assert.Equal(0, Allocation.Least(() =>
         {
-            long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < 100; i++)
             {
                 typed = ConvexQuery.TimeOfImpact(box, Spinning, capsule, falling);
                 closed = ConvexQuery.TimeOfImpact(closedBox, Spinning, closedCapsule, falling);
             }
-
-            least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
-        }
-
-        Assert.Equal(0, least);
+        }));
         Assert.Equal(
             (closed.Status, closed.Fraction, closed.Iterations), (typed.Status, typed.Fraction, typed.Iterations));
     }

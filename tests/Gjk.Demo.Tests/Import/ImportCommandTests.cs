@@ -61,7 +61,7 @@ public sealed class ImportCommandTests
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(
             $"gjk-demo: {file}: warning: the part \"default\" is not closed, so whether it is convex is not known: it "
-            + "is taken as the hull of its points\n",
+            + $"is taken as the hull of its points\ngjk-demo: wrote 1 object to {directory.File("scene.json")}\n",
             run.Error);
     }
 

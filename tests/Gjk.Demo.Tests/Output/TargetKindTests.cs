@@ -49,10 +49,10 @@ public sealed class TargetKindTests
     }
 
     [UnixTheory]
-    [InlineData("query", "a,b,status")]
-    [InlineData("view", "<!DOCTYPE html>")]
-    [InlineData("replay", "{\"scenes\":")]
-    public void APipeIsWrittenToAndStays(string command, string start)
+    [InlineData("query", "a,b,status", "1 pair")]
+    [InlineData("view", "<!DOCTYPE html>", "1 pair")]
+    [InlineData("replay", "{\"scenes\":", "2 scenes")]
+    public void APipeIsWrittenToAndStays(string command, string start, string what)
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene), pipe = directory.File("pipe");
@@ -62,7 +62,7 @@ public sealed class TargetKindTests
         string script = $"mkfifo \"$2\" && ( cat \"$2\" & {call}; echo \"exit $?\" >&2; wait )";
         DemoRun run = DemoProcess.Shell(script, scene, pipe);
         Assert.StartsWith(start, run.Out, StringComparison.OrdinalIgnoreCase);
-        Assert.Equal((0, "exit 0\n"), (run.ExitCode, run.Error));
+        Assert.Equal((0, $"gjk-demo: wrote {what} to {pipe}\nexit 0\n"), (run.ExitCode, run.Error));
         Assert.Equal(0, Test("-p", pipe));
         Assert.Equal(2, directory.Files.Length);
     }

@@ -83,7 +83,7 @@ public sealed class CastTests
     [Fact]
     public void AMissingSceneIsRefused()
     {
-        DemoProcess.Run("cast").AssertRefused("SCENE.json or --record");
+        DemoProcess.Run("cast").AssertRefused("SCENE.json, --builtin or --record");
         DemoProcess.Run("cast", "no-such-file.json").AssertRefused("no-such-file.json");
     }
 }

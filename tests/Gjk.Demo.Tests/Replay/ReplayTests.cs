@@ -137,6 +137,18 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.Equal(1, _replay.Files);
     }
 
+    [Theory]
+    [InlineData("replay --frames 1")]
+    [InlineData("replay --frames 1 --motion 0.01")]
+    public void TheTableFitsATerminalOf80Columns(string call)
+    {
+        DemoRun run = DemoProcess.Run(call.Split(' '));
+        run.AssertDone();
+        string[] lines = run.Out.Split('\n');
+        Assert.Contains(lines, line => line.StartsWith('|'));
+        Assert.All(lines, line => Assert.InRange(line.Length, 0, 80));
+    }
+
     [Fact]
     public void AnotherRunGivesTheSameHashes()
     {

@@ -1,6 +1,7 @@
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Demo.Tests.Support;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;
@@ -27,6 +28,52 @@ public sealed class BuiltInSceneTests
         Assert.Equal(515, scene.Vertices.Distinct().Count());
         Assert.All(scene.Vertices, v => Assert.InRange(v.Length(), 0.499999f, 0.500001f));
         Assert.Equal(515, new ConvexHull(scene.Vertices).VertexCount);
+    }
+
+    /// <summary>As many vertices, corners and triangles as the sphere that Unity brings along.</summary>
+    [Fact]
+    public void UnitysSphereHas386DistinctCorners()
+    {
+        BuiltInScene scene = BuiltInScenes.Spheres(SphereMesh.Unity);
+        Assert.Equal(515, scene.Vertices.Count);
+        Assert.Equal(386, scene.Vertices.Distinct().Count());
+        Assert.All(scene.Vertices, v => Assert.InRange(v.Length(), 0.499999f, 0.500001f));
+        var hull = new ConvexHull(scene.Vertices);
+        Assert.Equal((386, 768), (hull.VertexCount, hull.TriangleCount));
+        Assert.Equal(BuiltInScenes.Spheres().Poses, scene.Poses);
+    }
+
+    [Theory]
+    [InlineData("query --builtin spheres")]
+    [InlineData("cast --builtin spheres")]
+    public void TheMeshOfTheSpheresCanBeChosen(string call)
+    {
+        DemoRun even = DemoProcess.Run(call.Split(' '));
+        DemoRun unity = DemoProcess.Run([.. call.Split(' '), "--mesh", "unity"]);
+        even.AssertDone();
+        unity.AssertDone();
+        Assert.Equal(191, unity.Out.TrimEnd('\n').Split('\n').Length);
+        Assert.NotEqual(even.Out, unity.Out);
+        Assert.Equal(even.Out, DemoProcess.Run([.. call.Split(' '), "--mesh", "even"]).Out);
+    }
+
+    [Fact]
+    public void EveryCommandTakesTheBuiltInScenesAndTheMesh()
+    {
+        using var directory = new TempDirectory();
+        DemoRun time = DemoProcess.Run("time", "--builtin", "spheres", "--mesh", "unity", "--seconds", "0.1");
+        time.AssertDone();
+        Assert.StartsWith("{\"scene\":\"spheres\",\"pairs\":190,\"overlapping\":5,", time.Out);
+        DemoRun replay = DemoProcess.Run("--mesh", "unity", "--frames", "1");
+        replay.AssertDone();
+        Assert.Contains("515 (386)", replay.Out);
+        DemoRun world = DemoProcess.Run("--mesh", "unity", "--frames", "1", "--objects", "50");
+        world.AssertDone();
+        Assert.Contains("515 (386)", world.Out);
+        string page = directory.File("p.html");
+        DemoProcess.Run("view", "--builtin", "spheres", "--mesh", "unity", "--out", page).AssertDone();
+        DemoProcess.Run("trace", "--builtin", "spheres", "--mesh", "unity", "--pair", "Sphere (1),19", "--out", page)
+            .AssertDone();
     }
 
     [Theory]

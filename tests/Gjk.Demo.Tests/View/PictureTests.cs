@@ -38,7 +38,7 @@ public sealed class PictureTests
         AssertSound(drawn);
         Assert.InRange(drawn.Length, 5_000, 300_000);
         Assert.Contains($"<title>{scene}: 20 objects, 190 pairs, 5 intersecting</title>", drawn);
-        Assert.Equal(File.ReadAllText(Path.Combine(Root(), "docs", scene + ".svg")), drawn);
+        Assert.Equal(File.ReadAllText(Repository.File($"docs/{scene}.svg")), drawn);
     }
 
     [Fact]
@@ -227,12 +227,5 @@ public sealed class PictureTests
     {
         MatchCollection numbers = Regex.Matches(path, "-?(\\d+(\\.\\d+)?|\\.\\d+)");
         return [.. numbers.Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
-    }
-
-    private static string Root()
-    {
-        string? at = AppContext.BaseDirectory;
-        while (at is not null && !File.Exists(Path.Combine(at, "Gjk.sln"))) at = Path.GetDirectoryName(at);
-        return at ?? throw new DirectoryNotFoundException("The tests do not run inside the repository.");
     }
 }

@@ -43,6 +43,19 @@ public sealed class ViewRefusalTests
         """,
         "2000000000 frames")]
     [InlineData("""{"version":1,"objects":[{"shape":{"type":"point"}}],"frames":2500001}""", "2500001 frames")]
+    [InlineData("""{"version":1,"objects":[],"frames":2147483647}""", "2147483647 frames")]
+    [InlineData(
+        """{"version":1,"objects":[{"shape":{"type":"box","halfExtents":[3e38,1,1]},"scale":10}]}""",
+        "$.objects[0]: the shape with its scale leaves the range of float")]
+    [InlineData(
+        """
+        {"version":1,"objects":[{"shape":{"type":"mesh","mesh":"m"},"scale":[1,1,-3e38]}],
+          "meshes":{"m":[[0,0,0],[0,0,9]]}}
+        """,
+        "$.objects[0]: the shape with its scale leaves the range of float")]
+    [InlineData(
+        """{"version":1,"objects":[{"shape":{"type":"capsule","radius":3e38,"halfHeight":3e38}}]}""",
+        "$.objects[0]: the shape with its scale leaves the range of float")]
     public void BadScenesLeaveNoFile(string text, string part)
     {
         using var directory = new TempDirectory();

@@ -82,7 +82,7 @@ internal sealed class UnityProject
     /// <summary>The folder that holds the Assets folder in which the file lies.</summary>
     private static string? FolderAbove(string file)
     {
-        string? folder = Path.GetDirectoryName(Path.GetFullPath(file));
+        string? folder = Path.GetDirectoryName(FullPath.Of(file));
         while (folder is not null && Path.GetFileName(folder) != "Assets") folder = Path.GetDirectoryName(folder);
         return folder is null ? null : Path.GetDirectoryName(folder);
     }

@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using System.Net;
+using Gjk.Demo.Output;
 
 namespace Gjk.Demo.View;
 
@@ -34,7 +34,7 @@ internal static class PictureArrow
         var path = new SvgPath();
         path.Line([from, neck]);
         path.Polygon([to, (neck.X + aside, neck.Y + down), (neck.X - aside, neck.Y - down)]);
-        writer.WriteLine($"<g><title>{WebUtility.HtmlEncode(title)}</title>");
+        writer.WriteLine($"<g><title>{PlainText.Markup(title)}</title>");
         writer.WriteLine(Say($"<path stroke=\"#0a0d12\" stroke-width=\"{Outline}\" d=\"{path}\"/>"));
         writer.WriteLine(Say(
             $"<path stroke=\"{Color}\" stroke-width=\"{Width}\" fill=\"{Color}\" d=\"{path}\"/></g>"));

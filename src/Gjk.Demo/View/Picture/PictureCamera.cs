@@ -88,6 +88,31 @@ internal sealed class PictureCamera
     /// <summary>A direction, given by its parts to the right, upwards and towards the viewer.</summary>
     public Vector3D Direction(double right, double up, double back) => Unit(_right * right + _up * up + _back * back);
 
+    /// <summary>
+    /// The rectangle about a ball as the eye sees it, in tangents of the angles to the right and upwards. Infinite
+    /// where the ball reaches behind the eye.
+    /// </summary>
+    public (double Left, double Right, double Bottom, double Top) Bounds(in Vector3D center, double radius)
+    {
+        Vector3D from = center - Eye;
+        double depth = Depth(center);
+        (double left, double right) = Span(Vector3D.Dot(from, _right), depth, radius);
+        (double bottom, double top) = Span(Vector3D.Dot(from, _up), depth, radius);
+        return (left, right, bottom, top);
+    }
+
+    /// <summary>The tangents from the eye to a disc in one plane through the axis of view.</summary>
+    private static (double From, double To) Span(double aside, double depth, double radius)
+    {
+        double distance = Math.Sqrt(aside * aside + depth * depth);
+        double middle = Math.Atan2(aside, depth), half = radius < distance ? Math.Asin(radius / distance) : Math.PI;
+        return (Tangent(middle - half), Tangent(middle + half));
+    }
+
+    private static double Tangent(double angle) => Math.Abs(angle) < Math.PI / 2
+        ? Math.Tan(angle)
+        : Math.CopySign(double.PositiveInfinity, angle);
+
     private static Vector3D Unit(in Vector3D v) => v * (1 / v.Length);
 
     private (double X, double Y) OnWindow(in Vector3D point)

@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using System.Net;
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
@@ -82,7 +82,7 @@ internal sealed class PictureCasts
             string title = Say($"{NameOf(a)} – {NameOf(b)}: meet after {fraction:G6} of the frame");
             var stroke = new SvgPath();
             stroke.Line([(x, y), tip]);
-            writer.WriteLine($"<g><title>{WebUtility.HtmlEncode(title)}</title>");
+            writer.WriteLine($"<g><title>{PlainText.Markup(title)}</title>");
             writer.WriteLine(Say($"<path fill=\"none\" stroke=\"{Color}\" stroke-width=\"2\" d=\"{stroke}\"/>"));
             writer.WriteLine(Say(
                 $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{Radius}\" fill=\"{Color}\" stroke=\"#0a0d12\" ")

@@ -1,8 +1,8 @@
 using System;
 using System.IO;
-using System.Net;
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Demo.Output;
 
 namespace Gjk.Demo.View;
 
@@ -46,7 +46,7 @@ internal sealed class PictureContacts
             dots.Write(Say($"<circle cx=\"{at.X:0.#}\" cy=\"{at.Y:0.#}\" r=\"{Radius}\"/>"));
         }
 
-        writer.WriteLine($"<g><title>{WebUtility.HtmlEncode(names + ": " + Words(count, least, most))}</title>");
+        writer.WriteLine($"<g><title>{PlainText.Markup(names + ": " + Words(count, least, most))}</title>");
         writer.WriteLine(Say($"<path stroke=\"{Color}\" stroke-width=\"{Width}\" d=\"{sticks}\"/>"));
         writer.WriteLine(Say($"<g fill=\"{Color}\" stroke=\"#0a0d12\" stroke-width=\"{Outline}\">{dots}</g></g>"));
     }

@@ -3,11 +3,11 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Net;
 using System.Numerics;
 using System.Text;
 using System.Threading;
 using Gjk.Core;
+using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
@@ -47,6 +47,8 @@ internal sealed class ScenePicture
     private readonly PictureBody[] _bodies;
     private readonly bool[] _hit;
     private readonly int[] _nearest;
+    private readonly PictureIndex _index;
+    private readonly List<int> _candidates = [];
 
     private ScenePicture(Scene scene, ShapeTable shapes, SceneResults results)
     {
@@ -69,6 +71,7 @@ internal sealed class ScenePicture
             _bodies[i] = new PictureBody(mesh, v => Drawn(v + pose.Position), pose.Rotation, _camera.Eye);
         }
 
+        _index = new PictureIndex(_camera, _bodies);
         _camera.Frame(_bodies.SelectMany(body => body.Vertices), Width);
         _hit = new bool[count];
         _nearest = new int[count];
@@ -76,12 +79,15 @@ internal sealed class ScenePicture
         Rank();
     }
 
-    public static void Write(
+    /// <returns>How often a body was looked at because it may hide a part of another body or of a line.</returns>
+    public static long Write(
         Stream stream, Scene scene, ShapeTable shapes, SceneResults results, Action<double> progress,
         CancellationToken cancel)
     {
         using var writer = new StreamWriter(stream, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
-        new ScenePicture(scene, shapes, results).Write(writer, progress, cancel);
+        var picture = new ScenePicture(scene, shapes, results);
+        picture.Write(writer, progress, cancel);
+        return picture._index.Found;
     }
 
     private static (Vector3D Middle, double Unit) Measure(Scene scene, ShapeTable shapes)
@@ -137,7 +143,7 @@ internal sealed class ScenePicture
             CultureInfo.InvariantCulture,
             $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {_camera.Width} {_camera.Height}\" role=\"img\" "
             + $"stroke-linejoin=\"round\" stroke-linecap=\"round\">"));
-        writer.WriteLine($"<title>{WebUtility.HtmlEncode(title)}</title>");
+        writer.WriteLine($"<title>{PlainText.Markup(title)}</title>");
         writer.WriteLine("<rect width=\"100%\" height=\"100%\" rx=\"14\" fill=\"#12161d\"/>");
         var faces = new PictureFaces(_camera);
         var edges = new SvgPath();
@@ -251,7 +257,8 @@ internal sealed class ScenePicture
     {
         before = [];
         double distance = (center - _camera.Eye).Length;
-        for (int i = 0; i < _bodies.Length; i++)
+        _index.Collect(center, radius, _candidates);
+        foreach (int i in _candidates)
         {
             PictureBody body = _bodies[i];
             if (i == except || IsAside(body, center, radius, distance) || body.Shadow.Misses(center, radius)) continue;

@@ -1,0 +1,39 @@
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Gjk.Demo.Scenes;
+using Gjk.Demo.Tests.Support;
+using Gjk.Demo.View;
+using Xunit;
+
+namespace Gjk.Demo.Tests.View;
+
+/// <summary>The work for a picture, counted, so that a slow or busy machine changes nothing.</summary>
+public sealed class PictureCostTests
+{
+    /// <summary>
+    /// Boxes in a flat layer, seen from the front: each hides a few neighbours, however many there are. A look at all
+    /// other boxes for each box would take sixteen times the work for four times the boxes.
+    /// </summary>
+    [Fact]
+    public void FourTimesTheBoxesTakeAboutFourTimesTheWork()
+    {
+        long few = Work(20), many = Work(40);
+        Assert.True(few >= 400, $"{few} looks: each box sees itself at least");
+        Assert.True(many < 6 * few, $"{few} looks for 400 boxes, {many} for 1600");
+    }
+
+    private static long Work(int side)
+    {
+        using var directory = new TempDirectory();
+        string boxes = string.Join(',', Enumerable.Range(0, side * side).Select(i => string.Create(
+            CultureInfo.InvariantCulture,
+            $"{{\"shape\":{{\"type\":\"box\",\"halfExtents\":[0.4,0.4,0.4]}},\"position\":[{i % side},{i / side},0]}}")));
+        string file = directory.Write("s.json", $"{{\"version\":1,\"pairs\":[],\"objects\":[{boxes}]}}");
+        Scene scene = SceneFile.Load(file, CancellationToken.None);
+        SceneResults results = SceneResults.Of(scene, file, _ => { }, CancellationToken.None);
+        return ScenePicture.Write(
+            Stream.Null, scene, new ShapeTable(scene), results, _ => { }, CancellationToken.None);
+    }
+}
