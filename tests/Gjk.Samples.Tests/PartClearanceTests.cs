@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Threading;
+using System.Threading.Tasks;
 using Gjk.Core;
 using PartClearance;
 using Xunit;
@@ -122,7 +123,7 @@ public sealed class PartClearanceTests : IDisposable
     }
 
     [Fact]
-    public void AnInterruptEndsTheWorkAndLeavesNoFile()
+    public async Task AnInterruptEndsTheWorkAndLeavesNoFile()
     {
         if (OperatingSystem.IsWindows()) return;
 
@@ -131,14 +132,17 @@ public sealed class PartClearanceTests : IDisposable
         foreach (string name in names) Process.Start("mkfifo", [Path.Combine(_folder, name)]).WaitForExit();
         string csv = Path.Combine(_folder, "out.csv");
         using Process sample = SampleProcess.Start(Sample, _folder, "--out", csv);
-        using (var writer = new StreamWriter(File.OpenWrite(Path.Combine(_folder, "a.obj"))))
+        Task<FileStream> opening = Task.Run(() =>
+            File.Open(Path.Combine(_folder, "a.obj"), FileMode.Open, FileAccess.Write, FileShare.ReadWrite));
+        Assert.True(await Task.WhenAny(opening, Task.Delay(SampleProcess.Patience)) == opening, "Nobody reads.");
+        await using (var writer = new StreamWriter(await opening))
         {
-            writer.Write("v 0 0 0\n");
-            writer.Flush();
+            await writer.WriteAsync("v 0 0 0\n");
+            await writer.FlushAsync();
             Process.Start("kill", ["-INT", $"{sample.Id}"]).WaitForExit();
 
             // The handler of the signal runs on a thread of its own.
-            Thread.Sleep(500);
+            await Task.Delay(500);
         }
 
         Assert.Equal(130, SampleProcess.Finish(sample).ExitCode);

@@ -27,7 +27,7 @@ internal sealed record SampleRun(int ExitCode, string Out, string Error)
 /// <summary>Runs a built sample as a process, as its user does.</summary>
 internal static class SampleProcess
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(120);
+    public static readonly TimeSpan Patience = TimeSpan.FromSeconds(120);
 
     public static SampleRun Run(string sample, params string[] args)
     {
