@@ -36,7 +36,11 @@ const motion = (i) => ({
 });
 const objects = kinds.flatMap((shape, k) => Array.from({ length: 4 }, (_, i) => ({
   name: `${shape().type} ${k}.${i}`,
-  shape: { ...shape(), ...(i === 1 ? { rounding: within(0.05, 0.3) } : {}), ...(i === 2 ? { position: vector(-1, 1), rotation: rotation() } : {}) },
+  shape: {
+    ...shape(),
+    ...(i === 1 ? { rounding: within(0.05, 0.3) } : {}),
+    ...(i === 2 ? { position: vector(-1, 1), rotation: rotation() } : {}),
+  },
   position: vector(-2.2, 2.2),
   rotation: rotation(),
   ...(i === 3 ? { scale: [within(0.5, 2), -within(0.5, 2), within(0.5, 2)] } : {}),

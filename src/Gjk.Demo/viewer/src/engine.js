@@ -34,7 +34,8 @@ export class Engine {
   static async start() {
     const { loader, native, runtime } = globalThis.gjkRuntime;
     const files = Object.entries(JSON.parse(document.getElementById('runtime').textContent));
-    const bytes = Object.fromEntries(await Promise.all(files.map(async ([name, text]) => [name, await unpacked(text)])));
+    const unpack = async ([name, text]) => [name, await unpacked(text)];
+    const bytes = Object.fromEntries(await Promise.all(files.map(unpack)));
     const assembly = files.filter(([name]) => name.endsWith('.dll'))
       .map(([name]) => ({ virtualPath: name, name, resolvedUrl: `x:${name}`, buffer: bytes[name] }));
     const wasm = 'dotnet.native.wasm';

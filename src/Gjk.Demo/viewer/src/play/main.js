@@ -1,17 +1,34 @@
-import { Engine, MOTION, wordsOf } from '../engine.js';
 import { floats, ints } from '../data.js';
+import { Engine, MOTION, wordsOf } from '../engine.js';
+import { element } from '../dom.js';
+import { givenBodies } from './world-model.js';
+import { worldPage } from './world-page.js';
 
 const data = JSON.parse(document.getElementById('data').textContent);
-const given = { words: data.shapes.map(wordsOf), shapeOf: ints(data.shapeOf), motions: floats(data.motions) };
-const engine = await Engine.start();
+const motions = floats(data.motions), shapeOf = ints(data.shapeOf);
+const words = data.shapes.map(wordsOf);
+const wait = element('p', { className: 'wait', role: 'status', textContent: 'Starting the library …' });
+document.body.append(wait);
 
 /** The answers of all bodies that the page was given, for a test. */
-function answers(question, pairs) {
-  engine.reserve(given.shapeOf.length, pairs.length);
-  given.shapeOf.forEach((shape, i) => {
-    engine.set(i, engine.shape(given.words[shape]), given.motions.subarray(MOTION * i, MOTION * (i + 1)));
+function answers(engine, question, pairs) {
+  engine.reserve(shapeOf.length, pairs.length);
+  shapeOf.forEach((shape, i) => {
+    engine.set(i, engine.shape(words[shape]), motions.subarray(MOTION * i, MOTION * (i + 1)));
   });
-  return engine.ask(question, pairs);
+  const result = engine.ask(question, pairs);
+  engine.reserve(2, 1);
+  return result;
 }
 
-window.__gjk = { engine, data, answers };
+try {
+  const engine = await Engine.start();
+  wait.remove();
+  const bodies = givenBodies(data, motions, shapeOf);
+  const page = worldPage(engine, bodies.length ? [{ label: data.name, bodies }] : []);
+  // What a test or a developer can query about the page.
+  window.__gjk = { ...page, engine, bodies, answers: (question, pairs) => answers(engine, question, pairs) };
+} catch (error) {
+  wait.textContent = `The library does not start in this browser: ${error.message}`;
+  throw error;
+}
