@@ -9,6 +9,7 @@ using System.Numerics;
 using System.Threading;
 using Gjk.Demo.Fuzz;
 using Gjk.Demo.Import;
+using Gjk.Demo.Play;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
@@ -46,6 +47,7 @@ internal static class CommandLine
             FuzzOptions.Build(cancel),
             ViewOptions.Build(cancel),
             TraceOptions.Build(cancel),
+            PlayOptions.Build(cancel),
         };
 
         // A file name may begin with @. It must not be taken for a response file with more arguments.

@@ -12,12 +12,12 @@ demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 rm -rf TestResults
 mkdir TestResults
 
-# The bundle that the demo embeds is checked in. It must equal the bundle that its sources make.
+# The bundles that the demo embeds are checked in. They must equal the bundles that their sources make.
 viewer=../../src/Gjk.Demo/viewer
 if [ -d $viewer/node_modules/esbuild ] || (cd $viewer && npm ci --silent > /dev/null 2>&1); then
-  (cd $viewer && node build.mjs "$OLDPWD/TestResults/viewer.js") > /dev/null
+  (cd $viewer && node build.mjs "$OLDPWD/TestResults") > /dev/null
 else
-  echo "skipped: esbuild cannot be installed from npm here, so the bundle is not compared with its sources"
+  echo "skipped: esbuild cannot be installed from npm here, so the bundles are not compared with their sources"
 fi
 
 node scenes.mjs TestResults
@@ -34,4 +34,8 @@ demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html
 demo trace TestResults/deep.json --pair 0,1 --out TestResults/trace-deep.html
 demo trace TestResults/deep.json --pair 0,2 --out TestResults/trace-margin.html
 demo query TestResults/deep.json --depth --out TestResults/deep.csv
-exec node pages.mjs TestResults
+status=0
+node pages.mjs TestResults | tee TestResults/pages.log || status=1
+bash play.sh | tee TestResults/play.log || status=1
+awk '/^[0-9]+ passed, [0-9]+ failed$/ { p += $1; f += $3 } END { print p " passed, " f " failed" }' TestResults/*.log
+exit $status

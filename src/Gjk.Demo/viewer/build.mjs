@@ -1,16 +1,14 @@
-// Bundles src/main.js and three.js into dist/viewer.js, one script without imports; the licence of what is in it goes beside it. Given a file, it writes only
-// the script, and there.
+// Bundles the scripts of the pages, each with three.js and without imports; the licence of what is in them goes beside
+// them. Given a folder, it writes only the scripts, and there.
 import { build } from 'esbuild';
 import { copyFileSync } from 'node:fs';
 
+const shared = { bundle: true, minify: true, charset: 'utf8', legalComments: 'inline' };
+const folder = process.argv[2] ?? 'dist';
 await build({
-  entryPoints: ['src/main.js'],
-  bundle: true,
-  minify: true,
-  format: 'iife',
-  target: 'es2020',
-  charset: 'utf8',
-  legalComments: 'inline',
-  outfile: process.argv[2] ?? 'dist/viewer.js',
+  ...shared, entryPoints: ['src/main.js'], format: 'iife', target: 'es2020', outfile: `${folder}/viewer.js`,
+});
+await build({
+  ...shared, entryPoints: ['src/play/main.js'], format: 'esm', target: 'es2022', outfile: `${folder}/play.js`,
 });
 if (!process.argv[2]) copyFileSync('node_modules/three/LICENSE', 'dist/three.LICENSE.txt');

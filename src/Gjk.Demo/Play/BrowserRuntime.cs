@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.IO.Compression;
+using System.Linq;
+using System.Reflection;
+using System.Text;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+
+namespace Gjk.Demo.Play;
+
+/// <summary>
+/// The library for a page: the runtime's scripts, which a page must hold in line, and its DLLs and WebAssembly as
+/// compressed text. All are embedded in the demo when it is built.
+/// </summary>
+internal static partial class BrowserRuntime
+{
+    /// <summary>The folder that the names of the resources begin with.</summary>
+    private const string Folder = "browser/";
+
+    private static readonly (string Name, string File)[] Modules =
+    [
+        ("loader", "dotnet.js"), ("native", "dotnet.native.js"), ("runtime", "dotnet.runtime.js"),
+    ];
+
+    private static readonly string[] NoticeFiles =
+        ["LICENSE.TXT", "EMSCRIPTEN-LICENSE.TXT", "THIRD-PARTY-NOTICES.TXT"];
+
+    /// <summary>
+    /// The runtime's modules as scripts. A page from a disk can import nothing, so each one puts what it exports into
+    /// the global object gjkRuntime instead.
+    /// </summary>
+    public static IEnumerable<string> Scripts() => Modules.Select(m => Script(m.Name, Text(m.File)));
+
+    /// <summary>The other files as JSON: names with base64 of their gzipped bytes.</summary>
+    public static byte[] Files()
+    {
+        using var json = new MemoryStream();
+        using (var writer = new Utf8JsonWriter(json))
+        {
+            writer.WriteStartObject();
+            foreach (string name in Names().Where(n => n.EndsWith(".dll") || n.EndsWith(".wasm")))
+                writer.WriteBase64String(name, Zipped(name));
+            writer.WriteEndObject();
+        }
+
+        return json.ToArray();
+    }
+
+    /// <summary>The licences of what is in the page, which must travel with it.</summary>
+    public static string Notices() => string.Join("\n", NoticeFiles.Select(Text));
+
+    private static string Script(string name, string text)
+    {
+        text = SourceMap().Replace(text, "");
+        MatchCollection found = Exports().Matches(text);
+        if (found.Count != 1) throw new InvalidOperationException($"The runtime's module {name} has a new form.");
+        Match export = found[0];
+        IEnumerable<string> entries = export.Groups["all"].Success
+            ? export.Groups["all"].Value.Split(',').Select(Entry)
+            : [$"default:{export.Groups["one"].Value}"];
+        return $"{text[..export.Index]}(globalThis.gjkRuntime??={{}}).{name}={{{string.Join(",", entries)}}};"
+            + text[(export.Index + export.Length)..];
+    }
+
+    /// <summary>"a as b" as "b:a".</summary>
+    private static string Entry(string exported)
+    {
+        string[] words = exported.Split(" as ", StringSplitOptions.TrimEntries);
+        return $"{words[^1]}:{words[0]}";
+    }
+
+    private static IEnumerable<string> Names() => Assembly.GetExecutingAssembly().GetManifestResourceNames()
+        .Where(n => n.StartsWith(Folder)).Select(n => n[Folder.Length..]).Order(StringComparer.Ordinal);
+
+    private static byte[] Zipped(string name)
+    {
+        using var bytes = new MemoryStream();
+        using (var zip = new GZipStream(bytes, CompressionLevel.SmallestSize))
+        using (Stream file = Open(name))
+        {
+            file.CopyTo(zip);
+        }
+
+        return bytes.ToArray();
+    }
+
+    private static string Text(string name)
+    {
+        using var reader = new StreamReader(Open(name), Encoding.UTF8);
+        return reader.ReadToEnd().ReplaceLineEndings("\n");
+    }
+
+    private static Stream Open(string name) =>
+        Assembly.GetExecutingAssembly().GetManifestResourceStream(Folder + name)
+        ?? throw new InvalidOperationException($"The demo was built without {name}.");
+
+    [GeneratedRegex(@"^//# sourceMappingURL=.*$", RegexOptions.Multiline)]
+    private static partial Regex SourceMap();
+
+    [GeneratedRegex(@"\bexport\s*(?:\{(?<all>[^}]*)\}|default\s+(?<one>\w+))\s*;")]
+    private static partial Regex Exports();
+}

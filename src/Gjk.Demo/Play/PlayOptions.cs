@@ -1,0 +1,95 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Numerics;
+using System.Threading;
+using Gjk.Core;
+using Gjk.Demo.Import;
+using Gjk.Demo.Import.Meshes;
+using Gjk.Demo.Output;
+using Gjk.Demo.Scenes;
+using Gjk.Demo.View;
+
+namespace Gjk.Demo.Play;
+
+/// <summary>The command line of <c>play</c>, and the command itself.</summary>
+internal static class PlayOptions
+{
+    public static Command Build(CancellationToken cancel)
+    {
+        var page = new Option<string>("--out")
+        {
+            Description = "Write the page to this file.",
+            HelpName = "FILE.html",
+            Required = true,
+        };
+        var scene = new Option<string?>("--scene")
+        {
+            Description = "Offer the objects of this scene, too. Use - to read it from standard input.",
+            HelpName = "SCENE.json",
+        };
+        var mesh = new Option<string?>("--obj")
+        {
+            Description = "Offer the parts of this mesh file, too, each as its convex hull. Its name must end in .obj, "
+                + ".stl or .ply.",
+            HelpName = "FILE.obj",
+        };
+        var command = new Command(
+            "play",
+            "Write a page that runs this library: two shapes to move, turn and throw, with every answer while they "
+            + "move, and the search in the plane step by step. It is one file that needs no network.")
+        {
+            page, scene, mesh,
+        };
+        command.Validators.Add(result =>
+        {
+            bool hasScene = result.GetResult(scene) is not null, hasMesh = result.GetResult(mesh) is not null;
+            if (hasScene && hasMesh) result.AddError("--scene and --obj exclude each other.");
+            if (hasMesh && result.GetValue(mesh) is { } name && !MeshFile.IsPartsFile(name))
+                result.AddError($"--obj {name}: its name must end in .obj, .stl or .ply.");
+        });
+        command.SetAction(r =>
+        {
+            string html = r.GetValue(page)!;
+            string? sceneFile = r.GetValue(scene), meshFile = r.GetValue(mesh);
+            TargetFiles.Check(sceneFile ?? meshFile, ("--out", html));
+            var log = new ImportLog();
+            Scene? bodies = sceneFile is not null ? SceneFile.Load(sceneFile, cancel)
+                : meshFile is not null ? Parts(meshFile, log, cancel)
+                : null;
+            Write(bodies, sceneFile ?? meshFile, html, cancel);
+            log.Print();
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static Scene Parts(string file, ImportLog log, CancellationToken cancel)
+    {
+        var objects = new List<SceneObject>();
+        foreach (MeshPart part in MeshFile.Parts(file, cancel))
+        {
+            cancel.ThrowIfCancellationRequested();
+            ConvexShape shape = ConvexShape.Mesh(part.Vertices);
+            objects.Add(new SceneObject(part.Name, shape, RigidPose.Identity, Vector3.Zero, Vector3.Zero));
+            if (Convexity.Warning(part) is { } warning) log.Warn(file, $"{MeshFile.Named(part)} {warning}");
+        }
+
+        return new Scene(Path.GetFileNameWithoutExtension(file), [.. objects], ScenePairs.All(objects.Count), 1);
+    }
+
+    private static void Write(Scene? scene, string? name, string target, CancellationToken cancel)
+    {
+        if (scene?.Objects.Length > PlayData.MostBodies)
+        {
+            throw new RefusedException(
+                $"{name}: {scene.Objects.Length} objects are more than a page lists; {PlayData.MostBodies} are allowed");
+        }
+
+        using var file = new AtomicFile(target, cancel);
+        using var data = new PageData();
+        PlayData.Write(data, scene);
+        ScriptPage.Write(file.Stream, scene is null ? "Gjk playground" : $"{scene.Name}: Gjk playground", data.Text);
+        file.Commit();
+    }
+}

@@ -1,0 +1,31 @@
+// Light or dark. It follows the system until the user chooses.
+const SYSTEM = window.matchMedia('(prefers-color-scheme: light)');
+const listeners = [];
+let chosen = null;
+
+export const isLight = () => (chosen ?? (SYSTEM.matches ? 'light' : 'dark')) === 'light';
+
+/** Calls a listener now and after every change. */
+export function onTheme(listener) {
+  listeners.push(listener);
+  listener();
+}
+
+export function toggleTheme() {
+  chosen = isLight() ? 'dark' : 'light';
+  apply();
+}
+
+/** A colour of the style sheet, as a number. */
+export function colorOf(name) {
+  const text = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  return Number(`0x${text.slice(1)}`);
+}
+
+function apply() {
+  document.documentElement.dataset.theme = isLight() ? 'light' : 'dark';
+  for (const listener of listeners) listener();
+}
+
+SYSTEM.addEventListener('change', apply);
+apply();
