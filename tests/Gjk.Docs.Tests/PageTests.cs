@@ -12,7 +12,7 @@ namespace Gjk.Docs.Tests;
 /// </summary>
 public class PageTests
 {
-    private static readonly string[] Languages = ["csharp", "json", "sh", "text", "bash"];
+    private static readonly string[] Languages = ["csharp", "csv", "json", "sh", "text", "bash"];
 
     /// <summary>Whether what the pages show is written anew, for a reviewer to look at.</summary>
     private static bool UpdateOutputs => Environment.GetEnvironmentVariable("GJK_UPDATE_DOCS") == "1";
