@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
@@ -91,7 +92,7 @@ public sealed class UserErrorTests
         XDocument svg = XDocument.Load(picture);
         string[] titles = [.. svg.Descendants().Where(e => e.Name.LocalName == "title").Select(e => e.Value)];
         Assert.StartsWith("""a\u0000b\uffff<&: 2 objects""", titles[0]);
-        Assert.Contains(titles, t => t.StartsWith("""\u001bone – two\u0008: depth""", System.StringComparison.Ordinal));
+        Assert.Contains(titles, t => t.StartsWith("""\u001bone – two\u0008: depth""", StringComparison.Ordinal));
         Assert.DoesNotContain(File.ReadAllText(page), c => c is '\0' or '\u001b');
     }
 

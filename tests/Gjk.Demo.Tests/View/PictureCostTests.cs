@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -27,9 +26,9 @@ public sealed class PictureCostTests
     private static long Work(int side)
     {
         using var directory = new TempDirectory();
-        string boxes = string.Join(',', Enumerable.Range(0, side * side).Select(i => string.Create(
-            CultureInfo.InvariantCulture,
-            $"{{\"shape\":{{\"type\":\"box\",\"halfExtents\":[0.4,0.4,0.4]}},\"position\":[{i % side},{i / side},0]}}")));
+        const string shape = """{"type":"box","halfExtents":[0.4,0.4,0.4]}""";
+        string boxes = string.Join(',', Enumerable.Range(0, side * side).Select(
+            i => $"{{\"shape\":{shape},\"position\":[{i % side},{i / side},0]}}"));
         string file = directory.Write("s.json", $"{{\"version\":1,\"pairs\":[],\"objects\":[{boxes}]}}");
         Scene scene = SceneFile.Load(file, CancellationToken.None);
         SceneResults results = SceneResults.Of(scene, file, _ => { }, CancellationToken.None);
