@@ -42,6 +42,10 @@ public class StyleTests
     [Theory]
     [InlineData("README.md")]
     [InlineData("CHANGELOG.md")]
+    [InlineData("src/Gjk.Core/Package/README.md")]
+    [InlineData("samples/EnterExit/README.md")]
+    [InlineData("samples/NearestObstacle/README.md")]
+    [InlineData("samples/PartClearance/README.md")]
     public void TextIsWrapped(string file)
     {
         string[] lines = File.ReadAllLines(Path.Combine(ProjectFolder.Root, file));

@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# Packs src/Gjk.Core and checks the package as its user meets it: what is in it, what its fields say, and that a new
+# project that has only this package compiles and runs the snippets of its README. --no-build packs the Release build
+# that is there.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() { echo "package: $1" >&2; exit 1; }
+unpack() { mkdir -p "$2" && { python3 -m zipfile -e "$1" "$2" 2> /dev/null || unzip -q "$1" -d "$2"; }; }
+has_line() { grep -qF -- "$2" "$1" || fail "$(basename "$1") lacks $2"; }
+
+dotnet pack src/Gjk.Core -c Release "$@" -o "$work/feed" -v quiet
+package=$(ls "$work"/feed/*.nupkg)
+unpack "$package" "$work/package"
+unpack "${package%.nupkg}.snupkg" "$work/symbols"
+
+for target in netstandard2.0 netstandard2.1 net8.0 net10.0; do
+  for file in package/lib/$target/Gjk.Core.{dll,xml} symbols/lib/$target/Gjk.Core.pdb; do
+    [ -s "$work/$file" ] || fail "$file is missing"
+  done
+done
+[ -s "$work/package/icon.png" ] || fail "the icon is missing"
+
+nuspec=$work/package/Gjk.Core.nuspec
+for field in '<title>' '<readme>README.md</readme>' '<icon>icon.png</icon>' '<license type="expression">MIT</license>' \
+  '<releaseNotes>## [' '<tags>' '<description>' '<repository type="git"'; do
+  has_line "$nuspec" "$field"
+done
+
+readme=$work/package/README.md
+[ "$(wc -l < "$readme")" -le 80 ] || fail "the README has more than 80 lines"
+relative=$(grep -nE '\]\(|<img|<a ' "$readme" | grep -vE '\]\(https://' || true)
+[ -z "$relative" ] || fail "the README has links that only work in the repository: $relative"
+
+# No path of this machine, in the fields or in the symbols.
+leaks=$(grep -rlaF -- "$PWD" "$work/package" "$work/symbols" || true)
+[ -z "$leaks" ] || fail "the folder of the repository is named in $leaks"
+
+# The fields that follow the clone's remote, in a repository with nothing but the project file.
+clone=$work/clone
+mkdir -p "$clone/src/Gjk.Core"
+cp Directory.*.props global.json "$clone"
+cp src/Gjk.Core/Gjk.Core.csproj "$clone/src/Gjk.Core"
+git -C "$clone" init -q
+git -C "$clone" add .
+git -C "$clone" -c user.name=check -c user.email=check@example.org commit -qm check
+git -C "$clone" remote add origin unset
+
+# Whether a package of the clone would publish this address if the remote were that one.
+expect_published() {
+  git -C "$clone" remote set-url origin "$1"
+  local said
+  said=$(dotnet msbuild "$clone/src/Gjk.Core/Gjk.Core.csproj" -nologo -p:TargetFramework=net10.0 -warnAsError \
+    -t:GenerateSourceLinkFile -getProperty:PackageProjectUrl -getProperty:PublishRepositoryUrl | tr -d ' \n') \
+    || fail "a warning or an error with the remote $1"
+  [ "$said" = "{\"Properties\":{\"PackageProjectUrl\":\"$2\",\"PublishRepositoryUrl\":\"$3\"}}" ] \
+    || fail "with the remote $1 the package says $said"
+}
+
+mkdir -p "$clone/src/Gjk.Core/obj/Debug/net10.0"
+expect_published "$PWD" '' ''
+expect_published https://user:secret@github.com/example/gjk.git https://github.com/example/gjk true
+link=$(cat "$clone"/src/Gjk.Core/obj/*/net10.0/*.sourcelink.json)
+commit=$(git -C "$clone" rev-parse HEAD)
+[ "$link" = '{"documents":{"/_/*":"https://raw.githubusercontent.com/example/gjk/'"$commit"'/*"}}' ] \
+  || fail "the symbols would find their sources by $link"
+
+# A new project that knows no other source of packages.
+app=$work/app
+dotnet new console -o "$app" --no-restore > /dev/null
+cat > "$app/nuget.config" << CONFIG
+<configuration>
+  <packageSources><clear /><add key="pack" value="$work/feed" /></packageSources>
+</configuration>
+CONFIG
+awk '/^```/ { inside = /csharp/; next } inside' "$readme" > "$app/Program.cs"
+export NUGET_PACKAGES=$work/packages
+cd "$app"
+dotnet add package Gjk.Core > add.log || { cat add.log >&2; fail "dotnet add package failed"; }
+dotnet run -c Release > run.log || { cat run.log >&2; fail "the README's snippets do not compile or run"; }
+has_line run.log 'Separated: 1.25 from <0.5, '
+has_line run.log ': they touch'
+has_line run.log '(0, 1): Separated, 0.25 from '
+echo "package: $(basename "$package") is complete, and its README's snippets run"
