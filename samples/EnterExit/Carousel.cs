@@ -45,7 +45,7 @@ internal sealed class Carousel
         for (int i = 0; i < BodyCount; i++) _scene.Move(ZoneCount + i, PoseOf(i, frame));
     }
 
-    /// <summary>Each circle has another radius, height, begin, direction and speed, of whole turns in a round.</summary>
+    /// <summary>Circles differ in radius, height, beginning, direction and speed: 1 to 3 turns in a round.</summary>
     private static RigidPose PoseOf(int body, int frame)
     {
         int turns = 1 + body % 3;

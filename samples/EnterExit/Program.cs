@@ -6,7 +6,7 @@ using Gjk.Core;
 
 namespace EnterExit;
 
-/// <summary>A loop with moving objects that says which pairs meet and part, and measures that it allocates nothing.</summary>
+/// <summary>Says which of some moving objects meet and part, and measures that this allocates nothing.</summary>
 internal static class Program
 {
     private static int Main(string[] args)

@@ -28,7 +28,8 @@ internal static class Program
         var scene = new CollisionScene();
         var arm = new RobotArm(scene);
         Obstacles.AddTo(scene, ObstacleCount, Seed);
-        Console.WriteLine("step  link       nearest       distance  point on the link        point on the nearest     us");
+        Console.WriteLine(
+            "step  link       nearest       distance  point on the link        point on the nearest     us");
         var times = new double[steps];
         for (int step = 0; step < steps; step++)
         {

@@ -6,7 +6,7 @@ using Gjk.Core;
 
 namespace PartClearance;
 
-/// <summary>Two parts by their places in the list, and how far apart they are; minus the depth if they overlap.</summary>
+/// <summary>Two parts by their places in the list, and their distance, or minus their depth.</summary>
 internal readonly record struct Gap(ObjectPair Pair, DistanceResult Result);
 
 /// <summary>Finds all pairs of parts that are within a distance of each other.</summary>

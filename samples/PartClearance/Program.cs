@@ -50,7 +50,7 @@ internal static class Program
             DefaultValueFactory = _ => 1,
             CustomParser = ParseDistance,
         };
-        var output = new Option<string?>("--out") { Description = "Instead of standard output.", HelpName = "FILE.csv" };
+        var output = new Option<string?>("--out") { Description = "Write the CSV to this file.", HelpName = "FILE" };
         var make = new Option<bool>("--make") { Description = $"Write {MadeParts} parts to FOLDER instead." };
         folder.Validators.Add(r =>
         {

@@ -19,7 +19,8 @@ public sealed class PartClearanceTests : IDisposable
 
     private const string TetrahedronStl =
         "solid t\nfacet normal 0 0 0\nouter loop\n vertex 0 0 0\n vertex 1 0 0\n\tvertex 0 1 0\nendloop\nendfacet\n"
-        + "facet normal 0 0 0\nouter loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 0 0 1\nendloop\nendfacet\nendsolid t\n";
+        + "facet normal 0 0 0\nouter loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 0 0 1\nendloop\nendfacet\n"
+        + "endsolid t\n";
 
     private readonly string _folder = Directory.CreateTempSubdirectory("gjk-samples-").FullName;
 
