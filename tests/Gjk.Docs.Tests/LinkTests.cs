@@ -22,15 +22,12 @@ public partial class LinkTests
             if (target.Contains("://", StringComparison.Ordinal)) continue;
             string[] parts = target.Split('#', 2);
             string file = parts[0].Length == 0 ? Page.PathOf(page) : Path.Combine(folder, parts[0]);
-            bool exists = File.Exists(file) || Directory.Exists(file) || IsGenerated(parts[0]);
+            bool exists = File.Exists(file) || Directory.Exists(file);
             if (!exists || (parts.Length == 2 && File.Exists(file) && !Anchors(file).Contains(parts[1]))) dead.Add(target);
         }
 
         Assert.Empty(dead);
     }
-
-    /// <summary>The reference of the API is made from the documentation comments when the site is built.</summary>
-    private static bool IsGenerated(string target) => target.Contains("api/", StringComparison.Ordinal);
 
     private static HashSet<string> Anchors(string file) => [.. File.ReadLines(file)
         .Where(l => l.StartsWith('#')).Select(l => Slug(l.TrimStart('#').Trim()))];

@@ -9,7 +9,7 @@ namespace Gjk.Docs.Tests;
 /// <summary>The Markdown pages of the project that a reader finds from the README.</summary>
 public static class Page
 {
-    private static readonly string[] Generated = ["node_modules", "api", "bin", "obj", ".vitepress", "site"];
+    private static readonly string[] Generated = ["node_modules", "bin", "obj", ".vitepress", "site"];
 
     /// <summary>Paths below the project's folder, for a theory.</summary>
     public static TheoryData<string> All => [.. Names()];

@@ -12,10 +12,12 @@ namespace Gjk.Docs.Tests;
 /// </summary>
 public class PageTests
 {
+    private const int Columns = 120;
+
     private static readonly string[] Languages = ["csharp", "csv", "json", "sh", "text", "bash"];
 
     /// <summary>Whether what the pages show is written anew, for a reviewer to look at.</summary>
-    private static bool UpdateOutputs => Environment.GetEnvironmentVariable("GJK_UPDATE_DOCS") == "1";
+    internal static bool UpdateOutputs => Environment.GetEnvironmentVariable("GJK_UPDATE_DOCS") == "1";
 
     public static TheoryData<string> All => Page.All;
 
@@ -74,6 +76,11 @@ public class PageTests
             folder.Run("gjk-demo query scene.json");
         }
     }
+
+    /// <summary>Tables and links cannot be broken.</summary>
+    [Theory, MemberData(nameof(All))]
+    public void TextIsWrapped(string page) => Assert.DoesNotContain(
+        Page.Read(page).Split('\n'), l => l.Length > Columns && !l.StartsWith('|') && !l.Contains("]("));
 
     private static bool IsProgram(CodeBlock block) => block.Language == "csharp" && !block.Has("unity");
 
