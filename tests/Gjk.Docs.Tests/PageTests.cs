@@ -77,10 +77,14 @@ public class PageTests
         }
     }
 
-    /// <summary>Tables and links cannot be broken.</summary>
+    /// <summary>Tables and links cannot be broken; what is made from comments is not wrapped.</summary>
     [Theory, MemberData(nameof(All))]
-    public void TextIsWrapped(string page) => Assert.DoesNotContain(
-        Page.Read(page).Split('\n'), l => l.Length > Columns && !l.StartsWith('|') && !l.Contains("]("));
+    public void TextIsWrapped(string page)
+    {
+        if (page.StartsWith("docs/api/", StringComparison.Ordinal)) return;
+        string[] lines = Page.Read(page).Split('\n');
+        Assert.DoesNotContain(lines, l => l.Length > Columns && !l.StartsWith('|') && !l.Contains("]("));
+    }
 
     private static bool IsProgram(CodeBlock block) => block.Language == "csharp" && !block.Has("unity");
 
