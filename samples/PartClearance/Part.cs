@@ -1,6 +1,6 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Numerics;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace PartClearance;
