@@ -89,10 +89,10 @@ async function checkWords({ open }) {
     },
   );
   await check('trace: the words explain cores and margins, with those of the pair', async () => {
-    assert.equal(await page.locator('.text').isVisible(), false);
-    await button(page, 'words').click();
+    assert.equal(await page.locator('.words').isVisible(), false);
+    await button(page, 'A − B').click();
     await eventually(async () => {
-      const words = await text(page, '.text');
+      const words = await text(page, '.words');
       assert.match(words, /Core and margin/);
       assert.match(words, /gem is all core and has no margin; sphere has a margin of 0\.8/);
       assert.match(words, /Minkowski difference/);

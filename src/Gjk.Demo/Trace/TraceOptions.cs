@@ -19,7 +19,12 @@ internal static class TraceOptions
         {
             Description = "The indices of the two objects in the scene, such as 0,1.",
             HelpName = "I,J",
-            Required = true,
+        };
+        var example = new Option<string?>("--example")
+        {
+            Description = "Instead of a scene and a pair, trace a built-in pair on which the textbook's GJK fails: "
+                + "loop (it never ends) or wrong (it finds an intersection where there is none).",
+            HelpName = "NAME",
         };
         var page = new Option<string?>("--out")
         {
@@ -32,25 +37,43 @@ internal static class TraceOptions
             if (result.Tokens.Count == 1 && !TryParse(result.Tokens[0].Value, out _, out _))
                 result.AddError($"--pair {result.Tokens[0].Value}: must be two different indices, such as 0,1.");
         });
+        example.Validators.Add(result =>
+        {
+            if (result.Tokens.Count == 1 && TextbookExamples.Named(result.Tokens[0].Value) is null)
+                result.AddError($"--example {result.Tokens[0].Value}: must be loop or wrong.");
+        });
         var command = new Command(
             "trace",
-            "Show one query step by step, with supports, simplex and bounds, and where the shapes overlap the search "
-            + "for the depth. The page needs no network.")
+            "Show one query step by step, with supports, simplex and bounds, the textbook's GJK beside it, and where "
+            + "the shapes overlap the search for the depth. The page needs no network.")
         {
-            source.File, source.BuiltIn, pair, page,
+            source.File, source.BuiltIn, pair, example, page,
         };
-        source.Validate(command);
+        source.Validate(command, unless: example);
+        command.Validators.Add(result =>
+        {
+            bool isExample = result.GetResult(example) is not null;
+            bool hasPair = result.GetResult(pair) is not null;
+            if (isExample && hasPair) result.AddError("--example and --pair exclude each other.");
+            if (!isExample && !hasPair) result.AddError("--pair is needed.");
+        });
         command.SetAction(r =>
         {
             string html = r.GetValue(page)!;
             TargetFiles.Check(r.GetValue(source.File), ("--out", html));
-            Scene scene = source.Load(r, cancel, out string name);
+            if (r.GetValue(example) is { } name)
+            {
+                Write(TextbookExamples.Named(name)!, (0, 1), html, cancel);
+                return ExitCode.Done;
+            }
+
+            Scene scene = source.Load(r, cancel, out string sceneName);
             TryParse(r.GetValue(pair)!, out int a, out int b);
             int count = scene.Objects.Length;
             if (a >= count || b >= count)
             {
                 throw new RefusedException(
-                    $"{name}: --pair {a},{b}: the scene has {count} objects, counted from 0");
+                    $"{sceneName}: --pair {a},{b}: the scene has {count} objects, counted from 0");
             }
             Write(scene, (a, b), html, cancel);
             return ExitCode.Done;

@@ -30,12 +30,16 @@ internal sealed class SceneSource
     };
 
     /// <summary>Makes the command refuse both arguments together, and neither of them.</summary>
-    public void Validate(Command command) => command.Validators.Add(result =>
+    /// <param name="command">The command that has both arguments.</param>
+    /// <param name="unless">An option that takes the place of both.</param>
+    public void Validate(Command command, Option? unless = null) => command.Validators.Add(result =>
     {
         bool hasFile = result.GetResult(File) is { Implicit: false };
         bool hasBuiltIn = result.GetResult(BuiltIn) is not null;
         if (hasFile && hasBuiltIn) result.AddError("--builtin and SCENE.json exclude each other.");
-        if (!hasFile && !hasBuiltIn) result.AddError("SCENE.json or --builtin is needed.");
+        bool isReplaced = unless is not null && result.GetResult(unless) is not null;
+        if (isReplaced && (hasFile || hasBuiltIn)) result.AddError($"{unless!.Name} and a scene exclude each other.");
+        if (!hasFile && !hasBuiltIn && !isReplaced) result.AddError("SCENE.json or --builtin is needed.");
     });
 
     /// <param name="parsed">The command line.</param>

@@ -49,7 +49,7 @@ export function segmented(label, choices, value, change) {
 }
 
 /** Panels under a row of buttons, of which one panel shows: [name, text, panel]. */
-export function tabs(label, choices, value) {
+export function tabs(label, choices, value, change = () => {}) {
   const chosen = segmented(
     label,
     choices.map(([name, text]) => [name, text]),
@@ -60,6 +60,7 @@ export function tabs(label, choices, value) {
   function show(name) {
     chosen.set(name);
     for (const [each, , panel] of choices) panel.hidden = each !== name;
+    change(name);
   }
   show(value);
   return { root: chosen.root, show };
@@ -87,6 +88,11 @@ export function player(name, count, change, stepMs) {
     slider.value = index;
     output.textContent = `${name} ${index + 1} of ${count}`;
   }
+  function resize(newCount) {
+    count = newCount;
+    slider.max = Math.max(count - 1, 0);
+    root.hidden = count < 2;
+  }
   function go(by) {
     const next = Math.max(0, Math.min(count - 1, Number(slider.value) + by));
     if (next !== Number(slider.value)) change(next);
@@ -94,7 +100,7 @@ export function player(name, count, change, stepMs) {
   slider.oninput = () => change(Number(slider.value));
   show(0);
   const root = element('div', { className: 'player', hidden: count < 2 }, play, slider, output);
-  return { root, show, stop, go, toggle: toggleTimer };
+  return { root, show, stop, go, resize, toggle: toggleTimer };
 }
 
 /** An entry of a legend: the name of a colour of the theme, and a text. */

@@ -20,6 +20,9 @@ export const DOT = 0.16,
   ARROW = 2.6,
   THIN = 0.03;
 
+/** The height of a wall, as a share of its edge. */
+const WALL = 0.3;
+
 export const ORIGIN = new Vector3();
 
 export function dot(at, color, size) {
@@ -32,12 +35,12 @@ export function arrow(from, direction, color, length) {
   return new Group().add(...parts.map((geometry) => new Mesh(geometry, new MeshBasicMaterial({ color }))));
 }
 
-export function addPlane(group, at, normal, radius) {
+export function addPlane(group, at, normal, radius, color = COLORS.plane) {
   const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), normal);
   const disc = new Mesh(
     new CircleGeometry(radius, 64),
     new MeshBasicMaterial({
-      color: COLORS.plane,
+      color,
       transparent: true,
       opacity: 0.16,
       side: DoubleSide,
@@ -47,6 +50,24 @@ export function addPlane(group, at, normal, radius) {
   disc.quaternion.copy(turn);
   disc.position.copy(at);
   group.add(disc);
+}
+
+/** Draws the walls between the Voronoi regions of an edge or a triangle: they stand on its ends or on its edges. */
+export function addWalls(group, corners) {
+  if (corners.length === 2) {
+    const along = corners[1].clone().sub(corners[0]);
+    const radius = Math.max(WALL * along.length(), ARROW);
+    for (const at of corners) addPlane(group, at, along.clone().normalize(), radius, COLORS.old);
+  }
+  if (corners.length !== 3) return;
+  const [a, b, c] = corners;
+  const normal = b.clone().sub(a).cross(c.clone().sub(a)).normalize();
+  corners.forEach((p, i) => {
+    const q = corners[(i + 1) % 3],
+      up = normal.clone().multiplyScalar(Math.max(WALL * p.distanceTo(q), ARROW));
+    const [low, high] = [[p, q].map((at) => at.clone().sub(up)), [p, q].map((at) => at.clone().add(up))];
+    group.add(sheet(low[0], low[1], high[1], COLORS.old, 0.1), sheet(low[0], high[1], high[0], COLORS.old, 0.1));
+  });
 }
 
 /** Draws edges as rods and faces as thin sheets. */

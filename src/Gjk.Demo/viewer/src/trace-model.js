@@ -1,24 +1,25 @@
-import { Quaternion, Vector3 } from 'three';
+import { Quaternion } from 'three';
 import { count, number, shape, vector } from './data.js';
 import { DepthModel } from './depth-model.js';
+import { TextbookModel } from './textbook-model.js';
+import { Walk } from './walk.js';
 
 /** Ratio. Bounds that are closer than this look the same in six digits. */
 const VISIBLE = 1e-6;
 
-const FEATURES = ['vertex', 'edge', 'triangle', 'tetrahedron'];
-
 /**
  * One query: its steps with the bounds so far, and each step in words. Numbers are in world units and in A's frame.
- * Drawn numbers are multiplied by the unit.
  */
-export class TraceModel {
+export class TraceModel extends Walk {
   constructor(json) {
+    super(json.steps, json.unit);
     Object.assign(this, json);
     this.shapeA = shape(json.shapeA);
     this.shapeB = shape(json.shapeB);
     this.difference = shape(json.difference);
     this.depth = json.depth ? new DepthModel(json.depth, json) : null;
     this.rotationB = new Quaternion(...json.rotation).normalize();
+    this.textbook = new TextbookModel(json.textbook, this);
     let lower = 0,
       upper = Infinity;
     this.steps.forEach((step, i) => {
@@ -31,43 +32,23 @@ export class TraceModel {
     });
   }
 
-  /** How many steps are shown: those of the distance, and then those of the depth. */
-  get count() {
-    return this.steps.length + this.depthSteps.length;
+  /** The lines of the pseudo-code that a step runs, by their ids, in their order. */
+  lines(at) {
+    const step = this.steps[at];
+    if (!step) return [];
+    const isLast = at === this.steps.length - 1,
+      first = at === 0 ? ['start', 'repeat'] : ['repeat'];
+    const run = [...first, 'support', 'bound'];
+    if (!step.after) return [...run, 'met', isLast ? 'answer' : 'stall'];
+    if (step.after.length === 4) return [...run, 'join', 'inside', isLast ? 'answer' : 'stall'];
+    run.push('join', 'region', 'next');
+    if (!isLast) return this.steps[at + 1].extended && !step.extended ? [...run, 'stall'] : run;
+    if (this.result.status === 'Overlapping' && this.margins === 0) return [...run, 'touch', 'answer'];
+    return [...run, step.best >= step.upper * (1 - VISIBLE) ? 'met' : 'stall', 'answer'];
   }
 
-  get depthSteps() {
-    return this.depth?.steps ?? [];
-  }
-
-  isDepth(at) {
-    return Boolean(this.depth) && at >= this.steps.length && at < this.count;
-  }
-
-  isLast(at) {
-    return at === Math.max(this.count - 1, 0);
-  }
-
-  drawn([x, y, z]) {
-    return new Vector3(x * this.unit, y * this.unit, z * this.unit);
-  }
-
-  /** Names a feature. Each vertex is named after the step that found it. */
-  feature(indices) {
-    return `${FEATURES[indices.length - 1]} ${indices
-      .map((i) => `w${i + 1}`)
-      .sort((a, b) => a.slice(1) - b.slice(1))
-      .join(' ')}`;
-  }
-
-  /** The points of both shapes whose difference is the simplex's nearest point. */
-  witnesses(step) {
-    const mix = (key) =>
-      step.after.reduce(
-        (sum, i, k) => sum.addScaledVector(this.drawn(this.steps[i][key]), step.weights[k]),
-        new Vector3(),
-      );
-    return [mix('onA'), mix('onB')];
+  get margins() {
+    return this.marginA + this.marginB;
   }
 
   /** Describes a step in paragraphs of [kind, text]. */

@@ -11,7 +11,7 @@ import {
 import { addSurface, addWayOut } from './depth-view.js';
 import { edges, rod, surface } from './geometry.js';
 import { Labels } from './labels.js';
-import { ARROW, DOT, ORIGIN, ROD, THIN, addPlane, addSimplex, arrow, dot } from './marks.js';
+import { ARROW, DOT, ORIGIN, ROD, THIN, addPlane, addSimplex, addWalls, arrow, dot } from './marks.js';
 import { COLORS, themed } from './theme.js';
 
 /** The Minkowski difference around the origin, with the simplex inside, and then the surface that grows in it. */
@@ -66,61 +66,58 @@ export class DifferenceView {
     );
   }
 
-  show(at) {
-    const { model, changing } = this;
+  /** Draws a step of a walk up to a stage, with the walls between the regions of some corners. */
+  show(walk, at, stage, walls) {
+    const { changing } = this;
     clear(changing);
-    const labels = model.isDepth(at) ? this.showSurface(at - model.steps.length) : this.showSimplex(at);
-    if (model.isLast(at) && model.depth?.wayOut)
-      labels.push(addWayOut(changing, ORIGIN, model.depth.wayOut, this.size));
+    const labels = walk.isDepth(at) ? this.showSurface(walk, at) : this.showSimplex(walk, at, stage);
+    addWalls(changing, walls);
+    if (walk.isLast(at) && walk.depth?.wayOut) labels.push(addWayOut(changing, ORIGIN, walk.depth.wayOut, this.size));
     this.labels.set(labels);
     this.stage.drawNow();
   }
 
-  showSurface(at) {
-    return addSurface(this.changing, this.model.depth, at, this.size, this.planeRadius());
+  showSurface(walk, at) {
+    return addSurface(this.changing, walk.depth, at - walk.steps.length, this.size, this.planeRadius());
   }
 
-  showSimplex(at) {
-    const { model, changing } = this;
-    const step = model.steps[at];
+  /** The stages: 0 the simplex before, 1 the search, 2 its plane, 3 and 4 the new simplex, 5 its nearest point. */
+  showSimplex(walk, at, stage) {
+    const { changing, size } = this;
+    const step = walk.steps[at];
     if (!step) return [['origin', ORIGIN]];
-    const w = model.drawn(step.w),
+    const w = walk.drawn(step.w),
       n = new Vector3(...step.normal),
-      d = n.clone().negate(),
-      size = this.size;
-    const point = (i) => model.drawn(model.steps[i].w);
+      d = n.clone().negate();
+    const point = (i) => walk.drawn(walk.steps[i].w);
+    const labels = new Map([['origin', ORIGIN], ...step.before.map((i) => [walk.vertexName(i), point(i)])]);
     for (const i of step.before) changing.add(dot(point(i), COLORS.old, DOT * 0.8 * size));
     addSimplex(changing, step.before.map(point), COLORS.old, 0.1, ROD * 0.6 * size);
-    const from = step.before.length ? this.nearestBefore(at) : n.clone().multiplyScalar(Math.max(w.dot(n), 0) + ARROW);
-    changing.add(arrow(from, d, COLORS.vertex, ARROW * size));
-    addPlane(changing, w, n, this.planeRadius());
-    changing.add(dot(w, COLORS.vertex, DOT * size));
-    const labels = [['origin', ORIGIN], ...step.before.map((i) => [`w${i + 1}`, point(i)]), [`w${at + 1}`, w]];
-    if (step.after) {
+    const from = step.before.length ? nearestBefore(walk, at) : n.clone().multiplyScalar(Math.max(w.dot(n), 0) + ARROW);
+    if (stage > 1) addPlane(changing, w, n, this.planeRadius());
+    if (stage > 0) {
+      changing.add(arrow(from, d, COLORS.vertex, ARROW * size), dot(w, COLORS.vertex, DOT * size));
+      labels.set(walk.vertexName(at), w);
+    }
+    if (stage > 3 && step.after) {
       addSimplex(changing, step.after.map(point), COLORS.simplex, 0.38, ROD * size);
       for (const i of step.after) if (i !== at) changing.add(dot(point(i), COLORS.simplex, DOT * size));
     }
-    const nearest = step.after
-      ? step.after.length === 4
-        ? ORIGIN
-        : model.drawn(step.nearest)
-      : this.nearestBefore(at);
-    if (nearest.length() > 0) {
-      changing.add(
-        new Mesh(rod(ORIGIN, nearest, ROD * 0.8 * size), new MeshBasicMaterial({ color: COLORS.nearest })),
-        dot(nearest, COLORS.nearest, DOT * 0.7 * size),
-      );
-      labels.push(['v', nearest.clone().multiplyScalar(0.5)]);
+    if (stage > 4 && step.after?.length !== 4) {
+      this.addNearest(step.after ? walk.drawn(step.nearest) : nearestBefore(walk, at), labels);
     }
-    labels.push(['d', from.addScaledVector(d, ARROW * size * 0.7)]);
-    return labels;
+    if (stage > 0) labels.set('d', from.addScaledVector(d, ARROW * size * 0.7));
+    return [...labels];
   }
 
-  /** The point of the simplex that was nearest to the origin when a step began. */
-  nearestBefore(at) {
-    for (let i = at - 1; i >= 0; i--)
-      if (this.model.steps[i].after) return this.model.drawn(this.model.steps[i].nearest);
-    return ORIGIN.clone();
+  addNearest(nearest, labels) {
+    if (!(nearest.length() > 0)) return;
+    const white = new MeshBasicMaterial({ color: COLORS.nearest });
+    this.changing.add(
+      new Mesh(rod(ORIGIN, nearest, ROD * 0.8 * this.size), white),
+      dot(nearest, COLORS.nearest, DOT * 0.7 * this.size),
+    );
+    labels.set('v', nearest.clone().multiplyScalar(0.5));
   }
 
   planeRadius() {
@@ -184,11 +181,11 @@ export class ShapesView {
     return balls;
   }
 
-  show(at) {
+  show(walk, at) {
     const { model, changing } = this;
     clear(changing);
-    if (this.moved) this.moved.visible = model.isLast(at);
-    const labels = model.isDepth(at) ? this.showGrowth(at) : this.showSearch(at);
+    if (this.moved) this.moved.visible = walk.depth !== null && walk.isLast(at);
+    const labels = walk.isDepth(at) ? this.showGrowth(at) : this.showSearch(walk, at);
     if (this.moved?.visible) addWayOut(changing, model.depth.deepestOnB, model.depth.deepestOnA, 1);
     // The marks lie on the shapes, and often inside them. So they are drawn visible through the shapes.
     changing.traverse((mark) => {
@@ -209,14 +206,14 @@ export class ShapesView {
   }
 
   /** The support points of a step, A's along d and B's against it, and the nearest points so far. */
-  showSearch(at) {
-    const { model, changing } = this;
-    const step = model.steps[at];
+  showSearch(walk, at) {
+    const { changing } = this;
+    const step = walk.steps[at];
     if (!step) return [];
     const labels = this.showSupports(step, new Vector3(...step.normal).negate(), 'd', true);
-    const last = model.steps.slice(0, at + 1).findLast((s) => s.after);
+    const last = walk.steps.slice(0, at + 1).findLast((s) => s.after);
     if (!last) return labels;
-    const [a, b] = model.witnesses(last);
+    const [a, b] = walk.witnesses(last);
     if (a.distanceTo(b) > 1e-6) {
       changing.add(new Mesh(rod(a, b, ROD), new MeshBasicMaterial({ color: COLORS.nearest })));
     }
@@ -238,6 +235,12 @@ export class ShapesView {
       [`−${name}`, onB.addScaledVector(back, length)],
     ];
   }
+}
+
+/** The point of the simplex that was nearest to the origin when a step began. */
+function nearestBefore(walk, at) {
+  const before = walk.steps.slice(0, at).findLast((step) => step.after);
+  return before ? walk.drawn(before.nearest) : ORIGIN.clone();
 }
 
 /** Empties a group, and gives back the memory of what was drawn. */

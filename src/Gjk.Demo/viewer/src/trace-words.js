@@ -1,4 +1,5 @@
 import { number } from './data.js';
+import { differenceFigure } from './figure.js';
 import { element } from './dom.js';
 
 /** What the words of the page mean, with the numbers of this pair. */
@@ -38,9 +39,19 @@ export function words(model) {
       `${margin(nameA, marginA)}; ${margin(nameB, marginB)}.`,
     ],
   ];
-  const parts = entries.flatMap(([term, ...sentences]) => [
+  const [difference, ...others] = entries.map(([term, ...sentences]) => [
     element('h2', { textContent: term }),
     element('p', { textContent: sentences.join(' ') }),
   ]);
-  return element('section', { className: 'tab text' }, ...parts);
+  const caption = 'In the plane: the line from B’s nearest point to A’s is the line from the origin to A − B.';
+  const figure = [differenceFigure(), element('p', { className: 'quiet', textContent: caption })];
+  const drag = 'gjk-demo play writes a page on which you drag two shapes, and see their A − B change.';
+  return element(
+    'section',
+    { className: 'tab text words' },
+    ...difference,
+    ...figure,
+    ...others.flat(),
+    element('p', { className: 'quiet', textContent: drag }),
+  );
 }
