@@ -7,6 +7,7 @@ import { openPage, startBrowser } from './browser.mjs';
 import { check, finish } from './check.mjs';
 import { checkScreens } from './screens.mjs';
 import { checkTraces } from './trace.mjs';
+import { checkLesson } from './trace-lesson.mjs';
 import { checkTraceReading } from './trace-reading.mjs';
 import { checkView } from './view.mjs';
 import { checkMotion } from './view-motion.mjs';
@@ -26,7 +27,7 @@ const tools = {
   open: (name, look) => openPage(browser, join(folder, `${name}.html`), look),
   keep: (page, name) => page.screenshot({ path: join(folder, `${name}.png`) }),
 };
-const parts = { checkView, checkMotion, checkViewReading, checkTraces, checkTraceReading, checkScreens };
+const parts = { checkView, checkMotion, checkViewReading, checkTraces, checkTraceReading, checkLesson, checkScreens };
 for (const [name, part] of Object.entries(parts)) if (!only || name === only) await part(tools);
 await browser.close();
 finish();

@@ -61,5 +61,8 @@ demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html
 demo trace TestResults/deep.json --pair 0,1 --out TestResults/trace-deep.html
 demo trace TestResults/deep.json --pair 0,2 --out TestResults/trace-margin.html
 demo trace TestResults/two.json --pair 0,1 --out TestResults/trace-one.html
+for example in loop wrong; do
+  demo trace --example $example --out TestResults/$example.html
+done
 demo query TestResults/deep.json --depth --out TestResults/deep.csv
 exec node pages.mjs TestResults

@@ -26,8 +26,8 @@ async function checkScreen({ open }, name, screen, look) {
     const { steps } = await counts(page);
     for (const step of new Set([0, 1, Math.floor(steps / 2), steps - 1])) {
       await goTo(page, step);
-      await canBeRead(page, '.story p:last-child');
-      await canBeRead(page, 'tr.current', '.steps');
+      await canBeRead(page, '.story:visible p:last-child');
+      await canBeRead(page, 'tr.current:visible', '.steps');
       assertApart(await labelBoxes(page));
     }
     const { scrollWidth, width } = await page.evaluate(() => {
@@ -79,7 +79,7 @@ async function checkWords({ open }) {
       await goTo(page, 0);
       const labels = await page.locator('.label').allInnerTexts();
       assert.ok(labels.includes('d') && labels.includes('−d'), labels.join());
-      const story = await text(page, '.story');
+      const story = await text(page, '.story:visible');
       assert.match(story, /d = \(/);
       assert.doesNotMatch(story, /\bn\b/);
       // The shapes' centres: B lies from A as d points in the first step.
@@ -98,7 +98,7 @@ async function checkWords({ open }) {
       assert.match(words, /Minkowski difference/);
     });
     await button(page, 'steps').click();
-    await eventually(async () => assert.equal(await page.locator('.story').isVisible(), true));
+    await eventually(async () => assert.equal(await page.locator('.story:visible').isVisible(), true));
   });
   await page.close();
 }

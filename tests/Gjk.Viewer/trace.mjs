@@ -25,7 +25,7 @@ async function traced({ open, keep }, name, status) {
     const { steps, depthSteps, iterations, status: found } = await counts(page);
     assert.equal(found, status);
     assert.equal(steps, iterations + depthSteps);
-    assert.equal(await page.locator('.steps tbody tr').count(), steps);
+    assert.equal(await page.locator('.steps:visible tbody tr').count(), steps);
     for (let step = 0; step < steps; step++) {
       await goTo(page, step);
       await checkStory(page, step, { steps, iterations, found });
@@ -37,7 +37,7 @@ async function traced({ open, keep }, name, status) {
 }
 
 async function checkStory(page, step, { steps, iterations, found }) {
-  const story = await text(page, '.story');
+  const story = await text(page, '.story:visible');
   const isDepth = step >= iterations;
   const growth = /^Surface: [\s\S]*Search: [\s\S]*(Growth|End): /,
     search = /^Search: [\s\S]*Bound: [\s\S]*Region: /;
@@ -51,21 +51,21 @@ async function checkStory(page, step, { steps, iterations, found }) {
     labels.join(),
   );
   assert.equal(labels.includes('way out'), found === 'Overlapping' && step === steps - 1);
-  assert.equal(await page.locator('tr.current td').first().innerText(), String(step + 1));
+  assert.equal(await page.locator('tr.current:visible td').first().innerText(), String(step + 1));
 }
 
 async function checkApart(tools) {
   const page = await traced(tools, 'trace-apart', 'Separated');
   await check('trace: the bounds close in from both sides, and meet at the distance', async () => {
-    const table = await numbers(page.locator('.steps table'));
+    const table = await numbers(page.locator('.steps:visible table'));
     for (let i = 1; i < table.length; i++) {
       assert.ok(table[i][1] >= table[i - 1][1] && table[i][2] <= table[i - 1][2], JSON.stringify(table));
     }
     assert.equal(table.at(-1)[1], table.at(-1)[2]);
-    assert.ok((await text(page, '.story')).includes(`distance ${table.at(-1)[1]}`));
+    assert.ok((await text(page, '.story:visible')).includes(`distance ${table.at(-1)[1]}`));
   });
   await check('trace: the origin is a white ball on the screen', async () => {
-    await page.locator('.steps tbody tr').first().click();
+    await page.locator('.steps:visible tbody tr').first().click();
     await eventually(async () => {
       const [color] = await colorsAt(page, [await page.evaluate(() => window.__gjk.originAt())]);
       assert.ok(
@@ -82,7 +82,7 @@ async function checkHit(tools) {
   await check('trace: the last simplex holds the origin', async () => {
     const { iterations } = await counts(page);
     await goTo(page, iterations - 1);
-    assert.match(await text(page, '.story'), /the origin is inside the tetrahedron/);
+    assert.match(await text(page, '.story:visible'), /the origin is inside the tetrahedron/);
   });
   await page.close();
 }
@@ -96,7 +96,7 @@ async function checkDepth(tools) {
     const page = await traced(tools, name, 'Overlapping');
     const depth = -depths.find((row) => row.a === 0 && row.b === b).distance;
     await check(`${name}: the depth is that of query`, async () => {
-      const shown = Number(/Answer: depth ([\d.]+)/.exec(await text(page, '.story'))[1]);
+      const shown = Number(/Answer: depth ([\d.]+)/.exec(await text(page, '.story:visible'))[1]);
       assert.ok(Math.abs(shown - depth) <= 1e-5 * depth, `${shown} for ${depth}`);
     });
     if (b === 1) await checkDepthBounds(page);
@@ -108,7 +108,7 @@ async function checkDepthBounds(page) {
   await check('trace-deep: the bounds of the depth close in and meet', async () => {
     const { depthSteps } = await counts(page);
     assert.ok(depthSteps > 2);
-    const bounds = await numbers(page.locator('.steps table').nth(1));
+    const bounds = await numbers(page.locator('.steps:visible table').nth(1));
     for (let i = 1; i < bounds.length; i++) {
       assert.ok(bounds[i][1] >= bounds[i - 1][1] && bounds[i][2] <= bounds[i - 1][2], JSON.stringify(bounds));
     }

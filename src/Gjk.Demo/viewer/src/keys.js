@@ -1,5 +1,5 @@
 /** The keys that a slider takes for itself. */
-const SLIDER = new Set(['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Home', 'End', 'PageUp', 'PageDown']);
+const SLIDER = new Set(['ArrowLeft', 'ArrowRight', 'Home', 'End', 'PageUp', 'PageDown']);
 
 /**
  * Runs the action of a pressed key, wherever the focus is. The focused element keeps the keys that it needs. An action
