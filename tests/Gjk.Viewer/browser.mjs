@@ -3,65 +3,117 @@ import { chromium } from 'playwright-core';
 import { pathToFileURL } from 'node:url';
 
 export const FLAGS = [
-  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync',
-  '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
 ];
 
-export async function startBrowser() {
-  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
-  await context.setOffline(true);
-  return { browser, context };
-}
+/** How long a page may take to do what a check waits for, and the pause before it is asked again. */
+const PATIENCE_MS = 20_000,
+  PAUSE_MS = 25;
 
-export async function openPage(context, file) {
+/** The look that most checks use. */
+const WIDE = { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' };
+
+/** A phone: narrow, and touched by fingers. */
+export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: 'dark' };
+
+export const startBrowser = () =>
+  chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
+
+/** Opens a page from the disk, offline, and waits until it has drawn itself in its window. */
+export async function openPage(browser, file, look = WIDE) {
+  const context = await browser.newContext(look);
+  await context.setOffline(true);
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
   page.complaints = [];
-  page.on('console', (message) => { if (message.type() === 'error') page.complaints.push(message.text()); });
+  page.on('console', (message) => {
+    if (message.type() === 'error') page.complaints.push(message.text());
+  });
   page.on('pageerror', (error) => page.complaints.push(String(error)));
   page.on('request', (request) => {
     if (request.url() !== url && !request.url().startsWith('data:')) page.complaints.push(`fetched ${request.url()}`);
   });
   await page.goto(url);
   await until(page, () => Boolean(window.__gjk));
+  await settled(page);
   return page;
 }
 
+/** Waits until each canvas fills its place, and nothing is left to draw. */
+export const settled = (page) => until(page, () => window.__gjk.stages.every((stage) => stage.isSettled));
+
 /** Asks the page until it says yes: waitForFunction would evaluate a string, which the page's own policy forbids. */
-export async function until(page, predicate, milliseconds = 30000) {
+export async function until(page, predicate, milliseconds = PATIENCE_MS) {
   const end = Date.now() + milliseconds;
   while (!(await page.evaluate(predicate))) {
     if (Date.now() > end) throw new Error(`never came true: ${predicate}`);
-    await new Promise((resolve) => setTimeout(resolve, 20));
+    await pause();
   }
 }
 
-/** The colour that a screenshot shows at points, each the mean of 3 by 3 pixels. */
-export async function colorsAt(context, page, points) {
+/** Repeats a check until it holds, and returns what it returns: a page answers an event when it comes to it. */
+export async function eventually(body, milliseconds = PATIENCE_MS) {
+  const end = Date.now() + milliseconds;
+  for (;;) {
+    try {
+      return await body();
+    } catch (error) {
+      if (Date.now() > end) throw error;
+      await pause();
+    }
+  }
+}
+
+/** Moves the pointer to a place, which is asked for anew each time, until what is under it satisfies the check. */
+export function hover(page, place, check) {
+  return eventually(async () => {
+    const { x, y } = await place();
+    await page.mouse.move(x + 1, y);
+    await page.mouse.move(x, y);
+    return check(await page.locator('.tip').innerText());
+  });
+}
+
+const pause = () => new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
+
+/** The colour that a screenshot shows at points, each the mean of some pixels around it. */
+export async function colorsAt(page, points, size = 3) {
   await page.evaluate(() => window.__gjk.drawNow());
   const picture = (await page.screenshot()).toString('base64');
-  const blank = await context.newPage();
-  const colors = await blank.evaluate(async ([base64, places]) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${base64}`;
-    await image.decode();
-    const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
-    const context2d = canvas.getContext('2d');
-    context2d.drawImage(image, 0, 0);
-    return places.map(({ x, y }) => {
-      const { data } = context2d.getImageData(Math.round(x) - 1, Math.round(y) - 1, 3, 3);
-      return [0, 1, 2].map((channel) => {
-        let sum = 0;
-        for (let i = channel; i < 36; i += 4) sum += data[i];
-        return sum / 9;
+  const blank = await page.context().newPage();
+  const colors = await blank.evaluate(
+    async ([base64, places, side]) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${base64}`;
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
+      const context2d = canvas.getContext('2d');
+      context2d.drawImage(image, 0, 0);
+      return places.map(({ x, y }) => {
+        const corner = [x, y].map((at) => Math.round(at) - Math.floor(side / 2));
+        const { data } = context2d.getImageData(...corner, side, side);
+        return [0, 1, 2].map((channel) => {
+          let sum = 0;
+          for (let i = channel; i < data.length; i += 4) sum += data[i];
+          return sum / (side * side);
+        });
       });
-    });
-  }, [picture, points]);
+    },
+    [picture, points, size],
+  );
   await blank.close();
   return colors;
 }
 
 export const isRed = ([r, g, b]) => r > 1.6 * g && r > 1.6 * b;
 export const isGreen = ([r, g, b]) => g > 1.3 * r && g > 1.15 * b;
+
+/** How bright a colour is, from 0 to 255. */
+export const brightness = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;

@@ -1,5 +1,6 @@
 // A minimal test runner. It runs named checks in order and prints a line with their counts.
-let passed = 0, failed = 0;
+let passed = 0,
+  failed = 0;
 
 export async function check(name, body) {
   try {

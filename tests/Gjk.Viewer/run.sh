@@ -27,12 +27,19 @@ for scene in moving many; do
   demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
   demo query "TestResults/$scene.json" --out "TestResults/$scene.csv"
 done
+for scene in empty two; do
+  demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
+done
 demo view TestResults/sweep.json --out TestResults/sweep.html
 demo trace --builtin cubes --pair 0,5 --out TestResults/trace-apart.html
 demo trace --builtin cubes --pair 10,11 --out TestResults/trace-hit.html
 demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html
 demo trace TestResults/deep.json --pair 0,1 --out TestResults/trace-deep.html
 demo trace TestResults/deep.json --pair 0,2 --out TestResults/trace-margin.html
+demo trace TestResults/two.json --pair 0,1 --out TestResults/trace-one.html
+for example in loop wrong; do
+  demo trace --example $example --out TestResults/$example.html
+done
 demo query TestResults/deep.json --depth --out TestResults/deep.csv
 status=0
 node pages.mjs TestResults | tee TestResults/pages.log || status=1

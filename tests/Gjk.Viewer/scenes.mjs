@@ -7,7 +7,9 @@ import { join } from 'node:path';
 const folder = process.argv[2];
 
 const moving = {
-  version: 1, name: 'moving', frames: 9,
+  version: 1,
+  name: 'moving',
+  frames: 9,
   objects: [
     { name: 'still box', shape: { type: 'box', halfExtents: [1, 1, 1] } },
     { name: 'coming sphere', shape: { type: 'sphere', radius: 0.5 }, position: [5.5, 0, 0], velocity: [-0.5, 0, 0] },
@@ -32,20 +34,44 @@ const moving = {
 writeFileSync(join(folder, 'moving.json'), JSON.stringify(moving));
 
 const sweep = {
-  version: 1, name: 'sweep',
+  version: 1,
+  name: 'sweep',
   objects: [
     { name: 'crate', shape: { type: 'box', halfExtents: [1, 1, 1] } },
     { name: 'ball', shape: { type: 'sphere', radius: 0.5 }, position: [-5.5, 0, 0], velocity: [8, 0, 0] },
     { name: 'passer', shape: { type: 'box', halfExtents: [0.5, 0.5, 0.5] }, position: [-4, 3, 0], velocity: [8, 0, 0] },
     { name: 'inside', shape: { type: 'sphere', radius: 0.5 }, position: [0, -1.2, 0], velocity: [0, -1, 0] },
-    { name: 'turner', shape: { type: 'box', halfExtents: [0.5, 0.5, 0.5] }, position: [4, -3, 0], velocity: [-1, 0, 0], angularVelocity: [0, 0, 1] },
+    {
+      name: 'turner',
+      shape: { type: 'box', halfExtents: [0.5, 0.5, 0.5] },
+      position: [4, -3, 0],
+      velocity: [-1, 0, 0],
+      angularVelocity: [0, 0, 1],
+    },
   ],
 };
 writeFileSync(join(folder, 'sweep.json'), JSON.stringify(sweep));
 
-const gem = [[1, 0, 0.1], [-1, 0.1, 0], [0.1, 1, 0], [0, -1, 0.2], [0.3, 0.1, 1], [0, 0.2, -1], [0.7, 0.7, 0.5]];
+const empty = { version: 1, name: 'empty', objects: [] };
+writeFileSync(join(folder, 'empty.json'), JSON.stringify(empty));
+
+const ball = { type: 'sphere', radius: 0.5 };
+const two = { version: 1, name: 'two', objects: [{ shape: ball }, { shape: ball, position: [2, 0, 0] }] };
+writeFileSync(join(folder, 'two.json'), JSON.stringify(two));
+
+const gem = [
+  [1, 0, 0.1],
+  [-1, 0.1, 0],
+  [0.1, 1, 0],
+  [0, -1, 0.2],
+  [0.3, 0.1, 1],
+  [0, 0.2, -1],
+  [0.7, 0.7, 0.5],
+];
 const deep = {
-  version: 1, name: 'deep', meshes: { gem },
+  version: 1,
+  name: 'deep',
+  meshes: { gem },
   objects: [
     { name: 'gem', shape: { type: 'mesh', mesh: 'gem' } },
     {

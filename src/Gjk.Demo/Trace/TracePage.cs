@@ -1,10 +1,10 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
+using static Gjk.Demo.Trace.TraceJson;
 
 namespace Gjk.Demo.Trace;
 
@@ -56,6 +56,8 @@ internal static class TracePage
         WriteResult(json, result, bInA);
         WriteSteps(json, steps);
         if (depth is not null) WriteDepth(json, depth, bInA);
+        TextbookJson.Write(json, TextbookGjk.Run(a, b), a, bInA);
+        Lesson.Write(json);
         json.WriteEndObject();
         HtmlPage.Write(
             stream, $"{scene.Name}: {nameA} – {nameB}",
@@ -149,39 +151,5 @@ internal static class TracePage
     {
         foreach (TraceStep step in steps) yield return step.Support.Vertex;
         foreach (Vector3D vertex in depth?.Search.Vertices ?? []) yield return vertex;
-    }
-
-    /// <summary>Writes a number. JSON has no infinities, and the page takes null for "none".</summary>
-    private static void Number(Utf8JsonWriter json, string name, double value)
-    {
-        if (double.IsFinite(value)) json.WriteNumber(name, value);
-        else json.WriteNull(name);
-    }
-
-    private static void Vector(Utf8JsonWriter json, string name, in Vector3D v) => Numbers(json, name, [v.X, v.Y, v.Z]);
-
-    private static void Numbers(Utf8JsonWriter json, string name, ReadOnlySpan<double> values)
-    {
-        json.WritePropertyName(name);
-        NumbersOf(json, values);
-    }
-
-    private static void NumbersOf(Utf8JsonWriter json, ReadOnlySpan<double> values)
-    {
-        json.WriteStartArray();
-        foreach (double value in values)
-        {
-            if (double.IsFinite(value)) json.WriteNumberValue(value);
-            else json.WriteNullValue();
-        }
-
-        json.WriteEndArray();
-    }
-
-    private static void Indices(Utf8JsonWriter json, string name, IEnumerable<int> values)
-    {
-        json.WriteStartArray(name);
-        foreach (int value in values) json.WriteNumberValue(value);
-        json.WriteEndArray();
     }
 }

@@ -41,6 +41,7 @@ internal static class HtmlPage
                     break;
                 case "style":
                     Add(stream, Asset("page.css"));
+                    Add(stream, Asset("trace.css"));
                     break;
                 case "data":
                     stream.Write(json);

@@ -30,6 +30,7 @@ internal static class ScenePage
         data.Array<ushort>("iterations", results.Iterations);
         data.Array<float>("distance", results.Distance);
         data.Array<float>("pointA", results.PointA);
+        data.Array<float>("pointB", results.PointB);
         data.Array<float>("normal", results.Normal);
         data.Array<int>("overlapping", results.Overlapping);
         data.Array("contactCounts", results.Contacts.Counts);

@@ -15,8 +15,8 @@ internal sealed class SceneResults
     public const int PoseSize = 7;
 
     /// <summary>
-    /// The most answers that a page may hold. At 32 bytes each this is about 100 MB of text, which a browser can still
-    /// open.
+    /// The most answers that a page may hold. At 43 bytes each this is about 145 MB of text, which a browser can
+    /// still open.
     /// </summary>
     public const long MostAnswers = 2_500_000;
 
@@ -35,6 +35,7 @@ internal sealed class SceneResults
         Iterations = new ushort[frames * pairs];
         Distance = new float[frames * pairs];
         PointA = new float[frames * pairs * 3];
+        PointB = new float[frames * pairs * 3];
         Normal = new float[frames * pairs * 3];
         Overlapping = new int[frames];
     }
@@ -51,11 +52,11 @@ internal sealed class SceneResults
     /// <summary>Minus the depth for a pair that overlaps.</summary>
     public float[] Distance { get; }
 
-    /// <summary>
-    /// Three numbers per pair. B's point is A's point plus the distance times the normal. Where only bounds of the
-    /// depth are known, it is no deepest point.
-    /// </summary>
+    /// <summary>Three numbers per pair. Where only bounds of the depth are known, it is no deepest point.</summary>
     public float[] PointA { get; }
+
+    /// <summary>A's point plus the distance times the normal, rounded.</summary>
+    public float[] PointB { get; }
 
     /// <summary>For a pair that overlaps, the direction in which B leaves A by the shortest way.</summary>
     public float[] Normal { get; }
@@ -133,6 +134,7 @@ internal sealed class SceneResults
         Iterations[index] = (ushort)Math.Min(answer.Iterations, ushort.MaxValue);
         Distance[index] = answer.Distance;
         answer.PointA.CopyTo(PointA.AsSpan(3 * index));
+        answer.PointB.CopyTo(PointB.AsSpan(3 * index));
         answer.Normal.CopyTo(Normal.AsSpan(3 * index));
     }
 }

@@ -56,6 +56,50 @@ public sealed class PictureTests
     }
 
     /// <summary>
+    /// Colour is not all that tells what intersects. The stripes are clipped by exactly the red faces.
+    /// </summary>
+    [Fact]
+    public void IntersectingIsStriped()
+    {
+        string mixed = Draw(
+            """
+            {"shape":{"type":"box","halfExtents":[1,1,1]}},
+            {"shape":{"type":"box","halfExtents":[1,1,1]},"position":[1,0.5,0]},
+            {"shape":{"type":"box","halfExtents":[1,1,1]},"position":[5,0,0]}
+            """);
+        Assert.Contains("fill=\"url(#hatch)\" clip-path=\"url(#hit)\"", mixed);
+        string[] used = [.. Regex.Matches(mixed, "<use href=\"#(hit\\d+)\"/>").Select(m => m.Groups[1].Value)];
+        string[] red = [.. Regex.Matches(mixed, "<path fill=\"(#[0-9a-f]{6})\"[^>]* id=\"(hit\\d+)\"")
+            .Where(m => IsRed(m.Groups[1].Value)).Select(m => m.Groups[2].Value)];
+        Assert.Equal(used, red);
+        Assert.Equal(FaceColors(mixed).Count(IsRed), used.Length);
+        Assert.Contains(FaceColors(mixed), color => !IsRed(color));
+
+        string free = Draw("""{"shape":{"type":"sphere","radius":1}}""");
+        Assert.DoesNotContain("hatch", free);
+        Assert.Contains("<title>scene: 1 object, 0 pairs, 0 intersecting</title>", free);
+    }
+
+    [Fact]
+    public void WhatHasNoSurfaceIsMarkedToo()
+    {
+        const string Segment = """{"shape":{"type":"segment","a":[-2,0,0],"b":[2,0,0]}}""";
+        const string Point = """{"shape":{"type":"point"}}""";
+        string hit = Draw($"{Segment},{Point}");
+        Assert.Matches("<path[^>]* stroke-dasharray=", hit);
+        Assert.Matches("<circle[^>]* stroke=\"#fff\"", hit);
+        string free = Draw($"{Segment},{Point.Replace("}}", "},\"position\":[0,1,0]}")}");
+        Assert.DoesNotContain("dasharray", free);
+        Assert.DoesNotMatch("<circle[^>]* stroke=", free);
+    }
+
+    [Fact]
+    public void AnEmptySceneSaysSo()
+    {
+        Assert.Contains(">This scene has no objects.</text>", Draw(""));
+    }
+
+    /// <summary>
     /// The arrow of the way out is as long in the picture as the box is there that it leads through. Touching draws
     /// none.
     /// </summary>

@@ -73,13 +73,17 @@ public sealed class TraceTests
     [InlineData("trace a.json --pair 0,1", "--out")]
     [InlineData("trace --pair 0,1 --out a.html", "SCENE.json or --builtin")]
     [InlineData("trace a.json --builtin cubes --pair 0,1 --out a.html", "exclude")]
+    [InlineData("trace --example none --out a.html", "--example none", "must be loop or wrong")]
+    [InlineData("trace --example loop --pair 0,1 --out a.html", "--example and --pair exclude each other")]
+    [InlineData("trace a.json --example loop --out a.html", "--example and a scene exclude each other")]
+    [InlineData("trace --builtin cubes --example loop --out a.html", "--example and a scene exclude each other")]
     [InlineData("trace a.json --pair 0 --out a.html", "--pair 0")]
     [InlineData("trace a.json --pair 0,0 --out a.html", "--pair 0,0")]
     [InlineData("trace a.json --pair 0,1 --out a.json", "overwrite the scene")]
     [InlineData("trace none.json --pair 0,1 --out none.html", "no such file")]
     [InlineData("trace --builtin cubes --pair 0,20 --out none.html", "--pair 0,20: the scene has 20 objects")]
-    public void WrongArgumentsAreOneLine(string args, string part) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+    public void WrongArgumentsAreOneLine(string args, params string[] parts) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(parts);
 
     [Fact]
     public void RefusalsLeaveNoFile()

@@ -75,6 +75,7 @@ public sealed class ViewTests
         Assert.Equal([-0.5f, 0, 1.5f], page.Column<float>("distance"));
         Assert.Equal([1, 0, 0], page.Column<float>("normal")[..3]);
         Assert.Equal(1, page.Column<float>("pointA")[0]);
+        Assert.Equal(0.5f, page.Column<float>("pointB")[0]);
     }
 
     /// <summary>

@@ -11,6 +11,9 @@ internal sealed class PictureThin
     /// <summary>In the units of the picture.</summary>
     private const double StrokeWidth = 3.5, DotRadius = 4;
 
+    /// <summary>What stripes are to a surface that intersects: a ring round a dot, gaps in a stroke.</summary>
+    private const string Ring = " stroke=\"#fff\" stroke-width=\"1.5\"", Dashes = " stroke-dasharray=\"7 5\"";
+
     private readonly PictureCamera _camera;
     private readonly List<string> _elements = [];
 
@@ -25,7 +28,7 @@ internal sealed class PictureThin
             (double x, double y) = _camera.Project(from);
             _elements.Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"/>"));
+                $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"{(isHit ? Ring : "")}/>"));
             return;
         }
 
@@ -35,7 +38,7 @@ internal sealed class PictureThin
         if (path.IsEmpty) return;
         _elements.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\" d=\"{path}\"/>"));
+            $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\"{(isHit ? Dashes : "")} d=\"{path}\"/>"));
     }
 
     public void Write(TextWriter writer)

@@ -135,19 +135,22 @@ internal sealed class ScenePicture
 
     private void Write(StreamWriter writer, Action<double> progress, CancellationToken cancel)
     {
-        string title = string.Create(
-            CultureInfo.InvariantCulture,
-            $"{_scene.Name}: {_scene.Objects.Length} objects, {_scene.Pairs.Count} pairs, "
-            + $"{_results.Overlapping[0]} intersecting");
+        string title = $"{_scene.Name}: {Count(_scene.Objects.Length, "object")}, "
+            + $"{Count(_scene.Pairs.Count, "pair")}, {_results.Overlapping[0]} intersecting";
         writer.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {_camera.Width} {_camera.Height}\" role=\"img\" "
             + $"stroke-linejoin=\"round\" stroke-linecap=\"round\">"));
         writer.WriteLine($"<title>{PlainText.Markup(title)}</title>");
+        writer.WriteLine("<desc>Bodies that intersect are red and striped, the others green.</desc>");
         writer.WriteLine("<rect width=\"100%\" height=\"100%\" rx=\"14\" fill=\"#12161d\"/>");
+        if (_bodies.Length == 0)
+            writer.WriteLine("<text x=\"50%\" y=\"50%\" fill=\"#97a3b4\" text-anchor=\"middle\" "
+                + "font-family=\"sans-serif\" font-size=\"20\">This scene has no objects.</text>");
         var faces = new PictureFaces(_camera);
         var edges = new SvgPath();
         var thin = new PictureThin(_camera);
+        var hatch = new PictureHatch();
         for (int i = 0; i < _bodies.Length; i++)
         {
             cancel.ThrowIfCancellationRequested();
@@ -166,10 +169,11 @@ internal sealed class ScenePicture
 
         foreach ((bool isHit, double brightness, string path) in faces.Paths)
         {
-            string color = PictureColors.Of(isHit, brightness);
-            writer.WriteLine($"<path fill=\"{color}\" stroke=\"{color}\" stroke-width=\".5\" d=\"{path}\"/>");
+            string color = PictureColors.Of(isHit, brightness), id = isHit ? hatch.Next() : "";
+            writer.WriteLine($"<path fill=\"{color}\" stroke=\"{color}\" stroke-width=\".5\"{id} d=\"{path}\"/>");
         }
 
+        hatch.Write(writer);
         if (!edges.IsEmpty)
             writer.WriteLine($"<path fill=\"none\" stroke=\"#0a0d12\" stroke-opacity=\".75\" d=\"{edges}\"/>");
         thin.Write(writer);
@@ -247,6 +251,9 @@ internal sealed class ScenePicture
             contacts.WriteNext(writer, $"{NameOf(a)} – {NameOf(b)}", normal, at => _camera.Project(Drawn(at)));
         }
     }
+
+    private static string Count(long number, string noun) =>
+        string.Create(CultureInfo.InvariantCulture, $"{number} {noun}{(number == 1 ? "" : "s")}");
 
     private string NameOf(int index) => _scene.Objects[index].Name ?? $"#{index}";
 

@@ -1,13 +1,23 @@
 import {
-  Color, ConeGeometry, CylinderGeometry, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3,
+  Color,
+  ConeGeometry,
+  CylinderGeometry,
+  InstancedMesh,
+  Matrix4,
+  MeshBasicMaterial,
+  Quaternion,
+  Vector3,
 } from 'three';
 import { rod } from './geometry.js';
+import { COLORS } from './theme.js';
 
 /** The radius of a shaft and the length of a head, in units (a scene is 20 across). */
-const THICKNESS = 0.045, HEAD = 0.42;
+const THICKNESS = 0.045,
+  HEAD = 0.42;
 
 /** The most of both for a short arrow, as shares of its length. */
-const MOST_THICKNESS = 0.06, MOST_HEAD = 0.5;
+const MOST_THICKNESS = 0.06,
+  MOST_HEAD = 0.5;
 
 /** The radius of a head over its length. */
 const SLOPE = 0.42;
@@ -27,10 +37,8 @@ export function arrow(from, to, thickness, head) {
 
 /** The ways out of all intersecting pairs. They lie inside both bodies, so they are visible through everything. */
 export class Arrows {
-  constructor(stage, model, color, accent) {
+  constructor(stage, model) {
     this.model = model;
-    this.color = new Color(color);
-    this.accent = new Color(accent);
     this.pairs = [];
     this.ends = [];
     const most = model.overlapping.reduce((x, y) => Math.max(x, y), 1);
@@ -47,9 +55,15 @@ export class Arrows {
 
   /** Draws the arrows of the model's frame, or none. */
   fill(selected, isShown) {
-    const { model, color, meshes: [shafts, heads] } = this;
-    const dimmed = color.clone().multiplyScalar(DIMMED);
-    const turn = new Quaternion(), size = new Vector3(), matrix = new Matrix4();
+    const {
+      model,
+      meshes: [shafts, heads],
+    } = this;
+    const [color, accent] = [new Color(COLORS.wayOut), new Color(COLORS.accent)];
+    const dimmed = color.clone().lerp(new Color(COLORS.back), 1 - DIMMED);
+    const turn = new Quaternion(),
+      size = new Vector3(),
+      matrix = new Matrix4();
     this.pairs = [];
     this.ends = [];
     for (let pair = 0; pair < model.pairs && isShown; pair++) {
@@ -57,10 +71,11 @@ export class Arrows {
       if (!ends) continue;
       const { along, whole, length, neck } = parts(...ends, HEAD);
       turn.setFromUnitVectors(UP, along);
-      const thickness = Math.min(THICKNESS, MOST_THICKNESS * whole), at = this.pairs.length;
+      const thickness = Math.min(THICKNESS, MOST_THICKNESS * whole),
+        at = this.pairs.length;
       shafts.setMatrixAt(at, matrix.compose(ends[0], turn, size.set(thickness, whole - length, thickness)));
       heads.setMatrixAt(at, matrix.compose(neck, turn, size.set(SLOPE * length, length, SLOPE * length)));
-      const shade = selected < 0 ? color : selected === pair ? this.accent : dimmed;
+      const shade = selected < 0 ? color : selected === pair ? accent : dimmed;
       for (const mesh of this.meshes) mesh.setColorAt(at, shade);
       this.pairs.push(pair);
       this.ends.push(ends);
@@ -74,7 +89,8 @@ export class Arrows {
 
   /** The pair whose arrow passes nearest to a ray, or -1 if none comes within reach. */
   pick(ray, reach) {
-    let best = -1, least = reach * reach;
+    let best = -1,
+      least = reach * reach;
     this.ends.forEach(([from, to], i) => {
       const squared = ray.distanceSqToSegment(from, to);
       if (squared > least) return;
@@ -87,7 +103,8 @@ export class Arrows {
 
 /** The direction and the length of an arrow, the length of its head, and where the head begins. */
 function parts(from, to, head) {
-  const along = to.clone().sub(from), whole = along.length();
+  const along = to.clone().sub(from),
+    whole = along.length();
   along.normalize();
   const length = Math.min(head, MOST_HEAD * whole);
   return { along, whole, length, neck: to.clone().addScaledVector(along, -length) };

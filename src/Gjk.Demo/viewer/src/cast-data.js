@@ -3,7 +3,9 @@ import { bytes, floats, ints } from './data.js';
 /** Numbers in an entry: the fraction, the point, the normal. */
 const ENTRY = 7;
 
-/** How the objects of a moving scene go over one frame, and when its pairs first touch. At rest there is nothing of it. */
+/**
+ * How the objects of a moving scene go over one frame, and when its pairs first touch. At rest there is nothing of it.
+ */
 export class CastData {
   constructor(json) {
     this.isMoving = json.velocities !== undefined;

@@ -1,13 +1,24 @@
 import {
-  BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineDashedMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  SphereGeometry,
 } from 'three';
 import { arrow } from './arrows.js';
+import { themed } from './theme.js';
 
 /** The radius of an impact and the length of its normal, in units (a scene is 20 across). */
-const DOT = 0.09, NORMAL = 1.1;
+const DOT = 0.09,
+  NORMAL = 1.1;
 
 /** The dashes of a path, in units. */
-const DASH = 0.22, GAP = 0.16;
+const DASH = 0.22,
+  GAP = 0.16;
 
 /** With more bodies than this at their impacts, only the selected pair's are drawn: they are drawn one by one. */
 const MOST_GHOSTS = 300;
@@ -20,14 +31,15 @@ const ORDER = 0.8;
  * impact with their normals. With a pair selected, only that pair's.
  */
 export class Casts {
-  constructor(stage, model, color, outlineOf) {
+  constructor(stage, model, outlineOf) {
     this.model = model;
     this.outlineOf = outlineOf;
     this.group = new Group();
     stage.scene.add(this.group);
-    this.line = new LineBasicMaterial({ color, transparent: true, opacity: 0.85 });
-    this.dashed = new LineDashedMaterial({ color, dashSize: DASH, gapSize: GAP, depthTest: false, transparent: true });
-    this.solid = new MeshBasicMaterial({ color, depthTest: false, transparent: true });
+    this.line = themed(new LineBasicMaterial({ transparent: true, opacity: 0.85 }), 'impact');
+    const seen = { depthTest: false, transparent: true };
+    this.dashed = themed(new LineDashedMaterial({ ...seen, dashSize: DASH, gapSize: GAP }), 'impact');
+    this.solid = themed(new MeshBasicMaterial(seen), 'impact');
     this.paths = 0;
     this.impacts = [];
   }
@@ -39,7 +51,8 @@ export class Casts {
     this.paths = 0;
     this.impacts = [];
     if (!isShown || !model.castData.isMoving) return;
-    const of = selected < 0 ? Array.from({ length: model.objects }, (_, i) => i) : [model.a[selected], model.b[selected]];
+    const of =
+      selected < 0 ? Array.from({ length: model.objects }, (_, i) => i) : [model.a[selected], model.b[selected]];
     this.addPaths(of);
     const ghosts = selected < 0 ? this.firstOf(of) : of.map((object) => [object, selected]);
     for (const [object, pair] of ghosts) this.addGhost(object, model.impact(pair));
@@ -99,7 +112,8 @@ export class Casts {
 
   /** The pair whose impact is nearest to a ray, or -1 if none comes within reach. */
   pick(ray, reach) {
-    let best = -1, least = reach * reach;
+    let best = -1,
+      least = reach * reach;
     for (const { pair, at } of this.impacts) {
       const squared = ray.distanceSqToPoint(at);
       if (squared > least) continue;

@@ -16,7 +16,8 @@ export class ContactData {
     this.points = floats(json.contactPoints);
     this.frames = [];
     this.most = 1;
-    let entry = 0, point = 0;
+    let entry = 0,
+      point = 0;
     for (const pairs of overlapping) {
       this.frames.push({ entry, point });
       const first = point;

@@ -21,8 +21,32 @@ export function number(x) {
   if (!Number.isFinite(x)) return Number.isNaN(x) ? 'none' : x > 0 ? '∞' : '−∞';
   if (x === 0) return '0';
   const size = Math.abs(x);
-  const text = size >= 1e6 || size < 1e-4 ? x.toExponential(4) : x.toPrecision(6).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+  const text =
+    size >= 1e6 || size < 1e-4
+      ? x.toExponential(4)
+      : x
+          .toPrecision(6)
+          .replace(/(\.\d*?)0+$/, '$1')
+          .replace(/\.$/, '');
   return text.replace('-', '−').replace('e−', 'e-').replace('e+', 'e');
 }
 
-export const vector = (v) => `(${v.map((x) => (Math.abs(x) < 5e-5 ? 0 : x).toFixed(4).replace('-', '−')).join(', ')})`;
+/** The shortest decimal that reads back as the same float. */
+export function exact(x) {
+  for (let digits = 1; digits < 9; digits++) {
+    const rounded = Number(x.toPrecision(digits));
+    if (Math.fround(rounded) === x) return String(rounded);
+  }
+  return String(Number(x.toPrecision(9)));
+}
+
+const fixed = (x) => (Math.abs(x) < 5e-5 ? 0 : x).toFixed(4).replace('-', '−');
+
+/** Formats a vector with four decimals. */
+export const vector = (v) => `(${v.map(fixed).join(', ')})`;
+
+/** A point, each coordinate as number formats it. */
+export const point = (v) => `(${v.map(number).join(', ')})`;
+
+/** A count with its noun: "1 pair", "2 pairs". */
+export const count = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;

@@ -66,27 +66,43 @@ export class DepthModel {
   /** Describes a step in paragraphs of [kind, text]. */
   story(at) {
     const step = this.steps[at];
-    const told = step.lowest === undefined ? [['text', this.ending(at)]] : [['text', this.surfaceText(at)], ['text', this.searchText(step)], ['text', this.ending(at)]];
+    const told =
+      step.lowest === undefined
+        ? [['text', this.ending(at)]]
+        : [
+            ['text', this.surfaceText(at)],
+            ['text', this.searchText(step)],
+            ['text', this.ending(at)],
+          ];
     return at === this.steps.length - 1 ? [...told, ['answer', this.answer()]] : told;
   }
 
   surfaceText(at) {
     const { count, lowest, below } = this.steps[at];
-    const corners = this.surface(at).get(lowest).map((i) => this.name(i)).join(' ');
-    const first = at === 0 || this.ends(at - 1) ? 'Four support points of A − B are the corners of the first surface. ' : '';
-    const bound = below > 0
-      ? `${number(below)} from the origin. A ball of this radius fits inside, so no way out is shorter`
-      : 'nearest the origin, which is still outside or on it: it proves nothing yet, and grows towards the origin';
+    const corners = this.surface(at)
+      .get(lowest)
+      .map((i) => this.name(i))
+      .join(' ');
+    const first =
+      at === 0 || this.ends(at - 1) ? 'Four support points of A − B are the corners of the first surface. ' : '';
+    const bound =
+      below > 0
+        ? `${number(below)} from the origin. A ball of this radius fits inside, so no way out is shorter`
+        : 'nearest the origin, which is still outside or on it: it proves nothing yet, and grows towards the origin';
     return `Surface: ${first}Of its ${count} triangles the lowest, ${corners}, is ${bound}.`;
   }
 
   searchText(step) {
-    const { normal, idA, idB, onA, onB, above } = step;
+    const { normal, idA, idB, onA, onB, above, vertex } = step;
     const name = (id) => (id < 0 ? '' : `vertex ${id}, `);
-    const cost = new Vector3(...normal).dot(new Vector3(...this.vertices[step.vertex]));
+    const cost = new Vector3(...normal).dot(new Vector3(...this.vertices[vertex]));
     const known = above < cost ? `; ${number(above)} is known already` : '';
-    return `Search: beyond it, along its normal n = ${vector(normal)}, A’s furthest point is ${name(idA)}${vector(onA)}, B’s furthest against n ${name(idB)}${vector(onB)}; `
-      + `their difference is ${this.name(step.vertex)}. ${this.margins > 0 ? 'The cores part' : 'B leaves A'} along n after ${number(cost)}${known}. ${this.between(step)}`;
+    return [
+      `Search: beyond it, along its normal n = ${vector(normal)}, A’s furthest point is ${name(idA)}${vector(onA)}, `,
+      `B’s furthest against n ${name(idB)}${vector(onB)}; their difference is ${this.name(vertex)}. `,
+      `${this.margins > 0 ? 'The cores part' : 'B leaves A'} along n after ${number(cost)}${known}. `,
+      this.between(step),
+    ].join('');
   }
 
   between({ below, above }) {
@@ -98,21 +114,36 @@ export class DepthModel {
   ending(at) {
     const step = this.steps[at];
     switch (step.outcome) {
-      case 'Grows': return this.growth(at);
+      case 'Grows':
+        return this.growth(at);
       case 'BoundsMet':
-        return 'End: nothing of A − B lies further along n than the triangle does, as far as rounding and the tolerance of curved shapes can tell. The two bounds have met.';
-      case 'Flat': return 'End: A − B is flat and has no inside, so there is no surface to grow; across it, the way out of the cores has no length.';
-      case 'Apart': return 'End: this plane separates the cores.';
+        return (
+          'End: nothing of A − B lies further along n than the triangle does, as far as rounding and the tolerance ' +
+          'of curved shapes can tell. The two bounds have met.'
+        );
+      case 'Flat':
+        return (
+          'End: A − B is flat and has no inside, so there is no surface to grow; ' +
+          'across it, the way out of the cores has no length.'
+        );
+      case 'Apart':
+        return 'End: this plane separates the cores.';
       case 'OutOfRoom':
-        return `End: ${step.room} points are all that there is room for. ${this.between(step)}`
-          + (at + 1 < this.steps.length ? ' The search begins anew from the lowest triangle, with more room.' : '');
-      default: return 'End: this point contradicts one that the same shape gave before; no convex shape does that.';
+        return (
+          `End: ${step.room} points are all that there is room for. ${this.between(step)}` +
+          (at + 1 < this.steps.length ? ' The search begins anew from the lowest triangle, with more room.' : '')
+        );
+      default:
+        return 'End: this point contradicts one that the same shape gave before; no convex shape does that.';
     }
   }
 
   growth(at) {
-    const { vertex, lowest } = this.steps[at], next = this.steps[at + 1];
-    const p = this.name(vertex), n = new Vector3(...this.steps[at].normal), w = new Vector3(...this.vertices[vertex]);
+    const { vertex, lowest } = this.steps[at],
+      next = this.steps[at + 1];
+    const p = this.name(vertex),
+      n = new Vector3(...this.steps[at].normal),
+      w = new Vector3(...this.vertices[vertex]);
     const above = number(n.dot(w.sub(new Vector3(...this.vertices[this.surface(at).get(lowest)[0]]))));
     if (next?.lowest === undefined) return `Growth: ${p} lies ${above} above the triangle.`;
     const joined = [...this.surface(at + 1).values()].filter((corners) => corners.includes(vertex)).length;
@@ -130,12 +161,21 @@ export class DepthModel {
 
   answer() {
     const { status, distance, lowerBound, normal, iterations } = this.result;
-    if (status === 'IterationLimit') return `Answer: the depth is between ${number(-distance)} and ${number(-lowerBound)}; there was no room to know it better.`;
+    if (status === 'IterationLimit') {
+      const between = `${number(-distance)} and ${number(-lowerBound)}`;
+      return `Answer: the depth is between ${between}; there was no room to know it better.`;
+    }
     if (this.value === null) return `Answer: ${status}.`;
     if (this.value === 0) return 'Answer: depth 0: the shapes only touch, as far as rounding can tell.';
-    const of = this.margins > 0 ? `, the margins ${number(this.marginA)} and ${number(this.marginB)} included` : '';
+    const margins = `${number(this.marginA)} and ${number(this.marginB)}`;
+    const of = this.margins > 0 ? `, the margins ${margins} included` : '';
     // The query answers two boxes without asking for a support.
-    const axes = iterations === 0 && this.steps.length ? ' The query itself answers two boxes by their 15 separating axes; the surface is grown for this page and shows the same depth.' : '';
-    return `Answer: depth ${number(this.value)}${of}. The shortest way out: B moves by it along ${vector(normal)}, and only touches A.${axes}`;
+    const axes =
+      iterations === 0 && this.steps.length
+        ? ' The query itself answers two boxes by their 15 separating axes; ' +
+          'the surface is grown for this page and shows the same depth.'
+        : '';
+    const way = `B moves by it along ${vector(normal)}, and only touches A`;
+    return `Answer: depth ${number(this.value)}${of}. The shortest way out: ${way}.${axes}`;
   }
 }

@@ -16,7 +16,10 @@ export function surface(shape, unit, thickness) {
   const faces = [];
   for (let i = 0; i < triangles.length; i += 3) {
     const a = at[triangles[i]];
-    const normal = at[triangles[i + 1]].clone().sub(a).cross(at[triangles[i + 2]].clone().sub(a));
+    const normal = at[triangles[i + 1]]
+      .clone()
+      .sub(a)
+      .cross(at[triangles[i + 2]].clone().sub(a));
     faces.push({ normal: normal.clone().normalize(), weighted: normal });
   }
   const around = shape.smooth ? facesAround(triangles, at.length) : null;
@@ -59,7 +62,8 @@ export function rod(a, b, thickness) {
 
 function corners(vertices, unit) {
   const result = [];
-  for (let i = 0; i < vertices.length; i += 3) result.push(new Vector3(vertices[i] * unit, vertices[i + 1] * unit, vertices[i + 2] * unit));
+  for (let i = 0; i < vertices.length; i += 3)
+    result.push(new Vector3(vertices[i] * unit, vertices[i + 1] * unit, vertices[i + 2] * unit));
   return result;
 }
 

@@ -1,12 +1,13 @@
 import { Quaternion, Vector3 } from 'three';
 import { CastData } from './cast-data.js';
 import { ContactData } from './contact-data.js';
-import { bytes, floats, ints, number, shape, shorts } from './data.js';
+import { bytes, exact, floats, ints, number, point, shape, shorts } from './data.js';
 
 /** The statuses in the order of the library's GjkStatus. */
 const STATUS = ['Separated', 'Overlapping', 'BeyondMaxDistance', 'IterationLimit', 'InvalidInput', 'InvalidShape'];
 
-const OVERLAPPING = STATUS.indexOf('Overlapping'), ITERATION_LIMIT = STATUS.indexOf('IterationLimit');
+const OVERLAPPING = STATUS.indexOf('Overlapping'),
+  ITERATION_LIMIT = STATUS.indexOf('IterationLimit');
 
 const POSE = 7;
 
@@ -34,6 +35,7 @@ export class SceneModel {
     this.iterations = shorts(json.iterations);
     this.distances = floats(json.distance);
     this.pointsA = floats(json.pointA);
+    this.pointsB = floats(json.pointB);
     this.normals = floats(json.normal);
     this.overlapping = ints(json.overlapping);
     this.contactData = new ContactData(json, this.overlapping);
@@ -44,10 +46,12 @@ export class SceneModel {
 
   /** The middle and the unit of the first frame. */
   measure() {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    const low = [Infinity, Infinity, Infinity],
+      high = [-Infinity, -Infinity, -Infinity];
     this.radii = this.shapes.map((s) => {
       let most = 0;
-      for (let i = 0; i < s.vertices.length; i += 3) most = Math.max(most, Math.hypot(s.vertices[i], s.vertices[i + 1], s.vertices[i + 2]));
+      for (let i = 0; i < s.vertices.length; i += 3)
+        most = Math.max(most, Math.hypot(s.vertices[i], s.vertices[i + 1], s.vertices[i + 2]));
       return most;
     });
     for (let i = 0; i < this.objects; i++) {
@@ -58,13 +62,23 @@ export class SceneModel {
         high[axis] = Math.max(high[axis], x + r);
       }
     }
+    [this.low, this.high] = this.objects
+      ? [low, high]
+      : [
+          [0, 0, 0],
+          [0, 0, 0],
+        ];
     this.center = this.objects ? low.map((x, axis) => (x + high[axis]) / 2) : [0, 0, 0];
     const size = this.objects ? Math.hypot(...low.map((x, axis) => (high[axis] - x) / 2)) : 0;
     this.unit = size > 0 ? DRAWN_RADIUS / size : 1;
   }
 
   drawn(x, y, z) {
-    return new Vector3((x - this.center[0]) * this.unit, (y - this.center[1]) * this.unit, (z - this.center[2]) * this.unit);
+    return new Vector3(
+      (x - this.center[0]) * this.unit,
+      (y - this.center[1]) * this.unit,
+      (z - this.center[2]) * this.unit,
+    );
   }
 
   position(object) {
@@ -125,19 +139,41 @@ export class SceneModel {
     return isKnown ? this.points(pair)?.reverse() : null;
   }
 
+  /** The points of a pair for a reader, [on A, on B]; null if there are none. */
+  pointTexts(pair) {
+    const at = 3 * this.index(pair);
+    const both = [this.pointsA, this.pointsB].map((points) => Array.from(points.subarray(at, at + 3)));
+    return both.flat().every(Number.isFinite) ? both.map(point) : null;
+  }
+
+  /** A pair's answer to copy, in numbers that read back as the same floats. */
+  copyText(pair) {
+    const at = 3 * this.index(pair);
+    const line = (name, points) => `${name} ${Array.from(points.subarray(at, at + 3), exact).join(', ')}`;
+    return [
+      `${this.names[this.a[pair]]} – ${this.names[this.b[pair]]}`,
+      `distance ${exact(this.distance(pair))}`,
+      line('point on A', this.pointsA),
+      line('point on B', this.pointsB),
+      line('normal', this.normals),
+    ].join('\n');
+  }
+
   points(pair) {
     const at = 3 * this.index(pair);
     const d = this.distance(pair);
     if (!Number.isFinite(d)) return null;
-    const [x, y, z] = this.pointsA.subarray(at, at + 3), [nx, ny, nz] = this.normals.subarray(at, at + 3);
+    const [x, y, z] = this.pointsA.subarray(at, at + 3),
+      [nx, ny, nz] = this.normals.subarray(at, at + 3);
     return [this.drawn(x, y, z), this.drawn(x + nx * d, y + ny * d, z + nz * d)];
   }
 
   /** The contact points of an intersecting pair: each one's gap, and its ends on A and on B as they are drawn. */
   contacts(pair) {
     const [nx, ny, nz] = this.normal(pair);
-    return this.contactData.of(pair).map(([x, y, z, gap]) => (
-      { gap, ends: [this.drawn(x, y, z), this.drawn(x + nx * gap, y + ny * gap, z + nz * gap)] }));
+    return this.contactData.of(pair).map(([x, y, z, gap]) => {
+      return { gap, ends: [this.drawn(x, y, z), this.drawn(x + nx * gap, y + ny * gap, z + nz * gap)] };
+    });
   }
 
   /** When a pair first touches over the frame that follows; null if it does not. */
@@ -178,7 +214,8 @@ export class SceneModel {
     this.nearest = new Int32Array(this.objects).fill(-1);
     this.contactData.begin(frame, this.pairs);
     for (let pair = 0; pair < this.pairs; pair++) {
-      const a = this.a[pair], b = this.b[pair];
+      const a = this.a[pair],
+        b = this.b[pair];
       if (this.overlaps(pair)) {
         this.hit[a] = this.hit[b] = 1;
         this.contactData.next(pair);

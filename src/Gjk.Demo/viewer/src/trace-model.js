@@ -1,25 +1,27 @@
-import { Quaternion, Vector3 } from 'three';
-import { number, shape, vector } from './data.js';
+import { Quaternion } from 'three';
+import { count, number, shape, vector } from './data.js';
 import { DepthModel } from './depth-model.js';
+import { TextbookModel } from './textbook-model.js';
+import { Walk } from './walk.js';
 
 /** Ratio. Bounds that are closer than this look the same in six digits. */
 const VISIBLE = 1e-6;
 
-const FEATURES = ['vertex', 'edge', 'triangle', 'tetrahedron'];
-
 /**
  * One query: its steps with the bounds so far, and each step in words. Numbers are in world units and in A's frame.
- * Drawn numbers are multiplied by the unit.
  */
-export class TraceModel {
+export class TraceModel extends Walk {
   constructor(json) {
+    super(json.steps, json.unit);
     Object.assign(this, json);
     this.shapeA = shape(json.shapeA);
     this.shapeB = shape(json.shapeB);
     this.difference = shape(json.difference);
     this.depth = json.depth ? new DepthModel(json.depth, json) : null;
     this.rotationB = new Quaternion(...json.rotation).normalize();
-    let lower = 0, upper = Infinity;
+    this.textbook = new TextbookModel(json.textbook, this);
+    let lower = 0,
+      upper = Infinity;
     this.steps.forEach((step, i) => {
       if (step.extended && !this.steps[i - 1]?.extended) upper = Infinity;
       step.upperBefore = upper;
@@ -30,32 +32,23 @@ export class TraceModel {
     });
   }
 
-  /** How many steps are shown: those of the distance, and then those of the depth. */
-  get count() {
-    return this.steps.length + (this.depth?.steps.length ?? 0);
+  /** The lines of the pseudo-code that a step runs, by their ids, in their order. */
+  lines(at) {
+    const step = this.steps[at];
+    if (!step) return [];
+    const isLast = at === this.steps.length - 1,
+      first = at === 0 ? ['start', 'repeat'] : ['repeat'];
+    const run = [...first, 'support', 'bound'];
+    if (!step.after) return [...run, 'met', isLast ? 'answer' : 'stall'];
+    if (step.after.length === 4) return [...run, 'join', 'inside', isLast ? 'answer' : 'stall'];
+    run.push('join', 'region', 'next');
+    if (!isLast) return this.steps[at + 1].extended && !step.extended ? [...run, 'stall'] : run;
+    if (this.result.status === 'Overlapping' && this.margins === 0) return [...run, 'touch', 'answer'];
+    return [...run, step.best >= step.upper * (1 - VISIBLE) ? 'met' : 'stall', 'answer'];
   }
 
-  isDepth(at) {
-    return Boolean(this.depth) && at >= this.steps.length && at < this.count;
-  }
-
-  isLast(at) {
-    return at === Math.max(this.count - 1, 0);
-  }
-
-  drawn([x, y, z]) {
-    return new Vector3(x * this.unit, y * this.unit, z * this.unit);
-  }
-
-  /** Names a feature. Each vertex is named after the step that found it. */
-  feature(indices) {
-    return `${FEATURES[indices.length - 1]} ${indices.map((i) => `w${i + 1}`).sort((a, b) => a.slice(1) - b.slice(1)).join(' ')}`;
-  }
-
-  /** The points of both shapes whose difference is the simplex's nearest point. */
-  witnesses(step) {
-    const mix = (key) => step.after.reduce((sum, i, k) => sum.addScaledVector(this.drawn(this.steps[i][key]), step.weights[k]), new Vector3());
-    return [mix('onA'), mix('onB')];
+  get margins() {
+    return this.marginA + this.marginB;
   }
 
   /** Describes a step in paragraphs of [kind, text]. */
@@ -63,50 +56,87 @@ export class TraceModel {
     if (this.isDepth(at)) return this.depth.story(at - this.steps.length);
     const step = this.steps[at];
     if (!step) return [['text', this.withoutSteps()]];
-    const end = this.depth && this.isLast(at) ? [['answer', this.depth.answer()]] : [];
-    return [['text', this.search(at)], ['text', this.proof(step)], ['text', this.reduction(at)], ...(at === this.steps.length - 1 ? [['answer', this.answer()], ...end] : [])];
+    const told = [this.search(at), this.proof(step, at), this.reduction(at)].map((text) => ['text', text]);
+    if (at === this.steps.length - 1) told.push(['answer', this.answer()]);
+    if (this.depth && this.isLast(at)) told.push(['answer', this.depth.answer()]);
+    return told;
   }
 
   search(at) {
     const { before, normal, idA, idB, onA, onB, extended } = this.steps[at];
-    const from = before.length ? `n points from the origin to the ${this.feature(before)}` : 'n points from B’s centre to A’s, to begin somewhere';
+    const from = before.length
+      ? `d points from the ${this.feature(before)} towards the origin`
+      : 'd points from A’s centre to B’s, to begin somewhere';
     const name = (id) => (id < 0 ? '' : `vertex ${id}, `);
-    const which = extended && !before.length && at ? 'Rounding could decide here, so the query begins again in extended precision (106 bits). ' : '';
-    return `${which}Search: ${from}, n = ${vector(normal)}. A’s furthest point against n is ${name(idA)}${vector(onA)}, B’s furthest along n ${name(idB)}${vector(onB)}; `
-      + `their difference is w${at + 1}.`;
+    const again = extended && !before.length && at;
+    return [
+      again ? 'Rounding could decide here, so the query begins again in extended precision (106 bits). ' : '',
+      `Search: ${from}: d = ${vector(normal.map((x) => -x))}. `,
+      `A’s furthest point along d is ${name(idA)}${vector(onA)}, `,
+      `B’s furthest against d is ${name(idB)}${vector(onB)}; their difference is w${at + 1}.`,
+    ].join('');
   }
 
-  proof({ lower, best }) {
-    if (lower === null || lower <= 0) return 'Bound: the plane through it, across n, does not keep the origin out, so it proves nothing yet.';
-    return `Bound: all of A − B lies beyond the plane through it, across n, so the cores are at least ${number(lower)} apart${best > lower * (1 + VISIBLE) ? ` (${number(best)} is known already)` : ''}.`;
+  proof({ lower, best }, at) {
+    const plane = `the plane through w${at + 1}, across d,`;
+    if (lower === null || lower <= 0) return `Bound: ${plane} does not keep the origin out, so it proves nothing yet.`;
+    const known = best > lower * (1 + VISIBLE) ? ` (${number(best)} is known already)` : '';
+    return `Bound: all of A − B lies beyond ${plane} so the cores are at least ${number(lower)} apart${known}.`;
   }
 
   reduction(at) {
-    const step = this.steps[at], isLast = at === this.steps.length - 1;
-    if (!step.after) {
-      if (!isLast) return 'Region: the bounds meet, but the triangle is such a needle that rounding may have tilted it.';
-      if (this.result.status === 'InvalidShape') return 'Region: this point lies behind one that the same support gave before; no convex shape does that.';
-      return `Region: |v| = ${number(step.upperBefore)} was known to be reached, and no point is nearer than this plane: the two bounds have met, and the distance is proved.`;
+    const step = this.steps[at],
+      isLast = at === this.steps.length - 1;
+    if (!step.after) return `Region: ${this.withoutReduction(step, isLast)}`;
+    if (step.after.length === 4) {
+      const feature = this.feature(step.after);
+      return `Region: the origin is inside the ${feature}: A − B holds the origin, so the shapes share a point.`;
     }
     const joined = [...step.before, at];
-    if (step.after.length === 4) return `Region: the origin is inside the ${this.feature(step.after)}: A − B holds the origin, so the shapes share a point.`;
-    const dropped = joined.filter((i) => !step.after.includes(i));
-    const rest = dropped.length ? `; ${dropped.map((i) => `w${i + 1}`).join(' and ')} ${dropped.length > 1 ? 'are' : 'is'} dropped` : '';
-    const what = !dropped.length && joined.length > 1 ? `the point of the ${this.feature(joined)} nearest the origin lies inside it; all are kept` : joined.length > 1 ? `of the ${this.feature(joined)}, the origin is nearest the ${this.feature(step.after)}${rest}` : `the simplex is the ${this.feature(joined)}`;
-    const end = !isLast ? '' : this.result.status === 'Overlapping' ? ' That is no further than rounding can tell from contact.' : step.best >= step.upper * (1 - VISIBLE) ? ' The plane proves the same: the two bounds have met.' : ' It falls no more.';
-    return `Region: ${what}. |v| = ${number(step.upper)}.${end}`;
+    const dropped = joined.filter((i) => !step.after.includes(i)).map((i) => `w${i + 1}`);
+    const rest = dropped.length ? `; ${dropped.join(' and ')} ${dropped.length > 1 ? 'are' : 'is'} dropped` : '';
+    const feature = this.feature(joined);
+    const what =
+      joined.length === 1
+        ? `the simplex is the ${feature}`
+        : dropped.length
+          ? `of the ${feature}, the origin is nearest the ${this.feature(step.after)}${rest}`
+          : `the point of the ${feature} nearest the origin lies inside it; all are kept`;
+    return `Region: ${what}. |v| = ${number(step.upper)}.${isLast ? this.ending(step) : ''}`;
+  }
+
+  /** Why a step has no new simplex. */
+  withoutReduction({ upperBefore }, isLast) {
+    if (!isLast) return 'the bounds meet, but the triangle is such a needle that rounding may have tilted it.';
+    if (this.result.status === 'InvalidShape') {
+      return 'this point lies behind one that the same support gave before; no convex shape does that.';
+    }
+    return (
+      `|v| = ${number(upperBefore)} was known to be reached, and no point is nearer than this plane: ` +
+      'the two bounds have met, and the distance is proved.'
+    );
+  }
+
+  /** Why the query ends after a new simplex. */
+  ending(step) {
+    if (this.result.status === 'Overlapping') return ' That is no further than rounding can tell from contact.';
+    return step.best >= step.upper * (1 - VISIBLE)
+      ? ' The plane proves the same: the two bounds have met.'
+      : ' It falls no more.';
   }
 
   answer() {
     const { status, distance, lowerBound, iterations } = this.result;
-    const margins = this.marginA + this.marginB;
-    const less = margins > 0 ? ` (|v| less the margins ${number(this.marginA)} and ${number(this.marginB)})` : '';
-    const after = `after ${iterations} iterations`;
+    const margins = this.marginA + this.marginB,
+      both = `${number(this.marginA)} and ${number(this.marginB)}`;
+    const after = `after ${count(iterations, 'iteration')}`;
     if (status === 'Overlapping') {
       const bound = this.steps.at(-1)?.bound;
-      return `Answer: the shapes intersect${margins > 0 && bound > 0 ? `, for |v| = ${number(bound)} is no more than the margins ${number(this.marginA)} and ${number(this.marginB)}` : ''}, ${after}.`;
+      const why = margins > 0 && bound > 0 ? `, for |v| = ${number(bound)} is no more than the margins ${both}` : '';
+      return `Answer: the shapes intersect${why}, ${after}.`;
     }
     if (distance === null) return `Answer: ${status}, ${after}.`;
+    const less = margins > 0 ? ` (|v| less the margins ${both})` : '';
     return `Answer: distance ${number(distance)}${less}, at least ${number(lowerBound)}, ${after}.`;
   }
 

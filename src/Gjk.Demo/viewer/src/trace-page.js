@@ -1,9 +1,13 @@
-import { number } from './data.js';
-import { element, player, swatch } from './dom.js';
-import { COLORS } from './marks.js';
+import { button, element, player, swatch, tabs } from './dom.js';
+import { onKeys, stageKeys } from './keys.js';
 import { Stage } from './stage.js';
+import { theme } from './theme.js';
 import { TraceModel } from './trace-model.js';
+import { CodePanel, TextbookPanel } from './trace-panels.js';
+import { regionsOf } from './trace-regions.js';
+import { cells, depthCells, paragraph, reveal, table } from './trace-table.js';
 import { DifferenceView, ShapesView } from './trace-view.js';
+import { words } from './trace-words.js';
 
 const STEP_MS = 1400;
 
@@ -13,91 +17,204 @@ const DEPTH_COLUMNS = ['step', 'at least', 'at most', 'gap', 'surface'];
 
 const CAPTIONS = {
   distance: 'the Minkowski difference A − B of the cores: the shapes intersect where it holds the origin',
+  textbook: 'the same A − B, walked by the textbook’s GJK in float',
   depth: 'a surface grows inside A − B: where it ends, the nearest way out of A − B is the depth',
 };
 
+/** What a picture shows after each line of the code: nothing, the vertex, its plane, the walls, the rest, v. */
+const STAGES = { start: 0, repeat: 0, support: 1, bound: 2, join: 3, inside: 4, region: 4 };
+
+const ALL = 5;
+
 export function tracePage(json) {
-  const model = new TraceModel(json);
-  const main = new Stage(), small = new Stage();
+  const model = new TraceModel(json),
+    { textbook } = model;
+  const main = new Stage(),
+    small = new Stage();
   document.body.classList.add('trace');
   small.root.classList.add('small');
-  const story = element('section', { className: 'story', 'aria-live': 'polite' });
-  const distance = model.steps.map((step, i) => row(i, cells(step, i)));
-  const depth = (model.depth?.steps ?? []).map((step, i) => row(model.steps.length + i, depthCells(step, model.steps.length + i)));
-  const rows = [...distance, ...depth];
+  const places = { exact: 0, textbook: 0 };
+  let tab = 'steps',
+    line = 0;
   const steps = player('step', model.count, show, STEP_MS);
   const caption = element('div', { className: 'caption' });
-  const legends = {
-    distance: element('div', { className: 'legend' }, swatch(css('vertex'), 'new vertex w, search against n'), swatch(css('simplex'), 'what is kept'),
-      swatch(css('old'), 'simplex before'), swatch(css('plane'), 'support plane'), swatch(css('nearest'), 'origin and v')),
-    depth: element('div', { className: 'legend' }, swatch(css('simplex'), 'the surface'), swatch(css('lowest'), 'its lowest triangle'), swatch(css('vertex'), 'new point p, search along n'),
-      swatch(css('plane'), 'support plane'), swatch(css('nearest'), 'origin, and the ball that fits inside'), swatch(css('out'), 'the way out')),
-  };
-  main.root.append(caption, ...Object.values(legends));
-  small.root.append(element('div', { className: 'legend' }, swatch(css('a'), `A: ${model.nameA}`), swatch(css('b'), `B: ${model.nameB}`)));
+  const legends = { distance: distanceLegend(), depth: depthLegend() };
+  const told = new StepsPanel(model, show),
+    code = new CodePanel(model, goLine);
+  const book = new TextbookPanel(model, show);
+  const difference = new DifferenceView(main, model),
+    shapes = new ShapesView(small, model);
+  const panels = [
+    ['steps', 'steps', told.root],
+    ['code', 'code', code.root],
+    ['textbook', 'textbook', book.root],
+    ['words', 'A − B', words(model)],
+  ];
+  const chosen = tabs('panels', panels, 'steps', choose);
   document.body.append(
-    element('main', { className: 'stage' }, main.root, steps.root),
-    element('aside', { className: 'side' },
-      element('header', {}, element('h1', { textContent: `${model.nameA} – ${model.nameB}` }), element('div', { className: 'summary', textContent: model.depth ? `${model.answer().replace(/\.$/, '')}, ${model.depth.summary()}.` : model.answer() })),
-      small.root, story, element('div', { className: 'steps' }, table(COLUMNS, distance), ...(depth.length ? [table(DEPTH_COLUMNS, depth)] : []))));
-  const difference = new DifferenceView(main, model), shapes = new ShapesView(small, model);
-  let current = 0;
+    element('main', { className: 'stage' }, caption, main.root, ...Object.values(legends), steps.root),
+    element(
+      'aside',
+      { className: 'side' },
+      header(model),
+      small.root,
+      chosen.root,
+      ...panels.map(([, , panel]) => panel),
+    ),
+  );
 
-  function row(at, texts) {
-    return element('tr', { onclick: () => show(at) }, ...texts.map((textContent) => element('td', { textContent })));
+  /** Which algorithm is shown: the one of the chosen panel. */
+  function run() {
+    return tab === 'textbook' ? 'textbook' : 'exact';
   }
 
-  function depthCells({ below, above, count, outcome }, at) {
-    const least = Math.max(below ?? 0, 0);
-    return [String(at + 1), number(least), above === null ? '–' : number(above), above === null ? '–' : number(Math.max(above - least, 0)),
-      count ? `${count} triangles` : outcome === 'Flat' ? 'none' : 'no room'];
+  function choose(name) {
+    tab = name;
+    document.body.dataset.tab = name;
+    steps.stop();
+    steps.resize(run() === 'exact' ? model.count : textbook.count);
+    show(places[run()]);
   }
 
-  function cells(step, i) {
-    const bound = step.bound === 0 ? '0' : Number.isFinite(step.bound) ? number(step.bound) : '–';
-    const gap = step.best > 0 && Number.isFinite(step.bound) ? number(Math.max(step.bound - step.best, 0)) : '–';
-    return [`${i + 1}${step.extended ? ' ×2' : ''}`, step.best > 0 ? number(step.best) : '–', bound, gap, step.after ? model.feature(step.after) : 'proved'];
-  }
-
+  /** Goes to the end of a step. */
   function show(at) {
-    current = at;
-    steps.show(at);
-    const phase = model.isDepth(at) ? 'depth' : 'distance';
-    caption.textContent = CAPTIONS[phase];
-    for (const [name, legend] of Object.entries(legends)) legend.hidden = name !== phase;
-    rows.forEach((row, i) => row.classList.toggle('current', i === at));
-    story.replaceChildren(...model.story(at).map(([kind, text]) => paragraph(kind, text)));
-    if (rows[at]) reveal(rows[at]);
-    difference.show(at);
-    shapes.show(at);
+    line = Math.max(0, model.lines(at).length - 1);
+    draw(at);
   }
 
+  /** Goes to the line before or after, of this step or the next one. */
+  function goLine(by) {
+    const at = places.exact,
+      next = line + by;
+    if (next >= 0 && next < model.lines(at).length) line = next;
+    else if (next < 0 && at > 0) return show(at - 1);
+    else if (by > 0 && at + 1 < model.count) line = 0;
+    else return;
+    draw(by > 0 && next > 0 && line === 0 ? at + 1 : at);
+  }
+
+  function draw(at) {
+    const isExact = run() === 'exact',
+      walk = isExact ? model : textbook;
+    places[run()] = at;
+    steps.show(at);
+    const phase = walk.isDepth(at) ? 'depth' : 'distance';
+    caption.textContent = isExact ? CAPTIONS[phase] : CAPTIONS.textbook;
+    for (const [name, legend] of Object.entries(legends)) legend.hidden = name !== phase;
+    if (!isExact) book.show(at);
+    else if (tab === 'code') code.show(at, line);
+    else told.show(at);
+    const stage = tab === 'code' ? (STAGES[model.lines(at)[line]] ?? ALL) : ALL;
+    const walls = tab === 'code' && stage > 2 ? regionsOf(model, at).corners : [];
+    difference.show(walk, at, stage, walls);
+    shapes.show(walk, at);
+  }
+
+  onKeys({
+    ...stageKeys(main, () => [difference, shapes].forEach((view) => view.reset())),
+    ArrowLeft: () => steps.go(-1),
+    ArrowRight: () => steps.go(1),
+    ArrowUp: () => (tab === 'code' ? goLine(-1) : steps.go(-1)),
+    ArrowDown: () => (tab === 'code' ? goLine(1) : steps.go(1)),
+    Home: () => show(0),
+    End: () => show(Math.max((run() === 'exact' ? model : textbook).count - 1, 0)),
+    ' ': steps.toggle,
+    t: () => theme.toggle(),
+  });
+  theme.onChange(() => draw(places[run()]));
   show(0);
+  const now = () => ({ step: places[run()], tab, line: tab === 'code' ? model.lines(places.exact)[line] : null });
+  return handle(model, { main, small, difference, show, now });
+}
+
+/** The steps in words and numbers. */
+class StepsPanel {
+  constructor(model, show) {
+    this.model = model;
+    this.story = element('section', { className: 'story', 'aria-live': 'polite' });
+    const row = (at, texts) =>
+      element('tr', { onclick: () => show(at) }, ...texts.map((textContent) => element('td', { textContent })));
+    const distance = model.steps.map((step, i) => row(i, cells(model, step, i)));
+    const depth = model.depthSteps.map((step, i) => {
+      const at = model.steps.length + i;
+      return row(at, depthCells(step, at));
+    });
+    this.rows = [...distance, ...depth];
+    const list = element('div', { className: 'steps' }, table(COLUMNS, distance));
+    if (depth.length) list.append(table(DEPTH_COLUMNS, depth));
+    this.root = element('div', { className: 'tab' }, this.story, list);
+  }
+
+  show(at) {
+    this.rows.forEach((each, i) => each.classList.toggle('current', i === at));
+    this.story.replaceChildren(...this.model.story(at).map(([kind, text]) => paragraph(kind, text)));
+    this.story.scrollTop = 0;
+    if (this.rows[at]) reveal(this.rows[at]);
+  }
+}
+
+/** What a test or a developer can query about the page. */
+function handle(model, { main, small, difference, show, now }) {
   return {
-    kind: 'trace', model, show,
-    counts: () => ({ steps: model.count, depthSteps: model.depth?.steps.length ?? 0, step: current, iterations: model.result.iterations, status: model.result.status }),
+    kind: 'trace',
+    model,
+    show,
+    counts: () => ({
+      steps: model.count,
+      depthSteps: model.depthSteps.length,
+      textbookSteps: model.textbook.count,
+      textbookEnding: model.textbook.json.ending,
+      ...now(),
+      iterations: model.result.iterations,
+      status: model.result.status,
+    }),
+    stages: [main, small],
     originAt: () => main.project(difference.changing.position),
-    drawNow: () => { main.drawNow(); small.drawNow(); },
+    drawNow: () => {
+      main.drawNow();
+      small.drawNow();
+    },
   };
 }
 
-/** Scrolls the list, and nothing around it, until a row is in view below the list's head. */
-function reveal(row) {
-  const list = row.closest('.steps'), box = list.getBoundingClientRect(), { top, bottom } = row.getBoundingClientRect();
-  const head = row.closest('table').tHead.getBoundingClientRect().height;
-  if (top < box.top + head) list.scrollTop -= box.top + head - top;
-  else if (bottom > box.bottom) list.scrollTop += bottom - box.bottom;
+function header(model) {
+  const light = button('theme', () => theme.toggle(), { title: 'light or dark (T)' });
+  const title = element(
+    'div',
+    { className: 'title' },
+    element('h1', {}, swatch('a', model.nameA), ' – ', swatch('b', model.nameB)),
+    light,
+  );
+  const answer = model.depth ? `${model.answer().replace(/\.$/, '')}, ${model.depth.summary()}.` : model.answer();
+  return element('header', {}, title, element('div', { className: 'summary', textContent: answer }));
 }
 
-function table(columns, rows) {
-  return element('table', {},
-    element('thead', {}, element('tr', {}, ...columns.map((textContent) => element('th', { textContent })))), element('tbody', {}, ...rows));
+function distanceLegend() {
+  return element(
+    'div',
+    { className: 'legend' },
+    swatch('vertex', 'new vertex w, search direction d'),
+    swatch('simplex', 'what is kept'),
+    swatch('old', 'simplex before'),
+    swatch('plane', 'support plane'),
+    swatch('nearest', 'origin and v'),
+    help(),
+  );
 }
 
-const css = (name) => `#${COLORS[name].toString(16).padStart(6, '0')}`;
-
-/** Makes the word before the colon bold. */
-function paragraph(kind, text) {
-  const [, head, rest] = /^([^:]{1,12}:)?(.*)$/s.exec(text);
-  return element('p', { className: kind === 'answer' ? 'answer' : '' }, ...(head ? [element('b', { textContent: head })] : []), rest);
+function depthLegend() {
+  return element(
+    'div',
+    { className: 'legend' },
+    swatch('simplex', 'the surface'),
+    swatch('lowest', 'its lowest triangle'),
+    swatch('vertex', 'new point p, search along n'),
+    swatch('plane', 'support plane'),
+    swatch('nearest', 'origin, and the ball that fits inside'),
+    swatch('out', 'the way out'),
+    help(),
+  );
 }
+
+const help = () =>
+  element('span', { className: 'help', textContent: 'drag to turn, scroll to zoom; keys: ← → steps, space plays' });
