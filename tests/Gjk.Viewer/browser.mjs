@@ -15,14 +15,15 @@ export async function startBrowser() {
   return { browser, context };
 }
 
-export async function openPage(context, file) {
+export async function openPage(context, file, hash = '') {
   const page = await context.newPage();
-  const url = pathToFileURL(file).href;
+  const url = pathToFileURL(file).href + hash;
   page.complaints = [];
   page.on('console', (message) => { if (message.type() === 'error') page.complaints.push(message.text()); });
   page.on('pageerror', (error) => page.complaints.push(String(error)));
   page.on('request', (request) => {
-    if (request.url() !== url && !request.url().startsWith('data:')) page.complaints.push(`fetched ${request.url()}`);
+    const isOwn = request.url() === url.split('#')[0] || request.url().startsWith('data:');
+    if (!isOwn) page.complaints.push(`fetched ${request.url()}`);
   });
   await page.goto(url);
   await until(page, () => Boolean(window.__gjk));

@@ -9,6 +9,8 @@ import { readCsv } from './csv.mjs';
 import { answersOf, assertSame, distanceRow, impactRow } from './play-answers.mjs';
 import { answersOfCode } from './play-code.mjs';
 import { demo } from './play-demo.mjs';
+import { checkFirefox } from './play-firefox.mjs';
+import { checkPlane } from './play-plane.mjs';
 
 const folder = process.argv[2];
 const bundle = join(folder, 'play.js');
@@ -207,5 +209,8 @@ await check('play: on a phone nothing is cut off, and every control is large eno
 });
 await parts.close();
 
+await checkPlane(context, folder);
+
 await browser.close();
+await checkFirefox(folder);
 finish();

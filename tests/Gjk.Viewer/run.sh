@@ -29,6 +29,8 @@ find_browser || { install_packages chromium && find_browser; } \
 [ -d node_modules/playwright-core ] || npm ci --silent > /dev/null 2>&1 \
   || skip "playwright-core cannot be installed from npm here"
 export CHROMIUM
+# Firefox is a second opinion, and can be missing.
+command -v firefox-esr firefox > /dev/null || install_packages firefox-esr || true
 
 dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj
 demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
