@@ -27,18 +27,19 @@ export const startBrowser = () =>
   chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
 
 /** Opens a page from the disk, offline, and waits until it has drawn itself in its window. */
-export async function openPage(browser, file, look = WIDE) {
+export async function openPage(browser, file, look = WIDE, hash = '') {
   const context = await browser.newContext(look);
   await context.setOffline(true);
   const page = await context.newPage();
-  const url = pathToFileURL(file).href;
+  const url = pathToFileURL(file).href + hash;
   page.complaints = [];
   page.on('console', (message) => {
     if (message.type() === 'error') page.complaints.push(message.text());
   });
   page.on('pageerror', (error) => page.complaints.push(String(error)));
   page.on('request', (request) => {
-    if (request.url() !== url && !request.url().startsWith('data:')) page.complaints.push(`fetched ${request.url()}`);
+    const isOwn = request.url() === url.split('#')[0] || request.url().startsWith('data:');
+    if (!isOwn) page.complaints.push(`fetched ${request.url()}`);
   });
   await page.goto(url);
   await until(page, () => Boolean(window.__gjk));
@@ -47,7 +48,8 @@ export async function openPage(browser, file, look = WIDE) {
 }
 
 /** Waits until each canvas fills its place, and nothing is left to draw. */
-export const settled = (page) => until(page, () => window.__gjk.stages.every((stage) => stage.isSettled));
+export const settled = (page) =>
+  until(page, () => (window.__gjk.stages ?? []).every((stage) => stage.isSettled));
 
 /** Asks the page until it says yes: waitForFunction would evaluate a string, which the page's own policy forbids. */
 export async function until(page, predicate, milliseconds = PATIENCE_MS) {

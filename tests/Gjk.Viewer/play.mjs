@@ -9,6 +9,8 @@ import { readCsv } from './csv.mjs';
 import { answersOf, assertSame, distanceRow, impactRow } from './play-answers.mjs';
 import { answersOfCode } from './play-code.mjs';
 import { demo } from './play-demo.mjs';
+import { checkFirefox } from './play-firefox.mjs';
+import { checkPlane } from './play-plane.mjs';
 
 const folder = process.argv[2];
 const bundle = join(folder, 'play.js');
@@ -17,8 +19,8 @@ if (existsSync(bundle)) {
   await check('play: the bundle is what its sources make', () => assert.ok(readFileSync(bundle).equals(checkedIn)));
 }
 
-const { browser, context } = await startBrowser();
-const open = (name) => openPage(context, join(folder, `${name}.html`));
+const browser = await startBrowser();
+const open = (name) => openPage(browser, join(folder, `${name}.html`));
 const keep = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
 const press = (page, text) => page.locator('button', { hasText: new RegExp(`^${text}$`) }).click();
 
@@ -207,5 +209,8 @@ await check('play: on a phone nothing is cut off, and every control is large eno
 });
 await parts.close();
 
+await checkPlane(browser, folder);
+
 await browser.close();
+await checkFirefox(folder);
 finish();

@@ -83,7 +83,7 @@ internal static class PlayOptions
         if (scene?.Objects.Length > PlayData.MostBodies)
         {
             throw new RefusedException(
-                $"{name}: {scene.Objects.Length} objects are more than a page lists; {PlayData.MostBodies} are allowed");
+                $"{name}: {scene.Objects.Length} objects are more than the {PlayData.MostBodies} that a page lists");
         }
 
         using var file = new AtomicFile(target, cancel);

@@ -1,6 +1,7 @@
 import { floats, ints } from '../data.js';
 import { Engine, MOTION, wordsOf } from '../engine.js';
 import { element } from '../dom.js';
+import { planePage } from '../plane/plane-page.js';
 import { givenBodies } from './world-model.js';
 import { worldPage } from './world-page.js';
 
@@ -25,7 +26,12 @@ try {
   const engine = await Engine.start();
   wait.remove();
   const bodies = givenBodies(data, motions, shapeOf);
-  const page = worldPage(engine, bodies.length ? [{ label: data.name, bodies }] : []);
+  const parameters = new URLSearchParams(location.hash.slice(1));
+  const page = parameters.has('plane')
+    ? planePage(engine, parameters)
+    : worldPage(engine, bodies.length ? [{ label: data.name, bodies }] : []);
+  // The other mode, or another figure, is another page.
+  window.addEventListener('hashchange', () => location.reload());
   // What a test or a developer can query about the page.
   window.__gjk = { ...page, engine, bodies, answers: (question, pairs) => answers(engine, question, pairs) };
 } catch (error) {

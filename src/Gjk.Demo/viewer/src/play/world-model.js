@@ -92,7 +92,7 @@ export class WorldModel {
   /** Asks the library. */
   ask() {
     const { engine } = this, start = performance.now();
-    this.bodies.forEach(({ shape, motion }, i) => engine.set(i, shape, motion));
+    this.tell();
     this.answer = engine.ask(this.question === 'distance' ? 'distance' : 'signed', [[0, 1]])[0];
     this.impact = this.question === 'impact' ? engine.ask('impact', [[0, 1]])[0] : null;
     const size = Math.max(...this.bodies.map(({ radius }) => radius));
@@ -100,7 +100,13 @@ export class WorldModel {
     this.milliseconds = performance.now() - start;
   }
 
+  /** Tells the library where both bodies are. */
+  tell() {
+    this.bodies.forEach(({ shape, motion }, i) => this.engine.set(i, shape, motion));
+  }
+
   record() {
+    this.tell();
     return this.engine.record(0, 1);
   }
 }

@@ -139,6 +139,7 @@ export function worldPage(engine, given) {
       }), message);
   }
 
+  given[0]?.bodies.slice(0, 2).forEach((body, i) => bodies[i].choose(body));
   giveHands(view, {
     mode: () => hand, taken: choose,
     moved: () => { for (const fields of motions) fields.read(); changed(); },

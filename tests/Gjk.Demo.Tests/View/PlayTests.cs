@@ -1,0 +1,106 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.RegularExpressions;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.View;
+
+/// <summary>
+/// What <c>play</c> writes, as far as no browser is needed: one file with the library, its licences, and a policy that
+/// allows its own scripts only. The browser tests use the page.
+/// </summary>
+public sealed class PlayTests
+{
+    private const string TwoSpheres = """
+        {"version":1,"name":"a <b> & c","objects":[
+          {"name":"one","shape":{"type":"sphere","radius":1}},
+          {"name":"</script>","shape":{"type":"sphere","radius":1},"position":[3,0,0]}]}
+        """;
+
+    [Theory]
+    [InlineData("play", "--out")]
+    [InlineData("play scene.json --out a.html", "scene.json")]
+    [InlineData("play --scene none.json --out a.html", "no such file")]
+    [InlineData("play --obj none.obj --out a.html", "no such file")]
+    [InlineData("play --obj part.glb --out a.html", "--obj part.glb")]
+    [InlineData("play --obj a.obj --scene a.json --out a.html", "exclude")]
+    [InlineData("play --scene a.json --out a.json", "overwrite the scene")]
+    [InlineData("play --nope --out a.html", "--nope")]
+    public void WrongArgumentsAreOneLine(string args, string part) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+
+    [Fact]
+    public void BadInputLeavesNoFile()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", """{"version":1,"objects":[{"shape":{"type":"ball"}}]}""");
+        string mesh = directory.Write("part.obj", "v 1 2\n");
+        string many = directory.Write("many.json", Many(5_001));
+        string page = directory.File("a.html");
+        DemoProcess.Run("play", "--scene", scene, "--out", page).AssertRefused(scene, "$.objects[0].shape.type");
+        DemoProcess.Run("play", "--obj", mesh, "--out", page).AssertRefused(mesh, "three coordinates");
+        DemoProcess.Run("play", "--scene", many, "--out", page).AssertRefused(many, "5001 objects", "5000");
+        Assert.False(File.Exists(page));
+        Assert.Equal(3, directory.Files.Count());
+    }
+
+    [Fact]
+    public void ThePageAllowsItsOwnScriptsOnly()
+    {
+        using var directory = new TempDirectory();
+        string page = directory.File("a.html");
+        DemoProcess.Run("play", "--scene", directory.Write("scene.json", TwoSpheres), "--out", page).AssertDone();
+        string text = File.ReadAllText(page);
+        string policy = Regex.Match(text, "Content-Security-Policy\" content=\"([^\"]*)\"").Groups[1].Value;
+        Assert.StartsWith("default-src 'none'; script-src 'sha256-", policy);
+        Assert.DoesNotContain("unsafe-inline", policy);
+        string[] scripts = [.. Regex.Matches(text, "<script type=\"module\">(.*?)</script>", RegexOptions.Singleline)
+            .Select(m => m.Groups[1].Value)];
+        Assert.Equal(4, scripts.Length);
+        Assert.All(scripts, script => Assert.Contains(Hash(script), policy));
+        string style = Regex.Match(text, "<style>(.*?)</style>", RegexOptions.Singleline).Groups[1].Value;
+        Assert.Contains(Hash(style), policy);
+        Assert.Equal(6, Regex.Count(text, "<script"));
+        Assert.Contains("<title>a &lt;b&gt; &amp; c: Gjk playground</title>", text);
+    }
+
+    [Fact]
+    public void ThePageHoldsTheLibraryAndTheLicencesOfWhatIsInIt()
+    {
+        using var directory = new TempDirectory();
+        string page = directory.File("a.html");
+        DemoProcess.Run("play", "--out", page).AssertDone();
+        string text = File.ReadAllText(page);
+        string[] files = ["Gjk.Core.dll", "Gjk.Web.dll", "System.Private.CoreLib.dll", "dotnet.native.wasm"];
+        foreach (string file in files)
+            Assert.Contains($"\"{file}\":\"", text);
+        foreach (string owner in new[] { ".NET Foundation and Contributors", "Emscripten authors", "three.js authors" })
+            Assert.Contains(owner, text);
+        Assert.Contains("License notice for zlib", text, StringComparison.OrdinalIgnoreCase);
+        Assert.InRange(new FileInfo(page).Length, 1_000_000, 4_000_000);
+    }
+
+    [Fact]
+    public void PartsThatAreNotConvexGetAWarning()
+    {
+        using var directory = new TempDirectory();
+        string mesh = directory.Write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+        DemoRun run = DemoProcess.Run("play", "--obj", mesh, "--out", directory.File("a.html"));
+        Assert.Equal(0, run.ExitCode);
+        Assert.Contains("has no faces", run.Error);
+        Assert.True(File.Exists(directory.File("a.html")));
+    }
+
+    private static string Many(int count)
+    {
+        string objects = string.Join(",", Enumerable.Repeat("""{"shape":{"type":"point"}}""", count));
+        return $$"""{"version":1,"objects":[{{objects}}]}""";
+    }
+
+    private static string Hash(string text) =>
+        $"'sha256-{Convert.ToBase64String(SHA256.HashData(Encoding.UTF8.GetBytes(text)))}'";
+}
