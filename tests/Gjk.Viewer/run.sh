@@ -5,6 +5,8 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 source ./tools.sh
+# Firefox is a second opinion, and can be missing.
+command -v firefox-esr firefox > /dev/null || install_packages firefox-esr || true
 
 dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj
 demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
