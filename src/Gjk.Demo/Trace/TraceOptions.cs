@@ -20,12 +20,7 @@ internal static class TraceOptions
             Description = "The indices of the two objects in the scene, such as 0,1.",
             HelpName = "I,J",
         };
-        var example = new Option<string?>("--example")
-        {
-            Description = "Instead of a scene and a pair, trace a built-in pair on which the textbook's GJK fails: "
-                + "loop (it never ends) or wrong (it finds an intersection where there is none).",
-            HelpName = "NAME",
-        };
+        var example = new ExampleOption();
         var page = new Option<string?>("--out")
         {
             Description = "Write the page to this file.",
@@ -37,43 +32,32 @@ internal static class TraceOptions
             if (result.Tokens.Count == 1 && !TryParse(result.Tokens[0].Value, out _, out _))
                 result.AddError($"--pair {result.Tokens[0].Value}: must be two different indices, such as 0,1.");
         });
-        example.Validators.Add(result =>
-        {
-            if (result.Tokens.Count == 1 && TextbookExamples.Named(result.Tokens[0].Value) is null)
-                result.AddError($"--example {result.Tokens[0].Value}: must be loop or wrong.");
-        });
         var command = new Command(
             "trace",
             "Show one query step by step, with supports, simplex and bounds, the textbook's GJK beside it, and where "
             + "the shapes overlap the search for the depth. The page needs no network.")
         {
-            source.File, source.BuiltIn, pair, example, page,
+            source.File, source.BuiltIn, pair, example.Option, page,
         };
-        source.Validate(command, unless: example);
-        command.Validators.Add(result =>
-        {
-            bool isExample = result.GetResult(example) is not null;
-            bool hasPair = result.GetResult(pair) is not null;
-            if (isExample && hasPair) result.AddError("--example and --pair exclude each other.");
-            if (!isExample && !hasPair) result.AddError("--pair is needed.");
-        });
+        source.Validate(command, unless: example.Option);
+        example.Validate(command, pair);
         command.SetAction(r =>
         {
             string html = r.GetValue(page)!;
             TargetFiles.Check(r.GetValue(source.File), ("--out", html));
-            if (r.GetValue(example) is { } name)
+            if (example.Of(r) is { } pairScene)
             {
-                Write(TextbookExamples.Named(name)!, (0, 1), html, cancel);
+                Write(pairScene, (0, 1), html, cancel);
                 return ExitCode.Done;
             }
 
-            Scene scene = source.Load(r, cancel, out string sceneName);
+            Scene scene = source.Load(r, cancel, out string name);
             TryParse(r.GetValue(pair)!, out int a, out int b);
             int count = scene.Objects.Length;
             if (a >= count || b >= count)
             {
                 throw new RefusedException(
-                    $"{sceneName}: --pair {a},{b}: the scene has {count} objects, counted from 0");
+                    $"{name}: --pair {a},{b}: the scene has {count} objects, counted from 0");
             }
             Write(scene, (a, b), html, cancel);
             return ExitCode.Done;
