@@ -39,6 +39,7 @@ demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html
 demo trace TestResults/deep.json --pair 0,1 --out TestResults/trace-deep.html
 demo trace TestResults/deep.json --pair 0,2 --out TestResults/trace-margin.html
 demo trace TestResults/two.json --pair 0,1 --out TestResults/trace-one.html
+demo trace TestResults/huge.json --pair 0,1 --out TestResults/trace-huge.html
 for example in loop wrong; do
   demo trace --example $example --out TestResults/$example.html
 done

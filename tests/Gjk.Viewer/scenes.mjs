@@ -59,6 +59,16 @@ const ball = { type: 'sphere', radius: 0.5 };
 const two = { version: 1, name: 'two', objects: [{ shape: ball }, { shape: ball, position: [2, 0, 0] }] };
 writeFileSync(join(folder, 'two.json'), JSON.stringify(two));
 
+const huge = {
+  version: 1,
+  name: 'huge',
+  objects: [
+    { name: 'box', shape: { type: 'box', halfExtents: [1e25, 1e25, 1e25] } },
+    { name: 'ball', shape: { type: 'sphere', radius: 1e24 }, position: [4e25, 1e25, 0] },
+  ],
+};
+writeFileSync(join(folder, 'huge.json'), JSON.stringify(huge));
+
 const gem = [
   [1, 0, 0.1],
   [-1, 0.1, 0],

@@ -48,7 +48,8 @@ async function canBeRead(page, selector, list) {
   if (!list) await part.evaluate((each) => each.scrollIntoView({ block: 'nearest' }));
   const cut = await part.evaluate((each, within) => {
     const box = each.getBoundingClientRect();
-    const covers = [];
+    const covers = box.top < -1 || box.bottom > window.innerHeight + 1 ? ['window'] : [];
+    if (within) covers.length = 0;
     for (let at = each.parentElement; at && at !== document.documentElement; at = at.parentElement) {
       const style = getComputedStyle(at);
       if (style.overflowY === 'visible') continue;

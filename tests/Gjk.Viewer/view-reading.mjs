@@ -210,6 +210,13 @@ export async function assertTargets(page, selector) {
   assert.deepEqual(small, []);
 }
 
+/** Asserts that the picture stays at the top of the screen when the page below it is scrolled to its end. */
+export async function assertSticks(page) {
+  await page.evaluate(() => window.scrollTo(0, document.documentElement.scrollHeight));
+  const top = await page.locator('.stage').evaluate((each) => each.getBoundingClientRect().top);
+  assert.ok(Math.abs(top) <= 1, `the picture begins at ${top}`);
+}
+
 async function checkFingers({ open }) {
   const page = await open('sweep', PHONE);
   await check('view: a finger can hit every button, row and slider of a phone', async () => {
@@ -221,6 +228,7 @@ async function checkFingers({ open }) {
       .first()
       .evaluate((row) => row.getBoundingClientRect());
     assert.ok(left >= 0 && right <= 390, `${left} to ${right}`);
+    await assertSticks(page);
     assert.deepEqual(page.complaints, []);
   });
   await page.close();

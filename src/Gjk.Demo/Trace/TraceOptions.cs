@@ -19,12 +19,7 @@ internal static class TraceOptions
             Description = "The two objects, by their names or their indices in the scene, such as crate,ball or 0,1.",
             HelpName = "A,B",
         };
-        var example = new Option<string?>("--example")
-        {
-            Description = "Instead of a scene and a pair, trace a built-in pair on which the textbook's GJK fails: "
-                + "loop (it never ends) or wrong (it finds an intersection where there is none).",
-            HelpName = "NAME",
-        };
+        var example = new ExampleOption();
         var page = new Option<string?>("--out")
         {
             Description = "Write the page to this file.",
@@ -37,40 +32,29 @@ internal static class TraceOptions
             if (!text.Contains(',') || (NamedPair.TryParseIndices(text, out int a, out int b) && a == b))
                 result.AddError($"--pair {text}: must be two different objects, such as 0,1 or crate,ball.");
         });
-        example.Validators.Add(result =>
-        {
-            if (result.Tokens.Count == 1 && TextbookExamples.Named(result.Tokens[0].Value) is null)
-                result.AddError($"--example {result.Tokens[0].Value}: must be loop or wrong.");
-        });
         var command = new Command(
             "trace",
             "Show one query step by step, with supports, simplex and bounds, the textbook's GJK beside it, and where "
             + "the shapes overlap the search for the depth. The page needs no network.")
         {
-            source.File, source.BuiltIn, pair, example, page,
+            source.File, source.BuiltIn, pair, example.Option, page,
         };
-        source.Validate(command, example);
-        command.Validators.Add(result =>
-        {
-            bool isExample = result.GetResult(example) is not null;
-            bool hasPair = result.GetResult(pair) is not null;
-            if (isExample && hasPair) result.AddError("--example and --pair exclude each other.");
-            if (!isExample && !hasPair) result.AddError("--pair is needed.");
-        });
+        source.Validate(command, example.Option);
+        example.Validate(command, pair);
         command.SetAction(r =>
         {
             string html = r.GetValue(page)!;
             TargetFiles.Check(r.GetValue(source.File), ("--out", html));
-            if (r.GetValue(example) is { } name)
+            if (example.Of(r) is { } pairScene)
             {
-                Write(TextbookExamples.Named(name)!, (0, 1), html, cancel);
+                Write(pairScene, (0, 1), html, cancel);
                 return ExitCode.Done;
             }
 
-            Scene scene = source.Load(r, cancel, out string sceneName);
-            (int a, int b) = NamedPair.Find(scene, sceneName, r.GetValue(pair)!);
-            ShapeRange.Check(scene, sceneName, a);
-            ShapeRange.Check(scene, sceneName, b);
+            Scene scene = source.Load(r, cancel, out string name);
+            (int a, int b) = NamedPair.Find(scene, name, r.GetValue(pair)!);
+            ShapeRange.Check(scene, name, a);
+            ShapeRange.Check(scene, name, b);
             Write(scene, (a, b), html, cancel);
             return ExitCode.Done;
         });

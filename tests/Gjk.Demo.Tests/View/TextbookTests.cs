@@ -112,6 +112,23 @@ public sealed class TextbookTests
         }
     }
 
+    /// <summary>
+    /// Float cannot square these sizes. The exact query can, and the page says what became of the other.
+    /// </summary>
+    [Theory]
+    [InlineData(1e25f, "NotFinite")]
+    [InlineData(1e-25f, "NoNearer")]
+    public void SizesBeyondTheSquareRootOfFloatHaveNoRightAnswer(float size, string ending)
+    {
+        ConvexShape box = ConvexShape.Box(new Vector3(size));
+        var a = new SceneObject(null, box, RigidPose.Identity, default, default);
+        var b = new SceneObject(null, box, new RigidPose(new Vector3(4 * size, size, 0)), default, default);
+        TextbookRun run = TextbookGjk.Run(a, b);
+        Assert.Equal(ending, run.Ending.ToString());
+        Assert.NotEqual(2 * size, run.Distance);
+        Assert.Equal(2 * size, Exact(a, b).Distance);
+    }
+
     /// <summary>Each line of the pseudo-code names a method that the file declares.</summary>
     [Fact]
     public void TheLinesOfTheLessonAreInTheSource()

@@ -13,8 +13,8 @@ namespace Gjk.Demo.Trace;
 internal static class TextbookGjk
 {
     /// <summary>
-    /// A share of |v| squared. A vertex that is nearer by less ends the loop. With none at all, half of the pairs with
-    /// parallel faces loop for ever.
+    /// A share of |v| squared, as careful books have it. A vertex that is nearer by less ends the loop. Without it many
+    /// more pairs loop for ever.
     /// </summary>
     public const float Tolerance = 1e-6f;
 

@@ -28,7 +28,8 @@ internal sealed class PictureThin
             (double x, double y) = _camera.Project(from);
             _elements.Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"{(isHit ? Ring : "")}/>"));
+                $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"")
+                + (isHit ? Ring : "") + "/>");
             return;
         }
 
@@ -36,9 +37,10 @@ internal sealed class PictureThin
         foreach ((double start, double end) in Visible(from, to, before))
             path.Line([_camera.Project(from + (to - from) * start), _camera.Project(from + (to - from) * end)]);
         if (path.IsEmpty) return;
+        string dashes = isHit ? Dashes : "";
         _elements.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\"{(isHit ? Dashes : "")} d=\"{path}\"/>"));
+            $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\"{dashes} d=\"{path}\"/>"));
     }
 
     public void Write(TextWriter writer)

@@ -41,19 +41,29 @@ const FAR = 2000;
  * them. Each corner is {name, at: [x, y]}; the newest comes first. A region is named by its corners' places.
  */
 export function regionFigure(corners, foot, here, skipped) {
+  return drawn(corners, foot, corners.length === 2 ? edgeRegions : triangleRegions, here, skipped, []);
+}
+
+/** The old triangle of a tetrahedron as its newest corner sees it, with the origin behind or before it. */
+export function insideFigure(corners, foot, newest) {
+  return drawn(corners, foot, (at) => triangleRegions(at).slice(0, 1), '012', [], [newest]);
+}
+
+function drawn(corners, foot, regionsOf, here, skipped, unseen) {
   const place = fitted([...corners.map((c) => c.at), foot], [0, 0, WIDTH, HEIGHT], BORDER);
   const at = corners.map((c) => place(c.at)),
     origin = place(foot);
-  const named = ([...places]) => places.map((i) => corners[i].name).join(' ');
-  const regions = corners.length === 2 ? edgeRegions(at) : triangleRegions(at);
-  const parts = regions.map(({ key, points }) => {
+  const named = ([...places]) => [...unseen, ...places.map((i) => corners[i].name)].join(' ');
+  const parts = regionsOf(at).map(({ key, points }) => {
     const name = key === here ? 'region here' : skipped.includes(key) ? 'region skipped' : 'region';
     const shape = outline(points, name, name.endsWith('skipped') ? 'url(#skipped)' : 'none');
     shape.dataset.region = named(key);
     return shape;
   });
   const lines = outline(at, 'simplex');
-  const dots = at.map(([cx, cy], i) => svg('circle', { cx, cy, r: i ? 4 : 5, class: i ? 'old' : 'newest' }));
+  const dots = at.map(([cx, cy], i) =>
+    svg('circle', { cx, cy, r: i ? 4 : 5, class: i || unseen.length ? 'old' : 'newest' }),
+  );
   const middle = [0, 1].map((axis) => at.reduce((sum, p) => sum + p[axis], 0) / at.length);
   const names = at.map(([x, y], i) => {
     const away = [x - middle[0], y - middle[1]],

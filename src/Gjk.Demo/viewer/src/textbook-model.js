@@ -18,11 +18,25 @@ export class TextbookModel extends Walk {
 
   /** Whether the textbook gives the exact answer, as far as float can. */
   get isRight() {
-    const { ending, distance } = this.json,
+    const { distance } = this.json,
       truth = this.exact.result;
-    const isHit = ending === 'Encloses' || ending === 'Touches';
-    if (truth.status === 'Overlapping') return isHit;
-    return ending === 'NoNearer' && Math.abs(distance - truth.distance) <= AGREES * truth.distance;
+    if (truth.status === 'Overlapping') return this.isHit;
+    const isApart = this.hasAnswer && !this.isHit && truth.status === 'Separated';
+    return isApart && Math.abs(distance - truth.distance) <= AGREES * truth.distance;
+  }
+
+  get hasAnswer() {
+    return ['NoNearer', 'Encloses', 'Touches'].includes(this.json.ending);
+  }
+
+  /** Whether the textbook finds an intersection, of the cores or of their margins. */
+  get isHit() {
+    return this.hasAnswer && this.json.distance === 0;
+  }
+
+  /** The textbook on this pair, in a word. */
+  get mark() {
+    return this.isRight ? 'right here' : this.hasAnswer ? 'wrong here' : 'fails here';
   }
 
   story(at) {
@@ -37,7 +51,8 @@ export class TextbookModel extends Walk {
       ? `d points from the ${this.feature(before)} towards the origin`
       : 'd points from A’s centre to B’s';
     const again = same < at ? ` It is ${this.vertexName(same)} again.` : '';
-    return `Search: ${from}: d = ${vector(normal.map((x) => -x))}. The support point is ${this.vertexName(at)}.${again}`;
+    const d = vector(normal.map((x) => -x));
+    return `Search: ${from}: d = ${d}. The support point is ${this.vertexName(at)}.${again}`;
   }
 
   test(at) {
@@ -56,7 +71,8 @@ export class TextbookModel extends Walk {
       dropped = this.names(joined.filter((i) => !after.includes(i)));
     const rest = dropped.length ? `, without ${dropped.join(' and ')}` : '';
     const more = rises ? ' That is more than before: the loop has gone back.' : '';
-    return `Region: the simplex is now the ${this.feature(after)}${rest}. |v| = ${number(upper)}.${more}`;
+    const length = upper === null ? '|v| has left the range of float' : `|v| = ${number(upper)}`;
+    return `Region: the simplex is now the ${this.feature(after)}${rest}. ${length}.${more}`;
   }
 
   answer() {
@@ -68,7 +84,9 @@ export class TextbookModel extends Walk {
     const last = this.steps.length;
     switch (ending) {
       case 'NoNearer':
-        return `distance ${number(distance)}.`;
+        return this.isHit && this.exact.margins > 0
+          ? 'the shapes intersect, by their margins.'
+          : `distance ${number(distance)}.`;
       case 'Encloses':
         return 'the shapes intersect.';
       case 'Touches':
@@ -88,7 +106,8 @@ export class TextbookModel extends Walk {
   verdict() {
     const { status, distance } = this.exact.result;
     if (this.isRight) return 'The exact query says the same.';
-    const truth = status === 'Overlapping' ? 'they intersect' : `distance ${number(distance)}`;
+    const truth =
+      status === 'Overlapping' ? 'they intersect' : distance === null ? status : `distance ${number(distance)}`;
     return `Exact: ${truth}.${this.json.ending === 'Encloses' ? this.flatness() : ''}`;
   }
 

@@ -48,7 +48,7 @@ export class TextbookPanel {
     this.story = element('div', { className: 'story', 'aria-live': 'polite' });
     this.rows = this.model.steps.map((step, i) => {
       const exact = model.steps[i] ? cells(model, model.steps[i], i)[2] : '';
-      const mine = step.after ? (step.after.length === 4 ? '0' : number(step.upper)) : 'end';
+      const mine = step.after ? (step.after.length === 4 ? '0' : number(step.upper ?? NaN)) : 'end';
       const texts = [String(i + 1), mine, exact, step.after ? this.model.feature(step.after) : 'proved nearest'];
       const row = element(
         'tr',
@@ -63,18 +63,13 @@ export class TextbookPanel {
       { className: 'steps' },
       table(['step', '|v|, float', '|v|, exact', 'simplex'], this.rows),
     );
-    const verdict = this.model.isRight
-      ? 'right here'
-      : this.model.json.ending === 'Encloses'
-        ? 'wrong here'
-        : 'fails here';
     this.root = element(
       'div',
       { className: 'tab text textbook' },
       element(
         'p',
         { className: this.model.isRight ? 'verdict' : 'verdict bad' },
-        `GJK as books print it, in float: ${verdict}.`,
+        `GJK as books print it, in float: ${this.model.mark}.`,
       ),
       this.story,
       list,

@@ -1,5 +1,5 @@
 import { Vector3 } from 'three';
-import { regionFigure } from './figure.js';
+import { insideFigure, regionFigure } from './figure.js';
 
 /** The faces of a tetrahedron at its newest corner, as places among its corners. */
 const FACES = [
@@ -15,7 +15,7 @@ const FACES = [
 export function regionsOf(model, at) {
   const step = model.steps[at];
   if (!step?.after) return { words: ['This step has ended the loop before a new simplex.'], corners: [] };
-  const joined = [at, ...step.before],
+  const joined = [at, ...[...step.before].sort((a, b) => a - b)],
     points = joined.map((i) => new Vector3(...model.steps[i].w));
   const names = joined.map((i) => model.vertexName(i));
   const kept = step.after.map((i) => joined.indexOf(i));
@@ -35,13 +35,16 @@ function flat(model, joined, points, names, kept, places) {
     .join('');
   const skipped = places.length === 2 ? ['1'] : ['1', '2', '12'];
   const old = names.slice(1).filter((name) => shown.some((corner) => corner.name === name));
-  const part = old.length === 2 ? `${old.join(', ')} and the edge ${old.join(' ')}` : old[0];
+  const [striped, part] =
+    old.length === 2
+      ? ['Striped regions', `those of ${old.join(', ')} and the edge ${old.join(' ')}, are`]
+      : ['The striped region', `that of ${old[0]}, is`];
   return {
     figure: regionFigure(shown, foot, here, skipped),
     corners: corners.map((p) => p.clone().multiplyScalar(model.unit)),
     words: [
       `The origin lies in the region of the ${model.feature(kept.map((i) => joined[i]))}, which is kept.`,
-      `Striped regions, those of ${part}, are not tested: that part was the nearest before, and ${names[0]} lies ` +
+      `${striped}, ${part} not tested: the nearest part was there before, and ${names[0]} lies ` +
         `beyond it towards the origin. So the part that is nearest now has ${names[0]} as a corner.`,
     ],
   };
@@ -54,12 +57,34 @@ function tetrahedron(model, joined, points, names, kept) {
   });
   const lead = `Faces at ${names[0]}: ${told.join('; ')}.`;
   const old = `${names.slice(1).join(' ')} is not tested: the origin was found in front of it.`;
-  if (kept.length === 4) return { words: [`${lead} So the tetrahedron holds the origin. ${old}`], corners: [] };
+  if (kept.length === 4) {
+    const seen = `The figure is what ${names[0]} sees: the origin lies within the three faces, which it sees as edges.`;
+    const figure = seenFrom(points, names);
+    return { figure, words: [`${lead} So the tetrahedron holds the origin. ${old}`, seen], corners: [] };
+  }
   const holds = (places) => kept.every((i) => places.includes(i));
   const face = tests.find((test) => test.isBeyond && holds(test.places)) ?? tests.find((test) => holds(test.places));
   if (!face) return { words: [`${lead} ${old}`], corners: [] };
   const shown = flat(model, joined, points, names, kept, face.places);
   return { ...shown, words: [`${lead} ${old}`, ...shown.words] };
+}
+
+/** The other corners and the origin as the newest corner sees them: directions, each brought to one plane. */
+function seenFrom(points, names) {
+  const [eye, ...others] = points;
+  const ahead = others
+    .reduce((sum, p) => sum.add(p), new Vector3())
+    .multiplyScalar(1 / 3)
+    .sub(eye);
+  const aside = others[0].clone().sub(eye).projectOnPlane(ahead.clone().normalize()).normalize();
+  const up = ahead.clone().normalize().cross(aside);
+  const flatten = (p) => {
+    const to = p.clone().sub(eye),
+      depth = to.dot(ahead);
+    return [to.dot(aside) / depth, to.dot(up) / depth];
+  };
+  const corners = others.map((p, i) => ({ name: names[i + 1], at: flatten(p) }));
+  return insideFigure(corners, flatten(new Vector3()), names[0]);
 }
 
 /** Whether the origin is on the side of a face where the fourth corner is not. */
