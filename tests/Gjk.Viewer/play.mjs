@@ -10,13 +10,14 @@ import { answersOf, assertSame, distanceRow, impactRow } from './play-answers.mj
 import { answersOfCode } from './play-code.mjs';
 import { demo } from './play-demo.mjs';
 import { checkFirefox } from './play-firefox.mjs';
+import { checkLive } from './play-live.mjs';
 import { checkPlane } from './play-plane.mjs';
 
 const folder = process.argv[2];
-const bundle = join(folder, 'play.js');
-if (existsSync(bundle)) {
-  const checkedIn = readFileSync('../../src/Gjk.Demo/viewer/dist/play.js');
-  await check('play: the bundle is what its sources make', () => assert.ok(readFileSync(bundle).equals(checkedIn)));
+for (const name of ['play.js', 'live.js'].filter((script) => existsSync(join(folder, script)))) {
+  await check(`play: the bundle ${name} is what its sources make`, () => {
+    assert.ok(readFileSync(join(folder, name)).equals(readFileSync(`../../src/Gjk.Demo/viewer/dist/${name}`)));
+  });
 }
 
 const { browser, context } = await startBrowser();
@@ -210,6 +211,7 @@ await check('play: on a phone nothing is cut off, and every control is large eno
 await parts.close();
 
 await checkPlane(context, folder);
+await checkLive(context, folder);
 
 await browser.close();
 await checkFirefox(folder);
