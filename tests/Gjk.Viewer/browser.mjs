@@ -15,15 +15,14 @@ export async function startBrowser() {
   return { browser, context };
 }
 
-export async function openPage(context, file, hash = '') {
+export async function openPage(context, file) {
   const page = await context.newPage();
-  const url = pathToFileURL(file).href + hash;
+  const url = pathToFileURL(file).href;
   page.complaints = [];
   page.on('console', (message) => { if (message.type() === 'error') page.complaints.push(message.text()); });
   page.on('pageerror', (error) => page.complaints.push(String(error)));
   page.on('request', (request) => {
-    const isOwn = request.url() === url.split('#')[0] || request.url().startsWith('data:');
-    if (!isOwn) page.complaints.push(`fetched ${request.url()}`);
+    if (request.url() !== url && !request.url().startsWith('data:')) page.complaints.push(`fetched ${request.url()}`);
   });
   await page.goto(url);
   await until(page, () => Boolean(window.__gjk));

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { openPage, until } from './browser.mjs';
+import { openPage, until } from './play-browser.mjs';
 import { check } from './check.mjs';
 import { readCsv } from './csv.mjs';
 import { demo } from './play-demo.mjs';

@@ -1,7 +1,7 @@
 // Uses the figures of the plane as a reader does.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { openPage, until } from './browser.mjs';
+import { openPage, until } from './play-browser.mjs';
 import { check } from './check.mjs';
 import { readCsv } from './csv.mjs';
 import { assertSame, distanceRow } from './play-answers.mjs';

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { openPage, startBrowser, until } from './browser.mjs';
+import { openPage, startBrowser, until } from './play-browser.mjs';
 import { check, finish } from './check.mjs';
 import { readCsv } from './csv.mjs';
 import { answersOf, assertSame, distanceRow, impactRow } from './play-answers.mjs';
