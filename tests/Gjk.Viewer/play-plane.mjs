@@ -1,7 +1,7 @@
 // Uses the figures of the plane as a reader does.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { openPage, until } from './browser.mjs';
+import { openPage, until } from './play-browser.mjs';
 import { check } from './check.mjs';
 import { readCsv } from './csv.mjs';
 import { assertSame, distanceRow } from './play-answers.mjs';
@@ -12,9 +12,9 @@ const FIGURES = [
   ['triangles', false, 3], ['touching', true, 3], ['overlap', true, 3], ['parallel', false, 3], ['origin', false, 3],
 ];
 
-export async function checkPlane(browser, folder) {
+export async function checkPlane(context, folder) {
   for (const [figure, isHit, least] of FIGURES) {
-    const page = await openPage(browser, join(folder, 'play.html'), undefined, `#plane=${figure}`);
+    const page = await openPage(context, join(folder, 'play.html'), `#plane=${figure}`);
     await check(`plane: ${figure} has the answer of the demo, and every step tells the truth`, async () => {
       await assertDemoAgrees(page, folder, isHit);
       const { steps, stages } = await page.evaluate(() => window.__gjk.model);
@@ -27,7 +27,7 @@ export async function checkPlane(browser, folder) {
     if (figure === 'triangles') await checkHands(page, folder);
     await page.close();
   }
-  await checkEmbedded(browser, folder);
+  await checkEmbedded(context, folder);
 }
 
 const answerOf = (page) => page.evaluate(() => window.__gjk.model.answer);
@@ -121,9 +121,9 @@ async function checkHands(page, folder) {
   });
 }
 
-async function checkEmbedded(browser, folder) {
+async function checkEmbedded(context, folder) {
   await check('plane: embedded there is only the figure, at the sizes of a book, with nothing cut off', async () => {
-    const page = await openPage(browser, join(folder, 'play.html'), undefined, '#plane=overlap&embed');
+    const page = await openPage(context, join(folder, 'play.html'), '#plane=overlap&embed');
     for (const [width, height] of [[700, 460], [390, 640], [1280, 800]]) {
       await page.setViewportSize({ width, height });
       await until(page, () => window.__gjk.world.wide > 0);

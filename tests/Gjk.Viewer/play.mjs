@@ -3,24 +3,25 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { openPage, startBrowser, until } from './browser.mjs';
+import { openPage, startBrowser, until } from './play-browser.mjs';
 import { check, finish } from './check.mjs';
 import { readCsv } from './csv.mjs';
 import { answersOf, assertSame, distanceRow, impactRow } from './play-answers.mjs';
 import { answersOfCode } from './play-code.mjs';
 import { demo } from './play-demo.mjs';
 import { checkFirefox } from './play-firefox.mjs';
+import { checkLive } from './play-live.mjs';
 import { checkPlane } from './play-plane.mjs';
 
 const folder = process.argv[2];
-const bundle = join(folder, 'play.js');
-if (existsSync(bundle)) {
-  const checkedIn = readFileSync('../../src/Gjk.Demo/viewer/dist/play.js');
-  await check('play: the bundle is what its sources make', () => assert.ok(readFileSync(bundle).equals(checkedIn)));
+for (const name of ['play.js', 'live.js'].filter((script) => existsSync(join(folder, script)))) {
+  await check(`play: the bundle ${name} is what its sources make`, () => {
+    assert.ok(readFileSync(join(folder, name)).equals(readFileSync(`../../src/Gjk.Demo/viewer/dist/${name}`)));
+  });
 }
 
-const browser = await startBrowser();
-const open = (name) => openPage(browser, join(folder, `${name}.html`));
+const { browser, context } = await startBrowser();
+const open = (name) => openPage(context, join(folder, `${name}.html`));
 const keep = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
 const press = (page, text) => page.locator('button', { hasText: new RegExp(`^${text}$`) }).click();
 
@@ -209,7 +210,8 @@ await check('play: on a phone nothing is cut off, and every control is large eno
 });
 await parts.close();
 
-await checkPlane(browser, folder);
+await checkPlane(context, folder);
+await checkLive(context, folder);
 
 await browser.close();
 await checkFirefox(folder);

@@ -8,6 +8,7 @@ node play-scenes.mjs TestResults
 demo play --out TestResults/play.html
 demo play --scene TestResults/shapes.json --out TestResults/play-shapes.html
 demo play --obj TestResults/parts.obj --out TestResults/play-parts.html
+demo view TestResults/moving.json --live --out TestResults/live.html
 demo query TestResults/shapes.json --out TestResults/shapes.csv
 demo query TestResults/shapes.json --depth --out TestResults/shapes-depth.csv
 demo cast TestResults/shapes.json --out TestResults/shapes-cast.csv

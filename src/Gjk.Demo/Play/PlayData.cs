@@ -19,8 +19,6 @@ internal static class PlayData
     public static void Write(PageData data, Scene? scene)
     {
         SceneObject[] objects = scene?.Objects ?? [];
-        var shapes = new Dictionary<ConvexShape, int>();
-        var shapeOf = new int[objects.Length];
         var motions = new List<float>(objects.Length * MotionSize);
         Utf8JsonWriter json = data.Json;
         json.WriteStartObject();
@@ -29,20 +27,29 @@ internal static class PlayData
         json.WriteStartArray("names");
         foreach (SceneObject o in objects) json.WriteStringValue(o.Name);
         json.WriteEndArray();
+        foreach (SceneObject o in objects) AddMotion(motions, o);
+        data.Array<int>("shapeOf", WriteShapes(json, objects));
+        data.Array<float>("motions", motions.ToArray());
+        json.WriteEndObject();
+    }
+
+    /// <summary>Writes the distinct shapes as records, as "shapes".</summary>
+    /// <returns>The index of each object's shape.</returns>
+    public static int[] WriteShapes(Utf8JsonWriter json, SceneObject[] objects)
+    {
+        var shapes = new Dictionary<ConvexShape, int>();
+        var shapeOf = new int[objects.Length];
         json.WriteStartArray("shapes");
         for (int i = 0; i < objects.Length; i++)
         {
-            SceneObject o = objects[i];
-            AddMotion(motions, o);
-            if (shapes.TryGetValue(o.Shape, out shapeOf[i])) continue;
-            shapes.Add(o.Shape, shapeOf[i] = shapes.Count);
-            json.WriteStringValue(RecordOf(o.Shape));
+            ref readonly ConvexShape shape = ref objects[i].Shape;
+            if (shapes.TryGetValue(shape, out shapeOf[i])) continue;
+            shapes.Add(shape, shapeOf[i] = shapes.Count);
+            json.WriteStringValue(RecordOf(shape));
         }
 
         json.WriteEndArray();
-        data.Array<int>("shapeOf", shapeOf);
-        data.Array<float>("motions", motions.ToArray());
-        json.WriteEndObject();
+        return shapeOf;
     }
 
     /// <summary>A record whose first body has the shape; the page reads only that.</summary>

@@ -54,7 +54,7 @@ internal static class ScriptPage
     private static string Hash(string text) =>
         $"'sha256-{Convert.ToBase64String(SHA256.HashData(Encoding.UTF8.GetBytes(text)))}'";
 
-    private static string Asset(string name)
+    public static string Asset(string name)
     {
         using Stream asset = Assembly.GetExecutingAssembly().GetManifestResourceStream(name)
             ?? throw new InvalidOperationException($"The demo was built without {name}.");

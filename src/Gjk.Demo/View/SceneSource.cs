@@ -23,7 +23,7 @@ internal sealed class SceneSource
     /// </summary>
     /// <param name="command">The command, which has the argument and the option.</param>
     /// <param name="other">Another option that can take the place of a scene.</param>
-    public void Validate(Command command, Option<string?>? other = null)
+    public void Validate(Command command, Option? other = null)
     {
         _builtIn.AddTo(command);
         command.Validators.Add(result =>

@@ -1,3 +1,5 @@
+using System;
+using System.IO;
 using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
@@ -14,10 +16,12 @@ internal static class ViewCommand
     /// <param name="name">The user's name for the scene.</param>
     /// <param name="page">The HTML file, or null.</param>
     /// <param name="picture">The SVG file, or null.</param>
+    /// <param name="isLive">Whether the page also holds the library.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
-    public static int Run(Scene scene, string name, string? page, string? picture, CancellationToken cancel)
+    public static int Run(Scene scene, string name, string? page, string? picture, bool isLive, CancellationToken cancel)
     {
         ShapeRange.Check(scene, name);
+        if (isLive) LivePage.Check(scene, name);
         using AtomicFile? pageFile = page is null ? null : new AtomicFile(page, cancel);
         using AtomicFile? pictureFile = picture is null ? null : new AtomicFile(picture, cancel);
         long pairs = 0;
@@ -26,7 +30,7 @@ internal static class ViewCommand
             SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
             pairs = results.Pairs.Count;
             var shapes = new ShapeTable(scene);
-            if (pageFile is not null) ScenePage.Write(pageFile.Stream, scene, shapes, results);
+            if (pageFile is not null) Write(pageFile.Stream, scene, shapes, results, isLive);
             if (pictureFile is not null)
                 ScenePicture.Write(pictureFile.Stream, scene, shapes, results, bars.Add("picture"), cancel);
         });
@@ -38,5 +42,18 @@ internal static class ViewCommand
         if (page is not null) StandardError.Wrote(pairs, "pair", page);
         if (picture is not null) StandardError.Wrote(scene.Objects.Length, "object", picture);
         return ExitCode.Done;
+    }
+
+    private static void Write(Stream stream, Scene scene, ShapeTable shapes, SceneResults results, bool isLive)
+    {
+        if (!isLive)
+        {
+            ScenePage.Write(stream, scene, shapes, results);
+            return;
+        }
+
+        using var page = new MemoryStream();
+        ScenePage.Write(page, scene, shapes, results);
+        LivePage.Write(stream, page.GetBuffer().AsSpan(0, (int)page.Length), scene, results.Pairs);
     }
 }

@@ -84,6 +84,29 @@ public sealed class PlayTests
         Assert.InRange(new FileInfo(page).Length, 1_000_000, 4_000_000);
     }
 
+    [Theory]
+    [InlineData("view a.json --live --svg a.svg", "--live needs --out")]
+    [InlineData("view none.json --live --out a.html", "no such file")]
+    public void ALivePageNeedsAPage(string args, string part) =>
+        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+
+    [Fact]
+    public void ALivePageHoldsTheLibraryAndALargeOneIsRefused()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", TwoSpheres), page = directory.File("a.html");
+        DemoProcess.Run("view", directory.Write("many.json", Many(201)), "--live", "--out", page)
+            .AssertRefused("many.json", "--live", "201 objects", "200");
+        Assert.False(File.Exists(page));
+        Assert.Equal(0, DemoProcess.Run("view", scene, "--live", "--out", page).ExitCode);
+        string live = File.ReadAllText(page);
+        Assert.Contains("script-src 'unsafe-inline' 'wasm-unsafe-eval'", live);
+        Assert.Contains("\"Gjk.Core.dll\":\"", live);
+        Assert.Contains("Emscripten authors", live);
+        Assert.Equal(0, DemoProcess.Run("view", scene, "--out", page).ExitCode);
+        Assert.DoesNotContain("wasm", File.ReadAllText(page));
+    }
+
     [Fact]
     public void PartsThatAreNotConvexGetAWarning()
     {
