@@ -23,7 +23,8 @@ public partial class LinkTests
             string[] parts = target.Split('#', 2);
             string file = parts[0].Length == 0 ? Page.PathOf(page) : Path.Combine(folder, parts[0]);
             bool exists = File.Exists(file) || Directory.Exists(file);
-            if (!exists || (parts.Length == 2 && File.Exists(file) && !Anchors(file).Contains(parts[1]))) dead.Add(target);
+            bool hasAnchor = parts.Length < 2 || !File.Exists(file) || Anchors(file).Contains(parts[1]);
+            if (!exists || !hasAnchor) dead.Add(target);
         }
 
         Assert.Empty(dead);

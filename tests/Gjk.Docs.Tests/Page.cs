@@ -24,7 +24,7 @@ public static class Page
     private static IEnumerable<string> Names()
     {
         string root = ProjectFolder.Root;
-        IEnumerable<string> below = new[] { "docs", "samples" }.Select(f => Path.Combine(root, f)).Where(Directory.Exists)
+        IEnumerable<string> below = new[] { "docs", "samples" }.Select(f => Path.Combine(root, f))
             .SelectMany(f => Directory.EnumerateFiles(f, "*.md", SearchOption.AllDirectories))
             .Select(f => Path.GetRelativePath(root, f).Replace('\\', '/'))
             .Where(f => !f.Split('/').Intersect(Generated).Any());

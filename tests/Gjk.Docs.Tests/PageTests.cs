@@ -39,7 +39,8 @@ public class PageTests
         for (int i = 0; i < blocks.Count; i++)
         {
             if (!blocks[i].Has("output")) continue;
-            Assert.True(i > 0 && (IsProgram(blocks[i - 1]) || blocks[i - 1].Language == "sh"), $"line {blocks[i].Line}");
+            bool printed = i > 0 && (IsProgram(blocks[i - 1]) || blocks[i - 1].Language == "sh");
+            Assert.True(printed, $"line {blocks[i].Line}");
         }
     }
 

@@ -14,7 +14,7 @@ internal static class DropFigure
         (Step before, Step after) = FirstDrop(a, b);
         Vector2 dropped = before.Simplex.Append(after.Vertex).First(v => !after.Simplex.Contains(v));
         var canvas = new Canvas(
-            "A new vertex joins the simplex, and the one that is no longer needed leaves it", 760, 340);
+            "A new corner joins the simplex, and the one that is no longer needed leaves it", 760, 340);
         Side(canvas, 20, a, b, before.Simplex, before.Nearest, "before: the simplex and its point nearest the origin");
         Panel right = Side(
             canvas, 390, a, b, after.Simplex, after.Nearest, "after: one vertex joined, one was dropped");

@@ -18,7 +18,8 @@ internal static class ViewCommand
     /// <param name="picture">The SVG file, or null.</param>
     /// <param name="isLive">Whether the page also holds the library.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
-    public static int Run(Scene scene, string name, string? page, string? picture, bool isLive, CancellationToken cancel)
+    public static int Run(
+        Scene scene, string name, string? page, string? picture, bool isLive, CancellationToken cancel)
     {
         ShapeRange.Check(scene, name);
         if (isLive) LivePage.Check(scene, name);

@@ -20,7 +20,7 @@ public class StyleTests
     {
         var faults = new List<string>();
         int files = 0;
-        foreach (string file in ProjectFolder.Sources("src", "samples", "tests", "bench", "unity"))
+        foreach (string file in ProjectFolder.Sources("src", "samples", "tests", "bench", "unity", "docs"))
         {
             files++;
             string[] lines = File.ReadAllLines(file);
