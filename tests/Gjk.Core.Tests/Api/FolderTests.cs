@@ -95,10 +95,10 @@ public class FolderTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void TheReadmeNamesEveryFolder()
+    public void TheGuideForContributorsNamesEveryFolder()
     {
-        string readme = File.ReadAllText(Path.Combine(ProjectFolder.Root, "README.md"));
-        Assert.All(Allowed.Select(a => a.Folder.Split('/')[0]).Distinct(), f => Assert.Contains($"{f}/", readme));
+        string guide = File.ReadAllText(Path.Combine(ProjectFolder.Root, "CONTRIBUTING.md"));
+        Assert.All(Allowed.Select(a => a.Folder.Split('/')[0]).Distinct(), f => Assert.Contains($"{f}/", guide));
     }
 
     private static bool MayUse(string folder, string other) =>
