@@ -129,5 +129,5 @@ const live = new LiveScene(await Engine.start(), page, JSON.parse(document.getEl
 makeRoom(page.view, page.model.pairs);
 if (page.stage.renderer) watchPointer(live, page.stage, page.view);
 const hint = 'drag a body: its distances, depths and contact points follow; impacts are then left out';
-page.stage.root.querySelector('.legend')?.append(element('span', { textContent: hint }));
+document.querySelector('.legend')?.append(element('span', { textContent: hint }));
 page.live = live;
