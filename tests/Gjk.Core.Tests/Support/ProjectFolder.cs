@@ -26,6 +26,6 @@ internal static partial class ProjectFolder
         return folder ?? throw new InvalidOperationException("The tests do not run inside the project's folder.");
     }
 
-    [GeneratedRegex(@"[\\/](bin|obj|node_modules)[\\/]")]
+    [GeneratedRegex(@"[\\/](bin|obj|node_modules|TestResults)[\\/]")]
     private static partial Regex Built();
 }
