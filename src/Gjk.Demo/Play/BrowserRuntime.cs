@@ -3,10 +3,11 @@ using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
+using System.Net;
 using System.Reflection;
-using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
+using Gjk.Demo.View;
 
 namespace Gjk.Demo.Play;
 
@@ -51,6 +52,15 @@ internal static partial class BrowserRuntime
     /// <summary>The licences of what is in the page, which must travel with it.</summary>
     public static string Notices() => string.Join("\n", NoticeFiles.Select(Text));
 
+    /// <summary>Writes the library into the body of a page, with its licences, and the modules that run it.</summary>
+    public static void Write(Stream stream, string notices, IEnumerable<string> scripts)
+    {
+        PageText.Add(stream, "<script type=\"application/json\" id=\"runtime\">");
+        stream.Write(Files());
+        PageText.Add(stream, $"</script>\n<template id=\"notices\">{WebUtility.HtmlEncode(notices)}</template>\n");
+        foreach (string script in scripts) PageText.Add(stream, $"<script type=\"module\">{script}</script>\n");
+    }
+
     private static string Script(string name, string text)
     {
         text = SourceMap().Replace(text, "");
@@ -86,11 +96,7 @@ internal static partial class BrowserRuntime
         return bytes.ToArray();
     }
 
-    private static string Text(string name)
-    {
-        using var reader = new StreamReader(Open(name), Encoding.UTF8);
-        return reader.ReadToEnd().ReplaceLineEndings("\n");
-    }
+    private static string Text(string name) => PageText.Asset(Folder + name);
 
     private static Stream Open(string name) =>
         Assembly.GetExecutingAssembly().GetManifestResourceStream(Folder + name)

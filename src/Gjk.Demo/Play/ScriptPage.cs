@@ -2,10 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Net;
-using System.Reflection;
 using System.Security.Cryptography;
 using System.Text;
+using Gjk.Demo.Output;
+using Gjk.Demo.View;
 
 namespace Gjk.Demo.Play;
 
@@ -22,11 +22,11 @@ internal static class ScriptPage
     /// <param name="json">The data that the page shows.</param>
     public static void Write(Stream stream, string title, ReadOnlySpan<byte> json)
     {
-        string style = Asset(Assets[0]);
-        List<string> scripts = [.. BrowserRuntime.Scripts(), Asset(Assets[1])];
+        string style = PageText.Asset(Assets[0]);
+        List<string> scripts = [.. BrowserRuntime.Scripts(), PageText.Asset(Assets[1])];
         string policy = $"default-src 'none'; script-src {string.Join(" ", scripts.Select(Hash))} 'wasm-unsafe-eval'; "
             + $"style-src {Hash(style)}; img-src data:";
-        Add(stream, $"""
+        PageText.Add(stream, $"""
             <!doctype html>
             <html lang="en">
             <head>
@@ -34,7 +34,7 @@ internal static class ScriptPage
             <meta name="viewport" content="width=device-width, initial-scale=1">
             <meta http-equiv="Content-Security-Policy" content="{policy}">
             <link rel="icon" href="data:,">
-            <title>{WebUtility.HtmlEncode(title)}</title>
+            <title>{PlainText.Markup(title)}</title>
             <style>{style}</style>
             </head>
             <body>
@@ -42,25 +42,12 @@ internal static class ScriptPage
             <script type="application/json" id="data">
             """.ReplaceLineEndings("\n"));
         stream.Write(json);
-        Add(stream, "</script>\n<script type=\"application/json\" id=\"runtime\">");
-        stream.Write(BrowserRuntime.Files());
-        string notices = BrowserRuntime.Notices() + "\n" + Asset(Assets[2]);
-        Add(stream, $"</script>\n<template id=\"notices\">{WebUtility.HtmlEncode(notices)}</template>\n");
-        foreach (string script in scripts) Add(stream, $"<script type=\"module\">{script}</script>\n");
-        Add(stream, "</body>\n</html>\n");
+        PageText.Add(stream, "</script>\n");
+        BrowserRuntime.Write(stream, BrowserRuntime.Notices() + "\n" + PageText.Asset(Assets[2]), scripts);
+        PageText.Add(stream, "</body>\n</html>\n");
         stream.Flush();
     }
 
     private static string Hash(string text) =>
         $"'sha256-{Convert.ToBase64String(SHA256.HashData(Encoding.UTF8.GetBytes(text)))}'";
-
-    public static string Asset(string name)
-    {
-        using Stream asset = Assembly.GetExecutingAssembly().GetManifestResourceStream(name)
-            ?? throw new InvalidOperationException($"The demo was built without {name}.");
-        using var reader = new StreamReader(asset, Encoding.UTF8);
-        return reader.ReadToEnd().ReplaceLineEndings("\n");
-    }
-
-    private static void Add(Stream stream, string text) => stream.Write(Encoding.UTF8.GetBytes(text));
 }

@@ -1,7 +1,6 @@
 using System;
 using System.Globalization;
 using System.IO;
-using System.Reflection;
 using System.Text;
 using Gjk.Demo.Output;
 
@@ -18,57 +17,51 @@ internal static class HtmlPage
     /// <param name="title">Shown as plain text.</param>
     /// <param name="attributes">Counts for the body element, where they can be read without running the script.</param>
     /// <param name="json">The data that the page shows.</param>
+    /// <param name="library">Writes the library at the end of the body, which needs WebAssembly; null for none.</param>
     public static void Write(
-        Stream stream, string title, ReadOnlySpan<(string Name, long Value)> attributes, ReadOnlySpan<byte> json)
+        Stream stream, string title, ReadOnlySpan<(string Name, long Value)> attributes, ReadOnlySpan<byte> json,
+        Action<Stream>? library = null)
     {
         var counts = new StringBuilder();
         foreach ((string attribute, long value) in attributes)
             counts.Append(CultureInfo.InvariantCulture, $" data-{attribute}=\"{value}\"");
-        ReadOnlySpan<char> rest = Asset("page.html");
+        ReadOnlySpan<char> rest = PageText.Asset("page.html");
         while (true)
         {
             int start = rest.IndexOf("{{");
             if (start < 0) break;
             int end = rest.IndexOf("}}");
-            Add(stream, rest[..start]);
+            PageText.Add(stream, rest[..start]);
             switch (rest[(start + 2)..end])
             {
+                case "wasm":
+                    if (library is not null) PageText.Add(stream, " 'wasm-unsafe-eval'");
+                    break;
                 case "title":
-                    Add(stream, PlainText.Markup(title));
+                    PageText.Add(stream, PlainText.Markup(title));
                     break;
                 case "counts":
-                    Add(stream, counts.ToString());
+                    PageText.Add(stream, counts.ToString());
                     break;
                 case "style":
-                    Add(stream, Asset("page.css"));
-                    Add(stream, Asset("trace.css"));
+                    PageText.Add(stream, PageText.Asset("page.css"));
+                    PageText.Add(stream, PageText.Asset("trace.css"));
                     break;
                 case "data":
                     stream.Write(json);
                     break;
                 case "script":
-                    Add(stream, Asset("viewer.js"));
+                    PageText.Add(stream, PageText.Asset("viewer.js"));
+                    break;
+                case "library":
+                    library?.Invoke(stream);
                     break;
             }
 
             rest = rest[(end + 2)..];
         }
 
-        Add(stream, rest);
+        PageText.Add(stream, rest);
         stream.Flush();
-    }
-
-    private static string Asset(string name)
-    {
-        using Stream asset = Assembly.GetExecutingAssembly().GetManifestResourceStream(name)
-            ?? throw new InvalidOperationException($"The demo was built without {name}.");
-        using var reader = new StreamReader(asset, Encoding.UTF8);
-        return reader.ReadToEnd();
-    }
-
-    private static void Add(Stream stream, ReadOnlySpan<char> text)
-    {
-        byte[] bytes = new byte[Encoding.UTF8.GetByteCount(text)];
-        stream.Write(bytes, 0, Encoding.UTF8.GetBytes(text, bytes));
     }
 }

@@ -1,8 +1,5 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Net;
-using System.Text;
 using Gjk.Demo.Play;
 using Gjk.Demo.Scenes;
 
@@ -18,8 +15,6 @@ internal static class LivePage
     /// <summary>The most objects: a browser answers the 199 pairs of a body in about a sixtieth of a second.</summary>
     public const int MostObjects = 200;
 
-    private const string Policy = "script-src 'unsafe-inline'", End = "</body>";
-
     /// <exception cref="RefusedException">The scene is too large.</exception>
     public static void Check(Scene scene, string name)
     {
@@ -28,29 +23,17 @@ internal static class LivePage
             $"{name}: --live: {scene.Objects.Length} objects are more than the {MostObjects} that a page can follow");
     }
 
+    /// <summary>Writes the end of the body: what the scene's own data leave out, the library and its script.</summary>
     /// <param name="stream">Where to write.</param>
-    /// <param name="page">The page of the scene.</param>
     /// <param name="scene">The scene.</param>
     /// <param name="pairs">Its pairs, as the page has them.</param>
-    public static void Write(Stream stream, ReadOnlySpan<byte> page, Scene scene, ScenePairs pairs)
+    public static void Write(Stream stream, Scene scene, ScenePairs pairs)
     {
-        string text = Encoding.UTF8.GetString(page);
-        int policy = text.IndexOf(Policy, StringComparison.Ordinal) + Policy.Length;
-        int end = text.LastIndexOf(End, StringComparison.Ordinal);
-        if (policy < Policy.Length || end < policy) throw new InvalidOperationException("The page has a new form.");
-        Add(stream, text.AsSpan(0, policy));
-        Add(stream, " 'wasm-unsafe-eval'");
-        Add(stream, text.AsSpan(policy, end - policy));
-        Add(stream, "<script type=\"application/json\" id=\"live\">");
+        PageText.Add(stream, "<script type=\"application/json\" id=\"live\">");
         using (PageData data = Data(scene, pairs)) stream.Write(data.Text);
-        Add(stream, "</script>\n<script type=\"application/json\" id=\"runtime\">");
-        stream.Write(BrowserRuntime.Files());
-        string notices = WebUtility.HtmlEncode(BrowserRuntime.Notices());
-        Add(stream, $"</script>\n<template id=\"notices\">{notices}</template>\n");
-        foreach (string script in (IEnumerable<string>)[.. BrowserRuntime.Scripts(), ScriptPage.Asset("live.js")])
-            Add(stream, $"<script type=\"module\">{script}</script>\n");
-        Add(stream, text.AsSpan(end));
-        stream.Flush();
+        PageText.Add(stream, "</script>\n");
+        string[] scripts = [.. BrowserRuntime.Scripts(), PageText.Asset("live.js")];
+        BrowserRuntime.Write(stream, BrowserRuntime.Notices(), scripts);
     }
 
     private static PageData Data(Scene scene, ScenePairs pairs)
@@ -64,11 +47,5 @@ internal static class LivePage
         data.Array<float>("mostGaps", gaps.ToArray());
         data.Json.WriteEndObject();
         return data;
-    }
-
-    private static void Add(Stream stream, ReadOnlySpan<char> text)
-    {
-        byte[] bytes = new byte[Encoding.UTF8.GetByteCount(text)];
-        stream.Write(bytes, 0, Encoding.UTF8.GetBytes(text, bytes));
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Numerics;
@@ -10,7 +11,13 @@ namespace Gjk.Demo.View;
 /// <summary>The page of a scene, with the shapes, and the poses and answers of every frame.</summary>
 internal static class ScenePage
 {
-    public static void Write(Stream stream, Scene scene, ShapeTable shapes, SceneResults results)
+    /// <param name="stream">Where to write.</param>
+    /// <param name="scene">The scene.</param>
+    /// <param name="shapes">Its shapes.</param>
+    /// <param name="results">The answers of every frame.</param>
+    /// <param name="library">As <see cref="HtmlPage"/> takes it.</param>
+    public static void Write(
+        Stream stream, Scene scene, ShapeTable shapes, SceneResults results, Action<Stream>? library)
     {
         using var data = new PageData();
         Utf8JsonWriter json = data.Json;
@@ -43,7 +50,7 @@ internal static class ScenePage
                 ("objects", scene.Objects.Length), ("pairs", scene.Pairs.Count), ("listed", results.Pairs.Count),
                 ("frames", scene.Frames), ("overlapping", results.Overlapping[0]),
             ],
-            data.Text);
+            data.Text, library);
     }
 
     /// <summary>Writes a shape's surface in the form that both pages read.</summary>

@@ -31,7 +31,8 @@ internal static class ViewCommand
             SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
             pairs = results.Pairs.Count;
             var shapes = new ShapeTable(scene);
-            if (pageFile is not null) Write(pageFile.Stream, scene, shapes, results, isLive);
+            Action<Stream>? library = isLive ? stream => LivePage.Write(stream, scene, results.Pairs) : null;
+            if (pageFile is not null) ScenePage.Write(pageFile.Stream, scene, shapes, results, library);
             if (pictureFile is not null)
                 ScenePicture.Write(pictureFile.Stream, scene, shapes, results, bars.Add("picture"), cancel);
         });
@@ -43,18 +44,5 @@ internal static class ViewCommand
         if (page is not null) StandardError.Wrote(pairs, "pair", page);
         if (picture is not null) StandardError.Wrote(scene.Objects.Length, "object", picture);
         return ExitCode.Done;
-    }
-
-    private static void Write(Stream stream, Scene scene, ShapeTable shapes, SceneResults results, bool isLive)
-    {
-        if (!isLive)
-        {
-            ScenePage.Write(stream, scene, shapes, results);
-            return;
-        }
-
-        using var page = new MemoryStream();
-        ScenePage.Write(page, scene, shapes, results);
-        LivePage.Write(stream, page.GetBuffer().AsSpan(0, (int)page.Length), scene, results.Pairs);
     }
 }

@@ -1,0 +1,27 @@
+using System;
+using System.IO;
+using System.Reflection;
+using System.Text;
+
+namespace Gjk.Demo.View;
+
+/// <summary>The texts that pages are made of: files that are embedded in the demo, and UTF-8.</summary>
+internal static class PageText
+{
+    /// <summary>
+    /// A file that is embedded in the demo. Its lines end as a browser reads them, whatever the disk had.
+    /// </summary>
+    public static string Asset(string name)
+    {
+        using Stream asset = Assembly.GetExecutingAssembly().GetManifestResourceStream(name)
+            ?? throw new InvalidOperationException($"The demo was built without {name}.");
+        using var reader = new StreamReader(asset, Encoding.UTF8);
+        return reader.ReadToEnd().ReplaceLineEndings("\n");
+    }
+
+    public static void Add(Stream stream, ReadOnlySpan<char> text)
+    {
+        byte[] bytes = new byte[Encoding.UTF8.GetByteCount(text)];
+        stream.Write(bytes, 0, Encoding.UTF8.GetBytes(text, bytes));
+    }
+}
