@@ -29,6 +29,9 @@ public sealed class BenchOptions
                             broad and in the narrow phase, candidates, pairs, memory and bytes allocated. Measure the
                             report's scenes too, and the first frames of the process. Compare all of it with the
                             goals. Takes four minutes.
+          --peers           Build small programs against the Debian packages of Bullet, libccd, FCL and ODE, which are
+                            installed where that can be done, and run library and engines in turn on the same pairs:
+                            distances, booleans and depths, with the wrong answers counted. Takes two minutes.
           --worst           Measure clouds that were made to be slow, of 10,000 and 100,000 points, without
                             BenchmarkDotNet: building their hulls, and the slowest supports and the slowest distance
                             of each. Takes a few minutes.
@@ -36,11 +39,12 @@ public sealed class BenchOptions
                             line, identical, nested, ...), without BenchmarkDotNet. Takes a minute.
           --seconds S       Measure for S seconds, from 0.01 to 600. With --table this is per set (default 6, and a part
                             of it for primitives, depths and the largest hulls), with --scale per row (default 1),
-                            with --scale-worst per row (default 0.5).
+                            with --scale-worst per row (default 0.5), with --peers per row (default 2).
           --csv             Keep the figures. With --table they go to bench/results/MACHINE.csv, and docs/cost.svg is
                             drawn. With --scale they go to MACHINE-scale.csv and docs/scale.svg. With --worst they go
-                            to MACHINE-worst.csv. Otherwise BenchmarkDotNet's figures go to
-                            MACHINE-benchmarkdotnet.csv, which is replaced as a whole, so use it with --filter '*'.
+                            to MACHINE-worst.csv, with --peers to MACHINE-peers.csv. Otherwise BenchmarkDotNet's
+                            figures go to MACHINE-benchmarkdotnet.csv, which is replaced as a whole, so use it with
+                            --filter '*'.
           --machine NAME    Use this name for those files and for their first line (default: the CPU's model).
           --factor          Check that both algorithms agree on the report's scenes, and that the library takes no more
                             supports there than it should, and no memory. Counts, not times, so a busy machine changes
@@ -74,6 +78,8 @@ public sealed class BenchOptions
     public bool Worst { get; private set; }
 
     public bool ScaleWorst { get; private set; }
+
+    public bool Peers { get; private set; }
 
     /// <summary>Null if none were given.</summary>
     public double? Seconds { get; private set; }
@@ -116,6 +122,9 @@ public sealed class BenchOptions
                 case "--scale-worst":
                     options.ScaleWorst = true;
                     break;
+                case "--peers":
+                    options.Peers = true;
+                    break;
                 case "--seconds":
                     options.Seconds = i + 1 < args.Length ? SecondsOf(args[++i]) : null;
                     if (options.Seconds is not null) break;
@@ -146,7 +155,9 @@ public sealed class BenchOptions
     {
         error = "";
         bool hasForeign = Factor || Quick || Remaining.Count > 0;
-        if (Worst && (hasForeign || Table || Scale || Seconds is not null))
+        if (Peers && (hasForeign || Table || Scale || Worst || ScaleWorst))
+            error = "--peers: takes --seconds, --csv and --machine only";
+        else if (Worst && (hasForeign || Table || Scale || Seconds is not null))
             error = "--worst: takes --csv and --machine only";
         else if (Table && (hasForeign || Scale))
             error = "--table: takes --seconds, --csv and --machine only";
@@ -154,8 +165,8 @@ public sealed class BenchOptions
             error = "--scale: takes --seconds, --csv and --machine only";
         else if (ScaleWorst && (hasForeign || Table || Scale || Csv))
             error = "--scale-worst: takes --seconds only";
-        else if (Seconds is not null && !Table && !Scale && !ScaleWorst)
-            error = "--seconds: goes with --table, --scale and --scale-worst only";
+        else if (Seconds is not null && !Table && !Scale && !ScaleWorst && !Peers)
+            error = "--seconds: goes with --table, --scale, --scale-worst and --peers only";
         else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0))
             error = "--factor: takes no other option";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all"))

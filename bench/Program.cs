@@ -7,6 +7,7 @@ using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
 using BenchmarkDotNet.Toolchains.InProcess.Emit;
+using Gjk.Bench.Peers;
 using Gjk.Bench.Reporting;
 using Gjk.Bench.Scale;
 using Gjk.Bench.Table;
@@ -43,6 +44,7 @@ public static class Program
                 BadArguments);
         if (options.Table) return PrintTable(options, project);
         if (options.Worst) return PrintWorst(options, project);
+        if (options.Peers) return PrintPeers(options);
         return options.Scale ? PrintScale(options, project) : Measure(options, project);
     }
 
@@ -109,6 +111,27 @@ public static class Program
         SummaryCsv.Write(file, WorstReport.Csv(rows, MachineLine(options)));
         Console.Error.WriteLine($"Figures kept in {file}");
         return Done;
+    }
+
+    private static int PrintPeers(BenchOptions options)
+    {
+        if (ProjectFolder() is not string project)
+            return Complain("--peers: the folder bench with the programs' sources was not found", BadArguments);
+        try
+        {
+            List<PeerRow> rows = PeersRun.Run(
+                Console.Error, project, options.Seconds ?? PeersRun.DefaultSeconds, out List<PeerProgram> programs);
+            Console.Write(PeersReport.Markdown(rows, programs));
+            if (!options.Csv) return Done;
+            string file = ResultFile(options, project, "-peers");
+            SummaryCsv.Write(file, PeersReport.Csv(rows, MachineLine(options)));
+            Console.Error.WriteLine($"Figures kept in {file}");
+            return Done;
+        }
+        catch (FactorCheckException e)
+        {
+            return Complain(e.Message, Failed);
+        }
     }
 
     private static void Keep(string csvFile, string csv, string figureFile, string figure)

@@ -7,7 +7,7 @@ namespace Gjk.Bench.Table;
 /// One measured loop over a list of pairs. Its figure is that of the fastest sample, because a disturbance can only add
 /// time.
 /// </summary>
-internal sealed class TimedLoop
+internal sealed class TimedLoop : ITurn
 {
     /// <summary>
     /// The least milliseconds of a sample. This is about a thousand times the cost of reading the clock, and short
@@ -40,14 +40,13 @@ internal sealed class TimedLoop
         _pass = pass;
     }
 
-    /// <summary>Nanoseconds per query, from the fastest sample.</summary>
+    /// <inheritdoc/>
     public double Nanoseconds { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>Forgets the samples of the warm-up.</summary>
+    /// <inheritdoc/>
     public void Reset() => Nanoseconds = double.PositiveInfinity;
 
-    /// <summary>Takes samples for a short time.</summary>
-    /// <returns>True if the figure fell by more than the given share.</returns>
+    /// <inheritdoc/>
     public bool Turn(double share)
     {
         double before = Nanoseconds;

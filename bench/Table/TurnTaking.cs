@@ -26,25 +26,25 @@ internal static class TurnTaking
     /// Runs the loops for a time span or until they are stable, with at least one turn each. The measurements are
     /// forgotten.
     /// </summary>
-    public static void WarmUp(IReadOnlyCollection<TimedLoop> loops, double mostSeconds)
+    public static void WarmUp(IReadOnlyCollection<ITurn> loops, double mostSeconds)
     {
         var clock = Stopwatch.StartNew();
         double lastImprovement = 0;
         do
         {
-            foreach (TimedLoop loop in loops)
+            foreach (ITurn loop in loops)
                 if (loop.Turn(Improvement)) lastImprovement = clock.Elapsed.TotalSeconds;
         }
         while (clock.Elapsed.TotalSeconds < Math.Min(mostSeconds, lastImprovement + QuietSeconds));
 
-        foreach (TimedLoop loop in loops) loop.Reset();
+        foreach (ITurn loop in loops) loop.Reset();
     }
 
     /// <summary>Measures for a time span, with at least two turns for each loop.</summary>
-    public static void Measure(IReadOnlyCollection<TimedLoop> loops, double seconds)
+    public static void Measure(IReadOnlyCollection<ITurn> loops, double seconds)
     {
         var clock = Stopwatch.StartNew();
         for (int turn = 0; turn < 2 || clock.Elapsed.TotalSeconds < seconds; turn++)
-            foreach (TimedLoop loop in loops) loop.Turn(Improvement);
+            foreach (ITurn loop in loops) loop.Turn(Improvement);
     }
 }

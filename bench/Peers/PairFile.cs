@@ -1,0 +1,86 @@
+using System;
+using System.IO;
+using System.Numerics;
+using Gjk.Bench.Scenes;
+using Gjk.Core;
+
+namespace Gjk.Bench.Peers;
+
+/// <summary>Pairs in the binary form that <c>peers/peer.hpp</c> reads: little-endian integers and floats.</summary>
+internal static class PairFile
+{
+    private const int Magic = 0x31504a47;
+    private const int Sphere = 0, Capsule = 1, Box = 2, Hull = 3;
+
+    /// <exception cref="NotSupportedException">A shape has no form there.</exception>
+    public static void Write(string file, BenchScene scene)
+    {
+        using var output = new BinaryWriter(File.Create(file));
+        output.Write(Magic);
+        output.Write(scene.Shapes.Length);
+        foreach (ConvexShape shape in scene.Shapes) Write(output, shape);
+        output.Write(scene.Pairs.Length);
+        foreach (BenchScene.Pair pair in scene.Pairs)
+        {
+            output.Write(pair.A);
+            output.Write(pair.B);
+            Write(output, scene.Poses[pair.A]);
+            Write(output, scene.Poses[pair.B]);
+        }
+    }
+
+    private static void Write(BinaryWriter output, in ConvexShape shape)
+    {
+        if (shape.IsDecorated) throw new NotSupportedException("The other engines know no decorated shapes.");
+        shape.Support(new Vector3D(1, 1, 1), out Vector3D corner);
+        switch (shape.Kind)
+        {
+            case ShapeKind.Sphere:
+                Write(output, Sphere, new Vector3((float)shape.Margin, 0, 0));
+                break;
+            case ShapeKind.Capsule:
+                Write(output, Capsule, new Vector3((float)shape.Margin, (float)corner.Y, 0));
+                break;
+            case ShapeKind.Box:
+                Write(output, Box, (Vector3)corner);
+                break;
+            case ShapeKind.Mesh:
+                Write(output, Hull, Vector3.Zero, shape.Hull);
+                break;
+            default:
+                throw new NotSupportedException($"The other engines know no {shape.Kind}.");
+        }
+    }
+
+    private static void Write(BinaryWriter output, int kind, Vector3 size, ConvexHull? hull = null)
+    {
+        output.Write(kind);
+        Write(output, size);
+        output.Write(hull?.VertexCount ?? 0);
+        for (int i = 0; i < hull?.VertexCount; i++) Write(output, hull.GetVertex(i));
+        output.Write(hull?.TriangleCount ?? 0);
+        for (int i = 0; i < hull?.TriangleCount; i++)
+        {
+            hull.GetTriangle(i, out int a, out int b, out int c);
+            output.Write(a);
+            output.Write(b);
+            output.Write(c);
+        }
+    }
+
+    private static void Write(BinaryWriter output, in RigidPose pose)
+    {
+        output.Write(pose.Rotation.X);
+        output.Write(pose.Rotation.Y);
+        output.Write(pose.Rotation.Z);
+        output.Write(pose.Rotation.W);
+        Write(output, pose.Position);
+    }
+
+    private static void Write(BinaryWriter output, Vector3 v)
+    {
+        output.Write(v.X);
+        output.Write(v.Y);
+        output.Write(v.Z);
+    }
+}
