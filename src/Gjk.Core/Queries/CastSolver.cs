@@ -37,7 +37,7 @@ internal static class CastSolver
 
     /// <summary>
     /// Ratio to the radii: how far behind the first contact a jump may have gone, along the line. A thousandth of the
-    /// promise. Pinned by HardCastTests.
+    /// promise. Pinned by CastJumpTests.
     /// </summary>
     private const double JumpGap = 1e-10;
 
