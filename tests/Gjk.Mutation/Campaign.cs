@@ -24,7 +24,7 @@ internal sealed class Campaign(TestRecord record, string tests, string report, d
             _fates.Add((m, fate));
             lines.WriteLine($"{m.Id}\t{m.Operator}\t{m.Place}\t{m.Original}\t{m.Changed}\t{fate}\t{test}\t{what}");
             if (fate is "survived" or "unreached")
-                Console.WriteLine($"{i + 1} {fate}: {m.Place} [{m.Operator}] {m.Original}  =>  {m.Changed}");
+                Console.WriteLine($"{m.Id} {fate}: {m.Place} [{m.Operator}] {m.Original}  =>  {m.Changed}");
         }
     }
 

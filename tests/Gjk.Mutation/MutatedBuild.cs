@@ -25,6 +25,12 @@ internal sealed class MutatedBuild
             public static int Active;
         #if RECORD
             public static readonly byte[] Reached = new byte[1 << 17];
+
+            public static bool Told(int number, bool value)
+            {
+                Reached[number] |= value ? (byte)1 : (byte)2;
+                return value;
+            }
         #endif
 
             [System.Runtime.CompilerServices.MethodImpl(
@@ -68,7 +74,7 @@ internal sealed class MutatedBuild
         string text = folders + string.Concat(Sources().Select(File.ReadAllText));
         _key = Convert.ToHexString(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
         if (File.Exists(_refusedFile) && File.ReadLines(_refusedFile).First() == _key)
-            _refused = [.. File.ReadLines(_refusedFile).Skip(1).Select(n => int.Parse(n, CultureInfo.InvariantCulture))];
+            _refused = [.. File.ReadLines(_refusedFile).Skip(1).Select(Number)];
     }
 
     /// <summary>All that compile.</summary>
@@ -78,7 +84,10 @@ internal sealed class MutatedBuild
     public int Refused => _refused.Count;
 
     /// <summary>Writes Gjk.Core.dll.</summary>
-    public void Write(string path, bool isRecording)
+    /// <param name="path">Where.</param>
+    /// <param name="isRecording">Whether it notes what is reached.</param>
+    /// <param name="onlyBranches">No mutants: conditions tell which way they went.</param>
+    public void Write(string path, bool isRecording, bool onlyBranches = false)
     {
         CSharpParseOptions options = CSharpParseOptions.Default.WithLanguageVersion(LanguageVersion.CSharp13)
             .WithPreprocessorSymbols(isRecording ? [.. Symbols, "RECORD"] : Symbols);
@@ -91,7 +100,8 @@ internal sealed class MutatedBuild
         while (true)
         {
             var mutants = new List<Mutant>();
-            List<SyntaxTree> changed = trees.Select(t => Rewritten(t, original, mutants, options)).ToList();
+            List<SyntaxTree> changed = trees.Select(
+                t => onlyBranches ? Telling(t, mutants, options) : Rewritten(t, original, mutants, options)).ToList();
             using var image = new MemoryStream();
             var result = Compilation([.. changed, .. extra]).Emit(image);
             if (result.Success)
@@ -121,6 +131,13 @@ internal sealed class MutatedBuild
         string file = Path.GetRelativePath(_root, tree.FilePath).Replace('\\', '/');
         var schemata = new Schemata(file, original.GetSemanticModel(tree), !_folders.IsMatch(file), _refused, mutants);
         return tree.WithRootAndOptions(schemata.Visit(tree.GetRoot()), options);
+    }
+
+    private SyntaxTree Telling(SyntaxTree tree, List<Mutant> branches, CSharpParseOptions options)
+    {
+        string file = Path.GetRelativePath(_root, tree.FilePath).Replace('\\', '/');
+        if (!_folders.IsMatch(file)) return tree;
+        return tree.WithRootAndOptions(new Branches(file, _refused, branches).Visit(tree.GetRoot()), options);
     }
 
     /// <summary>Leaves out what an error comes from: the place around it, a constant in it, or a variable's.</summary>
@@ -157,8 +174,10 @@ internal sealed class MutatedBuild
     private void Refuse(SyntaxNode place)
     {
         foreach (SyntaxAnnotation mark in place.GetAnnotations(Schemata.Mark))
-            foreach (string number in mark.Data!.Split(',')) _refused.Add(int.Parse(number, CultureInfo.InvariantCulture));
+            foreach (string number in mark.Data!.Split(',')) _refused.Add(Number(number));
     }
+
+    private static int Number(string text) => int.Parse(text, CultureInfo.InvariantCulture);
 
     private static CSharpCompilation Compilation(IEnumerable<SyntaxTree> trees)
     {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Numerics;
 using System.Text.RegularExpressions;
 
 namespace Gjk.Mutation;
@@ -11,10 +12,11 @@ namespace Gjk.Mutation;
 /// Makes the mutants, records which tests reach them, and runs those that are asked for.
 /// </summary>
 /// <remarks>
-/// Options: --folders and --files (patterns of paths: where mutants are made, and which are run), --operators (a pattern
-/// of their names; "^constant" for those of named constants, which are left out else), --ids (numbers, with commas),
-/// --sample and --seed, --budget (seconds of tests that a mutant may survive), --keep (records only tests with new
-/// names), --work (a folder; the fates are in mutants.tsv there).
+/// Options: --folders and --files (patterns of paths: where mutants are made, and which are run), --operators (a
+/// pattern of their names; "^constant" for those of named constants, which are left out else), --ids (numbers, with
+/// commas), --sample and --seed, --budget (seconds of tests that a mutant may survive), --keep (records only tests
+/// with new names), --work (a folder; the fates are in mutants.tsv there). --branches makes no mutants: it names the
+/// conditions that no test finds true, or none false.
 /// </remarks>
 internal static class Program
 {
@@ -25,9 +27,11 @@ internal static class Program
         if (args is ["serve", var tests]) return TestServer.Run(tests);
         string repository = Option(args, "--repository", ".");
         string work = Option(args, "--work", Path.Combine(Path.GetTempPath(), "gjk-mutation"));
+        if (args.Contains("--branches")) work = Path.Combine(work, "coverage");
         var build = new MutatedBuild(
             Path.Combine(repository, "src", "Gjk.Core"), new Regex(Option(args, "--folders", Folders)), work);
         string built = Path.Combine(repository, "tests", "Gjk.Core.Tests", "bin", "Release", "net10.0");
+        if (args.Contains("--branches")) return Cover(build, built, work, args);
         string recording = Prepared(build, built, Path.Combine(work, "record"), isRecording: true);
         string running = Prepared(build, built, Path.Combine(work, "run"), isRecording: false);
         Console.WriteLine($"{build.Mutants.Count} mutants compile, {build.Refused} do not");
@@ -41,6 +45,26 @@ internal static class Program
         var campaign = new Campaign(record, running, Path.Combine(work, "mutants.tsv"), budget);
         campaign.Run(chosen);
         campaign.Summarize();
+        return 0;
+    }
+
+    /// <summary>Names the conditions that all tests find true, or all find false.</summary>
+    private static int Cover(MutatedBuild build, string built, string work, string[] args)
+    {
+        string tests = Prepared(build, built, Path.Combine(work, "branches"), isRecording: true, onlyBranches: true);
+        TestRecord record = TestRecord.Of(tests, Path.Combine(work, "branches.txt"), args.Contains("--keep"));
+        int ways = 0, taken = 0;
+        foreach (Mutant branch in build.Mutants)
+        {
+            int all = branch.Operator == "arm" ? 1 : 3, seen = record.WaysOf(branch.Id) & all;
+            ways += BitOperations.PopCount((uint)all);
+            taken += BitOperations.PopCount((uint)seen);
+            if (seen == all) continue;
+            string way = all == 1 || seen == 0 ? "never reached" : seen == 1 ? "never false" : "never true";
+            Console.WriteLine($"{way}: {branch.Place} {branch.Original}");
+        }
+
+        Console.WriteLine($"{taken} of {ways} branches are taken, {build.Refused} conditions cannot tell");
         return 0;
     }
 
@@ -65,7 +89,8 @@ internal static class Program
     }
 
     /// <summary>A copy of the built tests with the changed library in it.</summary>
-    private static string Prepared(MutatedBuild build, string built, string folder, bool isRecording)
+    private static string Prepared(
+        MutatedBuild build, string built, string folder, bool isRecording, bool onlyBranches = false)
     {
         foreach (string file in Directory.EnumerateFiles(built, "*", SearchOption.AllDirectories))
         {
@@ -74,7 +99,7 @@ internal static class Program
             File.Copy(file, copy, overwrite: true);
         }
 
-        build.Write(Path.Combine(folder, "Gjk.Core.dll"), isRecording);
+        build.Write(Path.Combine(folder, "Gjk.Core.dll"), isRecording, onlyBranches);
         return Path.Combine(folder, "Gjk.Core.Tests.dll");
     }
 

@@ -10,7 +10,7 @@ namespace Gjk.Mutation;
 /// <summary>Which tests reach which mutants, and how long they take; kept in a file while neither changes.</summary>
 internal sealed class TestRecord
 {
-    private readonly List<(string Name, int Row, double Seconds, HashSet<int> Reached)> _tests = [];
+    private readonly List<(string Name, int Row, double Seconds, Dictionary<int, int> Reached)> _tests = [];
 
     private TestRecord()
     {
@@ -51,11 +51,18 @@ internal sealed class TestRecord
 
     /// <summary>The tests that reach a mutant.</summary>
     public IEnumerable<(string Name, int Row, double Seconds)> Reaching(int mutant) =>
-        _tests.Where(t => t.Reached.Contains(mutant)).Select(t => (t.Name, t.Row, t.Seconds));
+        _tests.Where(t => t.Reached.ContainsKey(mutant)).Select(t => (t.Name, t.Row, t.Seconds));
+
+    /// <summary>Which ways a branch was taken by any test: 1 where it was true, 2 where false, 3 both.</summary>
+    public int WaysOf(int branch) =>
+        _tests.Aggregate(0, (ways, t) => ways | t.Reached.GetValueOrDefault(branch));
 
     private void Add(string[] words) => _tests.Add((
         words[0],
-        int.Parse(words[1], CultureInfo.InvariantCulture),
+        Number(words[1]),
         double.Parse(words[2], CultureInfo.InvariantCulture),
-        [.. words[4].Split(',').Select(n => int.Parse(n, CultureInfo.InvariantCulture))]));
+        words[4].Split(',').Select(n => n.Split('=')).ToDictionary(
+            n => Number(n[0]), n => n.Length > 1 ? Number(n[1]) : 1)));
+
+    private static int Number(string text) => int.Parse(text, CultureInfo.InvariantCulture);
 }

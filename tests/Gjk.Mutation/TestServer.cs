@@ -55,7 +55,9 @@ internal static class TestServer
                 string? fault = catalog.Run(method, row, 0);
                 string time = watch.Elapsed.TotalSeconds.ToString("F4", CultureInfo.InvariantCulture);
                 string reached = string.Join(
-                    ",", Enumerable.Range(0, catalog.Reached!.Length).Where(i => catalog.Reached[i] != 0));
+                    ",",
+                    Enumerable.Range(0, catalog.Reached!.Length).Where(i => catalog.Reached[i] != 0).Select(
+                        i => catalog.Reached[i] == 1 ? $"{i}" : $"{i}={catalog.Reached[i]}"));
                 output.WriteLine($"{method}\t{row}\t{time}\t{fault ?? "ok"}\t{reached}");
             }
         }

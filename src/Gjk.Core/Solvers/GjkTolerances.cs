@@ -88,7 +88,7 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Ratio: more than a rounding to float can take away (2^-24), so that a distance beyond it rounds to a larger
-    /// float. Pinned by MaxDistanceTests.
+    /// float. Pinned by ToleranceTests.ALargestDistanceIsWidenedByFourRoundingsToFloat.
     /// </summary>
     public const double FloatBand = 4.0 / (1 << 24);
 

@@ -129,6 +129,11 @@ public class ToleranceTests
         Assert.True(r.LowerBound <= r.Distance);
     }
 
+    /// <summary>A distance further than this rounds to a larger float: half a float's spacing, and room.</summary>
+    [Fact]
+    public void ALargestDistanceIsWidenedByFourRoundingsToFloat() =>
+        Assert.InRange((ConvexQuery.ShapeReach(1) - 1) * (1 << 24), 2, 8);
+
     /// <summary>
     /// Three vertices beyond a plane, and a fourth on the other side of the origin: no convex shape has both, so the
     /// tetrahedron proves nothing, however clearly it holds the origin.
