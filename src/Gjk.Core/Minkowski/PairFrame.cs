@@ -22,26 +22,30 @@ internal struct PairFrame
 {
     /// <summary>
     /// Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised 1e-14 of
-    /// the scale, so it is done in double-double. Pinned by OffsetMeshTests.
+    /// the scale, so it is done in double-double. A smaller ratio would only
+    /// cost time. Pinned by PairFrameTests.CentersThatAreEightRadiiOffAreFar.
     /// </summary>
     public const double FarCenter = 4;
 
     /// <summary>
     /// Ratio to the centres' distances from their local origins: 2^-90, more than double-double loses when it rotates
     /// them (some 2^-100). Centres no further apart coincide. No shape with an extent is so small: its corners are
-    /// floats, at least 2^-25 of the offset apart. Pinned by CoincidentPointTests.
+    /// floats, at least 2^-25 of the offset apart. Pinned by
+    /// PairFrameTests.CentersThatNearlyCoincideDo.
     /// </summary>
     private const double ExtendedError = 1.0 / (1L << 45) / (1L << 45);
 
     /// <summary>
     /// Length: larger sizes and distances count as invalid input. It is far above every shape that is made of floats,
-    /// and its square is a finite double. Pinned by InvalidInputTests.
+    /// and its square is a finite double. Pinned by
+    /// PairFrameTests.LengthsEndAtTheLargestMagnitude.
     /// </summary>
     public const double MaxMagnitude = 1e150;
 
     /// <summary>
     /// Lengths: 2^-60 and 2^60. In between, the eighth power of a length, the highest that a solver forms, neither
-    /// overflows nor comes near the denormal numbers. Pinned by UnitSizeTests.
+    /// overflows nor comes near the denormal numbers. Pinned by
+    /// PairFrameTests.SizesOfUpToSixtyPowersOfTwoAreOrdinary.
     /// </summary>
     private const double LeastOrdinary = 1.0 / (1L << 60), MostOrdinary = 1L << 60;
 

@@ -17,27 +17,28 @@ internal static class ClosestPointWeights
 {
     /// <summary>
     /// Length, as a fraction of the vertices' distances from the origin: how far the weighted point of a tetrahedron
-    /// that holds the origin may be from it. A hundredth of what witness points are promised (1.2e-7). Pinned by
-    /// ClosestPointWeightsTests.NeedleTetrahedra.
+    /// that holds the origin may be from it. A hundredth of what witness points are promised (1.2e-7); less would only
+    /// ask extended precision more often. Pinned by ClosestPointWeightsTests.NeedleTetrahedra.
     /// </summary>
     private const double Residual = 1e-9;
 
     /// <summary>
     /// Squared sine of the angle at a triangle's corner, 2^-40: below it the face's weights have lost half of their
-    /// digits, and an edge may be the better answer. Pinned by ClosestPointWeightsTests.NeedleTriangles.
+    /// digits, and an edge may be the better answer; a larger one would only cost time. Pinned by
+    /// ClosestPointWeightsTests.NeedlesAreWeighedInExtendedPrecision.
     /// </summary>
     public const double Needle = 1.0 / (1L << 40);
 
     /// <summary>
     /// Ratio of a volume to the cube of the root of the vertices' squared lengths, added: 4 roundings. The determinant
     /// of three of these vertices, whose lengths' product is at most 0.2 of that cube, is off by less than 16 roundings
-    /// of the product. Pinned by ClosestPointWeightsTests.
+    /// of the product. Pinned by ClosestPointWeightsTests.AVolumeIsClearFromFourRoundingsOn.
     /// </summary>
     private const double ClearVolume = 4 * RoundOff.Unit;
 
     /// <summary>
     /// The same for the sum of the volumes: what keeps the weights' errors, 16 roundings over it, below
-    /// <see cref="Residual"/>. Pinned by ClosestPointWeightsTests.
+    /// <see cref="Residual"/>. Pinned by ClosestPointWeightsTests.ASumOfVolumesIsClearFromAHundredThousandthOn.
     /// </summary>
     private const double ClearSum = 1e-5;
 

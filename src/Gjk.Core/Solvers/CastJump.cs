@@ -22,7 +22,7 @@ internal struct CastJump
 {
     /// <summary>
     /// Ratio to the line's error: how far behind a plane that was crossed its shape still counts as met. Pinned by
-    /// CastPortalTests.
+    /// CastToleranceTests.
     /// </summary>
     private const double Through = 4;
 

@@ -10,13 +10,13 @@ internal struct CastLine
 {
     /// <summary>
     /// Length, a fraction of the radii and of the way to the nearest point: what rounding does to the place of the
-    /// line, 32 roundings. A plane that is nearer proves no miss. Pinned by HardCastTests.
+    /// line, 32 roundings. A plane that is nearer proves no miss. Pinned by CastToleranceTests.
     /// </summary>
     private const double Rounding = 32 * RoundOff.Unit;
 
     /// <summary>
     /// Ratio to the radii: how much larger the balls are taken, so that cores that begin to touch with them are still
-    /// apart there by more than rounding. Pinned by CastTests.
+    /// apart there by more than rounding. Pinned by CastToleranceTests.
     /// </summary>
     private const double BallBand = 1e-12;
 

@@ -10,23 +10,27 @@ internal static class GjkTolerances
     /// <summary>
     /// Ratio: the gap between the feature and the newest support plane is closed when it is this fraction of the
     /// distance. Far below float's 6e-8, a few dozen units in the last place above what a double sum of three products
-    /// loses. Pinned by HardCaseTests.EveryDistanceIsExactToFloatRounding.
+    /// loses; larger, it would spend the room that float's rounding leaves, smaller, it would only hand over more often.
+    /// Pinned by ToleranceTests.ARelativeGapIsClosed.
     /// </summary>
     public const double RelativeGap = 256 * RoundOff.Unit;
 
     /// <summary>
     /// Ratio, for cores without vertices: a curved support never repeats, so the gap shrinks for ever. The error that
-    /// it leaves is a sixtieth of float's rounding. Pinned by ClosedFormTests.
+    /// it leaves is a sixtieth of float's rounding. Pinned by ToleranceTests.ARelativeGapIsClosed.
     /// </summary>
     public const double RelativeGapCurved = 1e-9;
 
     /// <summary>
     /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's size. A
-    /// gap below it cannot be told from 0. Pinned by HardCaseTests.NoFlagIsWrong.
+    /// gap below it cannot be told from 0. Pinned by ToleranceTests.AGapBelowTheNoiseIsClosed.
     /// </summary>
     public const double Noise = 4 * RoundOff.Unit;
 
-    /// <summary>Length, for cores without vertices; the promise for these is 1e-6. Pinned by ClosedFormTests.</summary>
+    /// <summary>
+    /// Length, for cores without vertices; the promise for these is 1e-6. Pinned by
+    /// ToleranceTests.AGapBelowTheNoiseIsClosed.
+    /// </summary>
     public const double NoiseCurved = 1e-10;
 
     /// <summary>
@@ -38,60 +42,59 @@ internal static class GjkTolerances
     /// <summary>
     /// Length: shapes nearer than this touch. Four times the noise, so that a distance that the gap test ended cannot
     /// fall on the other side than an enclosed origin does; below the promised 1e-14 of the scale. Pinned by
-    /// OverlapsSaysWhatDistanceSays in HardCaseTests and CertifiedPairTests.
+    /// ToleranceTests.ADistanceBelowTheTouchToleranceIsContact.
     /// </summary>
     public const double Touch = 4 * Noise;
 
     /// <summary>
     /// Length, for cores without vertices: four times the noise, as above. Cold, warm and boolean queries end at
     /// different points within the noise, and a resting pair in exact contact must touch in all of them. Pinned by
-    /// RestingContactTests.
+    /// ToleranceTests.ADistanceBelowTheTouchToleranceIsContact.
     /// </summary>
     public const double TouchCurved = 4 * NoiseCurved;
 
     /// <summary>
     /// Length: the boolean solver calls shapes apart only when a plane proves a gap of this much, so that the distance
-    /// solver must agree; below, it asks it. Pinned by OverlapsSaysWhatDistanceSays in HardCaseTests and
-    /// CertifiedPairTests.
+    /// solver must agree; below, it asks it. Pinned by ToleranceTests.AGapBeyondTheBandIsApart.
     /// </summary>
     public const double SeparatedBand = 16 * Touch;
 
     /// <summary>
     /// Length: the same where a core has no vertices, and in the limit at which a query with a largest distance may end
-    /// early. Pinned by RestingContactTests.
+    /// early. Pinned by ToleranceTests.AGapBeyondTheBandIsApart.
     /// </summary>
     public const double SeparatedBandCurved = 4 * TouchCurved;
 
     /// <summary>
     /// Length: what rounding can do to a lower bound: to the relative pose, to the choice of the supports and to their
     /// values: 10 roundings of (size + distance of the centres). Not more: this must fit into the promised 1e-14 of the
-    /// scale. Pinned by LowerBoundTests and fuzz.
+    /// scale. Pinned by ToleranceTests.ALowerBoundLosesTwentyRoundingsOfTheSize.
     /// </summary>
     public const double LowerBoundError = 10 * RoundOff.Unit;
 
     /// <summary>
     /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3
     /// by 3 determinant of rounded differences asks. Below it a sign is not certain and extended precision decides.
-    /// Pinned by HardCaseTests.
+    /// Pinned by ToleranceTests.AFaceIsCertainlyPassedBySixteenRoundings.
     /// </summary>
     public const double DeterminantError = 16 * RoundOff.Unit;
 
     /// <summary>
     /// Length: how far two answers of one support function may disagree before the shape counts as contradicting
     /// itself: room for a support that computes in float (6e-8 a rounding) on vertices a hundred radii off. Pinned by
-    /// UserShapeTests.
+    /// ToleranceTests.ASupportThatIsFurtherBehindContradictsItself.
     /// </summary>
     public const double Contradiction = 1e-5;
 
     /// <summary>
     /// Ratio: more than a rounding to float can take away (2^-24), so that a distance beyond it rounds to a larger
-    /// float. Pinned by MaxDistanceTests.
+    /// float. Pinned by ToleranceTests.ALargestDistanceIsWidenedByFourRoundingsToFloat.
     /// </summary>
     public const double FloatBand = 4.0 / (1 << 24);
 
     /// <summary>
     /// A backstop that no valid shape reaches: hulls of 4096 vertices need about 30, curved shapes about 60. Pinned by
-    /// TerminationTests.
+    /// ToleranceTests.AWalkThatDoesNotEndIsEnded.
     /// </summary>
     public const int MaxIterations = 256;
 

@@ -90,6 +90,67 @@ public class PairFrameTests
         Assert.Equal(new Vector3D(1, 0, 0), Compose(apart, apart).FirstNormal);
     }
 
+    /// <summary>
+    /// Four to sixteen radii from their local origins, two centres that nearly coincide: double would lose their
+    /// difference.
+    /// </summary>
+    [Fact]
+    public void CentersThatAreEightRadiiOffAreFar()
+    {
+        int count = 0;
+        for (ulong seed = 0; seed < 200; seed++)
+        {
+            var rng = new Rng(seed);
+            Posed a = Any(rng, default, 5), b = Any(rng, default, 5);
+            double ratio = (a.Shape.Center.SumOfMagnitudes + b.Shape.Center.SumOfMagnitudes)
+                / (a.Shape.BoundingRadius + b.Shape.BoundingRadius);
+            if (ratio < 4.5 || ratio > 15) continue;
+            count++;
+            Vector3D between = new RotationD(a.Pose.Rotation).Rotate(a.Shape.Center)
+                - new RotationD(b.Pose.Rotation).Rotate(b.Shape.Center);
+            a = a with { Pose = new RigidPose(a.Pose.Rotation, Vector3.Zero) };
+            b = b with { Pose = new RigidPose(b.Pose.Rotation, (Vector3)between) };
+            AssertTranslation(a, b, Compose(a, b), 1e-20);
+        }
+
+        Assert.InRange(count, 50, 200);
+    }
+
+    /// <summary>Beside centres of 1, a difference of 2^-90 is what double-double loses, and one of 2^-88 is not.</summary>
+    [Theory]
+    [InlineData(-90, 0)]
+    [InlineData(-88, 1)]
+    public void CentersThatNearlyCoincideDo(int exponent, double factor)
+    {
+        var away = new Vector3((float)Math.ScaleB(1, exponent), 0, 0);
+        Vector3D center = new(0, 1, 0);
+        Vector3D between = PairFrame.BetweenCenters(RigidPose.Identity, center, new RigidPose(away), center);
+        Assert.Equal((Vector3D)away * factor, between);
+    }
+
+    [Theory]
+    [InlineData(5e149, GjkStatus.Separated)]
+    [InlineData(2e150, GjkStatus.InvalidInput)]
+    public void LengthsEndAtTheLargestMagnitude(double length, GjkStatus status)
+    {
+        var shape = new ScriptedShape([new Vector3D(length, 0, 0)]);
+        Assert.Equal(
+            status,
+            ConvexQuery.Distance(shape, RigidPose.Identity, new PointShape(), new RigidPose(Vector3.UnitX)).Status);
+    }
+
+    [Theory]
+    [InlineData(-61, false)]
+    [InlineData(-59, true)]
+    [InlineData(59, true)]
+    [InlineData(61, false)]
+    public void SizesOfUpToSixtyPowersOfTwoAreOrdinary(int exponent, bool isOrdinary)
+    {
+        double length = Math.ScaleB(1, exponent);
+        Assert.Equal(isOrdinary, PairFrame.IsOrdinarySize(length * length));
+        Assert.Equal(isOrdinary, new PairFrame { Magnitude = length }.IsOrdinary);
+    }
+
     private static void AssertTranslation(Posed a, Posed b, in PairFrame frame, double allowed)
     {
         Fraction[] placeA = new ExactPose(a.Pose).Place(a.Shape.Center);

@@ -5,6 +5,9 @@ namespace Gjk.Core.Tests;
 
 public class ClosestPointWeightsTests
 {
+    /// <summary>Of an equilateral triangle about the z axis, with corners at 1.</summary>
+    private static readonly double Side = System.Math.Sqrt(0.75);
+
     public static IEnumerable<object[]> Segments() => SimplexCase.All(2);
 
     public static IEnumerable<object[]> Triangles() => SimplexCase.All(3);
@@ -84,8 +87,9 @@ public class ClosestPointWeightsTests
             Weights w = ClosestPointWeights.Tetrahedron(a, b, c, d);
             Assert.True(w.IsInside, $"seed {seed}");
             double error = w.PointOf(a, b, c, d).Length;
+            double size = System.Math.Sqrt(a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared);
             Assert.True(
-                error <= 1e-8, $"seed {seed}, width {width:R}: the weighted point is {error:R} from the origin");
+                error <= 1.001e-9 * size, $"seed {seed}, width {width:R}: the weighted point is {error:R} off");
         }
     }
 
@@ -110,6 +114,69 @@ public class ClosestPointWeightsTests
                 Assert.True(nearest <= edge + 1e-9, $"seed {seed}, width {width:R}: {nearest:R}, an edge {edge:R}");
             }
         }
+    }
+
+    /// <summary>
+    /// Triangles just below the limit at which a face counts as a needle have their weights to nearly all digits.
+    /// </summary>
+    [Fact]
+    public void NeedlesAreWeighedInExtendedPrecision()
+    {
+        const double sine = 0.35 / (1 << 20);
+        for (ulong seed = 0; seed < 200; seed++)
+        {
+            var rng = new Rng(seed);
+            Vector3D along = Vector(rng, 1), across = Vector3D.Cross(along, Vector(rng, 1));
+            Vector3D normal = Vector3D.Cross(along, across);
+            across *= along.Length * sine / across.Length;
+            double wb = rng.Range(0.2, 0.4), wc = rng.Range(0.2, 0.4);
+            Vector3D foot = normal * (-0.5 / normal.Length), a = foot - along * wb - (along * 0.5 + across) * wc;
+            Vector3D b = a + along, c = a + along * 0.5 + across;
+            Weights w = ClosestPointWeights.Triangle(a, b, c);
+            Assert.True(IsExact(w, a, b, c), $"seed {seed}: {w.B:R} {w.C:R}");
+        }
+    }
+
+    /// <summary>
+    /// The ratio of a tetrahedron's least volume to the cube of the root of its squared lengths is 2.6 / 8 times the
+    /// height at which a face passes the origin.
+    /// </summary>
+    [Theory]
+    [InlineData(2, false)]
+    [InlineData(8, true)]
+    public void AVolumeIsClearFromFourRoundingsOn(double roundings, bool isClear)
+    {
+        double h = roundings / (1L << 53) * 8 / (1.5 * System.Math.Sqrt(3));
+        Assert.Equal(isClear, ClosestPointWeights.IsInside(
+            new(1, 0, -h), new(-0.5, Side, -h), new(-0.5, -Side, -h), new(0, 0, 1)));
+    }
+
+    /// <summary>Nearly flat: the sum of the volumes is 2 h of the cube's root, and the origin is well inside.</summary>
+    [Theory]
+    [InlineData(5e-6, false)]
+    [InlineData(2e-5, true)]
+    public void ASumOfVolumesIsClearFromAHundredThousandthOn(double ratio, bool isClear)
+    {
+        double h = ratio / 2;
+        Simplex simplex = default;
+        Vector3D[] vertices = [new(1, 0, -h), new(-0.5, Side, -h), new(-0.5, -Side, -h), new(0, 0, 3 * h)];
+        foreach (Vector3D w in vertices) simplex.Push(w, default, default, 0, 0);
+        Assert.Equal(isClear, ClosestPointWeights.TryInside(simplex, out _));
+        Assert.True(ClosestPointWeights.IsInside(simplex.WA, simplex.WB, simplex.WC, simplex.WD));
+    }
+
+    /// <summary>Whether they are those of the origin's projection, in fractions, to 1e-15.</summary>
+    private static bool IsExact(in Weights w, Vector3D a, Vector3D b, Vector3D c)
+    {
+        Fraction[] ab = Minus(b, a), ac = Minus(c, a), p = Minus(default, a);
+        Fraction bb = Dot(ab, ab), bc = Dot(ab, ac), cc = Dot(ac, ac), pb = Dot(p, ab), pc = Dot(p, ac);
+        Fraction area = bb * cc - bc * bc, allowed = area * 1e-15;
+        return (area * w.B - (pb * cc - pc * bc)).Absolute <= allowed
+            && (area * w.C - (pc * bb - pb * bc)).Absolute <= allowed;
+
+        static Fraction[] Minus(Vector3D u, Vector3D v) =>
+            [(Fraction)u.X - v.X, (Fraction)u.Y - v.Y, (Fraction)u.Z - v.Z];
+        static Fraction Dot(Fraction[] u, Fraction[] v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     }
 
     private static Vector3D Vector(Rng rng, double size) =>

@@ -1,0 +1,45 @@
+using System;
+using System.Linq;
+
+namespace Gjk.Core.Tests.Support;
+
+/// <summary>
+/// A shape whose supports are told in advance, whatever the direction; the last is repeated. With a point as the other
+/// shape it says which vertices of the Minkowski difference a solver meets, to the last bit.
+/// </summary>
+internal readonly struct ScriptedShape : ISupportMap
+{
+    private readonly Vector3D[] _points;
+    private readonly int _id;
+    private readonly int[] _calls = new int[1];
+
+    /// <param name="points">The support points, in order.</param>
+    /// <param name="isCurved">Whether they come without ids.</param>
+    public ScriptedShape(Vector3D[] points, bool isCurved = false)
+    {
+        _points = points;
+        _id = isCurved ? -1 : 0;
+        BoundingRadius = points.Max(p => p.Length);
+    }
+
+    public Vector3D Center => default;
+
+    public double Margin => 0;
+
+    public double BoundingRadius { get; }
+
+    /// <summary>How many supports were asked for.</summary>
+    public int Calls => _calls[0];
+
+    public int Support(in Vector3D direction, out Vector3D point)
+    {
+        point = _points[Math.Min(_calls[0]++, _points.Length - 1)];
+        return _id;
+    }
+
+    public bool TryGetVertex(int id, out Vector3D point)
+    {
+        point = default;
+        return false;
+    }
+}
