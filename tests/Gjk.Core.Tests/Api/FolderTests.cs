@@ -37,7 +37,7 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
                 "Contacts", "Queries/Rays",
             ]),
-        ("Diagnostics", ["Geometry", "Hulls", "Shapes", "Queries"]),
+        ("Diagnostics", ["Arithmetic", "Geometry", "Hulls", "Shapes", "Queries", "Queries/Rays"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
         (
             "Wide",

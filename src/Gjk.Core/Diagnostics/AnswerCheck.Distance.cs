@@ -1,0 +1,158 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+public static partial class AnswerCheck
+{
+    /// <summary>
+    /// Length, as a fraction of the size: how far B is moved beyond the depth, to look for a face's own direction where
+    /// the normal is rounded. Any small one will do.
+    /// </summary>
+    private const double Beyond = 1.0 / (1 << 10);
+
+    /// <summary>Checks an answer of <c>ConvexQuery.Distance</c>.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="answer">What was said.</param>
+    /// <param name="tolerance">
+    /// World units: how much the distance may be off. NaN, the default: the float's rounding and 1e-13 of the size; of
+    /// curved cores 2e-6 of the larger of size and distance. The size is the sum of the bounding radii.
+    /// </param>
+    /// <returns>
+    /// Bounds of the signed distance. A result that overlaps or that ends beyond a largest distance is held to that, one
+    /// that ended at the iteration limit to its bounds; one of invalid input is open.
+    /// </returns>
+    public static CheckedAnswer Distance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
+        double tolerance = double.NaN)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA shapeA = a;
+        TB shapeB = b;
+        return Check(ref shapeA, poseA, ref shapeB, poseB, answer, tolerance, false);
+    }
+
+    /// <summary>
+    /// Checks an answer of <c>ConvexQuery.SignedDistance</c>. Of a depth, two witnesses prove that B leaves A after so
+    /// much along the normal, and so that the depth is no larger; see <see cref="AnswerVerdict.ProvedAtMost"/>.
+    /// </summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="answer">What was said.</param>
+    /// <param name="tolerance">As for a distance.</param>
+    /// <returns>
+    /// Bounds of the signed distance. Both meet where shapes are apart, touch, or overlap by their margins alone.
+    /// </returns>
+    public static CheckedAnswer SignedDistance<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
+        double tolerance = double.NaN)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA shapeA = a;
+        TB shapeB = b;
+        return Check(ref shapeA, poseA, ref shapeB, poseB, answer, tolerance, true);
+    }
+
+    private static CheckedAnswer Check<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in DistanceResult answer, double tolerance,
+        bool isSigned)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        PosedPair.Of(ref a, poseA, ref b, poseB, out PosedPair pair);
+        bool isSeparated = answer.Status == GjkStatus.Separated, isDepth = answer.IsOverlapping && isSigned;
+        bool isBeyond = answer.Status == GjkStatus.BeyondMaxDistance;
+        double allowed = !double.IsNaN(tolerance) ? tolerance
+            : Allowed(pair, isBeyond ? answer.LowerBound : answer.Distance);
+        double least = (isSeparated || isDepth ? answer.Distance : answer.LowerBound) - allowed;
+        double most = answer.Distance + allowed;
+        if (answer.IsOverlapping && !isSigned) (least, most) = (double.NegativeInfinity, Touch(pair));
+        WitnessWalk walk = WitnessWalk.Of(ref a, ref b, pair, answer.Normal, least, most);
+        if (!pair.IsValid || !(answer.IsOverlapping || HasBounds(answer.Status)))
+            return new CheckedAnswer(AnswerVerdict.Open, walk.Lower, walk.Upper);
+        if (isDepth) walk.Lower = Math.Max(walk.Lower, WayOut(ref a, ref b, pair, answer, allowed));
+        bool isAtMost = isDepth && walk.Upper > most;
+        AnswerClaims claims = default;
+        claims.Add(
+            walk.IsWithin(least, isDepth ? Math.Max(most, Touch(pair)) : most), walk.IsBeyond(least, most));
+        if (answer.IsOverlapping && !isSigned)
+            claims.Add(answer.Distance == 0 && answer.LowerBound == 0 && answer.Normal == default);
+        else
+            claims.Add(answer.LowerBound <= walk.Lower + allowed, answer.LowerBound > walk.Upper);
+        AddNormal(ref claims, ref a, ref b, pair, answer, allowed);
+        if (isSeparated || answer.IsOverlapping) AddPoints(ref claims, ref a, poseA, ref b, poseB, pair, answer);
+        AnswerVerdict verdict = claims.Verdict;
+        if (verdict == AnswerVerdict.Proved && isAtMost) verdict = AnswerVerdict.ProvedAtMost;
+        return new CheckedAnswer(verdict, walk.Lower, walk.Upper);
+    }
+
+    /// <summary>Whether the answer is a distance, or bounds of one.</summary>
+    private static bool HasBounds(GjkStatus status) =>
+        status is GjkStatus.Separated or GjkStatus.BeyondMaxDistance or GjkStatus.IterationLimit;
+
+    /// <summary>
+    /// A lower bound of the signed distance: moved out along the normal and a little beyond, B has a distance again, and
+    /// no signed distance changes by more than B moves.
+    /// </summary>
+    private static double WayOut<TA, TB>(
+        ref TA a, ref TB b, in PosedPair pair, in DistanceResult answer, double allowed)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double beyond = Beyond * pair.Size;
+        if (!PosedPair.TryUnit(answer.Normal, out Vector3D way)) return double.NegativeInfinity;
+        way *= beyond - answer.Distance;
+        WitnessWalk moved = WitnessWalk.Of(
+            ref a, ref b, pair.Moved(way), answer.Normal, beyond - 0.5 * allowed, double.PositiveInfinity);
+        return moved.Lower - way.Length - pair.Noise;
+    }
+
+    /// <summary>The planes across the normal stand as far apart as the answer says; only an overlap has none.</summary>
+    private static void AddNormal<TA, TB>(
+        ref AnswerClaims claims, ref TA a, ref TB b, in PosedPair pair, in DistanceResult answer, double allowed)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (answer.IsOverlapping && answer.Normal == default)
+        {
+            claims.Add(answer.Distance == 0);
+            return;
+        }
+
+        double d = answer.IsOverlapping || answer.Status == GjkStatus.Separated ? answer.Distance : answer.LowerBound;
+        bool isUnit = PosedPair.TryUnit(answer.Normal, out Vector3D unit) && IsUnit(answer.Normal);
+        double gap = isUnit ? pair.Gap(ref a, ref b, unit, out _) : double.NaN;
+        claims.Add(gap >= d - allowed - TiltRatio * (pair.Size + Math.Abs(d)));
+    }
+
+    /// <summary>The points lie on their shapes, are the same in both frames, and differ by the distance.</summary>
+    private static void AddPoints<TA, TB>(
+        ref AnswerClaims claims, ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PosedPair pair,
+        in DistanceResult answer)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        Vector3D localA = answer.LocalPointA, localB = answer.LocalPointB;
+        double d = answer.Distance, slack = PointSlack(pair, d), slackA = slack + FloatRatio * localA.Length;
+        double slackB = slack + FloatRatio * localB.Length;
+        AddPoint(ref claims, ref a, localA, slackA);
+        AddPoint(ref claims, ref b, localB, slackB);
+        double offA = (pair.WorldOfA(localA, poseA) - answer.PointA).Length;
+        double offB = (pair.WorldOfB(localB, poseB) - answer.PointB).Length;
+        claims.Add(offA <= slackA + FloatRatio * answer.PointA.Length());
+        claims.Add(offB <= slackB + FloatRatio * answer.PointB.Length());
+        double off = (pair.Way(ref a, localA, ref b, localB) - (Vector3D)answer.Normal * d).Length;
+        claims.Add(off <= slackA + slackB + 2 * FloatRatio * Math.Abs(d));
+    }
+}

@@ -1,0 +1,25 @@
+namespace Gjk.Core;
+
+/// <summary>What is known of the things that an answer says.</summary>
+internal struct AnswerClaims
+{
+    private bool _isOpen, _isRefuted, _areAny;
+
+    /// <summary>All of them together.</summary>
+    public readonly AnswerVerdict Verdict =>
+        _isRefuted ? AnswerVerdict.Refuted : _isOpen ? AnswerVerdict.Open : AnswerVerdict.Proved;
+
+    /// <summary>Whether anything is known.</summary>
+    public readonly bool AreAny => _areAny;
+
+    /// <summary>Something that was proved, refuted, or neither.</summary>
+    public void Add(bool isProved, bool isRefuted)
+    {
+        _isOpen |= !isProved;
+        _isRefuted |= isRefuted;
+        _areAny |= isProved || isRefuted;
+    }
+
+    /// <summary>Something that is certain either way.</summary>
+    public void Add(bool holds) => Add(holds, !holds);
+}

@@ -1,0 +1,252 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Diagnostics;
+
+/// <summary>
+/// Wrong answers: whatever is changed in a right one, by a little more than the tolerance, is refuted.
+/// </summary>
+public class AnswerRefusalTests
+{
+    /// <summary>Part of the size: more than any tolerance of a polytope, less than anyone would see.</summary>
+    private const float Little = 1e-5f;
+
+    private static readonly string[] Polytopes =
+        ["hull", "box", "needle", "sphere", "capsule", "triangle", "flat", "scaledHull", "made"];
+
+    private static readonly (string Name, Func<DistanceResult, float, DistanceResult> Change)[] Lies =
+    [
+        ("longer", (r, s) => Changed(r, distance: r.Distance + Little * s)),
+        ("shorter", (r, s) => Changed(r, distance: r.Distance - Little * s)),
+        ("bound", (r, s) => Changed(r, bound: r.Distance + Little * s)),
+        ("normal", (r, s) => Changed(r, normal: -r.Normal)),
+        ("long normal", (r, s) => Changed(r, normal: r.Normal * 1.00001f)),
+        ("turned", (r, s) => Changed(r, normal: Vector3.Normalize(r.Normal + new Vector3(0.01f, -0.02f, 0.01f)))),
+        ("point A", (r, s) => Changed(r, pointA: r.PointA + new Vector3(0.01f * s))),
+        ("point B", (r, s) => Changed(r, pointB: r.PointB - new Vector3(0.01f * s))),
+        ("local A", (r, s) => Changed(r, localA: r.LocalPointA + new Vector3(0.01f * s))),
+        ("local B", (r, s) => Changed(r, localB: r.LocalPointB - new Vector3(0.01f * s))),
+        ("swapped", (r, s) => r.Swapped),
+        ("overlap", (r, s) => new DistanceResult(
+            GjkStatus.Overlapping, 0, 0, r.PointA, r.PointA, default, r.LocalPointA, r.LocalPointB, 1)),
+        ("beyond", (r, s) => DistanceResult.Beyond(r.Distance + Little * s, r.Normal, 1)),
+    ];
+
+    public static TheoryData<string> LieNames => [.. Lies.Select(l => l.Name)];
+
+    [Theory]
+    [MemberData(nameof(LieNames))]
+    public void AWrongDistanceIsRefuted(string lie)
+    {
+        Func<DistanceResult, float, DistanceResult> change = Lies.First(l => l.Name == lie).Change;
+        int asked = 0;
+        for (ulong i = 0; i < 300; i++)
+        {
+            TestPair p = Generators.Pair(i, Polytopes, 1.5);
+            DistanceResult right = p.Distance();
+            float size = (float)(p.A.Shape.BoundingRadius + p.B.Shape.BoundingRadius);
+            if (right.Status != GjkStatus.Separated || right.Distance < 0.1f * size) continue;
+            asked++;
+            AssertRefuted(p, change(right, size), false);
+        }
+
+        Assert.True(asked > 80, $"only {asked} pairs");
+    }
+
+    [Theory]
+    [InlineData("deeper")]
+    [InlineData("shallower")]
+    [InlineData("normal")]
+    [InlineData("turned")]
+    [InlineData("no normal")]
+    [InlineData("local A")]
+    [InlineData("point B")]
+    [InlineData("bound")]
+    [InlineData("apart")]
+    public void AWrongDepthIsRefuted(string lie)
+    {
+        int asked = 0;
+        for (ulong i = 0; i < 300; i++)
+        {
+            TestPair p = Generators.Pair(i, Polytopes, 0.7);
+            DistanceResult r = p.SignedDistance();
+            float size = (float)(p.A.Shape.BoundingRadius + p.B.Shape.BoundingRadius);
+            if (r.Status != GjkStatus.Overlapping || r.Distance > -0.05f * size) continue;
+            asked++;
+            AssertRefuted(p, lie switch
+            {
+                "deeper" => Changed(r, distance: r.Distance - Little * size),
+                "shallower" => Changed(r, distance: r.Distance + Little * size),
+                "normal" => Changed(r, normal: -r.Normal),
+                "turned" => Changed(r, normal: Vector3.Normalize(r.Normal + new Vector3(0.02f, 0.05f, -0.01f))),
+                "no normal" => Changed(r, normal: default(Vector3)),
+                "local A" => Changed(r, localA: r.LocalPointA + new Vector3(0.01f * size)),
+                "point B" => Changed(r, pointB: r.PointB + new Vector3(0.01f * size)),
+                "bound" => Changed(r, bound: 0.01f * size),
+                _ => Changed(r, status: GjkStatus.Separated, distance: 0.01f * size),
+            }, true);
+        }
+
+        Assert.True(asked > 50, $"only {asked} pairs");
+    }
+
+    [Fact]
+    public void AWrongFlagIsRefuted()
+    {
+        foreach (HardCase c in CaseFamily.Load("touch").Cases.Concat(CaseFamily.Load("deep").Cases))
+        {
+            TestPair p = c.Pair;
+            if (Math.Max(c.Distance, c.Depth) < 5e-8 * p.Scale) continue;
+            CheckedAnswer check = AnswerCheck.Overlaps(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, !c.Overlap);
+            Assert.True(check.Verdict == AnswerVerdict.Refuted, $"{check}\n{p}");
+        }
+    }
+
+    /// <summary>
+    /// Each lie is beside the tolerance that is to notice it: cubes face to face, where it shows in full.
+    /// </summary>
+    [Theory]
+    [InlineData("ratio", 3e-7, AnswerVerdict.Refuted)]
+    [InlineData("ratio", 1e-7, AnswerVerdict.Proved)]
+    [InlineData("length", 1e-12, AnswerVerdict.Refuted)]
+    [InlineData("length", 2e-13, AnswerVerdict.Proved)]
+    [InlineData("tilt", 2e-6, AnswerVerdict.Refuted)]
+    [InlineData("tilt", 1e-7, AnswerVerdict.Proved)]
+    [InlineData("unit", 3e-6, AnswerVerdict.Refuted)]
+    [InlineData("unit", 5e-7, AnswerVerdict.Proved)]
+    [InlineData("point", 2e-6, AnswerVerdict.Refuted)]
+    [InlineData("point", 5e-7, AnswerVerdict.Proved)]
+    public void LiesOfTheSizeOfTheTolerances(string lie, double size, AnswerVerdict verdict)
+    {
+        // The gap is a power of two, so that every coordinate is a float; half of it is far below the sizes.
+        float gap = lie is "length" ? 1f / (1 << 22) : 0.5f, little = (float)size;
+        var pose = new RigidPose(new Vector3(2 + gap, 0, 0));
+        TestPair p = new("cubes", TestShape.Box(Vector3.One), RigidPose.Identity, TestShape.Box(Vector3.One), pose);
+        Vector3 onA = Vector3.UnitX, onB = new(1 + gap, 0, 0);
+        var right = new DistanceResult(
+            GjkStatus.Separated, gap, gap, onA, onB, Vector3.UnitX, onA, -Vector3.UnitX, 1);
+        DistanceResult told = lie switch
+        {
+            "ratio" => Changed(right, distance: gap * (1 + little), bound: 0),
+            "length" => Changed(right, distance: gap + little, bound: 0),
+            "tilt" => Changed(right, normal: new Vector3(1, little, 0)),
+            "unit" => Changed(right, normal: new Vector3(1 + little, 0, 0)),
+            _ => Changed(right, pointA: onA + new Vector3(little, 0, 0), localA: onA + new Vector3(little, 0, 0)),
+        };
+        CheckedAnswer check = Check(p, told, false);
+        Assert.True(check.Verdict == verdict, $"{lie} {size}: {check}, distance {told.Distance:R}");
+    }
+
+    /// <summary>Not those that only touch on the way, and not those whose whole way is within the tolerances.</summary>
+    [Theory]
+    [InlineData("early")]
+    [InlineData("late")]
+    [InlineData("normal")]
+    [InlineData("turned")]
+    [InlineData("point")]
+    [InlineData("miss")]
+    [InlineData("at the start")]
+    public void AWrongHitIsRefuted(string lie)
+    {
+        foreach (CastCase c in CastFamily.Names.SelectMany(CastFamily.Load).Where(c => IsClear(c)))
+        {
+            CastResult r = c.Cast();
+            float size = (float)(c.Pair.A.Shape.BoundingRadius + c.Pair.B.Shape.BoundingRadius);
+            float closing = -Vector3.Dot(r.Normal, c.Velocity), step = 2 * Little * size / closing;
+            step = Math.Max(step, 4e-6f * r.Fraction);
+            if (step > r.Fraction) continue;
+            AssertRefuted(c, lie switch
+            {
+                "early" => Changed(r, fraction: r.Fraction - step),
+                "late" => Changed(r, fraction: r.Fraction + step),
+                "normal" => Changed(r, normal: -r.Normal),
+                "turned" => Changed(r, normal: Vector3.Normalize(r.Normal + new Vector3(0.1f, 0.15f, -0.1f))),
+                "point" => Changed(r, point: r.Point + r.Normal * (0.01f * size)),
+                "miss" => CastResult.Nothing(CastStatus.Miss, 1, 1),
+                _ => new CastResult(CastStatus.OverlappingAtStart, 0, r.Point, default, 1),
+            });
+        }
+
+        static bool IsClear(CastCase c)
+        {
+            CastResult r = c.Cast();
+            bool closesIn = Vector3.Dot(r.Normal, c.Velocity) < -0.2f * c.Velocity.Length();
+            return r.Status == CastStatus.Hit && r.Fraction is > 0.01f and < 0.97f && c.IsNormalUnique && closesIn
+                && !new[] { "graze", "slide", "creep" }.Any(n => c.Pair.Name.Contains(n, StringComparison.Ordinal));
+        }
+    }
+
+    [Fact]
+    public void AWrongMissIsRefuted()
+    {
+        foreach (CastCase c in CastFamily.Load("cast_miss"))
+        {
+            CastResult hit = new(CastStatus.Hit, 0.5f, c.Pair.PoseB.Position, Vector3.UnitX, 1);
+            AssertRefuted(c, hit);
+            AssertRefuted(c, new CastResult(CastStatus.OverlappingAtStart, 0, c.Pair.PoseA.Position, default, 1));
+        }
+    }
+
+    [Fact]
+    public void AWrongRayIsRefuted()
+    {
+        var cone = new ConeShape(1, 1);
+        var pose = new RigidPose(new Quaternion(0.6f, 0, 0, 0.8f), new Vector3(1, 2, 3));
+        Vector3 origin = new(5, 2.1f, 3.2f), direction = -2 * Vector3.UnitX;
+        RayCastResult r = ConvexQuery.RayCast(cone, pose, origin, direction);
+        Assert.Equal(AnswerVerdict.Proved, AnswerCheck.RayCast(cone, pose, origin, direction, r).Verdict);
+        RayCastResult[] lies =
+        [
+            new(r.Status, r.Distance * 1.0001f, r.Point, r.Normal, 0),
+            new(r.Status, r.Distance * 0.9999f, r.Point, r.Normal, 0),
+            new(r.Status, r.Distance, r.Point + new Vector3(0.01f), r.Normal, 0),
+            new(r.Status, r.Distance, r.Point, -r.Normal, 0), RayCastResult.Nothing(CastStatus.Miss, 10, 0),
+            new(CastStatus.OverlappingAtStart, 0, origin, default, 0),
+        ];
+        foreach (RayCastResult lie in lies)
+            Assert.Equal(AnswerVerdict.Refuted, AnswerCheck.RayCast(cone, pose, origin, direction, lie).Verdict);
+    }
+
+    /// <summary>A ray without an end that misses is free for as far as it reaches.</summary>
+    [Fact]
+    public void AnEndlessRayThatMissesIsProved()
+    {
+        var box = new BoxShape(Vector3.One);
+        RayCastResult r = ConvexQuery.RayCast(box, RigidPose.Identity, new Vector3(5, 1.5f, 0), -Vector3.UnitX);
+        CheckedAnswer check = AnswerCheck.RayCast(
+            box, RigidPose.Identity, new Vector3(5, 1.5f, 0), -Vector3.UnitX, r);
+        Assert.Equal((CastStatus.Miss, AnswerVerdict.Proved), (r.Status, check.Verdict));
+        Assert.Equal(double.PositiveInfinity, check.LowerBound);
+    }
+
+    private static CheckedAnswer Check(TestPair p, in DistanceResult r, bool isSigned) => isSigned
+        ? AnswerCheck.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, r)
+        : AnswerCheck.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, r);
+
+    private static void AssertRefuted(TestPair p, in DistanceResult told, bool isSigned)
+    {
+        CheckedAnswer check = Check(p, told, isSigned);
+        Assert.True(check.Verdict == AnswerVerdict.Refuted, $"{check}; {told}, normal {told.Normal}\n{p}");
+    }
+
+    private static void AssertRefuted(CastCase c, in CastResult told)
+    {
+        CheckedAnswer check = AnswerCheck.Cast(
+            c.Pair.A.Shape, c.Pair.PoseA, default, c.Pair.B.Shape, c.Pair.PoseB, c.Velocity, told);
+        Assert.True(check.Verdict == AnswerVerdict.Refuted, $"{check}; {told}, truly {c.Outcome}\n{c.Pair}");
+    }
+
+    private static DistanceResult Changed(
+        in DistanceResult r, GjkStatus? status = null, float? distance = null, float? bound = null,
+        Vector3? pointA = null, Vector3? pointB = null, Vector3? normal = null, Vector3? localA = null,
+        Vector3? localB = null) =>
+        new(
+            status ?? r.Status, distance ?? r.Distance, bound ?? r.LowerBound, pointA ?? r.PointA, pointB ?? r.PointB,
+            normal ?? r.Normal, localA ?? r.LocalPointA, localB ?? r.LocalPointB, r.Iterations);
+
+    private static CastResult Changed(
+        in CastResult r, float? fraction = null, Vector3? point = null, Vector3? normal = null) =>
+        new(r.Status, fraction ?? r.Fraction, point ?? r.Point, normal ?? r.Normal, r.Iterations);
+}
