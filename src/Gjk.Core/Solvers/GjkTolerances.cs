@@ -124,7 +124,8 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: a Minkowski difference that is thinner has no inside; eight times the level that its faces are kept to.
-    /// A depth of half of it is below the promised 1e-14 of the scale. Pinned by HardDepthTests.
+    /// A depth of half of it is below the promised 1e-14 of the scale. Pinned by
+    /// DepthToleranceTests.AThinDifferenceHasNoInside.
     /// </summary>
     public const double Flat = 8 * DepthLevel;
 

@@ -164,6 +164,27 @@ public class PairFrameTests
         Assert.Equal(isOrdinary, new PairFrame { Magnitude = length }.IsOrdinary);
     }
 
+    /// <summary>
+    /// What a shape of a user says of its size is an upper bound only: what counts are the points that it gives, with
+    /// its margin, and no more than its radius.
+    /// </summary>
+    [Theory]
+    [InlineData(3, 5, 3.5 + 5.25)]
+    [InlineData(30, 5, 8 + 5.25)]
+    [InlineData(3, 50, 3.5 + 9)]
+    public void TheSizeIsThatOfThePointsSeen(double reachA, double reachB, double size)
+    {
+        var frame = new PairFrame { RadiusA = 8, RadiusB = 9, MarginA = 0.5, MarginB = 0.25 };
+        PairSize.Begin<ScriptedShape, ScriptedShape>(frame, out PairSize seen);
+        Assert.Equal(0.75, seen.Value);
+        seen.See(frame, new Vector3D(reachA, 0, 0), new Vector3D(0, reachB, 0));
+        Assert.Equal(size, seen.Value);
+        seen.See(frame, default, default);
+        Assert.Equal(size, seen.Value);
+        PairSize.Begin<BoxShape, PointShape>(frame, out PairSize told);
+        Assert.Equal(17, told.Value);
+    }
+
     /// <summary>A bounding radius that may be generous is measured, on either side; a tight one stays.</summary>
     [Fact]
     public void GenerousRadiiAreTightened()

@@ -4,16 +4,16 @@ using System.Numerics;
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>
-/// How far two bounds of a depth may be apart to have met, from both sides: a point lies in a block, under a face that
-/// has a tip in its middle.
+/// The tolerances of a depth, each from both sides: a point lies in a block, under a face that has a tip in its middle,
+/// or in one that is hardly a block.
 /// </summary>
 public class DepthToleranceTests
 {
     /// <summary>A rounding in double, 2^-53.</summary>
     private const double U = 1.0 / (1L << 53);
 
-    /// <summary>The block of half sides 1, 1 and 0.5, and the tip; it reaches 1.5 from its centre.</summary>
-    private readonly struct Block(double tip, bool isCurved) : ISupportMap
+    /// <summary>The block of half sides 1, 1 and a height, by default 0.5, and the tip.</summary>
+    private readonly struct Block(double tip, bool isCurved, double height = 0.5) : ISupportMap
     {
         public Vector3D Center => default;
 
@@ -39,8 +39,8 @@ public class DepthToleranceTests
         public bool TryGetVertex(int id, out Vector3D point)
         {
             point = id == 8
-                ? new Vector3D(0, 0, -0.5 - tip)
-                : new Vector3D((id & 1) != 0 ? 1 : -1, (id & 2) != 0 ? 1 : -1, (id & 4) != 0 ? 0.5 : -0.5);
+                ? new Vector3D(0, 0, -height - tip)
+                : new Vector3D((id & 1) != 0 ? 1 : -1, (id & 2) != 0 ? 1 : -1, (id & 4) != 0 ? height : -height);
             return id is >= 0 and <= 8;
         }
     }
@@ -56,6 +56,21 @@ public class DepthToleranceTests
         DistanceResult flat = Ask(0, isCurved), r = Ask(1.5 * ratio, isCurved);
         Assert.Equal(-0.2, r.Distance, 1e-6);
         Assert.Equal(haveMet, r.Iterations == flat.Iterations);
+    }
+
+    /// <summary>Thinner than 64 roundings of the size, or twice as thick; the point lies in the middle.</summary>
+    [Theory]
+    [InlineData(40 * U, true)]
+    [InlineData(128 * U, false)]
+    public void AThinDifferenceHasNoInside(double ratio, bool isFlat)
+    {
+        var block = new Block(0, false, 0.5 * ratio * Math.Sqrt(2));
+        var point = new PointShape();
+        PairFrame.Compose(ref block, RigidPose.Identity, ref point, RigidPose.Identity, out PairFrame frame);
+        SolverState.Begin<Block, PointShape>(frame, out SolverState state);
+        NoPolytopeTrace trace = default;
+        DepthVerdict verdict = GjkDepth.Solve(ref block, ref point, frame, ref state, ref trace);
+        Assert.Equal(isFlat, verdict == DepthVerdict.Flat);
     }
 
     private static DistanceResult Ask(double tip, bool isCurved) => ConvexQuery.SignedDistance(
