@@ -58,9 +58,10 @@ internal sealed class Campaign(TestRecord record, string tests, string report, d
             .OrderByDescending(t => mutant.Pins.Any(p => t.Name.Contains(p, StringComparison.Ordinal)))
             .ThenBy(t => (t.Seconds + 0.002) / (1 + 10 * _kills.GetValueOrDefault(t.Name))).ToList();
         double sum = 0;
-        var plan = all.TakeWhile(t => (sum += t.Seconds) <= budget).Select(t => ($"{t.Name}:{t.Row}", t.Seconds)).ToArray();
-        left = all.Count - plan.Length;
-        return plan;
+        var plan = all.Where(t => t.Seconds <= budget).TakeWhile(t => (sum += t.Seconds) <= budget);
+        (string, double)[] chosen = [.. plan.Select(t => ($"{t.Name}:{t.Row}", t.Seconds))];
+        left = all.Count - chosen.Length;
+        return chosen;
     }
 
     private void Table(string title, Func<Mutant, string> group)

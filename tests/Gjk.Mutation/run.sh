@@ -1,6 +1,10 @@
 #!/usr/bin/env bash
-# Would the tests notice a wrong line? Changes the library one place at a time; see Program.cs for the options.
-# All of Solvers, Simplex, Contacts and Minkowski, for hours, with GJK_LONG=1; a sample of 300 without.
+# Would the tests notice a wrong line? Changes the library one place at a time and runs the tests that reach it until one
+# fails. All of Solvers, Simplex, Contacts and Minkowski with GJK_LONG=1, for hours; a sample of 300 without.
+#   run.sh --branches                                    which conditions no test finds true, or none false
+#   run.sh --operators '^constant' --files GjkTolerances named constants, four times larger and smaller
+#   run.sh --seed 7 --budget 20                          another sample, 20 seconds of tests for each mutant at most
+# What became of each mutant is in mutants.tsv of --work, by default /tmp/gjk-mutation. Program.cs tells all options.
 set -euo pipefail
 cd "$(dirname "$0")"
 

@@ -28,9 +28,6 @@ internal struct PairMotion
     /// <summary>How that changes over the fraction 1.</summary>
     public Vector3D Velocity;
 
-    /// <summary>Whether a body turns.</summary>
-    public readonly bool IsTurning => A.IsTurning || B.IsTurning;
-
     /// <summary>Radians per fraction 1, of the body that turns faster.</summary>
     public readonly double Rate => Math.Max(A.Rate, B.Rate);
 

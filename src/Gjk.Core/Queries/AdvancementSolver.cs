@@ -34,13 +34,15 @@ internal static class AdvancementSolver
 {
     /// <summary>
     /// Count: the largest number of distances that a query asks for. Random motions of up to ten turns take 4 in the
-    /// median and some hundreds at worst. Pinned by TimeOfImpactLimitTests.
+    /// median and some hundreds at worst. A backstop: more would only cost time, and a quarter is enough for all that
+    /// the tests move.
     /// </summary>
     public const int MaxSteps = 1024;
 
     /// <summary>
     /// Counts: after so many steps, and after each four times as many, it pays to measure how far the bodies reach from
-    /// their axes, by twice as many supports as there were steps. Pinned by TimeOfImpactTests.AWheelPassesAFloor.
+    /// their axes, by twice as many supports as there were steps. Larger factors would only cost time. Pinned by
+    /// TimeOfImpactTests.AWheelPassesAFloor.
     /// </summary>
     private const int MeasureAfter = 8, MeasureFactor = 4, SupportsPerStep = 2;
 

@@ -14,13 +14,14 @@ namespace Gjk.Core;
 internal readonly struct MovingCorners
 {
     /// <summary>
-    /// Ratio to the pair's size: corners of a feature that are nearer to each other say nothing of how it turns. Pinned
-    /// by TimeOfImpactTests.
+    /// Ratio to the pair's size: corners of a feature that are nearer to each other say nothing of how it turns. Four
+    /// times more or less is as good: it only chooses a plane, and a step is proved along whatever plane it takes.
     /// </summary>
     private const double LeastEdge = 1e-5;
 
     /// <summary>
-    /// Ratio: edges whose sine is smaller are parallel, and one of them is kept level. Pinned by TimeOfImpactTests.
+    /// Ratio: edges whose sine is smaller are parallel, and one of them is kept level. Four times more or less is as
+    /// good, as above.
     /// </summary>
     private const double LeastSine = 1e-6;
 

@@ -24,7 +24,8 @@ public struct WarmStart
 
     /// <summary>
     /// Squared length: what is stored is a unit vector rounded to float; anything that is longer than this, or NaN, was
-    /// not stored by a query.
+    /// not stored by a query. A larger limit would only believe a stray normal, which is a guess like any other.
+    /// Pinned by PairFrameTests.AKeptNormalIsTheFirst.
     /// </summary>
     internal const double LongestNormal = 2;
 

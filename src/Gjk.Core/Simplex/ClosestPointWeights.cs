@@ -112,7 +112,7 @@ internal static class ClosestPointWeights
         Vector3D a = s.WA, b = s.WB, c = s.WC, d = s.WD;
         weights = VolumeWeights(a, b, c, d, out double sum, out double least);
         double cube = CubeOf(a, b, c, d);
-        return IsClear(least, cube) & sum * sum > ClearSum * ClearSum * cube;
+        return IsClear(least, cube) & sum * sum > ClearSumSquared * cube;
     }
 
     /// <summary>Whether the origin clearly is inside a tetrahedron: by more than rounding could turn.</summary>
@@ -124,7 +124,7 @@ internal static class ClosestPointWeights
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsClear(double least, double cube) =>
-        least > 0 & least * least > ClearVolume * ClearVolume * cube;
+        least > 0 & least * least > ClearVolumeSquared * cube;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double CubeOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
@@ -271,16 +271,16 @@ internal readonly struct Weights
     public bool IsInside => A >= 0 && B >= 0 && C >= 0 && D >= 0;
 
     /// <summary>
-    /// Without negative weights, and with sum 1 again. NaN weights, which a triangle without any area has, become those
-    /// of the first vertex.
+    /// A face's, without negative weights and with sum 1 again. NaN and infinite weights, which a triangle without any
+    /// area has, become those of the first vertex.
     /// </summary>
     public Weights Clamped
     {
         get
         {
-            double a = A > 0 ? A : 0, b = B > 0 ? B : 0, c = C > 0 ? C : 0, d = D > 0 ? D : 0, sum = a + b + c + d;
+            double a = A > 0 ? A : 0, b = B > 0 ? B : 0, c = C > 0 ? C : 0, sum = a + b + c;
             return sum > 0 && sum <= double.MaxValue
-                ? new Weights(a / sum, b / sum, c / sum, d / sum)
+                ? new Weights(a / sum, b / sum, c / sum, 0)
                 : new Weights(1, 0, 0, 0);
         }
     }

@@ -10,7 +10,7 @@ internal static class GjkTolerances
     /// <summary>
     /// Ratio: the gap between the feature and the newest support plane is closed when it is this fraction of the
     /// distance. Far below float's 6e-8, a few dozen units in the last place above what a double sum of three products
-    /// loses; larger, it would spend the room that float's rounding leaves, smaller, it would only hand over more often.
+    /// loses. Larger, it would spend the room that float's rounding leaves; smaller, it would hand over more often.
     /// Pinned by ToleranceTests.ARelativeGapIsClosed.
     /// </summary>
     public const double RelativeGap = 256 * RoundOff.Unit;
@@ -106,7 +106,7 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: two bounds of the depth that are no further apart have met. Twice the level, so that a face's own
-    /// corners never count as above it; below the promised 1e-14 of the scale. Pinned by SignedDistanceTests.
+    /// corners never count as above it; below the promised 1e-14 of the scale. Pinned by DepthToleranceTests.
     /// </summary>
     public const double DepthNoise = 2 * DepthLevel;
 
@@ -118,13 +118,14 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length, for cores without vertices: two bounds of the depth that are no further apart have met. The promise for
-    /// these is 1e-6. Pinned by DepthByHandTests.
+    /// these is 1e-6. Pinned by DepthToleranceTests.
     /// </summary>
     public const double DepthNoiseCurved = 2e-7;
 
     /// <summary>
     /// Length: a Minkowski difference that is thinner has no inside; eight times the level that its faces are kept to.
-    /// A depth of half of it is below the promised 1e-14 of the scale. Pinned by HardDepthTests.
+    /// A depth of half of it is below the promised 1e-14 of the scale. Pinned by
+    /// DepthToleranceTests.AThinDifferenceHasNoInside.
     /// </summary>
     public const double Flat = 8 * DepthLevel;
 

@@ -90,6 +90,17 @@ public class PairFrameTests
         Assert.Equal(new Vector3D(1, 0, 0), Compose(apart, apart).FirstNormal);
     }
 
+    /// <summary>A normal that a query has kept has the length 1 but for float's rounding, and is taken.</summary>
+    [Fact]
+    public void AKeptNormalIsTheFirst()
+    {
+        var warm = default(WarmStart);
+        PairFrame frame = default;
+        Assert.Equal(frame.FirstNormal, warm.FirstNormal(frame));
+        warm.SetNormal(new Vector3D(0, 3, 4));
+        Assert.Equal(new Vector3D(0, 0.6f, 0.8f), warm.FirstNormal(frame));
+    }
+
     /// <summary>
     /// Four to sixteen radii from their local origins, two centres that nearly coincide: double would lose their
     /// difference.
@@ -116,7 +127,9 @@ public class PairFrameTests
         Assert.InRange(count, 50, 200);
     }
 
-    /// <summary>Beside centres of 1, a difference of 2^-90 is what double-double loses, and one of 2^-88 is not.</summary>
+    /// <summary>
+    /// Beside centres of 1, a difference of 2^-90 is what double-double loses, and one of 2^-88 is not.
+    /// </summary>
     [Theory]
     [InlineData(-90, 0)]
     [InlineData(-88, 1)]
@@ -149,6 +162,42 @@ public class PairFrameTests
         double length = Math.ScaleB(1, exponent);
         Assert.Equal(isOrdinary, PairFrame.IsOrdinarySize(length * length));
         Assert.Equal(isOrdinary, new PairFrame { Magnitude = length }.IsOrdinary);
+    }
+
+    /// <summary>
+    /// What a shape of a user says of its size is an upper bound only: what counts are the points that it gives, with
+    /// its margin, and no more than its radius.
+    /// </summary>
+    [Theory]
+    [InlineData(3, 5, 3.5 + 5.25)]
+    [InlineData(30, 5, 8 + 5.25)]
+    [InlineData(3, 50, 3.5 + 9)]
+    public void TheSizeIsThatOfThePointsSeen(double reachA, double reachB, double size)
+    {
+        var frame = new PairFrame { RadiusA = 8, RadiusB = 9, MarginA = 0.5, MarginB = 0.25 };
+        PairSize.Begin<ScriptedShape, ScriptedShape>(frame, out PairSize seen);
+        Assert.Equal(0.75, seen.Value);
+        seen.See(frame, new Vector3D(reachA, 0, 0), new Vector3D(0, reachB, 0));
+        Assert.Equal(size, seen.Value);
+        seen.See(frame, default, default);
+        Assert.Equal(size, seen.Value);
+        PairSize.Begin<BoxShape, PointShape>(frame, out PairSize told);
+        Assert.Equal(17, told.Value);
+    }
+
+    /// <summary>A bounding radius that may be generous is measured, on either side; a tight one stays.</summary>
+    [Fact]
+    public void GenerousRadiiAreTightened()
+    {
+        var generous = new ScriptedShape([new Vector3D(1, 0, 0)], radius: 8);
+        var box = new BoxShape(Vector3.One);
+        PairFrame.Compose(ref generous, RigidPose.Identity, ref box, RigidPose.Identity, out PairFrame frame);
+        frame.TightenRadii(ref generous, ref box);
+        Assert.Equal((1.0, box.BoundingRadius), (Math.Round(frame.RadiusA, 12), frame.RadiusB));
+        PairFrame.Compose(ref box, RigidPose.Identity, ref generous, RigidPose.Identity, out frame);
+        frame.TightenRadii(ref box, ref generous);
+        Assert.Equal((box.BoundingRadius, 1.0), (frame.RadiusA, Math.Round(frame.RadiusB, 12)));
+        Assert.Equal(frame.Radius, frame.Magnitude);
     }
 
     private static void AssertTranslation(Posed a, Posed b, in PairFrame frame, double allowed)

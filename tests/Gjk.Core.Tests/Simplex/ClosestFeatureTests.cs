@@ -43,6 +43,23 @@ public class ClosestFeatureTests
         if (subset != 15) Check(c, Selected(simplex, vertices), feature, subset);
     }
 
+    /// <summary>
+    /// Two vertices whose squared lengths round to the same, though the second is nearer: the origin lies beyond it,
+    /// and the edge's line passes far nearer than the edge.
+    /// </summary>
+    [Fact]
+    public void AnEdgeOfOneRoundingIsItsNearerVertex()
+    {
+        Vector3D a = new(1, 1, 1), b = new(1 - 1.0 / (1L << 53), 1, 1);
+        Assert.Equal(a.LengthSquared, b.LengthSquared);
+        foreach (Vector3D[] vertices in new[] { new[] { a, b }, [b, a] })
+        {
+            Simplex simplex = Filled(vertices);
+            Assert.True(ExtendedFeatureStep.TryReduce(ref simplex, out ClosestFeature feature, out _));
+            Assert.Equal((1, b, b), (simplex.Count, simplex.WA, feature.Normal));
+        }
+    }
+
     /// <summary>None of the kinds of simplex has lost all its cases to the preconditions.</summary>
     [Theory]
     [InlineData(2, 6)]

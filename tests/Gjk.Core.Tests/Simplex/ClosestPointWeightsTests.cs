@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Gjk.Core.Tests.Support;
 
@@ -6,7 +7,7 @@ namespace Gjk.Core.Tests;
 public class ClosestPointWeightsTests
 {
     /// <summary>Of an equilateral triangle about the z axis, with corners at 1.</summary>
-    private static readonly double Side = System.Math.Sqrt(0.75);
+    private static readonly double Side = Math.Sqrt(0.75);
 
     public static IEnumerable<object[]> Segments() => SimplexCase.All(2);
 
@@ -77,7 +78,7 @@ public class ClosestPointWeightsTests
         for (ulong seed = 0; seed < 4000; seed++)
         {
             var rng = new Rng(seed);
-            double width = System.Math.Pow(10, -rng.Range(2, 14));
+            double width = Math.Pow(10, -rng.Range(2, 14));
             Vector3D along = Vector(rng, 1);
             Vector3D a = along * rng.Range(0.5, 1) + Vector(rng, width);
             Vector3D b = along * -rng.Range(0.5, 1) + Vector(rng, width);
@@ -87,7 +88,7 @@ public class ClosestPointWeightsTests
             Weights w = ClosestPointWeights.Tetrahedron(a, b, c, d);
             Assert.True(w.IsInside, $"seed {seed}");
             double error = w.PointOf(a, b, c, d).Length;
-            double size = System.Math.Sqrt(a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared);
+            double size = Math.Sqrt(a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared);
             Assert.True(
                 error <= 1.001e-9 * size, $"seed {seed}, width {width:R}: the weighted point is {error:R} off");
         }
@@ -103,8 +104,8 @@ public class ClosestPointWeightsTests
         for (ulong seed = 0; seed < 4000; seed++)
         {
             var rng = new Rng(seed);
-            double width = System.Math.Pow(10, -rng.Range(2, 16));
-            Vector3D along = Vector(rng, 1), start = Vector(rng, System.Math.Pow(10, -rng.Range(0, 16)));
+            double width = Math.Pow(10, -rng.Range(2, 16));
+            Vector3D along = Vector(rng, 1), start = Vector(rng, Math.Pow(10, -rng.Range(0, 16)));
             Vector3D a = start + along + Vector(rng, width), b = start - along + Vector(rng, width);
             Vector3D c = start + along * rng.Range(-1, 1) + Vector(rng, width);
             double nearest = ClosestPointWeights.Triangle(a, b, c).PointOf(a, b, c, default).Length;
@@ -137,6 +138,49 @@ public class ClosestPointWeightsTests
         }
     }
 
+    /// <summary>A solver's feature whose nearest point rounding has put beside it: the end of it is given.</summary>
+    [Fact]
+    public void AFeatureThatTheOriginIsNotBesideGivesItsEnd()
+    {
+        Vector3D near = new(1, 0, 0), far = new(2, 0, 0);
+        Assert.Equal(1, ClosestPointWeights.OfFeature(Filled(near, far), default).A);
+        Assert.Equal(1, ClosestPointWeights.OfFeature(Filled(far, near), default).B);
+        Assert.Equal(1, ClosestPointWeights.OfFeature(Filled(near, far, far), default).A);
+
+        // An area that is too small for a double, so that the weights are infinite.
+        var tiny = new Vector3D(0, 1e-120, 1e-100);
+        Weights w = ClosestPointWeights.OfFeature(Filled(near, near + tiny, near - tiny), default);
+        Assert.Equal((1.0, 0.0, 0.0), (w.A, w.B, w.C));
+    }
+
+    /// <summary>
+    /// Four points of one plane through the origin, so that the volumes are what rounding leaves in any precision.
+    /// </summary>
+    [Fact]
+    public void FlatTetrahedraThroughTheOrigin()
+    {
+        for (ulong seed = 0; seed < 300; seed++)
+        {
+            var rng = new Rng(seed);
+            Vector3D[] v = new Vector3D[4];
+            for (int i = 0; i < 4; i++)
+            {
+                double x = Math.Round(rng.Range(-1, 1) * (1L << 48)), y = Math.Round(rng.Range(-1, 1) * (1L << 48));
+                v[i] = new(x / (1L << 48), y / (1L << 48), (x + 2 * y) / (1L << 48));
+            }
+
+            Vector3D nearest = ClosestPointWeights.Tetrahedron(v[0], v[1], v[2], v[3]).PointOf(v[0], v[1], v[2], v[3]);
+            double least = double.PositiveInfinity;
+            foreach ((int i, int j, int k) in new[] { (0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3) })
+            {
+                Weights w = ClosestPointWeights.Triangle(v[i], v[j], v[k]);
+                least = Math.Min(least, w.PointOf(v[i], v[j], v[k], default).Length);
+            }
+
+            Assert.True(nearest.Length <= least + 1e-8, $"seed {seed}: {nearest.Length:R}, a face {least:R}");
+        }
+    }
+
     /// <summary>
     /// The ratio of a tetrahedron's least volume to the cube of the root of its squared lengths is 2.6 / 8 times the
     /// height at which a face passes the origin.
@@ -146,7 +190,7 @@ public class ClosestPointWeightsTests
     [InlineData(8, true)]
     public void AVolumeIsClearFromFourRoundingsOn(double roundings, bool isClear)
     {
-        double h = roundings / (1L << 53) * 8 / (1.5 * System.Math.Sqrt(3));
+        double h = roundings / (1L << 53) * 8 / (1.5 * Math.Sqrt(3));
         Assert.Equal(isClear, ClosestPointWeights.IsInside(
             new(1, 0, -h), new(-0.5, Side, -h), new(-0.5, -Side, -h), new(0, 0, 1)));
     }
@@ -158,9 +202,7 @@ public class ClosestPointWeightsTests
     public void ASumOfVolumesIsClearFromAHundredThousandthOn(double ratio, bool isClear)
     {
         double h = ratio / 2;
-        Simplex simplex = default;
-        Vector3D[] vertices = [new(1, 0, -h), new(-0.5, Side, -h), new(-0.5, -Side, -h), new(0, 0, 3 * h)];
-        foreach (Vector3D w in vertices) simplex.Push(w, default, default, 0, 0);
+        Simplex simplex = Filled(new(1, 0, -h), new(-0.5, Side, -h), new(-0.5, -Side, -h), new(0, 0, 3 * h));
         Assert.Equal(isClear, ClosestPointWeights.TryInside(simplex, out _));
         Assert.True(ClosestPointWeights.IsInside(simplex.WA, simplex.WB, simplex.WC, simplex.WD));
     }
@@ -177,6 +219,14 @@ public class ClosestPointWeightsTests
         static Fraction[] Minus(Vector3D u, Vector3D v) =>
             [(Fraction)u.X - v.X, (Fraction)u.Y - v.Y, (Fraction)u.Z - v.Z];
         static Fraction Dot(Fraction[] u, Fraction[] v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    }
+
+    /// <summary>The first vertex is A.</summary>
+    private static Simplex Filled(params Vector3D[] vertices)
+    {
+        Simplex simplex = default;
+        for (int i = vertices.Length - 1; i >= 0; i--) simplex.Push(vertices[i], default, default, 0, 0);
+        return simplex;
     }
 
     private static Vector3D Vector(Rng rng, double size) =>

@@ -15,9 +15,21 @@ public class CastToleranceTests
         Assert.InRange(line.Error, 20 * U * (1 + 3), 45 * U * (1 + 3));
     }
 
-    /// <summary>The balls are a millionth of a millionth too large, and cores that touch with them are apart there.</summary>
+    /// <summary>
+    /// The balls are a millionth of a millionth too large, and cores that touch with them are apart there.
+    /// </summary>
     [Fact]
     public void TheBallsAreTakenALittleLarger() => Assert.InRange(Line().HalfChord - 1, 0.6e-12, 1.6e-12);
+
+    /// <summary>A way so long, and a motion so short, that no fraction leads to its middle.</summary>
+    [Fact]
+    public void ALineWithoutAMiddleIsAPoint()
+    {
+        PairFrame frame = Frame();
+        frame.Translation = new Vector3D(1e150, 0, 0);
+        Assert.Equal(Verdict.Undecided, CastLine.Make(frame, new Vector3D(1e-161, 0, 0), out CastLine line));
+        Assert.Equal(default, line.Axis);
+    }
 
     [Theory]
     [InlineData(8, false)]

@@ -107,6 +107,20 @@ public class ToleranceTests
         Assert.Equal(verdict, Solve(vertices, new Vector3D(-1, 0, 0), false, true).Verdict);
     }
 
+    /// <summary>The second plane is further than asked, and the first feature is not the nearest.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void APlaneBeyondTheLargestDistanceEnds(bool isExtended)
+    {
+        Vector3D[] vertices = [Z, Z * 0.75];
+        SolverState state = Solve(vertices, new Vector3D(-1, 0, 0), false, isExtended, 0.5);
+        Assert.Equal(Verdict.Beyond, state.Verdict);
+        Assert.True(state.Plane.Distance > 0.5);
+        state = Solve(vertices, new Vector3D(-1, 0, 0), false, isExtended, 0.8);
+        Assert.Equal((Verdict.Apart, 0.75), (state.Verdict, state.Plane.Distance));
+    }
+
     /// <summary>
     /// A support that goes on falling, a little each time: the walk ends at 256 rounds in either precision, and the
     /// plane that is kept is the best of all, which is the first.
@@ -167,16 +181,18 @@ public class ToleranceTests
             Assert.Equal(isInside, Proofs.IsCertainlyInside(v[o[0]], v[o[1]], v[o[2]], v[o[3]]));
     }
 
-    private static SolverState Solve(Vector3D[] vertices, in Vector3D translation, bool isCurved, bool isExtended)
+    private static SolverState Solve(
+        Vector3D[] vertices, in Vector3D translation, bool isCurved, bool isExtended,
+        double most = double.PositiveInfinity)
     {
         PairFrame frame = Pair(vertices, translation, isCurved, out ScriptedShape a, out PointShape b);
         SolverState.Begin<ScriptedShape, PointShape>(frame, out SolverState state);
         state.Feature.Normal = frame.FirstNormal;
         NoTrace trace = default;
         if (isExtended)
-            GjkExtendedPrecision.Solve(ref a, ref b, frame, double.PositiveInfinity, ref state, ref trace);
+            GjkExtendedPrecision.Solve(ref a, ref b, frame, most, ref state, ref trace);
         else
-            GjkDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, ref state, ref trace);
+            GjkDistance.Solve(ref a, ref b, frame, most, ref state, ref trace);
         return state;
     }
 

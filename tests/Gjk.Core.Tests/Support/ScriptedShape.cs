@@ -15,11 +15,12 @@ internal readonly struct ScriptedShape : ISupportMap
 
     /// <param name="points">The support points, in order.</param>
     /// <param name="isCurved">Whether they come without ids.</param>
-    public ScriptedShape(Vector3D[] points, bool isCurved = false)
+    /// <param name="radius">What it says of its size; by default what is true.</param>
+    public ScriptedShape(Vector3D[] points, bool isCurved = false, double radius = 0)
     {
         _points = points;
         _id = isCurved ? -1 : 0;
-        BoundingRadius = points.Max(p => p.Length);
+        BoundingRadius = Math.Max(radius, points.Max(p => p.Length));
     }
 
     public Vector3D Center => default;
@@ -27,9 +28,6 @@ internal readonly struct ScriptedShape : ISupportMap
     public double Margin => 0;
 
     public double BoundingRadius { get; }
-
-    /// <summary>How many supports were asked for.</summary>
-    public int Calls => _calls[0];
 
     public int Support(in Vector3D direction, out Vector3D point)
     {
