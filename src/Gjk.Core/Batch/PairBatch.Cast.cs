@@ -18,6 +18,7 @@ public static partial class PairBatch
     /// <param name="maxFraction">How much of the motion is looked at, as in <see cref="ConvexQuery"/>.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="cancellation">Looked at every hundred pairs or so.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
     /// <exception cref="ArgumentException">
     /// The lengths do not fit, or a pair's index is outside; the message names the pair.
@@ -29,20 +30,21 @@ public static partial class PairBatch
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void Cast(
         ConvexShape[] shapes, RigidPose[] poses, Vector3[] translations, ObjectPair[] pairs, CastResult[] results,
-        float maxFraction = 1, Workers? workers = null, CancellationToken cancellation = default)
+        float maxFraction = 1, Workers? workers = null, CancellationToken cancellation = default,
+        in CastOptions options = default)
     {
         Check(shapes, poses, pairs, Guard.NotNull(results, nameof(results)).Length);
         if (Guard.NotNull(translations, nameof(translations)).Length != shapes.Length)
             throw new ArgumentException("There must be as many translations as shapes.", nameof(translations));
         Guard.NotNaN(maxFraction, nameof(maxFraction));
         Workers.Run(
-            workers, new CastJob(shapes, poses, translations, pairs, results, maxFraction), pairs.Length, PartLength,
-            cancellation);
+            workers, new CastJob(shapes, poses, translations, pairs, results, maxFraction, options), pairs.Length,
+            PartLength, cancellation);
     }
 
     private readonly struct CastJob(
         ConvexShape[] shapes, RigidPose[] poses, Vector3[] translations, ObjectPair[] pairs, CastResult[] results,
-        float maxFraction) : IPartJob
+        float maxFraction, CastOptions options) : IPartJob
     {
         public void Run(int begin, int end)
         {
@@ -50,7 +52,7 @@ public static partial class PairBatch
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
                 results[i] = ConvexQuery.Cast(
-                    shapes[a], poses[a], translations[a], shapes[b], poses[b], translations[b], maxFraction);
+                    shapes[a], poses[a], translations[a], shapes[b], poses[b], translations[b], maxFraction, options);
             }
         }
     }

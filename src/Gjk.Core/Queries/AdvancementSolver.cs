@@ -50,7 +50,9 @@ internal static class AdvancementSolver
     /// Ratios to the tolerance: steps leave a proved gap of the floor, and aim at half of the gap that is accepted. The
     /// rest is left for rounding the fraction to a float. Pinned by TimeOfImpactTests.
     /// </summary>
-    private const double FloorRatio = 1.0 / 64, LeastAccepted = 1.0 / 8, MostAccepted = 1.0 / 2;
+    internal const double FloorRatio = 1.0 / 64, MostAccepted = 1.0 / 2;
+
+    private const double LeastAccepted = 1.0 / 8;
 
     /// <summary>
     /// Ratio to a fraction: 2^-23, at least the distance to the float before. Pinned by TimeOfImpactTests.
@@ -111,7 +113,7 @@ internal static class AdvancementSolver
     }
 
     /// <summary>Goes along the plane as far as is proved; the frame is that of the fraction returned.</summary>
-    private static double Advance<TA, TB>(
+    internal static double Advance<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end, double floor)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -130,7 +132,7 @@ internal static class AdvancementSolver
     /// wall in one step.
     /// </summary>
     /// <returns>False where the other way goes further.</returns>
-    private static bool TrySweep<TA, TB>(
+    internal static bool TrySweep<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end, double floor,
         bool isMeasured, out double next)
         where TA : struct, ISupportMap

@@ -20,32 +20,48 @@ public readonly struct CastResult
     /// </summary>
     public readonly Vector3 Point;
 
-    /// <summary>The unit vector from A to B at the hit, perpendicular to the planes that touch.</summary>
+    /// <summary>
+    /// The unit vector from A to B at the hit, perpendicular to the planes that touch. Of shapes that overlap at the
+    /// start it is the direction in which B leaves A by the shortest way, as <c>SignedDistance</c> gives it.
+    /// </summary>
     public readonly Vector3 Normal;
+
+    /// <summary>
+    /// World units: how deep the shapes overlap at the start; 0 for a hit and a miss. Moved along <see cref="Normal"/>
+    /// by this, B only touches A. Where <c>SignedDistance</c> has no room for its search, the depth may be less.
+    /// </summary>
+    public readonly float Depth;
 
     /// <summary>How many times both shapes were asked for a support point.</summary>
     public readonly int Iterations;
 
-    internal CastResult(CastStatus status, float fraction, Vector3 point, Vector3 normal, int iterations)
+    internal CastResult(
+        CastStatus status, float fraction, Vector3 point, Vector3 normal, int iterations, float depth = 0)
     {
         Status = status;
         Fraction = fraction;
         Point = point;
         Normal = normal;
+        Depth = depth;
         Iterations = iterations;
     }
 
-    /// <summary>True when the shapes share a point somewhere along the motion, its start included.</summary>
+    /// <summary>True when a contact was found that counts: on the way, or at the start.</summary>
     public bool IsHit => Status is CastStatus.Hit or CastStatus.OverlappingAtStart;
 
+    /// <summary>True also for a search that ended at its limit, apart up to the fraction.</summary>
+    internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;
+
     /// <summary>The same answer with A and B exchanged.</summary>
-    public CastResult Swapped => new(Status, Fraction, Point, -Normal, Iterations);
+    public CastResult Swapped => new(Status, Fraction, Point, -Normal, Iterations, Depth);
 
     /// <summary>The status, and what is valid under it, for people to read.</summary>
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(
             $"Hit after {Fraction:G9} at {((Vector3D)Point).ToString("G9")} along {((Vector3D)Normal).ToString("G9")}"),
+        CastStatus.OverlappingAtStart => FormattableString.Invariant(
+            $"{Status} by {Depth:G9}, B leaves A along {((Vector3D)Normal).ToString("G9")}"),
         CastStatus.Miss or CastStatus.IterationLimit => FormattableString.Invariant($"{Status} up to {Fraction:G9}"),
         _ => Status.ToString(),
     };
@@ -53,6 +69,7 @@ public readonly struct CastResult
     internal static CastResult Nothing(CastStatus status, float fraction, int iterations)
     {
         var nan = new Vector3(float.NaN);
-        return new CastResult(status, fraction, nan, nan, iterations);
+        float depth = status is CastStatus.Miss or CastStatus.IterationLimit ? 0 : float.NaN;
+        return new CastResult(status, fraction, nan, nan, iterations, depth);
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 
@@ -20,19 +21,23 @@ public static partial class ConvexQuery
     /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
     /// 0.
     /// </param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>
     /// The first fraction at which the closed shapes share a point, the point, and the normal. The fraction is the true
     /// one, rounded to float; along the motion it is exact to 1e-7 of the size or the way, whichever is larger. On
-    /// curved cores (cylinder, cone, ellipsoid) shapes touch when they are within 1e-9 of the size.
+    /// curved cores (cylinder, cone, ellipsoid) shapes touch when they are within 1e-9 of the size. Shapes that overlap
+    /// at the start give <see cref="CastStatus.OverlappingAtStart"/> with normal and depth, those of
+    /// <c>SignedDistance</c>. Shapes that only touch there, whose signed distance is 0, are a hit at 0 if the motion
+    /// takes them into each other, and a miss if they slide or part.
     /// </returns>
     public static CastResult Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
-        float maxFraction = 1)
+        float maxFraction = 1, in CastOptions options = default)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return Cast(a, poseA, translationA, b, poseB, translationB, maxFraction, ref unused);
+        return Cast(a, poseA, translationA, b, poseB, translationB, maxFraction, ref unused, options);
     }
 
     /// <summary>
@@ -51,10 +56,11 @@ public static partial class ConvexQuery
     /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
     /// uses.
     /// </param>
+    /// <param name="options">See the first overload.</param>
     /// <returns>See the first overload. Within the accuracy that of the cold query.</returns>
     public static CastResult Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
-        float maxFraction, ref WarmStart warmStart)
+        float maxFraction, ref WarmStart warmStart, in CastOptions options = default)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -62,16 +68,33 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
-        if (AreBalls(ref shapeA, ref shapeB))
-            return CastBalls(ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction);
-        if (TryCastPoint(
-            ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction, out CastResult met))
-        {
-            return met;
-        }
+        CastResult found = FindContact(
+            ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction, ref warmStart);
+        bool isSettled = found.Status != CastStatus.OverlappingAtStart
+            && !(options.PassesShallow && found.Status == CastStatus.Hit);
+        if (isSettled) return found;
+        var contact = new SettledContact(found);
+        Settle(
+            ref shapeA, poseA, ref shapeB, poseB, (Vector3D)translationB - translationA, found.Fraction,
+            Math.Max(maxFraction, 0), options, ref contact);
+        return contact.Apply(found, maxFraction);
+    }
 
+    /// <summary>
+    /// The first contact. One at the start has the status OverlappingAtStart and no normal, touching included.
+    /// </summary>
+    private static CastResult FindContact<TA, TB>(
+        ref TA a, in RigidPose poseA, Vector3 translationA, ref TB b, in RigidPose poseB, Vector3 translationB,
+        float maxFraction, ref WarmStart warmStart)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (AreBalls(ref a, ref b))
+            return CastBalls(ref a, poseA, translationA, ref b, poseB, translationB, maxFraction);
+        if (TryCastPoint(ref a, poseA, translationA, ref b, poseB, translationB, maxFraction, out CastResult met))
+            return met;
         var question = new CastQuestion(translationA, translationB, maxFraction, warmStart);
-        Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
+        Ask(ref a, poseA, ref b, poseB, ref question);
         warmStart = question.WarmStart;
         return question.Result;
     }
@@ -140,7 +163,8 @@ public static partial class ConvexQuery
             if (cast.Outcome == Verdict.Contradiction)
                 return CastResult.Nothing(CastStatus.InvalidShape, float.NaN, cast.Iterations);
             if (cast.Outcome == Verdict.Undecided)
-                return CastResult.Nothing(CastStatus.IterationLimit, (float)cast.Fraction, cast.Iterations);
+                return CastResult.Nothing(
+                    CastStatus.IterationLimit, RoundOff.Down(cast.Fraction), cast.Iterations);
             if (cast.Outcome == Verdict.Apart)
                 return CastResult.Nothing(CastStatus.Miss, _maxFraction, cast.Iterations);
             CastStatus status = cast.Fraction > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart;

@@ -15,12 +15,14 @@ public static partial class ConvexQuery
     /// <param name="maxDistance">
     /// World units: how far the ray reaches, +infinity for all the way; less than 0 counts as 0.
     /// </param>
+    /// <param name="options">Which contacts are passed; by default none. The depth is that of the point.</param>
     /// <returns>
     /// The first point of the ray that is in the closed shape, or <see cref="CastStatus.Miss"/>, or
-    /// <see cref="CastStatus.OverlappingAtStart"/> where the origin is in it. The distance is the true one, rounded to
+    /// <see cref="CastStatus.OverlappingAtStart"/> where the origin is inside. The distance is the true one, rounded to
     /// float: within 1e-7 of the size or the way, whichever is larger, however far away the ray begins; the normal is
     /// within 1e-6 of the true one where there is only one. Hit or miss is what exact geometry says, but for rays that
-    /// pass the surface within 1e-9 of the size.
+    /// pass the surface within 1e-9 of the size. From an origin on the surface, where the signed distance is 0, a ray
+    /// that goes in hits at 0, and one that slides or leaves misses.
     /// </returns>
     /// <remarks>
     /// Spheres, capsules, boxes, cylinders, cones, ellipsoids, triangles, and hulls of up to some 250 corners have
@@ -28,23 +30,55 @@ public static partial class ConvexQuery
     /// not spheres or capsules then, and flat ones.
     /// </remarks>
     public static RayCastResult RayCast<T>(
-        in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity)
+        in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity,
+        in CastOptions options = default)
         where T : struct, ISupportMap
     {
         T copy = default;
+        ref T inward = ref Inward(shape, ref copy);
         var line = new WorldRay(origin, direction, ((Vector3D)direction).Length, Math.Max(maxDistance, 0));
-        CastRay(ref Inward(shape, ref copy), pose, line, out RayMeeting hit);
+        CastRay(ref inward, pose, line, out RayMeeting hit);
+        if (hit.Status == CastStatus.OverlappingAtStart || (options.PassesShallow && hit.Status == CastStatus.Hit))
+            return SettleRay(ref inward, pose, line, options, hit);
         if (hit.Status == CastStatus.Hit)
         {
             return new RayCastResult(
                 CastStatus.Hit, (float)hit.Distance, (Vector3)hit.Point, (Vector3)hit.Normal, hit.Iterations);
         }
 
-        if (hit.Status == CastStatus.OverlappingAtStart)
-            return new RayCastResult(CastStatus.OverlappingAtStart, 0, origin, Vector3.Zero, hit.Iterations);
         float distance = hit.Status == CastStatus.Miss ? (float)line.Reach
-            : hit.Status == CastStatus.IterationLimit ? (float)hit.Distance : float.NaN;
+            : hit.Status == CastStatus.IterationLimit ? RoundOff.Down(hit.Distance) : float.NaN;
         return RayCastResult.Nothing(hit.Status, distance, hit.Iterations);
+    }
+
+    /// <summary>A contact at the origin, or one that may be passed.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static RayCastResult SettleRay<T>(
+        ref T shape, in RigidPose pose, in WorldRay line, in CastOptions options, in RayMeeting hit)
+        where T : struct, ISupportMap
+    {
+        PointShape point = default;
+        bool isStart = hit.Status == CastStatus.OverlappingAtStart;
+        double fraction = isStart ? 0 : hit.Distance;
+        var contact = new SettledContact
+        {
+            Status = hit.Status,
+            Point = (Vector3)hit.Point,
+            Normal = (Vector3)hit.Normal,
+        };
+        Settle(
+            ref shape, pose, ref point, new RigidPose(line.Origin), line.Direction * (1 / line.Length), fraction,
+            line.Reach, options, ref contact);
+        int iterations = hit.Iterations + contact.Iterations;
+        if (contact.Status is CastStatus.Hit or CastStatus.OverlappingAtStart)
+        {
+            return new RayCastResult(
+                contact.Status, (float)fraction, isStart ? line.Origin : contact.Point, contact.Normal, iterations,
+                contact.Depth);
+        }
+
+        return RayCastResult.Nothing(
+            contact.Status, contact.Status == CastStatus.Miss ? (float)line.Reach : float.NaN, iterations);
     }
 
     /// <summary>By a closed form where there is one, else by a cast.</summary>

@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -126,9 +127,16 @@ public static partial class ConvexQuery
         /// <summary>Told of the search for the depth.</summary>
         public TTrace Trace;
 
-        private readonly bool _isWarm, _wantsSimplex, _wantsPlane;
+        /// <summary>Whether curved shapes only touch, where that was asked for.</summary>
+        public bool IsTouch;
 
-        public SignedQuestion(in WarmStart warmStart, bool isWarm, bool wantsSimplex, bool wantsPlane = false)
+        /// <summary>Where they touch then, on A, and along which normal from A to B; in the world.</summary>
+        public Vector3 TouchPoint, TouchNormal;
+
+        private readonly bool _isWarm, _wantsSimplex, _wantsPlane, _wantsTouch;
+
+        public SignedQuestion(
+            in WarmStart warmStart, bool isWarm, bool wantsSimplex, bool wantsPlane = false, bool wantsTouch = false)
         {
             WarmStart = warmStart;
             Simplex = default;
@@ -138,6 +146,9 @@ public static partial class ConvexQuery
             _isWarm = isWarm;
             _wantsSimplex = wantsSimplex;
             _wantsPlane = wantsPlane;
+            _wantsTouch = wantsTouch;
+            IsTouch = false;
+            TouchPoint = TouchNormal = default;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -157,12 +168,12 @@ public static partial class ConvexQuery
             }
             else if (frame.IsOrdinary)
             {
-                Solve(ref a, ref b, frame, ref state);
+                Solve(ref a, ref b, frame, poseA, ref state);
             }
             else
             {
                 ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-                Solve(ref unitA, ref unitB, frame, ref state);
+                Solve(ref unitA, ref unitB, frame, poseA, ref state);
             }
 
             bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
@@ -173,9 +184,27 @@ public static partial class ConvexQuery
                 : Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);
         }
 
-        private void Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+        private void Solve<TA, TB>(
+            ref TA a, ref TB b, in PairFrame frame, in RigidPose poseA, ref SolverState state)
             where TA : struct, ISupportMap
-            where TB : struct, ISupportMap =>
+            where TB : struct, ISupportMap
+        {
             SignedSolver.Solve(ref a, ref b, frame, ref WarmStart, _isWarm, ref state, ref Trace);
+            if (_wantsTouch && state.IsCurved && state.Verdict == Verdict.Apart)
+                Touch(ref a, ref b, frame, poseA, state);
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private void Touch<TA, TB>(
+            ref TA a, ref TB b, in PairFrame frame, in RigidPose poseA, in SolverState state)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            IsTouch = CurvedTouch.TryFind(ref a, ref b, frame, state, out CastFinding touch);
+            if (!IsTouch) return;
+            Vector3D onA = (touch.OnA + touch.Normal * frame.MarginA + frame.CenterA) * frame.Unit;
+            TouchPoint = (Vector3)(frame.RotationA.Rotate(onA) + poseA.Position);
+            TouchNormal = (Vector3)frame.RotationA.Rotate(touch.Normal);
+        }
     }
 }

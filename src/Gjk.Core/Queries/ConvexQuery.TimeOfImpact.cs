@@ -45,22 +45,26 @@ public static partial class ConvexQuery
     /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
     /// 0.
     /// </param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>
     /// Hit: the shapes are proved apart before the fraction, and at it their distance is at most the tolerance; the
     /// point is on A as it has moved. The fraction is rounded down to a float. Where the shapes move by more than the
     /// tolerance between two floats (some 1e-7 of the way up to there), the distance may be larger by twice that. Miss:
-    /// they are proved apart up to the largest fraction. OverlappingAtStart: they touch or overlap at 0, as
-    /// <c>Distance</c> says. Shapes that are within the tolerance at the start and part at once do not hit.
-    /// IterationLimit: they are apart up to the fraction, and 1024 steps or a million radians have been spent. Where
-    /// neither turns, hit and miss are those of <c>Cast</c>, and the fraction is the float before its.
+    /// they are proved apart up to the largest fraction. OverlappingAtStart: they overlap at 0, by the depth and along
+    /// the normal that <c>SignedDistance</c> says. Shapes that only touch at 0 are a hit there if the motion takes them
+    /// into each other by more than the tolerance before they part; else the contact is passed, and a later one is
+    /// found. Shapes that are within the tolerance at the start and part at once do not hit. IterationLimit: they are
+    /// apart up to the fraction, or no deeper than is passed, and 1024 steps or a million radians have been spent.
+    /// Where neither turns, hit and miss are those of <c>Cast</c>, and the fraction is the float before its.
     /// </returns>
     public static CastResult TimeOfImpact<TA, TB>(
-        in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance = 0, float maxFraction = 1)
+        in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance = 0, float maxFraction = 1,
+        in CastOptions options = default)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return TimeOfImpact(a, motionA, b, motionB, tolerance, maxFraction, ref unused);
+        return TimeOfImpact(a, motionA, b, motionB, tolerance, maxFraction, ref unused, options);
     }
 
     /// <summary>
@@ -78,10 +82,11 @@ public static partial class ConvexQuery
     /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
     /// uses.
     /// </param>
+    /// <param name="options">See the first overload.</param>
     /// <returns>See the first overload, whose promises hold here too.</returns>
     public static CastResult TimeOfImpact<TA, TB>(
         in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance, float maxFraction,
-        ref WarmStart warmStart)
+        ref WarmStart warmStart, in CastOptions options = default)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -90,24 +95,21 @@ public static partial class ConvexQuery
         {
             return BeforeTouching(
                 Cast(
-                    a, motionA.Pose, motionA.Velocity, b, motionB.Pose, motionB.Velocity, maxFraction, ref warmStart));
+                    a, motionA.Pose, motionA.Velocity, b, motionB.Pose, motionB.Velocity, maxFraction, ref warmStart,
+                    options));
         }
 
         TA copyA = default;
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
-        if (AreBalls(ref shapeA, ref shapeB))
-        {
-            DistanceResult start = AskBalls(
-                ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, float.PositiveInfinity);
-            if (start.IsOverlapping && motionA.IsValid && motionB.IsValid && !float.IsNaN(maxFraction))
-                return new CastResult(CastStatus.OverlappingAtStart, 0, start.PointA, Vector3.Zero, 1);
-        }
-
         var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warmStart);
-        Ask(ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, ref question);
+        if (!question.TryBeginInBalls(ref shapeA, ref shapeB))
+            Ask(ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, ref question);
         warmStart = question.WarmStart;
+        bool isSettled = question.Result.Status != CastStatus.OverlappingAtStart
+            && !(options.PassesShallow && question.Result.Status == CastStatus.Hit);
+        if (!isSettled) SettleImpact(ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, options, ref question);
         return question.Result;
     }
 
@@ -119,12 +121,16 @@ public static partial class ConvexQuery
             : cast;
 
     /// <summary>The pipeline of a time of impact, for any two cores.</summary>
-    private struct ImpactQuestion : IPairQuestion
+    private partial struct ImpactQuestion : IPairQuestion
     {
         public WarmStart WarmStart;
         public CastResult Result;
         private readonly RigidMotion _motionA, _motionB;
         private readonly float _tolerance, _maxFraction;
+
+        /// <summary>Whether to go on from a contact, the result, and what it may pass.</summary>
+        private bool _follows;
+        private CastOptions _options;
 
         public ImpactQuestion(
             in RigidMotion motionA, in RigidMotion motionB, float tolerance, float maxFraction,
@@ -136,6 +142,8 @@ public static partial class ConvexQuery
             _motionB = motionB;
             _tolerance = tolerance;
             _maxFraction = maxFraction < 0 ? 0 : maxFraction;
+            _follows = false;
+            _options = default;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -158,6 +166,7 @@ public static partial class ConvexQuery
                 return;
             }
 
+            if (_follows) begin = Result.Fraction;
             double turned = SineCosine.MaxAngle / motion.Rate;
             bool isWhole = end <= turned;
             if (!isWhole) end = turned;
@@ -176,27 +185,35 @@ public static partial class ConvexQuery
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            SolverState state;
-            Impact impact;
             if (interval.Begin > 0) motion.MoveTo(interval.Begin, ref frame);
             frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
             if (frame.IsOrdinary)
             {
-                double tolerance = ToleranceOf(frame, motion, interval.End);
-                AdvancementSolver.Solve(
-                    ref a, ref b, ref frame, ref motion, interval, tolerance, ref WarmStart, out impact, out state);
-            }
-            else
-            {
-                SolverState.Begin<TA, TB>(frame, out state);
-                ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-                motion.Resize(1 / frame.Unit);
-                double tolerance = ToleranceOf(frame, motion, interval.End);
-                AdvancementSolver.Solve(
-                    ref unitA, ref unitB, ref frame, ref motion, interval, tolerance, ref WarmStart, out impact,
-                    out state);
+                Solve(ref a, ref b, ref frame, ref motion, interval, isWhole);
+                return;
             }
 
+            SolverState.Begin<TA, TB>(frame, out SolverState state);
+            ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
+            motion.Resize(1 / frame.Unit);
+            Solve(ref unitA, ref unitB, ref frame, ref motion, interval, isWhole);
+        }
+
+        private void Solve<TA, TB>(
+            ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, bool isWhole)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            double tolerance = ToleranceOf(frame, motion, interval.End);
+            if (_follows)
+            {
+                Follow(ref a, ref b, ref frame, ref motion, interval, tolerance, isWhole);
+                return;
+            }
+
+            AdvancementSolver.Solve(
+                ref a, ref b, ref frame, ref motion, interval, tolerance, ref WarmStart, out Impact impact,
+                out SolverState state);
             Result = Finish(impact, state, ref frame, motion, isWhole);
         }
 

@@ -19,30 +19,44 @@ public readonly struct RayCastResult
     public readonly Vector3 Point;
 
     /// <summary>
-    /// The unit normal of the shape's surface there, outward; zero where the ray begins in the shape.
+    /// The unit normal of the shape's surface there, outward. Where the ray begins in the shape it is that of the
+    /// nearest point of the surface, the shortest way out.
     /// </summary>
     public readonly Vector3 Normal;
+
+    /// <summary>
+    /// World units: how deep in the shape the ray begins; 0 for a hit and a miss. Where <c>SignedDistance</c> has no
+    /// room for its search, it may be less.
+    /// </summary>
+    public readonly float Depth;
 
     /// <summary>How many times the shape was asked for a support point: 0 where a closed form answers.</summary>
     public readonly int Iterations;
 
-    internal RayCastResult(CastStatus status, float distance, Vector3 point, Vector3 normal, int iterations)
+    internal RayCastResult(
+        CastStatus status, float distance, Vector3 point, Vector3 normal, int iterations, float depth = 0)
     {
         Status = status;
         Distance = distance;
         Point = point;
         Normal = normal;
+        Depth = depth;
         Iterations = iterations;
     }
 
-    /// <summary>True when the ray meets the shape, its origin included.</summary>
+    /// <summary>True when a contact was found that counts: on the way, or at the origin.</summary>
     public bool IsHit => Status is CastStatus.Hit or CastStatus.OverlappingAtStart;
+
+    /// <summary>True also for a search that ended at its limit, apart up to the distance.</summary>
+    internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;
 
     /// <summary>The status, and what is valid under it, for people to read.</summary>
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(
             $"Hit after {Distance:G9} at {Text(Point)}, normal {Text(Normal)}"),
+        CastStatus.OverlappingAtStart => FormattableString.Invariant(
+            $"{Status} by {Depth:G9}, normal {Text(Normal)}"),
         CastStatus.Miss or CastStatus.IterationLimit => FormattableString.Invariant($"{Status} up to {Distance:G9}"),
         _ => Status.ToString(),
     };
@@ -52,6 +66,7 @@ public readonly struct RayCastResult
     internal static RayCastResult Nothing(CastStatus status, float distance, int iterations)
     {
         var nan = new Vector3(float.NaN);
-        return new RayCastResult(status, distance, nan, nan, iterations);
+        float depth = status is CastStatus.Miss or CastStatus.IterationLimit ? 0 : float.NaN;
+        return new RayCastResult(status, distance, nan, nan, iterations, depth);
     }
 }

@@ -18,24 +18,26 @@ public sealed partial class CollisionScene
     /// <param name="id">The object (B), or -1 where there is none.</param>
     /// <param name="result">
     /// When they first touch, with the bits of <c>ConvexQuery.Cast</c>; a miss where there is none. An object whose
-    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as missed.
+    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its fraction, up to which nothing is
+    /// proved to be in the way.
     /// </param>
     /// <param name="maxFraction">
     /// How much of the motion is looked at: at least 0; 1 for all of it, more for the same motion continued.
     /// </param>
     /// <param name="filter">Which objects are seen; by default all.</param>
-    /// <returns>Whether the shape meets an object.</returns>
+    /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <returns>Whether the shape meets an object, or may.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentOutOfRangeException">
     /// The motion is not finite, or the fraction is negative or NaN.
     /// </exception>
     public bool TryFindCastHit(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, out int id, out CastResult result,
-        float maxFraction = 1, in QueryFilter filter = default)
+        float maxFraction = 1, in QueryFilter filter = default, in CastOptions options = default)
     {
         CheckNotVisiting();
         CheckCast(shape, pose, translation, maxFraction);
-        var moving = new MovingShape(shape, pose, translation, maxFraction, filter);
+        var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
         var first = new FirstCastHit(_objects, moving, maxFraction);
         _phase.Sweep(moving.Path(), ref first);
         id = first.Slot < 0 ? -1 : _objects.Ids[first.Slot];
@@ -47,9 +49,13 @@ public sealed partial class CollisionScene
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
     /// <param name="pose">Where it is at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
-    /// <param name="results">Emptied first; then the objects by fraction, at the same fraction by id.</param>
+    /// <param name="results">
+    /// Emptied first; then the objects by fraction, at the same fraction by id, those whose query ends with <see
+    /// cref="CastStatus.IterationLimit"/> among them.
+    /// </param>
     /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentOutOfRangeException">
     /// The motion is not finite, or the fraction is negative or NaN.
@@ -57,12 +63,12 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     public void FindCastHits(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, List<CastHit> results, float maxFraction = 1,
-        in QueryFilter filter = default)
+        in QueryFilter filter = default, in CastOptions options = default)
     {
         CheckNotVisiting();
         CheckCast(shape, pose, translation, maxFraction);
         Guard.NotNull(results, nameof(results)).Clear();
-        var moving = new MovingShape(shape, pose, translation, maxFraction, filter);
+        var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
         var all = new AllCastHits(_objects, moving, results);
         _phase.Sweep(moving.Path(), ref all);
         results.Sort();
@@ -80,16 +86,17 @@ public sealed partial class CollisionScene
     /// </param>
     /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentOutOfRangeException">
     /// The motion is not finite, or the fraction is negative or NaN.
     /// </exception>
     public void FindCastHits<TVisitor>(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, ref TVisitor visitor, float maxFraction = 1,
-        in QueryFilter filter = default)
+        in QueryFilter filter = default, in CastOptions options = default)
         where TVisitor : struct, ICastHitVisitor
     {
-        FindCastHits(shape, pose, translation, _castHits, maxFraction, filter);
+        FindCastHits(shape, pose, translation, _castHits, maxFraction, filter, options);
         _visiting = true;
         try
         {

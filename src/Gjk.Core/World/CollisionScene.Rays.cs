@@ -16,16 +16,20 @@ public sealed partial class CollisionScene
     /// <param name="id">The object, or -1 where there is none.</param>
     /// <param name="result">
     /// Where the ray meets it, with the bits of <c>ConvexQuery.RayCast</c>; a miss where there is none. An object whose
-    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as missed.
+    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its distance, up to which nothing is
+    /// proved to be in the way.
     /// </param>
     /// <param name="filter">Which objects are seen; by default all.</param>
-    /// <returns>Whether the ray meets an object.</returns>
+    /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <returns>Whether the ray meets an object, or may.</returns>
     /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
-    public bool TryFindRayHit(in RayQuery ray, out int id, out RayCastResult result, in QueryFilter filter = default)
+    public bool TryFindRayHit(
+        in RayQuery ray, out int id, out RayCastResult result, in QueryFilter filter = default,
+        in CastOptions options = default)
     {
         CheckNotVisiting();
         CheckRay(ray);
-        var first = new FirstRayHit(_objects, ray, filter);
+        var first = new FirstRayHit(_objects, ray, filter, options);
         _phase.Sweep(ray.Path(), ref first);
         id = first.Slot < 0 ? -1 : _objects.Ids[first.Slot];
         result = first.Result;
@@ -34,16 +38,21 @@ public sealed partial class CollisionScene
 
     /// <summary>All objects that a ray meets, as it would without the others.</summary>
     /// <param name="ray">The ray.</param>
-    /// <param name="results">Emptied first; then the objects by distance, at the same distance by id.</param>
+    /// <param name="results">
+    /// Emptied first; then the objects by distance, at the same distance by id, those whose query ends with <see
+    /// cref="CastStatus.IterationLimit"/> among them.
+    /// </param>
     /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
-    public void FindRayHits(in RayQuery ray, List<RayHit> results, in QueryFilter filter = default)
+    public void FindRayHits(
+        in RayQuery ray, List<RayHit> results, in QueryFilter filter = default, in CastOptions options = default)
     {
         CheckNotVisiting();
         CheckRay(ray);
         Guard.NotNull(results, nameof(results)).Clear();
-        var all = new AllRayHits(_objects, ray, filter, results);
+        var all = new AllRayHits(_objects, ray, filter, options, results);
         _phase.Sweep(ray.Path(), ref all);
         results.Sort();
     }
@@ -55,11 +64,13 @@ public sealed partial class CollisionScene
     /// It may not use the scene before it has seen all objects. What it throws passes through.
     /// </param>
     /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
-    public void FindRayHits<TVisitor>(in RayQuery ray, ref TVisitor visitor, in QueryFilter filter = default)
+    public void FindRayHits<TVisitor>(
+        in RayQuery ray, ref TVisitor visitor, in QueryFilter filter = default, in CastOptions options = default)
         where TVisitor : struct, IRayHitVisitor
     {
-        FindRayHits(ray, _rayHits, filter);
+        FindRayHits(ray, _rayHits, filter, options);
         _visiting = true;
         try
         {
@@ -76,20 +87,22 @@ public sealed partial class CollisionScene
     /// <param name="results">At least as long as the rays; the id is -1 where a ray meets nothing.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
     /// <exception cref="ArgumentException">
     /// There are fewer results than rays, or a ray is a <c>default</c> struct; the message names the ray.
     /// </exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindFirstRayHits(
-        RayQuery[] rays, RayHit[] results, Workers? workers = null, in QueryFilter filter = default)
+        RayQuery[] rays, RayHit[] results, Workers? workers = null, in QueryFilter filter = default,
+        in CastOptions options = default)
     {
         CheckNotVisiting();
         RayQuery.Check(rays, results);
         if (_phase is DynamicAabbTree tree) tree.UpdateLeaves();
         Workers.Run(
-            workers, new SceneRayJob(_phase, _objects, rays, results, filter), rays.Length, PairBatch.PartLength,
-            CancellationToken.None);
+            workers, new SceneRayJob(_phase, _objects, rays, results, filter, options), rays.Length,
+            PairBatch.PartLength, CancellationToken.None);
     }
 
     private static void CheckRay(in RayQuery ray)

@@ -5,15 +5,18 @@ namespace Gjk.Core;
 
 /// <summary>A shape that moves through a scene.</summary>
 internal readonly struct MovingShape(
-    in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter)
+    in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
+    in CastOptions options)
 {
     public readonly QueryFilter Filter = filter;
     private readonly ConvexShape _shape = shape;
     private readonly RigidPose _pose = pose;
+    private readonly CastOptions _options = options;
 
     /// <summary>When it meets an object, as asked alone.</summary>
     public CastResult Cast(SceneObjects objects, int slot) => ConvexQuery.Cast(
-        _shape, _pose, translation, objects.Shapes[slot], objects.Poses[slot], Vector3.Zero, maxFraction);
+        _shape, _pose, translation, objects.Shapes[slot], objects.Poses[slot], Vector3.Zero, maxFraction,
+        _options);
 
     /// <summary>Its path for a broad phase.</summary>
     public SweptBox Path()
@@ -38,16 +41,20 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
 
     public double Visit(int slot)
     {
-        if (!objects.IsSeen(slot, _shape.Filter)) return _limit;
-        CastResult found = _shape.Cast(objects, slot);
-        if (!found.IsHit) return _limit;
+        if (objects.IsSeen(slot, _shape.Filter)) Take(slot, _shape.Cast(objects, slot));
+        return _limit;
+    }
+
+    /// <summary>Keeps an answer if it is the first hit.</summary>
+    public void Take(int slot, in CastResult found)
+    {
+        if (!found.MayHit) return;
         bool isFirst = Slot < 0 || found.Fraction < Result.Fraction
             || (found.Fraction == Result.Fraction && slot < Slot);
-        if (!isFirst) return _limit;
+        if (!isFirst) return;
         Slot = slot;
         Result = found;
         _limit = SweptBox.After(found.Fraction);
-        return _limit;
     }
 }
 
@@ -58,7 +65,7 @@ internal readonly struct AllCastHits(SceneObjects objects, MovingShape shape, Li
     {
         if (!objects.IsSeen(slot, shape.Filter)) return double.PositiveInfinity;
         CastResult found = shape.Cast(objects, slot);
-        if (found.IsHit) hits.Add(new CastHit(objects.Ids[slot], found));
+        if (found.MayHit) hits.Add(new CastHit(objects.Ids[slot], found));
         return double.PositiveInfinity;
     }
 }

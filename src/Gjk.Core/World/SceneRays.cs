@@ -7,7 +7,8 @@ namespace Gjk.Core;
 /// Each object is asked about the whole ray, never about the part before the best one: what it answers then is what it
 /// answers alone, to the last bit.
 /// </remarks>
-internal struct FirstRayHit(SceneObjects objects, in RayQuery ray, in QueryFilter filter) : ISweepVisitor
+internal struct FirstRayHit(
+    SceneObjects objects, in RayQuery ray, in QueryFilter filter, in CastOptions options) : ISweepVisitor
 {
     /// <summary>The slot of the first object, or -1.</summary>
     public int Slot = -1;
@@ -17,50 +18,60 @@ internal struct FirstRayHit(SceneObjects objects, in RayQuery ray, in QueryFilte
 
     private readonly RayQuery _ray = ray;
     private readonly QueryFilter _filter = filter;
+    private readonly CastOptions _options = options;
     private readonly double _length = ray.Length;
     private double _limit = double.PositiveInfinity;
 
     public double Visit(int slot)
     {
-        if (!objects.IsSeen(slot, _filter)) return _limit;
-        RayCastResult found = ConvexQuery.RayCast(
-            objects.Shapes[slot], objects.Poses[slot], _ray.Origin, _ray.Direction, _ray.MaxDistance);
-        if (!found.IsHit) return _limit;
+        if (objects.IsSeen(slot, _filter))
+        {
+            Take(slot, ConvexQuery.RayCast(
+                objects.Shapes[slot], objects.Poses[slot], _ray.Origin, _ray.Direction, _ray.MaxDistance, _options));
+        }
+
+        return _limit;
+    }
+
+    /// <summary>Keeps an answer if it is the first hit.</summary>
+    public void Take(int slot, in RayCastResult found)
+    {
+        if (!found.MayHit) return;
         bool isFirst = Slot < 0 || found.Distance < Result.Distance
             || (found.Distance == Result.Distance && slot < Slot);
-        if (!isFirst) return _limit;
+        if (!isFirst) return;
         Slot = slot;
         Result = found;
 
         // Twice, since the distance and the fraction are rounded each on its own scale.
         _limit = SweptBox.After(SweptBox.After(found.Distance) / _length);
-        return _limit;
     }
 }
 
 /// <summary>All objects that a ray meets, in no order.</summary>
 internal readonly struct AllRayHits(
-    SceneObjects objects, RayQuery ray, QueryFilter filter, List<RayHit> hits) : ISweepVisitor
+    SceneObjects objects, RayQuery ray, QueryFilter filter, CastOptions options, List<RayHit> hits) : ISweepVisitor
 {
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, filter)) return double.PositiveInfinity;
         RayCastResult found = ConvexQuery.RayCast(
-            objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance);
-        if (found.IsHit) hits.Add(new RayHit(objects.Ids[slot], found));
+            objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options);
+        if (found.MayHit) hits.Add(new RayHit(objects.Ids[slot], found));
         return double.PositiveInfinity;
     }
 }
 
 /// <summary>The first object that each of many rays meets.</summary>
 internal readonly struct SceneRayJob(
-    IBroadPhase phase, SceneObjects objects, RayQuery[] rays, RayHit[] results, QueryFilter filter) : IPartJob
+    IBroadPhase phase, SceneObjects objects, RayQuery[] rays, RayHit[] results, QueryFilter filter,
+    CastOptions options) : IPartJob
 {
     public void Run(int begin, int end)
     {
         for (int i = begin; i < end; i++)
         {
-            var first = new FirstRayHit(objects, rays[i], filter);
+            var first = new FirstRayHit(objects, rays[i], filter, options);
             phase.Sweep(rays[i].Path(), ref first);
             results[i] = new RayHit(first.Slot < 0 ? -1 : objects.Ids[first.Slot], first.Result);
         }

@@ -21,12 +21,13 @@ public class CastBatchTests
         motions[5] = new Vector3(float.NaN);
         var results = new CastResult[Pairs + 1];
         using Workers? workers = threads == 0 ? null : new Workers(threads);
-        PairBatch.Cast(shapes, poses, motions, pairs, results, 1.5f, workers);
+        CastOptions options = threads == 1 ? CastOptions.OnlyDeeper(0.1f) : default;
+        PairBatch.Cast(shapes, poses, motions, pairs, results, 1.5f, workers, default, options);
         for (int i = 0; i < Pairs; i++)
         {
             (int a, int b) = (pairs[i].A, pairs[i].B);
             CastResult single = ConvexQuery.Cast(
-                shapes[a], poses[a], motions[a], shapes[b], poses[b], motions[b], 1.5f);
+                shapes[a], poses[a], motions[a], shapes[b], poses[b], motions[b], 1.5f, options);
             Assert.True(CastBits.AreSame(single, results[i]), $"pair {i}: {results[i]}, alone {single}");
         }
 
@@ -42,6 +43,7 @@ public class CastBatchTests
     {
         var rng = new Rng(8);
         using Workers? workers = threads == 0 ? null : new Workers(threads);
+        CastOptions options = threads == 0 ? CastOptions.OnlyDeeper(0.1f) : default;
         foreach (string kind in Generators.AllKinds)
         {
             ConvexShape shape = Generators.Shape(rng, kind).Shape;
@@ -49,11 +51,11 @@ public class CastBatchTests
             RayQuery[] rays = [.. Enumerable.Range(0, 300).Select(
                 _ => new RayQuery(rng.Vector(-3, 3), rng.Direction(), rng.Float(0, 6)))];
             var results = new RayCastResult[300];
-            RayBatch.RayCast(shape, pose, rays, results, workers);
+            RayBatch.RayCast(shape, pose, rays, results, workers, default, options);
             for (int i = 0; i < rays.Length; i++)
             {
                 RayCastResult single = ConvexQuery.RayCast(
-                    shape, pose, rays[i].Origin, rays[i].Direction, rays[i].MaxDistance);
+                    shape, pose, rays[i].Origin, rays[i].Direction, rays[i].MaxDistance, options);
                 Assert.True(CastBits.AreSame(single, results[i]), $"{kind}, ray {i}: {results[i]}, alone {single}");
             }
         }

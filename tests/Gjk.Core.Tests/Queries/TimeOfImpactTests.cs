@@ -75,17 +75,17 @@ public class TimeOfImpactTests
     }
 
     [Theory]
-    [InlineData(2)]
     [InlineData(1.5f)]
-    [InlineData(0)]
-    public void WhatOverlapsOrTouchesAtTheStartSaysSo(float y)
+    [InlineData(0.25f)]
+    public void WhatOverlapsAtTheStartSaysSo(float y)
     {
         CastResult r = Turning(y, new Vector3(0, 9, 0));
-        Assert.Equal((CastStatus.OverlappingAtStart, 0f, Vector3.Zero), (r.Status, r.Fraction, r.Normal));
+        Assert.Equal(
+            (CastStatus.OverlappingAtStart, 0f, Vector3.UnitY, 2 - y), (r.Status, r.Fraction, r.Normal, r.Depth));
         Assert.InRange(r.Point.Y, -1, 1);
         r = ConvexQuery.TimeOfImpact(
             ConvexShape.Sphere(1), At(default, Vector3.One), ConvexShape.Sphere(1), At(new Vector3(1.5f, 0, 0)));
-        Assert.Equal(CastStatus.OverlappingAtStart, r.Status);
+        Assert.Equal((CastStatus.OverlappingAtStart, Vector3.UnitX, 0.5f), (r.Status, r.Normal, r.Depth));
         Assert.InRange(r.Point.X, 0.5f, 1);
     }
 

@@ -43,6 +43,27 @@ internal static class Depth
         return (entry, exit, normal);
     }
 
+    /// <summary>
+    /// How the signed distance of clouds that only touch changes at first when B moves: by the best of the planes in
+    /// which they touch, each of which goes on separating them if B does not move against its normal.
+    /// </summary>
+    /// <param name="pair">The clouds.</param>
+    /// <param name="motion">Of B.</param>
+    /// <param name="noise">Length: what is no further apart touches.</param>
+    public static double Rate(TestPair pair, Vector3D motion, double noise)
+    {
+        Vector3D[] a = World(pair.A, pair.PoseA, default);
+        Vector3D[] b = World(pair.B, pair.PoseB, (Vector3D)pair.PoseB.Position - pair.PoseA.Position);
+        double most = double.NegativeInfinity;
+        foreach (Vector3D side in FaceNormals(a, b))
+        {
+            if (Past(a, b, side) <= noise) most = Math.Max(most, Vector3D.Dot(side, motion));
+            if (Past(a, b, -side) <= noise) most = Math.Max(most, -Vector3D.Dot(side, motion));
+        }
+
+        return most;
+    }
+
     private static IEnumerable<Vector3D> FaceNormals(Vector3D[] a, Vector3D[] b)
     {
         List<Vector3D> edgesA = Edges(a), edgesB = Edges(b), all = [.. edgesA, .. edgesB];

@@ -87,11 +87,15 @@ internal sealed class SceneSet
     public IEnumerable<int> Seen(QueryFilter filter) =>
         Enumerable.Range(0, World.Count).Where(i => Scenes[0].Contains(i) && IsSeen(i, filter));
 
-    public RayCastResult RayCast(int i, in RayQuery ray) =>
-        ConvexQuery.RayCast(World.Shapes[i], World.Poses[i], ray.Origin, ray.Direction, ray.MaxDistance);
+    /// <summary>Half of them pass shallow contacts.</summary>
+    public CastOptions Options() => Rng.Below(2) == 0 ? default : CastOptions.OnlyDeeper(Rng.Float(0, 0.3));
 
-    public CastResult Cast(int i, in ConvexShape shape, in RigidPose pose, Vector3 motion, float most) =>
-        ConvexQuery.Cast(shape, pose, motion, World.Shapes[i], World.Poses[i], Vector3.Zero, most);
+    public RayCastResult RayCast(int i, in RayQuery ray, in CastOptions options) =>
+        ConvexQuery.RayCast(World.Shapes[i], World.Poses[i], ray.Origin, ray.Direction, ray.MaxDistance, options);
+
+    public CastResult Cast(
+        int i, in ConvexShape shape, in RigidPose pose, Vector3 motion, float most, in CastOptions options) =>
+        ConvexQuery.Cast(shape, pose, motion, World.Shapes[i], World.Poses[i], Vector3.Zero, most, options);
 
     public bool Overlaps(int i, in ConvexShape shape, in RigidPose pose) =>
         ConvexQuery.Overlaps(shape, pose, World.Shapes[i], World.Poses[i]);

@@ -33,11 +33,15 @@ public class ScenePathTests
                 if (motion == default) continue;
                 rays.Add(new RayQuery(start, motion, (float)(most * ((Vector3D)motion).Length)));
                 QueryFilter filter = set.Filter();
-                RayHit[] expected = [.. set.Seen(filter).Select(i => new RayHit(i, set.RayCast(i, rays[^1])))
-                    .Where(h => h.Result.IsHit).Order()];
+                CastOptions options = set.Options();
+                RayHit[] expected = [.. set.Seen(filter).Select(i => new RayHit(i, set.RayCast(i, rays[^1], options)))
+                    .Where(h => h.Result.Status != CastStatus.Miss).Order()];
                 counts[expected.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
-                    CheckRay(scene, rays[^1], filter, expected, $"{message}, {scene.BroadPhase}, {scene.Bound}, {k}");
+                {
+                    string where = $"{message}, {scene.BroadPhase}, {scene.Bound}, {k}";
+                    CheckRay(scene, rays[^1], filter, options, expected, where);
+                }
             }
 
             if (set.Frame == 1) CheckBulk(set, [.. rays], message);
@@ -59,18 +63,23 @@ public class ScenePathTests
                 ConvexShape shape = Generators.Shape(set.Rng, set.Kind(Generators.AllKinds)).Shape;
                 RigidPose pose = Generators.Pose(set.Rng, start);
                 QueryFilter filter = set.Filter();
+                CastOptions options = set.Options();
                 if (set.Rng.Below(10) == 0) motion = default;
                 CastHit[] expected = [.. set.Seen(filter).Select(
-                    i => new CastHit(i, set.Cast(i, shape, pose, motion, most))).Where(h => h.Result.IsHit).Order()];
+                    i => new CastHit(i, set.Cast(i, shape, pose, motion, most, options)))
+                    .Where(h => h.Result.Status != CastStatus.Miss).Order()];
                 counts[expected.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
                 {
                     string where = $"{message}, {scene.BroadPhase}, {scene.Bound}, {k}";
                     List<CastHit> all = [];
-                    scene.FindCastHits(shape, pose, motion, all, most, filter);
-                    Assert.True(Same(expected, all), where);
+                    scene.FindCastHits(shape, pose, motion, all, most, filter, options);
                     Assert.True(
-                        scene.TryFindCastHit(shape, pose, motion, out int id, out CastResult first, most, filter)
+                        Same(expected, all),
+                        $"{where}: {string.Join("; ", expected)} but {string.Join("; ", all)}");
+                    Assert.True(
+                        scene.TryFindCastHit(
+                            shape, pose, motion, out int id, out CastResult first, most, filter, options)
                             == (expected.Length > 0), where);
                     Assert.True(id == (expected.Length > 0 ? expected[0].Id : -1), where);
                     Assert.True(expected.Length == 0 ? first.Status == CastStatus.Miss && first.Fraction == most
@@ -115,13 +124,14 @@ public class ScenePathTests
     }
 
     private static void CheckRay(
-        CollisionScene scene, in RayQuery ray, in QueryFilter filter, RayHit[] expected, string message)
+        CollisionScene scene, in RayQuery ray, in QueryFilter filter, in CastOptions options, RayHit[] expected,
+        string message)
     {
         List<RayHit> all = [];
-        scene.FindRayHits(ray, all, filter);
+        scene.FindRayHits(ray, all, filter, options);
         Assert.True(
             Same(expected, all), $"{message}, {ray}: {string.Join("; ", expected)} but {string.Join("; ", all)}");
-        bool isHit = scene.TryFindRayHit(ray, out int id, out RayCastResult first, filter);
+        bool isHit = scene.TryFindRayHit(ray, out int id, out RayCastResult first, filter, options);
         Assert.True(isHit == (expected.Length > 0), message);
         Assert.True(id == (isHit ? expected[0].Id : -1), $"{message}, {ray}");
         Assert.True(isHit ? CastBits.AreSame(expected[0].Result, first)
@@ -139,10 +149,11 @@ public class ScenePathTests
             foreach (Workers? w in new[] { null, workers })
             {
                 QueryFilter filter = set.Filter();
-                scene.FindFirstRayHits(rays, results, w, filter);
+                CastOptions options = set.Options();
+                scene.FindFirstRayHits(rays, results, w, filter, options);
                 for (int i = 0; i < rays.Length; i++)
                 {
-                    scene.TryFindRayHit(rays[i], out int id, out RayCastResult result, filter);
+                    scene.TryFindRayHit(rays[i], out int id, out RayCastResult result, filter, options);
                     Assert.True(
                         id == results[i].Id && CastBits.AreSame(result, results[i].Result),
                         $"{message}, {scene.BroadPhase}, {scene.Bound}, ray {i}, {(w is null ? 1 : 3)} threads");

@@ -8,15 +8,19 @@ public enum CastStatus : byte
 
     /// <summary>
     /// The shapes touch at the fraction, and not before it; of a time of impact, they are within the tolerance at it.
+    /// The fraction is 0 where they only touch at the start and the motion takes them into each other.
     /// </summary>
     Hit = 1,
 
-    /// <summary>They do not touch up to the largest fraction, which the result has; point and normal: NaN.</summary>
+    /// <summary>
+    /// No contact counts up to the largest fraction, which the result has; point and normal: NaN. Shapes that only
+    /// touch at the start and slide or part miss each other, too.
+    /// </summary>
     Miss = 2,
 
     /// <summary>
-    /// They overlap or touch before anything moves: fraction 0, a common point, and a zero normal. How deep, and which
-    /// way out, <see cref="ConvexQuery"/>'s signed distance says.
+    /// They overlap before anything moves: fraction 0, a common point, the normal along which B leaves A, and the
+    /// depth.
     /// </summary>
     OverlappingAtStart = 3,
 

@@ -53,23 +53,30 @@ public class RayCastTests
             ConvexShape.Box(Vector3.One), Here, new Vector3(0, 5, 0), new Vector3(0, -3, 0), most);
     }
 
-    /// <summary>From the surface, along a face, an edge and away from it.</summary>
+    /// <summary>From the surface, along a face, an edge, away from it, and in; and from the inside.</summary>
     [Theory]
-    [InlineData(1, 0, 0, 1, 0, 0)]
-    [InlineData(1, 0, 0, 0, 1, 0)]
-    [InlineData(1, 1, 0, 0, 0, 1)]
-    [InlineData(1, 1, 1, 1, 1, 1)]
-    [InlineData(0.2f, 0.3f, -0.4f, 1, 1, 1)]
-    public void AnOriginInTheClosedShapeIsOverlapping(float x, float y, float z, float dx, float dy, float dz)
+    [InlineData(1, 0, 0, 1, 0, 0, CastStatus.Miss)]
+    [InlineData(1, 0, 0, 0, 1, 0, CastStatus.Miss)]
+    [InlineData(1, 1, 0, 0, 0, 1, CastStatus.Miss)]
+    [InlineData(1, 1, 1, 1, 1, 1, CastStatus.Miss)]
+    [InlineData(1, 1, 0, -1, 1e-3f, 1, CastStatus.Miss)]
+    [InlineData(1, 1, 0, -1, -1e-3f, 1, CastStatus.Hit)]
+    [InlineData(1, 0, 0, -1, 5, 0, CastStatus.Hit)]
+    [InlineData(0.2f, 0.3f, -0.4f, 1, 1, 1, CastStatus.OverlappingAtStart)]
+    public void AnOriginOnTheSurfaceGoesInOrMisses(
+        float x, float y, float z, float dx, float dy, float dz, CastStatus status)
     {
         Vector3 origin = new(x, y, z), direction = new(dx, dy, dz);
         var mesh = ConvexShape.Mesh(TestShape.Corners(Vector3.One));
         foreach (ConvexShape shape in new[] { ConvexShape.Box(Vector3.One), mesh })
         {
             RayCastResult r = ConvexQuery.RayCast(shape, Here, origin, direction);
-            Assert.Equal(
-                (CastStatus.OverlappingAtStart, 0f, origin, Vector3.Zero), (r.Status, r.Distance, r.Point, r.Normal));
-            Assert.True(r.IsHit);
+            Assert.Equal(status, r.Status);
+            if (!r.IsHit) continue;
+            Assert.Equal((0f, origin), (r.Distance, r.Point));
+            Assert.Equal(status == CastStatus.Hit ? 0 : 0.6f, r.Depth);
+            if (status == CastStatus.Hit) Assert.True(Vector3.Dot(r.Normal, direction) < 0, $"{r}");
+            else Assert.Equal(-Vector3.UnitZ, r.Normal);
         }
     }
 
@@ -184,7 +191,10 @@ public class RayCastTests
         Assert.True(hits > 0.05 * count || kind is "point" or "segment" or "needle", $"{hits} hits");
     }
 
-    /// <summary>An origin counts as in the shape where the shape contains it.</summary>
+    /// <summary>
+    /// An origin counts as in the shape where the shape contains it, by more than touching: there the ray hits at 0 or
+    /// misses.
+    /// </summary>
     [Theory]
     [MemberData(nameof(Kinds))]
     public void TheStartIsWhatContainsSays(string kind)
@@ -201,9 +211,11 @@ public class RayCastTests
                 Vector3 origin = surface + (out1 - surface) * way;
                 bool isIn = ConvexQuery.Contains(shape.Shape, pose, origin);
                 RayCastResult r = ConvexQuery.RayCast(shape.Shape, pose, origin, rng.Direction());
+                float depth = -ConvexQuery.SignedDistance(shape.Shape, pose, origin).Distance;
+                bool isDeep = depth > 1e-6 * shape.LongestSide, isInside = r.Status == CastStatus.OverlappingAtStart;
                 Assert.True(
-                    isIn == (r.Status == CastStatus.OverlappingAtStart),
-                    $"seed {9000 + i}: {shape} at {TestShape.T(pose)}, {origin}: {isIn}, {r}");
+                    isInside ? isIn : !isDeep && (!isIn || r.Status == CastStatus.Miss || r.Distance == 0),
+                    $"seed {9000 + i}: {shape} at {TestShape.T(pose)}, {origin}: {isIn}, {depth:R}, {r}");
             }
         }
     }
@@ -221,7 +233,9 @@ public class RayCastTests
                 new PointShape(), p.PoseB, motion, p.A.Shape, p.PoseA, default).Swapped;
             RayCastResult ray = ConvexQuery.RayCast(p.A.Shape, p.PoseA, p.PoseB.Position, motion, motion.Length());
             Assert.Equal((cast.Status, cast.Fraction, cast.Normal), (closed.Status, closed.Fraction, closed.Normal));
-            Assert.Equal((cast.Status, cast.Fraction, cast.Normal), (swapped.Status, swapped.Fraction, swapped.Normal));
+            Assert.Equal((cast.Status, cast.Fraction), (swapped.Status, swapped.Fraction));
+            Assert.Equal(cast.Depth, swapped.Depth, 1e-6f * (float)p.Scale);
+            if (cast.Status == CastStatus.Hit) Assert.Equal(cast.Normal, swapped.Normal);
             Assert.True(ray.Status == cast.Status, $"seed {i}: {p}: {ray}, {cast}");
             if (ray.Status == CastStatus.Hit) Assert.Equal(ray.Distance, cast.Fraction * motion.Length(), 1e-5f);
         }

@@ -25,7 +25,7 @@ public class RayGrazeTests
         if (along.IsHit) Assert.Equal(0.5f, along.Fraction, 1e-3f);
     }
 
-    /// <summary>What the start says is what Contains says, on faces, edges and corners of turned bodies.</summary>
+    /// <summary>What the start says is what Contains and the depth say, on faces, edges and corners of turned bodies.</summary>
     [Fact]
     public void AStartOnAFaceIsWhatContainsSays()
     {
@@ -41,7 +41,9 @@ public class RayGrazeTests
             if (direction == Vector3.Zero) continue;
             RayCastResult r = ConvexQuery.RayCast(shape, pose, origin, direction);
             bool isIn = ConvexQuery.Contains(shape, pose, origin);
-            Assert.True(isIn == (r.Status == CastStatus.OverlappingAtStart), $"seed {i}: {isIn}, {r}");
+            float depth = -ConvexQuery.SignedDistance(shape, pose, origin).Distance;
+            Assert.True((depth > 0) == (r.Status == CastStatus.OverlappingAtStart), $"seed {i}: {depth:R}, {r}");
+            Assert.True(!isIn || r.Status == CastStatus.Miss || r.Distance == 0, $"seed {i}: {r}");
             if (isIn) starts++;
             if (r.Status != CastStatus.Hit) continue;
             float before = r.Distance - 1e-3f;

@@ -1,0 +1,145 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// What becomes of a contact of two cores that move and turn: it ends, it gets deeper than is allowed, or it lasts.
+/// Conservative advancement as in <see cref="AdvancementSolver"/>, of bodies that are shrunk by what is allowed.
+/// </summary>
+/// <remarks>
+/// <para>
+/// Each round asks for the signed distance at the fraction reached. Its plane, moved back by what is allowed, separates
+/// the shrunk bodies, and the same chord with its sag proves a step of it. So nothing gets deeper between the rounds,
+/// and bodies that slide or roll on each other go on, with the allowed depth for a gap.
+/// </para>
+/// <para>
+/// A contact ends where the plane proves a gap of twice the tolerance. It is looked for before each step, four times
+/// further each time, since a body may leave, turn, and come back with its other end within one step.
+/// </para>
+/// <para>
+/// It terminates as the advancement does: what is allowed is several floors.
+/// </para>
+/// <para>
+/// Verdicts. Enclosed: it gets deeper. Beyond: it ends at the fraction, and the bodies are apart there. Apart: neither,
+/// up to the end. Undecided: the steps ran out; it is no deeper up to the fraction. Contradiction: as the signed
+/// distance has it.
+/// </para>
+/// </remarks>
+internal static class ContactFollower
+{
+    /// <summary>Ratio to the tolerance: the gap at which a contact is over. Pinned by TouchingImpactTests.</summary>
+    private const double Ended = 2;
+
+    /// <summary>Ratio: how much further each look for the end is. Pinned by TouchingImpactTests.</summary>
+    private const double Further = 4;
+
+    /// <summary>Ratio to what the search for a depth leaves open: room for it. Pinned by TouchingImpactTests.</summary>
+    private const double DepthRoom = 4;
+
+    /// <summary>
+    /// Count: directions in which the bodies' reach from their axes is measured, so that a wheel can roll in few steps:
+    /// the reach is up to 0.1% too large. Pinned by TouchingImpactTests.
+    /// </summary>
+    private const int MeasuredDirections = 64;
+
+    /// <summary>Follows the contact; the frame is that of the fraction reached.</summary>
+    /// <param name="a">The first core.</param>
+    /// <param name="b">The second one.</param>
+    /// <param name="frame">The pair at the begin.</param>
+    /// <param name="motion">How it moves.</param>
+    /// <param name="interval">From which fraction to which.</param>
+    /// <param name="tolerance">The largest gap of a hit, in solver units.</param>
+    /// <param name="allowed">
+    /// In solver units: how deep they may get, if they are not deeper at the fraction 0 already.
+    /// </param>
+    /// <param name="impact">Gets the end; its steps and iterations are counted on.</param>
+    public static void Solve<TA, TB>(
+        ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, double tolerance,
+        double allowed, ref Impact impact)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double floor = AdvancementSolver.FloorRatio * tolerance, accepted = AdvancementSolver.MostAccepted * tolerance;
+        double margin = frame.MarginA, shrunk = 0;
+        impact.Fraction = interval.Begin;
+        motion.A.Measure(ref a, MeasuredDirections);
+        motion.B.Measure(ref b, MeasuredDirections);
+        while (TryMeasure(ref a, ref b, frame, ref impact, out SolverState state, out double gap))
+        {
+            if (shrunk == 0)
+            {
+                double depth = interval.Begin > 0 ? 0 : -gap;
+                shrunk = Math.Max(allowed, depth) + tolerance + DepthRoom * state.DepthNoise;
+            }
+
+            impact.Outcome = Verdict.Enclosed;
+            if (gap + shrunk <= accepted) return;
+            frame.MarginA = margin - shrunk;
+            TurningPlane.Choose(
+                state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out TurningPlane plane);
+            double next;
+            bool isOver = TryEnd(
+                ref a, ref b, ref frame, motion, plane, interval.End, shrunk + Ended * tolerance, floor, out next);
+            if (!isOver && !AdvancementSolver.TrySweep(
+                ref a, ref b, ref frame, motion, plane, interval.End, floor, true, out next))
+            {
+                next = AdvancementSolver.Advance(ref a, ref b, ref frame, motion, plane, interval.End, floor);
+            }
+
+            frame.MarginA = margin;
+            bool goesOn = impact.TryGoTo(next, interval.End);
+            if (isOver && impact.Outcome != Verdict.Apart) impact.Outcome = Verdict.Beyond;
+            if (isOver || !goesOn) return;
+        }
+    }
+
+    /// <summary>Looks for a proved gap; the frame is moved there, or left as it was.</summary>
+    private static bool TryEnd<TA, TB>(
+        ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end,
+        double outside, double floor, out double next)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        PairFrame here = frame;
+        next = plane.Start;
+        for (double step = (outside - plane.Gap) / motion.Speed; next < end; step *= Further)
+        {
+            next = Math.Min(plane.Start + step, end);
+            motion.MoveTo(next, ref frame);
+            double gap = plane.GapAt(ref a, ref b, frame, next);
+            if (!plane.IsProved(next - plane.Start, gap, floor)) break;
+            if (gap >= outside) return true;
+        }
+
+        frame = here;
+        return false;
+    }
+
+    /// <summary>The signed distance where the pair is now, and the plane that bounds it from below.</summary>
+    private static bool TryMeasure<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, ref Impact impact, out SolverState state, out double gap)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        SolverState.Begin<TA, TB>(frame, out state);
+        WarmStart unused = default;
+        NoPolytopeTrace trace = default;
+        if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
+        else SignedSolver.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
+        impact.Iterations += state.Iterations;
+        impact.Steps++;
+        impact.Outcome = state.Verdict;
+        gap = 0;
+        if (state.Verdict == Verdict.Contradiction) return false;
+        if (state.Verdict == Verdict.Enclosed)
+        {
+            // Centres that coincide have no direction: any is as good.
+            state.Feature.Normal = new Vector3D(1, 0, 0);
+            state.Feature.NormalSquared = 1;
+            state.Plane.Set(state.Feature, 0);
+        }
+
+        gap = state.Plane.Value / Math.Sqrt(state.Plane.NormalSquared) - frame.Margins;
+        return true;
+    }
+}

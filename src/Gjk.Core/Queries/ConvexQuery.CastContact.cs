@@ -1,0 +1,152 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <remarks>
+/// What a contact means for a cast: one at the start, which may be touching, overlapping or on its way apart, and one
+/// on the way that may be passed. A cast that starts apart and passes nothing does not come here.
+/// </remarks>
+public static partial class ConvexQuery
+{
+    /// <summary>
+    /// Ratio to the way: 2^-20, sixteen roundings to float: how far the projection of a motion onto a surface may point
+    /// into it. Pinned by CastOptionsTests.
+    /// </summary>
+    private const double AllowedSlope = 1.0 / (1 << 20);
+
+    /// <summary>A contact as a cast has found it, and as it is when it has been looked at.</summary>
+    private struct SettledContact
+    {
+        public CastStatus Status;
+        public Vector3 Point, Normal;
+        public float Depth;
+
+        /// <summary>Support calls made by the looks.</summary>
+        public int Iterations;
+
+        public SettledContact(in CastResult found)
+            : this()
+        {
+            Status = found.Status;
+            Point = found.Point;
+            Normal = found.Normal;
+        }
+
+        /// <summary>Asks how deep the shapes overlap at the start.</summary>
+        /// <returns>Whether they do by more than touching.</returns>
+        public bool LookAtStart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            var question = new SignedQuestion<NoPolytopeTrace>(default, false, false, wantsTouch: true);
+            Ask(ref a, poseA, ref b, poseB, ref question);
+            DistanceResult start = question.Result;
+            Iterations = start.Iterations;
+            Normal = start.Normal;
+            if (question.IsTouch)
+            {
+                (Point, Normal) = (question.TouchPoint, question.TouchNormal);
+                return false;
+            }
+
+            bool isLimit = start.Status == GjkStatus.IterationLimit;
+            Depth = Math.Max(isLimit ? -start.LowerBound : -start.Distance, 0);
+            if (start.Status == GjkStatus.InvalidShape) Status = CastStatus.InvalidShape;
+            return isLimit || Depth > 0;
+        }
+
+        /// <summary>A cast that found this contact.</summary>
+        public readonly CastResult Apply(in CastResult found, float maxFraction)
+        {
+            int iterations = found.Iterations + Iterations;
+            return Status switch
+            {
+                CastStatus.Miss => CastResult.Nothing(Status, Math.Max(maxFraction, 0), iterations),
+                CastStatus.Hit or CastStatus.OverlappingAtStart => new CastResult(
+                    Status, found.Fraction, Point, Normal, iterations, Depth),
+                _ => CastResult.Nothing(Status, float.NaN, iterations),
+            };
+        }
+    }
+
+    /// <summary>What becomes of a contact that a cast has found.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Where it is at the start.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Where it is.</param>
+    /// <param name="motion">Of B, seen from A, for the fraction 1.</param>
+    /// <param name="fraction">Of the contact; 0 with the status OverlappingAtStart.</param>
+    /// <param name="most">The largest fraction.</param>
+    /// <param name="options">Which contacts are passed.</param>
+    /// <param name="contact">The contact; its status becomes that of the cast.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Settle<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in Vector3D motion, double fraction, double most,
+        in CastOptions options, ref SettledContact contact)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        bool isStart = contact.Status == CastStatus.OverlappingAtStart, isDeep = false;
+        if (isStart)
+        {
+            isDeep = contact.LookAtStart(ref a, poseA, ref b, poseB);
+            if (contact.Status != CastStatus.OverlappingAtStart) return;
+        }
+
+        if (isDeep && !options.PassesShallow) return;
+        DeepeningPart part = options.PassesShallow
+            ? new DeepeningPart(fraction, most, options.AllowedDepth, AllowedSlope)
+            : new DeepeningPart(0, double.PositiveInfinity, 0, 0);
+        var question = new DeepeningQuestion(motion, part);
+        Ask(ref a, poseA, ref b, poseB, ref question);
+        contact.Iterations += question.Iterations;
+        if (question.Verdict == Verdict.Contradiction) contact.Status = CastStatus.InvalidShape;
+        else if (question.Verdict == Verdict.Apart) contact.Status = CastStatus.Miss;
+        else if (isStart && !isDeep) contact.Status = CastStatus.Hit;
+    }
+
+    /// <summary>The pipeline of <see cref="DeepeningSolver"/>, for any two cores.</summary>
+    private struct DeepeningQuestion : IPairQuestion
+    {
+        public Verdict Verdict;
+        public int Iterations;
+        private readonly Vector3D _motion;
+        private readonly DeepeningPart _part;
+
+        public DeepeningQuestion(in Vector3D motion, in DeepeningPart part)
+        {
+            Verdict = default;
+            Iterations = 0;
+            _motion = motion;
+            _part = part;
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+            if (frame.IsOrdinary)
+            {
+                Solve(ref a, ref b, ref frame);
+                return;
+            }
+
+            SolverState.Begin<TA, TB>(frame, out SolverState state);
+            ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
+            Solve(ref unitA, ref unitB, ref frame);
+        }
+
+        private void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            Vector3D motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
+            var part = new DeepeningPart(_part.From, _part.To, _part.Allowed / frame.Unit, _part.Slope);
+            Verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
+        }
+    }
+}

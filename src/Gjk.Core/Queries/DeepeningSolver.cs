@@ -1,0 +1,178 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Whether a shape that is translated gets deeper into another one than is allowed: the least signed distance on a part
+/// of a line, by cutting planes (Kelley, "The cutting-plane method for solving convex programs", 1960, with one
+/// unknown).
+/// </summary>
+/// <remarks>
+/// <para>
+/// The signed distance to the Minkowski difference A - B, a convex set, is a convex function, inside too. So the
+/// support plane that comes with each look at it bounds it from below along the whole line, and the feature bounds it
+/// from above where it was looked at. The lowest point that a falling and a rising plane leave open is looked at next.
+/// A look that is deep enough ends the search, and so do planes that leave no room for one.
+/// </para>
+/// <para>
+/// One look mostly does: a motion along a face or away from it is told by the first plane, a motion into the shape by
+/// the first place ahead. A slope may be allowed on top of the depth; it is added to the signed distance, which stays
+/// convex.
+/// </para>
+/// <para>
+/// It terminates because the room that the planes leave shrinks: a polytope has finitely many of them, and along a
+/// curved shape it falls with the square of the bracket. MaxRounds is a backstop.
+/// </para>
+/// <para>
+/// Verdicts. Enclosed: they get deeper, or nothing proves that they do not, so that no contact is lost. Apart: they
+/// do not. Contradiction: as the signed distance has it.
+/// </para>
+/// </remarks>
+internal static class DeepeningSolver
+{
+    /// <summary>
+    /// Count: a bracket is halved in each round where the shapes are round, and 53 halvings are all of a double. Random
+    /// pairs take less than ten. Pinned by DeepeningTests.
+    /// </summary>
+    private const int MaxRounds = 64;
+
+    /// <summary>Looks along the line until it is known.</summary>
+    /// <param name="a">The first core.</param>
+    /// <param name="b">The second one.</param>
+    /// <param name="frame">The pair at the fraction 0; its translation is moved.</param>
+    /// <param name="motion">Of B, seen from A, in A's frame, for the fraction 1.</param>
+    /// <param name="part">From where on, to where, and what is allowed, in solver units.</param>
+    /// <param name="iterations">Support calls made on each shape are added.</param>
+    public static Verdict Solve<TA, TB>(
+        ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, in DeepeningPart part, ref int iterations)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (CastLine.Make(frame, motion, out CastLine line) != Verdict.Enclosed) return Verdict.Apart;
+        double begin = (part.From - line.Middle) * line.Speed, end = (part.To - line.Middle) * line.Speed;
+
+        // A fraction that is no float stands for where the bounding balls meet.
+        if (float.IsInfinity((float)part.From)) begin = -line.HalfChord;
+        if (part.From > 0) frame.Translation = line.At(begin);
+        if (!TryLook(ref a, ref b, frame, line.Axis, ref iterations, out DepthLook look)) return Verdict.Contradiction;
+        double limit = look.Touch + look.Noise + line.Error + Math.Max(part.Allowed, part.From > 0 ? 0 : -look.Most);
+        var left = new DepthCut(begin, look.Least, look.Slope + part.Slope);
+        if (look.Most < -limit) return Verdict.Enclosed;
+        if (left.Slope >= 0 || !(end > begin)) return Verdict.Apart;
+        bool isCut = end < line.HalfChord;
+        DepthCut right = isCut ? default : AtExit(line, begin, part.Slope);
+        double along = end;
+        for (int rounds = 0; rounds < MaxRounds; rounds++)
+        {
+            if (!isCut || rounds > 0)
+            {
+                along = DepthCut.Lowest(left, right);
+                if (!(along > left.Along && along < right.Along) || left.At(along) >= -limit) return Verdict.Apart;
+            }
+
+            frame.Translation = line.At(along);
+            if (!TryLook(ref a, ref b, frame, line.Axis, ref iterations, out look)) return Verdict.Contradiction;
+            double added = part.Slope * (along - begin);
+            if (look.Most + added < -limit - look.Noise) return Verdict.Enclosed;
+            var cut = new DepthCut(along, look.Least + added, look.Slope + part.Slope);
+            double known = left.At(along);
+            if (rounds > 0 && look.Most + added - known <= 2 * look.Noise) return Verdict.Apart;
+            if (cut.Slope >= 0) right = cut;
+            else if (along == end) return Verdict.Apart;
+            else left = cut;
+        }
+
+        return Verdict.Enclosed;
+    }
+
+    /// <summary>Where the bounding balls part they are apart, and go on parting.</summary>
+    private static DepthCut AtExit(in CastLine line, double begin, double slope)
+    {
+        Vector3D between = line.At(line.HalfChord);
+        double parting = Vector3D.Dot(between, line.Axis) / between.Length;
+        return new DepthCut(line.HalfChord, slope * (line.HalfChord - begin), parting + slope);
+    }
+
+    /// <summary>The signed distance where B is now, and the plane that bounds it.</summary>
+    private static bool TryLook<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D axis, ref int iterations, out DepthLook look)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        SolverState.Begin<TA, TB>(frame, out SolverState state);
+        WarmStart unused = default;
+        NoPolytopeTrace trace = default;
+        if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
+        else SignedSolver.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
+        iterations += state.Iterations;
+        look = default;
+        if (state.Verdict == Verdict.Contradiction) return false;
+        look.Touch = GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
+        look.Noise = state.DepthNoise;
+        double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
+        double planeScale = 1 / Math.Sqrt(state.Plane.NormalSquared);
+        look.Most = state.Feature.Height * scale - frame.Margins;
+        look.Least = Math.Min(state.Plane.Value * planeScale - frame.Margins, look.Most);
+        look.Slope = -Vector3D.Dot(state.Plane.Normal, axis) * planeScale;
+        if (state.Verdict == Verdict.Enclosed)
+        {
+            // Centres that coincide: every direction is as good as the others, also the one ahead.
+            look.Most = look.Least = -frame.Margins;
+            look.Slope = 1;
+        }
+
+        // A depth that was searched without room enough may be as much as it is at most.
+        if (state.Verdict == Verdict.Undecided) look.Most = look.Least;
+        return true;
+    }
+
+    /// <summary>What was seen at a place of the line.</summary>
+    private struct DepthLook
+    {
+        /// <summary>Bounds of the signed distance, and how the lower one changes along the line.</summary>
+        public double Most, Least, Slope;
+
+        /// <summary>Lengths: what counts as touching, and what is left open between the bounds.</summary>
+        public double Touch, Noise;
+    }
+}
+
+/// <summary>A part of a line, and how deep shapes may get there. Lengths in solver units.</summary>
+internal readonly struct DeepeningPart
+{
+    /// <summary>The fractions; from 0 on the shapes may be as deep as they are there.</summary>
+    public readonly double From, To;
+
+    /// <summary>How deep they may get at least, and how much for each length of the way on top of it.</summary>
+    public readonly double Allowed, Slope;
+
+    public DeepeningPart(double from, double to, double allowed, double slope)
+    {
+        From = from;
+        To = to;
+        Allowed = allowed;
+        Slope = slope;
+    }
+}
+
+/// <summary>A lower bound of a convex function of a length, by its value at a place and its slope.</summary>
+internal readonly struct DepthCut
+{
+    public readonly double Along, Value, Slope;
+
+    public DepthCut(double along, double value, double slope)
+    {
+        Along = along;
+        Value = value;
+        Slope = slope;
+    }
+
+    public double At(double along) => Value + Slope * (along - Along);
+
+    /// <summary>Where a falling and a rising bound meet.</summary>
+    public static double Lowest(in DepthCut falling, in DepthCut rising)
+    {
+        double share = falling.At(rising.Along) - rising.Value;
+        return rising.Along + share / (rising.Slope - falling.Slope);
+    }
+}
