@@ -34,11 +34,11 @@ internal readonly struct VectorDD
         (VectorDD)(Vector3D)pose.Position + Rotate(pose.Rotation, v);
 
     /// <summary>v + 2 u × (u × v + w v) / |q|², the rotation by q = (u, w) without a matrix.</summary>
-    public static VectorDD Rotate(in Quaternion q, in Vector3D v)
+    public static VectorDD Rotate(in Quaternion q, in VectorDD v)
     {
-        VectorDD u = new Vector3D(q.X, q.Y, q.Z), vector = v;
+        VectorDD u = new Vector3D(q.X, q.Y, q.Z);
         DoubleDouble w = (double)q.W;
         DoubleDouble norm = Dot(u, u) + w * w;
-        return vector + Cross(u, Cross(u, vector) + vector * w) * (2.0 / norm);
+        return v + Cross(u, Cross(u, v) + v * w) * (2.0 / norm);
     }
 }

@@ -9,6 +9,12 @@ namespace Gjk.Core;
 /// <remarks>
 /// A normal is computed in double-double and rounded once, so that even the plane of a sliver supports the hull to
 /// within rounding; each is proved to do so when it is made. Triangles that lie in one plane share it.
+/// <para>
+/// Planes that support a hull need not tell where it ends: those of a disc that was turned by 90 degrees in double are
+/// parallel but for rounding, and meet anywhere. What rounding adds to them, e, they add to the hull up to the ratio of
+/// its size to the depth of a point inside: the hull grown about that point by 1 + e / depth holds all of it. So a hull
+/// without a point that is deep enough has no planes.
+/// </para>
 /// </remarks>
 internal sealed class HullPlanes
 {
@@ -31,6 +37,13 @@ internal sealed class HullPlanes
     private const double Above = 8 * RoundOff.Unit;
 
     /// <summary>
+    /// Ratio to the hull's radius: how far a hull's inner point must be from all planes. A plane and its evaluation are
+    /// off by 11 u of the radius, and the hull reaches two radii from the point: so the planes' hull is within 1.2e-9
+    /// of the radius, which is the 1e-9 of the size that a ray is promised. Pinned by RayHullTests.
+    /// </summary>
+    private const double LeastDepth = 2e-6;
+
+    /// <summary>
     /// Ratio: normals whose components differ by less, and whose planes do, are one plane's. Two facets that truly
     /// differ by so little cannot be told apart in double. Pinned by RayHullTests.
     /// </summary>
@@ -45,21 +58,38 @@ internal sealed class HullPlanes
     private HullPlanes(double[] blocks) => Blocks = blocks;
 
     /// <summary>The planes of a hull.</summary>
-    /// <returns>Null where it is flat, has too many, or one of them is not certain.</returns>
+    /// <returns>Null where it is flat or nearly so, has too many, or one of them is not certain.</returns>
     public static HullPlanes? Of(ConvexHull hull)
     {
         if (hull.Dimension < 3 || hull.TriangleCount > MostTriangles) return null;
         var normals = new List<Vector3D>();
         var offsets = new List<double>();
+        Vector3D inside = MeanCorner(hull);
         for (int i = 0; i < hull.TriangleCount; i++)
         {
             if (!TryGetPlane(hull, i, out Vector3D normal, out double offset)) return null;
+            if (!(offset - Vector3D.Dot(normal, inside) >= LeastDepth * hull.BoundingRadius)) return null;
             if (IsKnown(normals, offsets, normal, offset, hull.BoundingRadius)) continue;
             normals.Add(normal);
             offsets.Add(offset);
         }
 
         return new HullPlanes(Pack(normals, offsets));
+    }
+
+    /// <summary>
+    /// A point inside, measured from the centre: of n corners the mean is 1/n of the hull's width below any plane.
+    /// </summary>
+    private static Vector3D MeanCorner(ConvexHull hull)
+    {
+        Vector3D sum = default;
+        for (int i = 0; i < hull.VertexCount; i++)
+        {
+            hull.GetVertex(i, out Vector3D corner);
+            sum += corner - hull.Center;
+        }
+
+        return sum * (1.0 / hull.VertexCount);
     }
 
     /// <summary>The plane of a triangle, through the hull's highest corner over it.</summary>

@@ -35,4 +35,31 @@ public class HardCastTests
 
         Assert.True(faults.Count == 0, $"{faults.Count}: " + string.Join("\n", faults.Take(12)));
     }
+
+    /// <summary>
+    /// Hulls that are flat but for rounding, whose faces' normals prove nothing: what a point meets, asked as a cast and
+    /// as a ray.
+    /// </summary>
+    [Fact]
+    public void FlatHullsAreMetWhereTheyAre()
+    {
+        IReadOnlyList<CastCase> cases = CastFamily.Load(CastFamily.Flat);
+        List<string> faults = [];
+        foreach (CastCase c in cases)
+        {
+            CastResult cast = c.Cast();
+            RayCastResult ray = c.Ray();
+            bool isRight = cast.Status == c.Outcome && ray.Status == c.Outcome;
+            if (isRight && c.Outcome == CastStatus.Hit)
+            {
+                isRight = Math.Abs(cast.Fraction - c.Fraction) <= 3e-6
+                    && Math.Abs(ray.Distance / c.Velocity.Length() - c.Fraction) <= 3e-6;
+            }
+
+            if (!isRight) faults.Add($"{c.Pair}: {cast}, {ray}, truly {c.Outcome} {c.Fraction:R}");
+        }
+
+        Assert.InRange(cases.Count(c => c.Outcome == CastStatus.Hit), 150, cases.Count - 150);
+        Assert.True(faults.Count == 0, $"{faults.Count}: " + string.Join("\n", faults.Take(12)));
+    }
 }

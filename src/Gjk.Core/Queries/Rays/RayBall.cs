@@ -17,6 +17,7 @@ internal static class RayBall
         span.Enter = -half;
         span.Exit = half;
         span.Normal = ray.At(-half);
+        span.IsClose = RayGraze.IsTangent(squared, radius * radius);
         return squared >= 0;
     }
 
@@ -28,13 +29,14 @@ internal static class RayBall
     /// <returns>False where it misses.</returns>
     public static bool TryFind(in Vector3D toFoot, in Vector3D direction, double radius, out RaySpan span)
     {
-        double square = direction.LengthSquared, middle = -Vector3D.Dot(toFoot, direction) / square;
-        Vector3D foot = toFoot + direction * middle;
+        Vector3D foot = toFoot;
+        double middle = LocalRay.MoveToFoot(ref foot, direction);
         double squared = radius * radius - foot.LengthSquared;
-        double half = Math.Sqrt(Math.Max(squared, 0) / square);
+        double half = Math.Sqrt(Math.Max(squared, 0) / direction.LengthSquared);
         span.Enter = middle - half;
         span.Exit = middle + half;
         span.Normal = foot - direction * half;
+        span.IsClose = RayGraze.IsTangent(squared, radius * radius);
         return squared >= 0;
     }
 }

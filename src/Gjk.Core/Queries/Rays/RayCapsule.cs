@@ -24,7 +24,7 @@ internal static class RayCapsule
         double length = toFirst.Length, half = length * 0.5;
         if (!(length > 0)) return RayBall.TryFind(foot, direction, radius, out span);
         var axis = new Vector3D(toFirst.X / length, toFirst.Y / length, toFirst.Z / length);
-        if (!TryFindSide(foot, direction, axis, radius, out span)) return false;
+        if (!TryFindSide(foot, direction, axis, radius, half, out span)) return false;
         double footAlong = Vector3D.Dot(foot, axis), along = Vector3D.Dot(direction, axis);
         double enterAlong = At(span.Enter), exitAlong = At(span.Exit);
         if (Math.Abs(enterAlong) <= half)
@@ -38,6 +38,7 @@ internal static class RayCapsule
                 return false;
             span.Enter = ball.Enter;
             span.Normal = ball.Normal;
+            span.IsClose |= ball.IsClose;
         }
 
         if (Math.Abs(exitAlong) <= half) return true;
@@ -48,19 +49,16 @@ internal static class RayCapsule
         double At(double t) => footAlong + along * t;
     }
 
-    /// <summary>The infinite cylinder about an axis, as <see cref="RayCylinder"/> has it about y.</summary>
+    /// <summary>The infinite cylinder about an axis.</summary>
     private static bool TryFindSide(
-        in Vector3D foot, in Vector3D direction, in Vector3D axis, double radius, out RaySpan span)
+        in Vector3D foot, in Vector3D direction, in Vector3D axis, double radius, double half, out RaySpan span)
     {
         Vector3D f = foot - axis * Vector3D.Dot(foot, axis), d = direction - axis * Vector3D.Dot(direction, axis);
-        double a = d.LengthSquared, b = Vector3D.Dot(f, d), c = f.LengthSquared - radius * radius;
+        double a = d.LengthSquared, c = f.LengthSquared - radius * radius;
         double cross = Vector3D.Dot(axis, Vector3D.Cross(foot, direction));
-        double discriminant = a * radius * radius - cross * cross;
         span = RaySpan.Everything;
-        if (!(discriminant >= 0)) return false;
-        if (!RayQuadratic.TrySolve(a, b, c, discriminant, out double enter, out double exit)) return c <= 0;
-        span.Enter = enter;
-        span.Exit = exit;
+        if (!RayCylinder.TryCutSide(a, Vector3D.Dot(f, d), c, cross, radius, ref span)) return false;
+        span.IsClose |= RayGraze.IsAlongSide(a, c, direction, radius, radius + half);
         return true;
     }
 }

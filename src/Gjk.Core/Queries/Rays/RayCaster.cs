@@ -11,8 +11,9 @@ namespace Gjk.Core;
 /// interval out of the line (<see cref="RayBody"/>). The interval says all: beyond the reach, behind the origin, or
 /// around it.
 /// <para>
-/// All of it is in double. What rounding could turn is handed on: an origin within 1e-9 of the surface to the overlap
-/// query, so that both say the same; bodies that are flat to nothing to the cast (<see cref="CastSolver"/>).
+/// All of it is in double. What rounding could turn is done again or handed on: a line along a face, or one that nearly
+/// touches, is measured in double-double; an origin within 1e-9 of the surface goes to the overlap query, so that both
+/// say the same; bodies that are flat to nothing go to the cast (<see cref="CastSolver"/>).
 /// </para>
 /// <para>
 /// Sources: Ericson, Real-Time Collision Detection (2005), section 5.3, and Eberly's notes; there the interval is not
@@ -90,9 +91,17 @@ internal static class RayCaster
             ray.Direction = rotation.InverseRotate(ray.Direction);
         }
 
+        double shift = ray.Shift;
         RayFinding finding = RayBody.Find(target, ray, out RaySpan span);
+        if (finding == RayFinding.Close)
+        {
+            LocalRay.MakeExact(pose, target, line, out LocalRay exact);
+            finding = RayBody.Find(target, exact, out span);
+            shift = exact.Shift;
+        }
+
         if (finding == RayFinding.Unfit) return false;
-        Judge(finding == RayFinding.Found, span, ray.Shift, radius, line.Reach, mayHold, ref hit);
+        Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, mayHold, ref hit);
         if (hit.Status != CastStatus.Hit) return true;
         Vector3D normal = rotation.Rotate(span.Normal);
         hit.Normal = normal * (1 / normal.Length);
@@ -108,7 +117,8 @@ internal static class RayCaster
         double radius, in RigidPose pose, in Vector3D between, in WorldRay line, ref RayMeeting hit)
     {
         if (!(radius > 0)) return false;
-        if (!LocalRay.TryMake(between, line.Direction, line.Length, radius, out LocalRay ray))
+        bool isNear = LocalRay.TryMake(between, line.Direction, line.Length, radius, out LocalRay ray);
+        if (!isNear)
         {
             double reach = radius + FootError * between.SumOfMagnitudes;
             if (ray.Foot.LengthSquared > reach * reach)
@@ -121,6 +131,12 @@ internal static class RayCaster
         }
 
         bool found = RayBall.TryFind(ray, radius, out RaySpan span);
+        if (span.IsClose && isNear)
+        {
+            LocalRay.MakeFar(pose, default, line, out ray);
+            found = RayBall.TryFind(ray, radius, out span);
+        }
+
         bool mayHold = between.LengthSquared <= radius * radius * (1 + SurfaceBand);
         Judge(found, span, ray.Shift, radius, line.Reach, mayHold, ref hit);
         if (hit.Status != CastStatus.Hit) return true;

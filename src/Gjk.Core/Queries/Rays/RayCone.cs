@@ -7,9 +7,9 @@ namespace Gjk.Core;
 /// one through the apex (Eberly, "Intersection of a Line and a Cone", 2000).
 /// </summary>
 /// <remarks>
-/// With y counted down from the apex, and k the radius over the height, the double cone is x² + z² ≤ k² y²: a quadratic
-/// form of the line's point f + d t. Its discriminant is written by the minors of f and d, which do not change when the
-/// line is measured from another of its points: k² (mxy² + mzy²) - mxz². Where the quadratic coefficient is positive,
+/// With y counted down from the apex, and stretched by the radius over the height, the double cone is x² + z² ≤ y²: a
+/// quadratic form of the line's point f + d t. Its discriminant is written by the minors of f and d, which do not change
+/// when the line is measured from another of its points: mxy² + mzy² - mxz². Where the quadratic coefficient is positive,
 /// the line is flatter than the side, and in the double cone between the roots; the cut by y ≥ 0 leaves that of the
 /// lower one. Where it is negative, the line is steeper and passes through both: in the lower one from the greater root
 /// on when it goes down, up to the lesser when it goes up. Where it is nothing, the line is parallel to a side and cuts
@@ -34,18 +34,18 @@ internal static class RayCone
         in Vector3D foot, in Vector3D direction, double radius, double halfHeight, out RaySpan span)
     {
         double k = radius / (2 * halfHeight);
-        double fx = foot.X, fy = halfHeight - foot.Y, fz = foot.Z;
-        double dx = direction.X, dy = -direction.Y, dz = direction.Z;
+        var f = new Vector3D(foot.X, k * (halfHeight - foot.Y), foot.Z);
+        var d = new Vector3D(direction.X, -k * direction.Y, direction.Z);
 
         // From the point nearest to the apex, where the constant is as small as it can be.
-        double shift = -(fx * dx + fy * dy + fz * dz) / direction.LengthSquared;
-        (fx, fy, fz) = (fx + dx * shift, fy + dy * shift, fz + dz * shift);
-        double mxy = k * (fx * dy - fy * dx), mzy = k * (fz * dy - fy * dz), mxz = fx * dz - fz * dx;
-        double discriminant = mxy * mxy + mzy * mzy - mxz * mxz;
-        double a = dx * dx + dz * dz - k * k * dy * dy, b = fx * dx + fz * dz - k * k * fy * dy;
-        double c = fx * fx + fz * fz - k * k * fy * fy;
+        double shift = LocalRay.MoveToFoot(ref f, d);
+        double mxy = f.X * d.Y - f.Y * d.X, mzy = f.Z * d.Y - f.Y * d.Z, mxz = f.X * d.Z - f.Z * d.X;
+        double across = mxy * mxy + mzy * mzy, discriminant = across - mxz * mxz;
+        double a = d.X * d.X + d.Z * d.Z - d.Y * d.Y, b = f.X * d.X + f.Z * d.Z - f.Y * d.Y;
+        double c = f.X * f.X + f.Z * f.Z - f.Y * f.Y;
         span = RaySpan.Everything;
-        if (Math.Abs(a) <= Parallel * (k * k * dy * dy))
+        span.IsClose = RayGraze.IsTangent(discriminant, across) || IsAlongSide(a, f, d, radius);
+        if (Math.Abs(a) <= Parallel * (d.Y * d.Y))
         {
             if (b == 0 && c > 0) return false;
             if (b < 0) span.Enter = -c / (2 * b);
@@ -56,13 +56,22 @@ internal static class RayCone
             if (discriminant < 0 && a > 0) return false;
             RayQuadratic.TrySolve(a, b, c, Math.Max(discriminant, 0), out double least, out double most);
             if (a > 0) (span.Enter, span.Exit) = (least, most);
-            else if (dy > 0) span.Enter = most;
+            else if (d.Y > 0) span.Enter = most;
             else span.Exit = least;
         }
 
-        span.Normal = new Vector3D(fx + dx * span.Enter, k * k * (fy + dy * span.Enter), fz + dz * span.Enter);
+        span.Normal = new Vector3D(f.X + d.X * span.Enter, k * (f.Y + d.Y * span.Enter), f.Z + d.Z * span.Enter);
+        double middle = radius * 0.5;
+        bool isLeft = span.Clip(middle, middle - f.Y, -d.Y, new Vector3D(0, 1, 0));
         span.Enter += shift;
         span.Exit += shift;
-        return span.Clip(halfHeight, foot.Y, direction.Y, new Vector3D(0, 1, 0));
+        return isLeft;
+    }
+
+    /// <summary>Whether the line runs along a side: such a line passes the apex closely.</summary>
+    private static bool IsAlongSide(double a, in Vector3D f, in Vector3D d, double radius)
+    {
+        double slope = RayGraze.LeastSlope * d.LengthSquared;
+        return Math.Abs(a) <= slope && f.LengthSquared <= RayGraze.LeastSlope * RayGraze.LeastSlope * radius * radius;
     }
 }

@@ -16,23 +16,31 @@ internal static class RayCylinder
     public static bool TryFind(
         in Vector3D foot, in Vector3D direction, double radius, double halfHeight, out RaySpan span)
     {
-        if (!TryFindSide(foot, direction, radius, out span)) return false;
+        double fx = foot.X, fz = foot.Z, dx = direction.X, dz = direction.Z;
+        double a = dx * dx + dz * dz, b = fx * dx + fz * dz, cross = fx * dz - fz * dx;
+        double c = fx * fx + fz * fz - radius * radius;
+        span = RaySpan.Everything;
+        if (!TryCutSide(a, b, c, cross, radius, ref span)) return false;
+        span.IsClose |= RayGraze.IsAlongSide(a, c, direction, radius, radius + halfHeight);
         Vector3D entry = foot + direction * span.Enter;
         span.Normal = new Vector3D(entry.X, 0, entry.Z);
         return span.Clip(halfHeight, foot.Y, direction.Y, new Vector3D(0, 1, 0));
     }
 
     /// <summary>
-    /// The infinite cylinder: a circle in the plane of x and z. With f the foot and d the direction there, the
+    /// The infinite cylinder: a circle in the plane across its axis. With f the foot and d the direction there, the
     /// discriminant is d² r² - (f × d)²: the line misses where its distance from the axis, |f × d| / |d|, exceeds r.
     /// </summary>
-    public static bool TryFindSide(in Vector3D foot, in Vector3D direction, double radius, out RaySpan span)
+    /// <param name="a">d².</param>
+    /// <param name="b">f · d.</param>
+    /// <param name="c">f² - r².</param>
+    /// <param name="cross">|f × d|, of either sign.</param>
+    /// <param name="radius">r.</param>
+    /// <param name="span">The whole line; cut.</param>
+    public static bool TryCutSide(double a, double b, double c, double cross, double radius, ref RaySpan span)
     {
-        double fx = foot.X, fz = foot.Z, dx = direction.X, dz = direction.Z;
-        double a = dx * dx + dz * dz, b = fx * dx + fz * dz, cross = fx * dz - fz * dx;
-        double c = fx * fx + fz * fz - radius * radius;
-        double discriminant = a * radius * radius - cross * cross;
-        span = RaySpan.Everything;
+        double most = a * radius * radius, discriminant = most - cross * cross;
+        span.IsClose = RayGraze.IsTangent(discriminant, most);
         if (!(discriminant >= 0)) return false;
         if (!RayQuadratic.TrySolve(a, b, c, discriminant, out double enter, out double exit)) return c <= 0;
         span.Enter = enter;

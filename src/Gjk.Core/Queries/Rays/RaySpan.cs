@@ -14,6 +14,11 @@ internal struct RaySpan
     /// <summary>The body's outward normal where the line enters, of any length.</summary>
     public Vector3D Normal;
 
+    /// <summary>
+    /// Whether the line so nearly touches the body, or runs along it, that what rounding did to the foot moves the entry.
+    /// </summary>
+    public bool IsClose;
+
     /// <summary>Nothing is cut off yet.</summary>
     public static RaySpan Everything => new() { Enter = double.NegativeInfinity, Exit = double.PositiveInfinity };
 

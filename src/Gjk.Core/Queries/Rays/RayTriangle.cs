@@ -33,6 +33,7 @@ internal static class RayTriangle
         double w = Volume(ray.Direction, toB, toA), along = Vector3D.Dot(normal, ray.Direction);
         span.Enter = span.Exit = Vector3D.Dot(normal, toA) / along;
         span.Normal = along > 0 ? -normal : normal;
+        span.IsClose = false;
         return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     }
 

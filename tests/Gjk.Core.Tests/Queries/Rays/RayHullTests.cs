@@ -40,6 +40,19 @@ public class RayHullTests
         Assert.Null(new ConvexHull(dense).Planes);
     }
 
+    /// <summary>
+    /// Planes that rounding has moved tell where a plate ends to 1e-9 of its size, if it is thick enough.
+    /// </summary>
+    [Theory]
+    [InlineData(1e-6, false)]
+    [InlineData(4e-6, true)]
+    public void AThinPlateHasNoPlanes(double halfThickness, bool hasPlanes)
+    {
+        var half = new Vector3(0.6f, (float)halfThickness, 0.8f);
+        var plate = new ConvexHull([.. TestShape.Corners(half), new(0, 0, -0.9f)]);
+        Assert.Equal(hasPlanes, plate.Planes is not null);
+    }
+
     private static double Height(HullPlanes planes, int plane, in Vector3D corner)
     {
         double[] b = planes.Blocks;
