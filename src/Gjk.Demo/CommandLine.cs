@@ -171,8 +171,7 @@ internal static class CommandLine
         command.SetAction(r =>
         {
             (Scene scene, PairTable table) = input.Read(r, cancel);
-            QueryCommand.Run(scene, table, r.GetValue(max), r.GetValue(depth), cancel);
-            return ExitCode.Done;
+            return QueryCommand.Run(scene, table, r.GetValue(max), r.GetValue(depth), cancel);
         });
         return command;
     }
@@ -187,8 +186,7 @@ internal static class CommandLine
         command.SetAction(r =>
         {
             (Scene scene, PairTable table) = input.Read(r, cancel);
-            CastCommand.Run(scene, table, cancel);
-            return ExitCode.Done;
+            return CastCommand.Run(scene, table, cancel);
         });
         return command;
     }

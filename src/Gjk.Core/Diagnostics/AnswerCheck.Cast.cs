@@ -12,6 +12,12 @@ public static partial class AnswerCheck
     private const double WayRatio = 1.2e-7;
 
     /// <summary>
+    /// Length, as a fraction of the size: what passes no further away may be said to hit; 1e-9 of the scale is promised.
+    /// Pinned by AnswerRefusalTests.
+    /// </summary>
+    private const double Graze = 2e-9;
+
+    /// <summary>
     /// Length, as a fraction of the size: curved shapes touch when they are within 1e-9 of the scale, so that the point
     /// and the normal of a hit are known to the root of that. Pinned by AnswerCheckTests.
     /// </summary>
@@ -50,8 +56,10 @@ public static partial class AnswerCheck
             Vector3D onB = point - (Vector3D)translationB * answer.Fraction;
             double slack = MeetingSlack(pair, motion, answer.Fraction)
                 + FloatRatio * (point.Length + travelled.Length);
-            AddPoint(ref claims, ref shapeA, pair.LocalToA(point - travelled, poseA), slack);
-            AddPoint(ref claims, ref shapeB, pair.LocalToB(onB, poseB), slack + FloatRatio * onB.Length);
+            double slackA = slack + DoubleRatio * poseA.Position.Length();
+            double slackB = slack + DoubleRatio * poseB.Position.Length() + FloatRatio * onB.Length;
+            AddPoint(ref claims, ref shapeA, pair.LocalToA(point - travelled, poseA), slackA);
+            AddPoint(ref claims, ref shapeB, pair.LocalToB(onB, poseB), slackB);
         }
 
         return new CheckedAnswer(claims.Verdict, times.LowerBound, times.UpperBound);
@@ -80,7 +88,8 @@ public static partial class AnswerCheck
         if (answer.IsHit && claims.AreAny)
         {
             Vector3D met = answer.Point;
-            double slack = MeetingSlack(pair, unit, answer.Distance) + FloatRatio * met.Length;
+            double slack = MeetingSlack(pair, unit, answer.Distance) + FloatRatio * met.Length
+                + DoubleRatio * pose.Position.Length();
             AddPoint(ref claims, ref copy, pair.LocalToA(met, pose), slack);
             claims.Add((unit * answer.Distance + origin - met).Length <= slack + FloatRatio * origin.Length());
         }
@@ -151,7 +160,7 @@ public static partial class AnswerCheck
         PosedPair around = pair.Moved(motion * early, motion * (late - early));
         WitnessWalk met = WitnessWalk.Of(ref a, ref b, around, normal, double.NegativeInfinity, touch);
         bool isMet = met.Upper <= touch;
-        claims.Add(isMet, met.Lower > touch);
+        claims.Add(isMet, met.Lower > Math.Max(touch, Graze * pair.Size));
         return new CheckedAnswer(default, isFree ? early : 0, isMet ? late : double.PositiveInfinity);
     }
 

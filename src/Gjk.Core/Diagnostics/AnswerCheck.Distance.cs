@@ -89,7 +89,7 @@ public static partial class AnswerCheck
             claims.Add(answer.Distance == 0 && answer.LowerBound == 0 && answer.Normal == default);
         else
             claims.Add(answer.LowerBound <= walk.Lower + allowed, answer.LowerBound > walk.Upper);
-        AddNormal(ref claims, ref a, ref b, pair, answer, allowed);
+        AddNormal(ref claims, pair, answer, walk.HintGap, allowed);
         if (isSeparated || answer.IsOverlapping) AddPoints(ref claims, ref a, poseA, ref b, poseB, pair, answer);
         AnswerVerdict verdict = claims.Verdict;
         if (verdict == AnswerVerdict.Proved && isAtMost) verdict = AnswerVerdict.ProvedAtMost;
@@ -118,21 +118,21 @@ public static partial class AnswerCheck
     }
 
     /// <summary>The planes across the normal stand as far apart as the answer says; only an overlap has none.</summary>
-    private static void AddNormal<TA, TB>(
-        ref AnswerClaims claims, ref TA a, ref TB b, in PosedPair pair, in DistanceResult answer, double allowed)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    /// <param name="claims">Told.</param>
+    /// <param name="pair">The pair.</param>
+    /// <param name="answer">What was said.</param>
+    /// <param name="gap">Between the planes across the normal.</param>
+    /// <param name="allowed">How much a distance may be off.</param>
+    private static void AddNormal(
+        ref AnswerClaims claims, in PosedPair pair, in DistanceResult answer, double gap, double allowed)
     {
-        if (answer.IsOverlapping && answer.Normal == default)
-        {
-            claims.Add(answer.Distance == 0);
-            return;
-        }
-
         double d = answer.IsOverlapping || answer.Status == GjkStatus.Separated ? answer.Distance : answer.LowerBound;
-        bool isUnit = PosedPair.TryUnit(answer.Normal, out Vector3D unit) && IsUnit(answer.Normal);
-        double gap = isUnit ? pair.Gap(ref a, ref b, unit, out _) : double.NaN;
-        claims.Add(gap >= d - allowed - TiltRatio * (pair.Size + Math.Abs(d)));
+        if (answer.IsOverlapping && answer.Normal == default) claims.Add(d == 0);
+        else
+        {
+            double least = d - allowed - pair.Noise - TiltRatio * (pair.Size + Math.Abs(d));
+            claims.Add(IsUnit(answer.Normal) && gap >= least);
+        }
     }
 
     /// <summary>The points lie on their shapes, are the same in both frames, and differ by the distance.</summary>

@@ -75,6 +75,9 @@ public static partial class AnswerCheck
     /// <summary>Ratio: what rounding a point's three coordinates to float can move it by.</summary>
     private const double FloatRatio = 2.0 / (1 << 24);
 
+    /// <summary>Ratio: what the way from the world into a local frame can move a point by in double.</summary>
+    private const double DoubleRatio = 32 * RoundOff.Unit;
+
     /// <summary>Length: below it a float has no digits; the least one is 1.4e-45.</summary>
     private const double LeastFloat = 1.5e-45;
 

@@ -28,6 +28,9 @@ internal struct PosedPair
     /// </summary>
     private const double FarCenter = 4;
 
+    /// <summary>Ratio to the offset of centres that were placed in double-double, which loses some 2^-100.</summary>
+    private const double FarError = 1.0 / (1L << 45) / (1L << 45);
+
     private Turn _a, _b;
 
     /// <summary>Lengths that are turned, and lengths that are added, of which nothing need be left.</summary>
@@ -45,7 +48,7 @@ internal struct PosedPair
     /// <summary>Both radii about the centres, margins included.</summary>
     public double Size;
 
-    /// <summary>Whether a support had no vertex.</summary>
+    /// <summary>Whether a shape has no vertices.</summary>
     public bool IsCurved;
 
     /// <summary>What rounding can do to a point of B less one of A, and to its height along a direction.</summary>
@@ -59,7 +62,7 @@ internal struct PosedPair
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D centerA = a.Center, centerB = b.Center, axis = new(1, 0, 0);
+        Vector3D centerA = a.Center, centerB = b.Center;
         pair = default;
         pair.Noise = double.NaN;
         pair._a = new Turn(poseA.Rotation);
@@ -67,10 +70,10 @@ internal struct PosedPair
         pair.Size = Radius(ref a) + Radius(ref b);
         pair.Margins = a.Margin + b.Margin;
         if (!(pair.Size >= 0 && poseA.IsValid && poseB.IsValid)) return;
-        pair.IsCurved = a.Support(axis, out _) < 0 || b.Support(axis, out _) < 0;
+        pair.IsCurved = !a.TryGetVertex(0, out _) || !b.TryGetVertex(0, out _);
         double offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         bool isFar = offset > FarCenter * pair.Size;
-        pair._turned = pair.Size + (isFar ? 0 : offset);
+        pair._turned = pair.Size + (isFar ? FarError / TurnError * offset : offset);
         pair.Between = isFar
             ? (Vector3D)(VectorDD.Place(poseB, centerB) - VectorDD.Place(poseA, centerA))
             : (Vector3D)poseB.Position - poseA.Position + pair._b.Out(centerB) - pair._a.Out(centerA);

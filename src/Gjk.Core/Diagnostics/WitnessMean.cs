@@ -6,6 +6,9 @@ namespace Gjk.Core;
 /// </summary>
 internal struct WitnessMean
 {
+    /// <summary>A pure number: a weight so far below 0 is not mended by solving once more. Any such will do.</summary>
+    private const double Outside = -0.01;
+
     private Vector3D _p0, _p1, _p2, _p3;
 
     /// <summary>How many points it is made of; 0 before the first.</summary>
@@ -27,15 +30,15 @@ internal struct WitnessMean
         int count = Count;
         double before = count == 0 ? double.PositiveInfinity : _squared;
         _squared = before;
+        if (count >= 3) TryTetrahedron(a, b, c, p);
+        if (Count == 4) return true;
         Try(1, p, default, default, default, 1, 0, 0, 0);
         if (count >= 1) TrySegment(a, p);
         if (count >= 2) TrySegment(b, p);
-        if (count >= 3) TrySegment(c, p);
         if (count >= 2) TryTriangle(a, b, p);
-        if (count < 3) return _squared < before;
-        TryTriangle(b, c, p);
-        TryTriangle(c, a, p);
-        TryTetrahedron(a, b, c, p);
+        if (count >= 3) TrySegment(c, p);
+        if (count >= 3) TryTriangle(b, c, p);
+        if (count >= 3) TryTriangle(c, a, p);
         return _squared < before;
     }
 
@@ -84,6 +87,7 @@ internal struct WitnessMean
             wb -= Vector3D.Dot(mean, overB) * one;
             if (count == 4) wc -= Vector3D.Dot(mean, overC) * one;
             wp = 1 - wa - wb - wc;
+            if (!(wp > Outside && wa > Outside && wb > Outside && wc > Outside)) return;
             mean = p * wp + a * wa + b * wb + c * wc;
         }
 

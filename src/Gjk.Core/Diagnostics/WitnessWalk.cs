@@ -24,6 +24,9 @@ internal struct WitnessWalk
     /// <summary>The signed distance is not above.</summary>
     public double Upper;
 
+    /// <summary>The gap between the planes across the hint, not rounded in any direction; NaN where it is none.</summary>
+    public double HintGap;
+
     /// <summary>Looks for witnesses until they prove or refute that the signed distance is between two numbers.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
@@ -39,6 +42,7 @@ internal struct WitnessWalk
         WitnessWalk walk;
         walk.Lower = double.NegativeInfinity;
         walk.Upper = double.PositiveInfinity;
+        walk.HintGap = double.NaN;
         if (!pair.IsValid) return walk;
         WitnessMean mean = default;
         Vector3D direction = hint.LengthSquared > 0 ? hint
@@ -46,8 +50,9 @@ internal struct WitnessWalk
         bool isAcross = true;
         for (int i = 0; i < MostSupports && PosedPair.TryUnit(direction, out Vector3D unit); i++)
         {
-            double gap = pair.Gap(ref a, ref b, unit, out Vector3D vertex) - pair.Noise;
-            if (gap > walk.Lower) walk.Lower = gap;
+            double gap = pair.Gap(ref a, ref b, unit, out Vector3D vertex);
+            if (i == 0 && hint.LengthSquared > 0) walk.HintGap = gap;
+            if (gap - pair.Noise > walk.Lower) walk.Lower = gap - pair.Noise;
             if (mean.TryAdd(vertex))
             {
                 walk.Upper = mean.Length + pair.Noise - pair.Margins;

@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Threading;
+using Gjk.Demo.Fuzz.Blocks;
 
 namespace Gjk.Demo.Fuzz;
 
@@ -14,6 +15,8 @@ internal static class FuzzOptions
     /// <summary>A month; more is a slip of the finger.</summary>
     private const double MostSeconds = 31 * 86_400.0;
 
+    private const int MostThreads = 1024;
+
     public static Command Build(CancellationToken cancel)
     {
         var seconds = new Option<double?>("--seconds")
@@ -22,9 +25,9 @@ internal static class FuzzOptions
             HelpName = "S",
             CustomParser = Seconds,
         };
-        var count = new Option<long?>("--count")
+        var count = new Option<long?>("--count", "--pairs")
         {
-            Description = "End after so many pairs.",
+            Description = "End after so many pairs; 1e6 is a million.",
             HelpName = "N",
             CustomParser = Count,
         };
@@ -34,12 +37,48 @@ internal static class FuzzOptions
             HelpName = "S",
             CustomParser = Seed,
         };
+        var certificate = new Option<bool>("--certificate")
+        {
+            Description = "Judge each answer by its certificate alone, in a few microseconds a pair. Needs --pairs; goes "
+                + "on when an answer is refuted, and ends with exit code 1 then.",
+        };
+        var resume = new Option<string?>("--resume")
+        {
+            Description = "With --certificate: keep a log, a line for each finished block of a million pairs, and "
+                + "continue where it ends. What is refuted is written to FILE.finds, too.",
+            HelpName = "FILE",
+        };
+        var threads = new Option<int?>("--threads")
+        {
+            Description = "With --certificate: on how many threads; all cores without it.",
+            HelpName = "T",
+            CustomParser = Threads,
+        };
         const string Purpose =
             "Search at random for a pair of shapes whose distance, depth or cast breaks a promise of the library, and "
             + "shrink what is found.";
-        var command = new Command("fuzz", Purpose) { seconds, seed, count };
+        var command = new Command("fuzz", Purpose) { seconds, seed, count, certificate, resume, threads };
+        command.Validators.Add(result =>
+        {
+            if (!result.GetValue(certificate))
+            {
+                if (result.GetResult(resume) is not null) result.AddError("--resume needs --certificate.");
+                if (result.GetResult(threads) is not null) result.AddError("--threads needs --certificate.");
+                return;
+            }
+
+            if (result.GetResult(count) is null) result.AddError("--certificate needs --pairs.");
+            if (result.GetResult(seconds) is not null) result.AddError("--certificate and --seconds exclude each other.");
+        });
         command.SetAction(r =>
         {
+            if (r.GetValue(certificate))
+            {
+                return BlockCommand.Run(
+                    r.GetValue(count) ?? 0, r.GetValue(seed), r.GetValue(resume),
+                    r.GetValue(threads) ?? Environment.ProcessorCount, cancel);
+            }
+
             double? time = r.GetValue(seconds) ?? (r.GetValue(count) is null ? DefaultSeconds : null);
             return FuzzCommand.Run(
                 new FuzzLength(
@@ -56,9 +95,15 @@ internal static class FuzzOptions
             : Refuse<double>(result, $"must be a number above 0, at most {MostSeconds:F0}");
 
     private static long? Count(ArgumentResult result) =>
-        long.TryParse(Text(result), NumberStyles.None, CultureInfo.InvariantCulture, out long n) && n >= 1
+        long.TryParse(Text(result), NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out long n) && n >= 1
             ? n
             : Refuse<long>(result, "must be a whole number, at least 1");
+
+    private static int? Threads(ArgumentResult result) =>
+        int.TryParse(Text(result), NumberStyles.None, CultureInfo.InvariantCulture, out int n) && n >= 1
+            && n <= MostThreads
+            ? n
+            : Refuse<int>(result, $"must be a whole number from 1 to {MostThreads}");
 
     private static ulong? Seed(ArgumentResult result) =>
         ulong.TryParse(Text(result), NumberStyles.None, CultureInfo.InvariantCulture, out ulong s)
@@ -70,7 +115,7 @@ internal static class FuzzOptions
     private static T? Refuse<T>(ArgumentResult result, string reason)
         where T : struct
     {
-        string name = result.Parent is OptionResult option ? option.Option.Name : "";
+        string name = result.Parent is OptionResult option ? option.IdentifierToken?.Value ?? option.Option.Name : "";
         result.AddError($"{name} {Text(result)}: {reason}.");
         return null;
     }

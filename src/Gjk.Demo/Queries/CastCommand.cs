@@ -14,16 +14,31 @@ internal static class CastCommand
     /// <param name="scene">The scene.</param>
     /// <param name="table">The table to write.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
-    public static void Run(Scene scene, PairTable table, CancellationToken cancel)
+    /// <returns>The exit code.</returns>
+    public static int Run(Scene scene, PairTable table, CancellationToken cancel)
     {
         SceneObject[] objects = scene.Objects;
-        table.Write(
-            CsvWriter.Casts, (rows, a, b) => rows.Write(a, b, Answer(objects[a], objects[b])), cancel);
+        return table.Write(
+            CsvWriter.Casts,
+            (rows, a, b) =>
+            {
+                CastResult answer = Answer(objects[a], objects[b]);
+                rows.Write(a, b, answer, table.IsChecked ? Check(objects[a], objects[b], answer) : default);
+            },
+            cancel);
     }
+
+    /// <summary>Two witnesses prove nothing of a path that turns: its answer stays open.</summary>
+    private static AnswerVerdict Check(SceneObject a, SceneObject b, in CastResult answer) => Turns(a, b)
+        ? AnswerVerdict.Open
+        : AnswerCheck.Cast(a.Shape, a.Pose, a.Velocity, b.Shape, b.Pose, b.Velocity, answer).Verdict;
+
+    private static bool Turns(SceneObject a, SceneObject b) =>
+        a.AngularVelocity != Vector3.Zero || b.AngularVelocity != Vector3.Zero;
 
     /// <summary>A pair that does not turn is answered to the last bit, one that does to a tolerance.</summary>
     private static CastResult Answer(SceneObject a, SceneObject b) =>
-        a.AngularVelocity == Vector3.Zero && b.AngularVelocity == Vector3.Zero
+        !Turns(a, b)
             ? ConvexQuery.Cast(a.Shape, a.Pose, a.Velocity, b.Shape, b.Pose, b.Velocity)
             : ConvexQuery.TimeOfImpact(a.Shape, MotionOf(a), b.Shape, MotionOf(b));
 

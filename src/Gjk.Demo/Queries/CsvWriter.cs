@@ -24,6 +24,9 @@ internal sealed class CsvWriter
     /// <summary>The columns that follow the others with the names of the objects.</summary>
     private const string NameColumns = ",a_name,b_name";
 
+    /// <summary>The last column, where answers are checked.</summary>
+    private const string CheckColumn = ",check";
+
     /// <summary>
     /// Bytes. More than the longest row without names, which has 13 numbers of at most 16 characters, the indices and
     /// the words.
@@ -33,20 +36,27 @@ internal sealed class CsvWriter
     private readonly Stream _stream;
     private readonly byte[] _buffer = new byte[BufferBytes];
     private readonly string[]? _names;
+    private readonly bool _isChecked;
     private int _used;
 
     /// <param name="stream">Where to write.</param>
     /// <param name="columns">The columns: <see cref="Distances"/> or <see cref="Casts"/>.</param>
     /// <param name="names">The name of each object as a field of CSV, or null for a table without names.</param>
-    public CsvWriter(Stream stream, string columns, string[]? names = null)
+    /// <param name="isChecked">Whether the rows end with a verdict.</param>
+    public CsvWriter(Stream stream, string columns, string[]? names = null, bool isChecked = false)
     {
         _stream = stream;
         _names = names;
-        Add(names is null ? columns : columns + NameColumns);
+        _isChecked = isChecked;
+        Add(columns + (names is null ? "" : NameColumns) + (isChecked ? CheckColumn : ""));
         EndRow();
     }
 
-    public void Write(int a, int b, in DistanceResult result)
+    /// <summary>How many rows have a refuted answer.</summary>
+    public int RefutedRows { get; private set; }
+
+    /// <summary>A row of <see cref="Distances"/>.</summary>
+    public void Write(int a, int b, in DistanceResult result, AnswerVerdict verdict = default)
     {
         if (_used > BufferBytes - RowBytes) Flush();
         Add(a);
@@ -59,11 +69,11 @@ internal sealed class CsvWriter
         Add(result.PointB);
         Add(result.Normal);
         Add(result.Iterations);
-        EndRow(a, b);
+        EndRow(a, b, verdict);
     }
 
     /// <summary>A row of <see cref="Casts"/>. What a status says nothing of is empty.</summary>
-    public void Write(int a, int b, in CastResult result)
+    public void Write(int a, int b, in CastResult result, AnswerVerdict verdict = default)
     {
         if (_used > BufferBytes - RowBytes) Flush();
         Add(a);
@@ -73,7 +83,7 @@ internal sealed class CsvWriter
         AddOrNothing(result.Point);
         AddOrNothing(result.Normal);
         Add(result.Iterations);
-        EndRow(a, b);
+        EndRow(a, b, verdict);
     }
 
     /// <summary>Writes the buffer to the stream.</summary>
@@ -140,7 +150,15 @@ internal sealed class CsvWriter
         _buffer[_used++] = (byte)',';
     }
 
-    private void EndRow(int a, int b)
+    private static string VerdictName(AnswerVerdict verdict) => verdict switch
+    {
+        AnswerVerdict.Proved => "proved",
+        AnswerVerdict.ProvedAtMost => "proved-at-most",
+        AnswerVerdict.Refuted => "refuted",
+        _ => "open",
+    };
+
+    private void EndRow(int a, int b, AnswerVerdict verdict)
     {
         if (_names is not null)
         {
@@ -148,6 +166,8 @@ internal sealed class CsvWriter
             AddName(_names[b]);
         }
 
+        if (_isChecked) Add(VerdictName(verdict));
+        if (verdict == AnswerVerdict.Refuted) RefutedRows++;
         EndRow();
     }
 

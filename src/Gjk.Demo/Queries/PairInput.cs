@@ -32,11 +32,19 @@ internal sealed class PairInput
             + "as \\u001b.",
     };
 
+    private readonly Option<bool> _check = new("--check")
+    {
+        Description = "Add the column check: whether the answer is proved, without a solver, from the shapes' supports "
+            + "alone. A depth is proved-at-most: the way out is one, a shorter one is not ruled out. Exit code 1 if an "
+            + "answer is refuted.",
+    };
+
     /// <summary>Adds the argument and the options to a command.</summary>
     public PairInput(Command command)
     {
         command.Add(_output);
         command.Add(_names);
+        command.Add(_check);
         command.Add(_scene.File);
         command.Add(_scene.BuiltIn);
         _scene.Validate(command, _record);
@@ -54,7 +62,7 @@ internal sealed class PairInput
         Scene scene = Load(parsed, output, cancel, out string name);
         bool hasNames = parsed.GetValue(_names);
         if (hasNames) ObjectNames.WarnOfRepeats(scene, name);
-        return (scene, new PairTable(scene, output, hasNames));
+        return (scene, new PairTable(scene, output, hasNames, parsed.GetValue(_check)));
     }
 
     private Scene Load(ParseResult parsed, string? output, CancellationToken cancel, out string name)

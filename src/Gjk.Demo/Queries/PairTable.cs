@@ -19,37 +19,47 @@ internal sealed class PairTable
     /// <param name="scene">The scene.</param>
     /// <param name="output">The file to write, or null for standard output.</param>
     /// <param name="hasNames">Whether two columns with the names of the objects follow the others.</param>
-    public PairTable(Scene scene, string? output, bool hasNames)
+    /// <param name="isChecked">Whether a column with the verdict of the check follows these.</param>
+    public PairTable(Scene scene, string? output, bool hasNames, bool isChecked)
     {
+        IsChecked = isChecked;
         _scene = scene;
         _output = output;
         _names = hasNames ? ObjectNames.Of(scene) : null;
     }
 
-    /// <param name="columns">The columns without the names.</param>
+    /// <summary>Whether each row is to have a verdict.</summary>
+    public bool IsChecked { get; }
+
+    /// <param name="columns">The columns without the names and the verdict.</param>
     /// <param name="write">Writes the row of two objects.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
-    public void Write(string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
+    /// <returns>The exit code: Failed where an answer is refuted.</returns>
+    public int Write(string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
     {
+        int refuted;
         if (_output is null)
         {
             using Stream stdout = OutputConsole.OpenStream(cancel);
-            Write(stdout, columns, write, cancel);
-            return;
+            refuted = Write(stdout, columns, write, cancel);
         }
-
-        using (var file = new AtomicFile(_output, cancel))
+        else
         {
-            Write(file.Stream, columns, write, cancel);
+            using var file = new AtomicFile(_output, cancel);
+            refuted = Write(file.Stream, columns, write, cancel);
             file.Commit();
         }
 
-        StandardError.Wrote(_scene.Pairs.Count, "pair", _output);
+        if (_output is not null) StandardError.Wrote(_scene.Pairs.Count, "pair", _output);
+        if (refuted == 0) return ExitCode.Done;
+        StandardError.Line($"the check refutes {refuted} of {_scene.Pairs.Count} answers");
+        return ExitCode.Failed;
     }
 
-    private void Write(Stream stream, string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
+    /// <returns>How many answers are refuted.</returns>
+    private int Write(Stream stream, string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
     {
-        var rows = new CsvWriter(stream, columns, _names);
+        var rows = new CsvWriter(stream, columns, _names, IsChecked);
         int untilLook = 0;
         foreach ((int a, int b) in _scene.Pairs)
         {
@@ -63,5 +73,6 @@ internal sealed class PairTable
         }
 
         rows.Flush();
+        return rows.RefutedRows;
     }
 }

@@ -16,12 +16,18 @@ internal static class QueryCommand
     /// distances.</param>
     /// <param name="depth">Whether overlapping pairs are answered with their depth.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
-    public static void Run(Scene scene, PairTable table, float maxDistance, bool depth, CancellationToken cancel)
+    /// <returns>The exit code.</returns>
+    public static int Run(Scene scene, PairTable table, float maxDistance, bool depth, CancellationToken cancel)
     {
         SceneObject[] objects = scene.Objects;
-        table.Write(
+        return table.Write(
             CsvWriter.Distances,
-            (rows, a, b) => rows.Write(a, b, Answer(objects[a], objects[b], maxDistance, depth)), cancel);
+            (rows, a, b) =>
+            {
+                DistanceResult answer = Answer(objects[a], objects[b], maxDistance, depth);
+                rows.Write(a, b, answer, table.IsChecked ? Check(objects[a], objects[b], answer, depth) : default);
+            },
+            cancel);
     }
 
     private static DistanceResult Answer(SceneObject a, SceneObject b, float maxDistance, bool depth)
@@ -33,4 +39,8 @@ internal static class QueryCommand
             ? ConvexQuery.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose)
             : result;
     }
+
+    private static AnswerVerdict Check(SceneObject a, SceneObject b, in DistanceResult answer, bool depth) => (depth
+        ? AnswerCheck.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose, answer)
+        : AnswerCheck.Distance(a.Shape, a.Pose, b.Shape, b.Pose, answer)).Verdict;
 }

@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+
+namespace Gjk.Demo.Fuzz.Blocks;
+
+/// <summary>
+/// Asks about pairs on several threads, block by block, until there are so many in the log. Which pairs a block has
+/// depends on its number alone, and blocks that an earlier sitting left out come first.
+/// </summary>
+internal sealed class BlockRun
+{
+    /// <summary>Pairs: some seconds' work, which is what a sitting may lose at its end.</summary>
+    public const long PairsOfABlock = 1_000_000;
+
+    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
+
+    private readonly BlockLog _log;
+    private readonly long _pairs, _pairsOfABlock;
+    private readonly Lock _lock = new();
+    private readonly Action<BlockFind> _show;
+    private long _left, _next, _tried;
+
+    /// <param name="log">What was done before; told what is done now.</param>
+    /// <param name="pairs">How many pairs there are to be in the log.</param>
+    /// <param name="show">Told each find, one at a time.</param>
+    /// <param name="pairsOfABlock">How many pairs a block has; the last one may have less.</param>
+    public BlockRun(BlockLog log, long pairs, Action<BlockFind> show, long pairsOfABlock = PairsOfABlock)
+    {
+        _log = log;
+        _pairs = pairs;
+        _pairsOfABlock = pairsOfABlock;
+        _show = show;
+        _left = pairs - Done(log);
+    }
+
+    /// <summary>How many pairs are in the log.</summary>
+    public static long Done(BlockLog log) => log.Blocks.Values.Sum(b => b.Pairs);
+
+    /// <param name="threads">How many at once.</param>
+    /// <param name="progress">Told on this thread how much is done, from 0 to 1.</param>
+    /// <param name="cancel">Ends it; unfinished blocks are dropped.</param>
+    public void Run(int threads, Action<double> progress, CancellationToken cancel)
+    {
+        using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancel);
+        _tried = Done(_log);
+        Task[] workers = [.. Enumerable.Range(0, threads).Select(_ => Task.Factory.StartNew(
+            () => Work(ending), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default))];
+        var all = Task.WhenAll(workers);
+        while (!((IAsyncResult)all).AsyncWaitHandle.WaitOne(Look))
+            progress(Math.Min(1, Interlocked.Read(ref _tried) / (double)_pairs));
+        all.GetAwaiter().GetResult();
+    }
+
+    private void Work(CancellationTokenSource ending)
+    {
+        try
+        {
+            while (!ending.IsCancellationRequested && TryClaim(out long number, out long pairs))
+            {
+                BlockResult? result = BlockResult.Run(
+                    number, _log.Seed, pairs, () => ending.IsCancellationRequested,
+                    count => Interlocked.Add(ref _tried, count), out List<BlockFind> finds);
+                if (result is not { } block) return;
+                lock (_lock)
+                {
+                    _log.Add(block, finds);
+                    finds.ForEach(_show);
+                }
+            }
+        }
+        catch
+        {
+            // The other threads need not go on where the log cannot be written.
+            ending.Cancel();
+            throw;
+        }
+    }
+
+    /// <summary>The next block that is neither done nor at work.</summary>
+    private bool TryClaim(out long number, out long pairs)
+    {
+        lock (_lock)
+        {
+            pairs = Math.Min(_pairsOfABlock, _left);
+            while (_log.Blocks.ContainsKey(_next)) _next++;
+            number = _next;
+            if (pairs <= 0) return false;
+            _left -= pairs;
+            _next++;
+            return true;
+        }
+    }
+}
