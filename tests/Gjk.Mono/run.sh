@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the netstandard2.0 library on Mono: the hard cases, the golden hash, the time per pair. Installs Mono where that is possible, else says so and ends well.
+# Runs the netstandard2.0 library on Mono: the hard pairs, the golden hashes, the time per pair. Installs Mono where that is possible, else says so and ends well.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -16,4 +16,4 @@ if ! command -v mono > /dev/null && ! { install_mono && command -v mono > /dev/n
 fi
 
 dotnet build -c Release -v quiet Gjk.Mono.csproj
-exec mono bin/Release/net472/gjk-mono.exe ../Cases
+exec mono bin/Release/net472/gjk-mono.exe ../Cases --time

@@ -4,7 +4,8 @@ namespace Gjk.Core;
 internal static class RoundOff
 {
     /// <summary>
-    /// 2^-53: half a unit in the last place of a double; what one operation can lose, relative to its result.
+    /// 2^-53: half a unit in the last place of a double; what one operation can lose, relative to its result
+    /// (proofs/unit.g).
     /// </summary>
     public const double Unit = 1.0 / (1L << 53);
 

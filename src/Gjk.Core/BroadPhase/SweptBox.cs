@@ -20,8 +20,8 @@ public readonly struct SweptBox
 {
     /// <summary>
     /// Ratio to the farthest coordinate of a box as seen from the start: by so much boxes are widened. The test itself
-    /// rounds by 4 units of 2^-53; the rest of the 512 is for the queries that ask about what is in the box, whose
-    /// rounding grows with the way too. Pinned by SweptBoxTests.
+    /// rounds by 4 units of 2^-53 (proofs/swept-box.g); the rest of the 512 is for the queries that ask about what is
+    /// in the box, whose rounding grows with the way too. Pinned by SweptBoxTests.
     /// </summary>
     private const double WaySlack = 512.0 / (1L << 53);
 

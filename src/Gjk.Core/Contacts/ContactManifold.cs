@@ -39,7 +39,7 @@ public struct ContactManifold
         get
         {
             var swapped = default(ContactManifold);
-            swapped.Begin(-Normal);
+            swapped.Begin(Opposite.Of(Normal));
             for (int i = 0; i < Count; i++) swapped.Add(this[i].Swapped);
             return swapped;
         }

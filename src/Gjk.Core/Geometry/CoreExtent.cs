@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// <summary>Measures a shape's core by its supports along the axes.</summary>
 internal static class CoreExtent
 {
-    /// <summary>Ratio: 8 u, more than the differences, the squares, their sum and the root can lose.</summary>
+    /// <summary>Ratio: 8 u, more than the squares, their sum and the root can lose (proofs/core-extent.g).</summary>
     private const double RoundingUp = 8.0 / (1L << 53);
 
     /// <summary>

@@ -37,7 +37,7 @@ public sealed class ConvexHull
 
     /// <summary>
     /// Relative. A computed distance is too small by at most 4 u with u = 2^-53 (1 u for each difference, 1.5 u for
-    /// squares and sum, 1 u for the root, rounded up); 8 u is more.
+    /// squares and sum, 1 u for the root, rounded up); 8 u is more (proofs/hull-radius.g).
     /// </summary>
     private const double RadiusSlack = 8.0 / (1L << 53);
 

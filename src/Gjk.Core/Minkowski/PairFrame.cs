@@ -29,9 +29,8 @@ internal struct PairFrame
 
     /// <summary>
     /// Ratio to the centres' distances from their local origins: 2^-90, more than double-double loses when it rotates
-    /// them (some 2^-100). Centres no further apart coincide. No shape with an extent is so small: its corners are
-    /// floats, at least 2^-25 of the offset apart. Pinned by
-    /// PairFrameTests.CentersThatNearlyCoincideDo.
+    /// them (proofs/extended-place.g). Centres no further apart coincide. No shape with an extent is so small: its
+    /// corners are floats, at least 2^-25 of the offset apart. Pinned by PairFrameTests.CentersThatNearlyCoincideDo.
     /// </summary>
     private const double ExtendedError = 1.0 / (1L << 45) / (1L << 45);
 

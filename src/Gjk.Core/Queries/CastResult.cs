@@ -53,7 +53,7 @@ public readonly struct CastResult
     internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;
 
     /// <summary>The same answer with A and B exchanged.</summary>
-    public CastResult Swapped => new(Status, Fraction, Point, -Normal, Iterations, Depth);
+    public CastResult Swapped => new(Status, Fraction, Point, Opposite.Of(Normal), Iterations, Depth);
 
     /// <summary>The status, and what is valid under it, for people to read.</summary>
     public override string ToString() => Status switch

@@ -72,7 +72,7 @@ public readonly struct DistanceResult
 
     /// <summary>The same answer with A and B exchanged.</summary>
     public DistanceResult Swapped => new(
-        Status, Distance, LowerBound, PointB, PointA, -Normal, LocalPointB, LocalPointA, Iterations);
+        Status, Distance, LowerBound, PointB, PointA, Opposite.Of(Normal), LocalPointB, LocalPointA, Iterations);
 
     /// <summary>The status, and what is valid under it, for people to read.</summary>
     public override string ToString()

@@ -13,8 +13,10 @@ namespace Gjk.Core;
 public readonly struct Placed<T> : ISupportMap, ISupportFace, IRayTarget
     where T : struct, ISupportMap
 {
-    /// <summary>Ratio: 16 u, more than a rotation in double can lengthen a vector by.</summary>
-    private const double RoundingUp = 1 + 16 * RoundOff.Unit;
+    /// <summary>
+    /// Ratio: 32 u, more than a rotation in double can lengthen a vector by: 26 u at most (proofs/placed.g).
+    /// </summary>
+    private const double RoundingUp = 1 + 32 * RoundOff.Unit;
 
     private readonly T _inner;
     private readonly RigidPose _pose;

@@ -31,14 +31,15 @@ internal static class ClosestPointWeights
 
     /// <summary>
     /// Ratio of a volume to the cube of the root of the vertices' squared lengths, added: 4 roundings. The determinant
-    /// of three of these vertices, whose lengths' product is at most 0.2 of that cube, is off by less than 16 roundings
-    /// of the product. Pinned by ClosestPointWeightsTests.AVolumeIsClearFromFourRoundingsOn.
+    /// of three of these vertices, whose lengths' product is at most 0.2 of that cube, is off by 1.12 roundings of the
+    /// cube at most (proofs/clear-volume.g). Pinned by ClosestPointWeightsTests.AVolumeIsClearFromFourRoundingsOn.
     /// </summary>
     private const double ClearVolume = 4 * RoundOff.Unit;
 
     /// <summary>
-    /// The same for the sum of the volumes: what keeps the weights' errors, 16 roundings over it, below
-    /// <see cref="Residual"/>. Pinned by ClosestPointWeightsTests.ASumOfVolumesIsClearFromAHundredThousandthOn.
+    /// The same for the sum of the volumes: what keeps the weights' errors, a rounding or two over it, below
+    /// <see cref="Residual"/> (proofs/clear-sum.g). Pinned by
+    /// ClosestPointWeightsTests.ASumOfVolumesIsClearFromAHundredThousandthOn.
     /// </summary>
     private const double ClearSum = 1e-5;
 

@@ -10,7 +10,8 @@ internal struct CastLine
 {
     /// <summary>
     /// Length, a fraction of the radii and of the way to the nearest point: what rounding does to the place of the
-    /// line, 32 roundings. A plane that is nearer proves no miss. Pinned by CastToleranceTests.
+    /// line, 32 roundings, twice the most (proofs/cast-line.g). A plane that is nearer proves no miss. Pinned by
+    /// CastToleranceTests.
     /// </summary>
     private const double Rounding = 32 * RoundOff.Unit;
 

@@ -23,7 +23,8 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: what rounding usually does to the difference of two support values, 4 roundings of the pair's size. A
-    /// gap below it cannot be told from 0. Pinned by ToleranceTests.AGapBelowTheNoiseIsClosed.
+    /// gap below it cannot be told from 0; it is within the promise whatever rounding does (proofs/noise.g). Pinned by
+    /// ToleranceTests.AGapBelowTheNoiseIsClosed.
     /// </summary>
     public const double Noise = 4 * RoundOff.Unit;
 
@@ -35,7 +36,8 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: how far the corners of a nearest triangle may be from level. Between Noise, which well-shaped triangles
-    /// keep, and the promised 1e-14 of the scale; what is above goes to extended precision. Pinned by SliverTests.
+    /// keep, and the promised 1e-14 of the scale; what is above goes to extended precision (proofs/level.g). Pinned by
+    /// SliverTests.
     /// </summary>
     public const double Level = 4 * Noise;
 
@@ -55,7 +57,8 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: the boolean solver calls shapes apart only when a plane proves a gap of this much, so that the distance
-    /// solver must agree; below, it asks it. Pinned by ToleranceTests.AGapBeyondTheBandIsApart.
+    /// solver must agree (proofs/separated-band.g); below, it asks it. Pinned by
+    /// ToleranceTests.AGapBeyondTheBandIsApart.
     /// </summary>
     public const double SeparatedBand = 16 * Touch;
 
@@ -67,15 +70,16 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: what rounding can do to a lower bound: to the relative pose, to the choice of the supports and to their
-    /// values: 10 roundings of (size + distance of the centres). Not more: this must fit into the promised 1e-14 of the
-    /// scale. Pinned by ToleranceTests.ALowerBoundLosesTwentyRoundingsOfTheSize.
+    /// values: 10 roundings of (size + distance of the centres), twice the most that a search for the worst pose finds.
+    /// The sum of all worst cases is more (proofs/README.md), but would not fit into the promised 1e-14 of the scale.
+    /// Pinned by LowerBoundErrorTests and ToleranceTests.ALowerBoundLosesTwentyRoundingsOfTheSize.
     /// </summary>
     public const double LowerBoundError = 10 * RoundOff.Unit;
 
     /// <summary>
     /// Ratio to |e|·|f|·|g| for a determinant of three vectors: 16 roundings, twice what the textbook bound for a 3
-    /// by 3 determinant of rounded differences asks. Below it a sign is not certain and extended precision decides.
-    /// Pinned by ToleranceTests.AFaceIsCertainlyPassedBySixteenRoundings.
+    /// by 3 determinant of rounded differences asks (proofs/determinant.g). Below it a sign is not certain and extended
+    /// precision decides. Pinned by ToleranceTests.AFaceIsCertainlyPassedBySixteenRoundings.
     /// </summary>
     public const double DeterminantError = 16 * RoundOff.Unit;
 
@@ -88,7 +92,7 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Ratio: more than a rounding to float can take away (2^-24), so that a distance beyond it rounds to a larger
-    /// float. Pinned by ToleranceTests.ALargestDistanceIsWidenedByFourRoundingsToFloat.
+    /// float (proofs/float-band.g). Pinned by ToleranceTests.ALargestDistanceIsWidenedByFourRoundingsToFloat.
     /// </summary>
     public const double FloatBand = 4.0 / (1 << 24);
 
@@ -106,7 +110,8 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: two bounds of the depth that are no further apart have met. Twice the level, so that a face's own
-    /// corners never count as above it; below the promised 1e-14 of the scale. Pinned by DepthToleranceTests.
+    /// corners never count as above it; below the promised 1e-14 of the scale (proofs/depth-noise.g). Pinned by
+    /// DepthToleranceTests.
     /// </summary>
     public const double DepthNoise = 2 * DepthLevel;
 
@@ -124,7 +129,7 @@ internal static class GjkTolerances
 
     /// <summary>
     /// Length: a Minkowski difference that is thinner has no inside; eight times the level that its faces are kept to.
-    /// A depth of half of it is below the promised 1e-14 of the scale. Pinned by
+    /// A depth of half of it is below the promised 1e-14 of the scale (proofs/flat.g). Pinned by
     /// DepthToleranceTests.AThinDifferenceHasNoInside.
     /// </summary>
     public const double Flat = 8 * DepthLevel;

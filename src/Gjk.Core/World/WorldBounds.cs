@@ -21,8 +21,8 @@ public readonly struct WorldBounds
     private const double FloatSlack = 4.0 / (1 << 24);
 
     /// <summary>
-    /// Ratio to the position and to the local centre, outward: what rounding in double does to the rotated centre, with
-    /// a factor of 16 to spare.
+    /// Ratio to the position and to the local centre, outward: what rounding in double does to the rotated centre, 26
+    /// roundings at most (proofs/world-bounds.g), and as much again.
     /// </summary>
     private const double DoubleSlack = 64.0 / (1L << 53);
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Numerics;
 using Gjk.Core;
 
@@ -11,10 +10,7 @@ namespace Gjk.Exact.Answers;
 /// </summary>
 public struct ResultHash
 {
-    private const ulong OffsetBasis = 0xCBF29CE484222325;
-    private const ulong Prime = 0x100000001B3;
-
-    private ulong _state = OffsetBasis;
+    private Fnv1a _hash = new();
 
     public ResultHash()
     {
@@ -30,45 +26,30 @@ public struct ResultHash
 
     public void Add(int a, int b, in DistanceResult result)
     {
-        Add((uint)a);
-        Add((uint)b);
-        AddByte(StatusCode.Of(result.Status));
+        _hash.Add((uint)a);
+        _hash.Add((uint)b);
+        _hash.Add(StatusCode.Of(result.Status));
         Add(result.Distance);
         Add(result.PointA);
         Add(result.PointB);
         Add(result.Normal);
     }
 
-    /// <summary>The points where a pair touches: how many, their number, gap and both places.</summary>
-    public void Add(in ContactManifold manifold)
-    {
-        Add((uint)manifold.Count);
-        for (int i = 0; i < manifold.Count; i++)
-        {
-            ContactPoint point = manifold[i];
-            Add((uint)(point.FeatureId >> 32));
-            Add((uint)point.FeatureId);
-            Add(point.Gap);
-            Add(point.PointA);
-            Add(point.PointB);
-        }
-    }
-
 #if NET
     /// <summary>The pairs that a frame found intersecting: how many, then a and b of each.</summary>
     public void Add(System.ReadOnlySpan<ObjectPair> pairs)
     {
-        Add((uint)pairs.Length);
+        _hash.Add((uint)pairs.Length);
         foreach (ObjectPair pair in pairs)
         {
-            Add((uint)pair.A);
-            Add((uint)pair.B);
+            _hash.Add((uint)pair.A);
+            _hash.Add((uint)pair.B);
         }
     }
 #endif
 
     /// <summary>16 lowercase hexadecimal digits.</summary>
-    public override readonly string ToString() => _state.ToString("x16", CultureInfo.InvariantCulture);
+    public override readonly string ToString() => _hash.ToString();
 
     private void Add(Vector3 v)
     {
@@ -77,12 +58,5 @@ public struct ResultHash
         Add(v.Z);
     }
 
-    private unsafe void Add(float x) => Add(x == 0 ? 0 : *(uint*)&x);
-
-    private void Add(uint bits)
-    {
-        for (int shift = 0; shift < 32; shift += 8) AddByte((byte)(bits >> shift));
-    }
-
-    private void AddByte(byte value) => _state = unchecked((_state ^ value) * Prime);
+    private unsafe void Add(float x) => _hash.Add(x == 0 ? 0 : *(uint*)&x);
 }

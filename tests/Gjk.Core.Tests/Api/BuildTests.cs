@@ -35,6 +35,24 @@ public class BuildTests
         }
     }
 
+    /// <summary>
+    /// Cryptography, compression and the network are OpenSSL's, zlib's and the resolver's on Linux: a program ends, or
+    /// a call throws, where those are not installed.
+    /// </summary>
+    [Fact]
+    public void ItNeedsNoLibraryOfTheSystem()
+    {
+        using FileStream file = File.OpenRead(BuildUnderTest.Library.Location);
+        using var image = new PEReader(file);
+        MetadataReader reader = image.GetMetadataReader();
+        string[] used = [.. reader.TypeReferences.Select(r => reader.GetTypeReference(r).Namespace).Distinct()
+            .Select(reader.GetString)];
+        Assert.Contains("System", used);
+        Assert.DoesNotContain(used, n => n.StartsWith("System.Security.Cryptography", System.StringComparison.Ordinal));
+        Assert.DoesNotContain(used, n => n.StartsWith("System.Net", System.StringComparison.Ordinal));
+        Assert.DoesNotContain(used, n => n.StartsWith("System.IO.Compression", System.StringComparison.Ordinal));
+    }
+
     [Fact]
     public void ItHoldsNoMutableStaticState()
     {

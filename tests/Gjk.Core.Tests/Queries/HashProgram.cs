@@ -1,13 +1,13 @@
 using System;
+using System.IO;
 using System.Linq;
 using System.Runtime.Intrinsics;
-using System.Threading.Tasks;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>
-/// The test assembly as a program of its own: prints the hash of all hard cases and which vectors the machine has, so
+/// The test assembly as a program of its own: prints which vectors the machine has and some of the golden hashes, so
 /// that a test can start it under other runtime switches.
 /// </summary>
 internal static class HashProgram
@@ -16,21 +16,13 @@ internal static class HashProgram
 
     public static int Main(string[] args)
     {
-        if (args is not [Command]) return 2;
+        if (args is not [Command, .. string[] names]) return 2;
+        GoldenRun run = Read();
         Console.WriteLine(
-            $"{Vector256.IsHardwareAccelerated} {Vector128.IsHardwareAccelerated} {OfAllCases(parallel: false)}");
+            $"{Vector256.IsHardwareAccelerated} {Vector128.IsHardwareAccelerated} "
+            + string.Join(' ', names.Select(n => run.Parts.Single(p => p.Name == n).Hash())));
         return 0;
     }
 
-    public static string OfAllCases(bool parallel)
-    {
-        HardCase[] cases = [.. CaseFamily.Names.SelectMany(f => CaseFamily.Load(f).Cases)];
-        var results = new DistanceResult[cases.Length];
-        if (parallel) Parallel.For(0, cases.Length, i => results[i] = cases[i].Pair.Distance());
-        else for (int i = 0; i < cases.Length; i++) results[i] = cases[i].Pair.Distance();
-
-        var hash = new ResultHash();
-        for (int i = 0; i < cases.Length; i++) hash.Add(cases[i].IndexA, cases[i].IndexB, results[i]);
-        return hash.ToString();
-    }
+    public static GoldenRun Read() => new(Path.Combine(ProjectFolder.Root, "tests", "Cases"));
 }

@@ -139,7 +139,7 @@ public class SceneContactTests
 
     private static string Text(ObjectPair pair, in DistanceResult result, in ContactManifold manifold)
     {
-        var hash = new ResultHash();
+        var hash = new BitHash();
         hash.Add(manifold);
         return $"{Text(pair, result)} {hash}";
     }

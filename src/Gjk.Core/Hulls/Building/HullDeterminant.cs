@@ -22,13 +22,14 @@ internal sealed class HullDeterminant
     /// <summary>
     /// Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term suffers: 3 for the three
     /// differences, 2 for the products, 3 for the sums, 8 u in all; 16 u leaves room for second orders and for the
-    /// rounding of the bound itself. Pinned by HullPredicatesTests.
+    /// rounding of the bound itself (proofs/hull-plane.g). Pinned by HullPredicatesTests.
     /// </summary>
     private const double ErrorFactor = 16.0 / (1L << 53);
 
     /// <summary>
-    /// As above, in double-double. In units of 2^-106 a product suffers 6 and a sum 3, so a term 6 + 3 + 6 + 3 + 3 =
-    /// 21; 128 leaves room for what those figures leave out, and for the rounding of the bound itself.
+    /// As above, in double-double. In units of 2^-106 a product suffers 7 (proofs/extended-product.g) and a sum 3, so a
+    /// term 7 + 3 + 7 + 3 + 3 = 23; 128 leaves room for what those figures leave out, and for the rounding of the bound
+    /// itself (proofs/hull-extended.g).
     /// </summary>
     private const double ExtendedErrorFactor = 128.0 / (1L << 53) / (1L << 53);
 

@@ -19,15 +19,16 @@ internal sealed class HullPredicates
 {
     /// <summary>
     /// Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term of the height suffers: 2 for
-    /// the two differences of the normal, 1 for their product, 1 for the subtraction, 1 for the difference p - A, 1
-    /// for the product, 2 for the sum, 8 u in all; 16 u leaves room for second orders and for the rounding of the
-    /// bound itself. Pinned by HullPredicatesTests, which asks for exact answers on nearly flat quadruples.
+    /// the two differences of the normal, 1 for their product, 1 for the subtraction, 1 for the difference p - A, 1 for
+    /// the product, 2 for the sum, 8 u in all; 16 u leaves room for second orders and for the rounding of the bound
+    /// itself (proofs/hull-plane.g). Pinned by HullPredicatesTests, which asks for exact answers on nearly flat
+    /// quadruples.
     /// </summary>
     private const double PlaneErrorFactor = 16.0 / (1L << 53);
 
     /// <summary>
-    /// As above, for the two products of a planar test: 4 u is proved enough (3 u + 16 u^2 in Shewchuk 1997), 8 u
-    /// leaves room.
+    /// As above, for the two products of a planar test: 4 u is proved enough (3 u + 16 u^2 in Shewchuk 1997; with
+    /// the differences of doubles proofs/hull-line.g), 8 u leaves room.
     /// </summary>
     private const double LineErrorFactor = 8.0 / (1L << 53);
 

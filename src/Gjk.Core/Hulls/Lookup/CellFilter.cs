@@ -20,8 +20,9 @@ internal sealed class CellFilter
 
     /// <summary>
     /// In stretched units. A computed dot product of the scan is off by at most 36 u, u = 2^-53: three products of up
-    /// to 4 and two sums. For two of them, for stretching, and for the comparison here, 256 u is enough. This is 8192
-    /// u, which also covers the corners of a rectangle that is clipped a hundred times. Pinned by HullLookupTests.
+    /// to 4 and two sums. For two of them, for stretching, and for the comparison here, 278 u is enough
+    /// (proofs/cell-slack.g). This is 8192 u, which also covers the corners of a rectangle that is clipped a hundred
+    /// times. Pinned by HullLookupTests.
     /// </summary>
     private const double Slack = 1.0 / (1L << 40);
 

@@ -42,8 +42,8 @@ internal static class RayCaster
     private const double EndError = 32 * RoundOff.Unit;
 
     /// <summary>
-    /// Ratio to the distances that the foot is made of: what rounding does to it, ten times over. Pinned by
-    /// RayAccuracyTests.
+    /// Ratio to the distances that the foot is made of: what rounding usually does to it, ten times over, and more than
+    /// it ever does (proofs/ray-foot.g). Pinned by RayAccuracyTests.
     /// </summary>
     private const double FootError = 64 * RoundOff.Unit;
 

@@ -18,8 +18,8 @@ namespace Gjk.Core;
 internal static class RayCone
 {
     /// <summary>
-    /// Ratio of the quadratic coefficient to its parts: 16 roundings. Below it, its sign says nothing, and what it adds
-    /// within the cone is rounding. Pinned by RayConeTests.
+    /// Ratio of the quadratic coefficient to its parts: 16 roundings, twice the most (proofs/cone-parallel.g). Below
+    /// it, its sign says nothing, and what it adds within the cone is rounding. Pinned by RayConeTests.
     /// </summary>
     private const double Parallel = 16 * RoundOff.Unit;
 

@@ -5,7 +5,7 @@ using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Scenes;
 
-namespace Gjk.Mono;
+namespace Gjk.Targets;
 
 /// <summary>
 /// Measures nanoseconds per pair of one of the report's scenes, without warm starts. Each pass goes through the whole

@@ -1,12 +1,13 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Numerics;
 using System.Text;
 
-namespace Gjk.Mono;
+namespace Gjk.Exact.Cases;
 
 /// <summary>
-/// Reads JSON into dictionaries, lists, strings and the text of numbers. .NET Framework has no reader that works
+/// Reads JSON into dictionaries, lists, strings and the text of numbers. netstandard2.0 has no reader that works
 /// without a further assembly. This reader is only for the project's own case files, which are well formed and contain
 /// no escapes.
 /// </summary>
@@ -22,6 +23,14 @@ internal sealed class Json
 
     public static float Float(object number) =>
         float.Parse((string)number, NumberStyles.Float, CultureInfo.InvariantCulture);
+
+    public static double Number(string text) => double.Parse(text, NumberStyles.Float, CultureInfo.InvariantCulture);
+
+    public static Vector3 Vector(object list)
+    {
+        var v = (List<object>)list;
+        return new Vector3(Float(v[0]), Float(v[1]), Float(v[2]));
+    }
 
     private object Value() => Peek() switch
     {

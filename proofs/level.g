@@ -1,0 +1,34 @@
+# The corners of a triangle that count as level are: the plane of the newest support misses none of them by more than
+# the promise, 1e-14 of the scale.
+# constant: GjkTolerances.Level = 16 * 2^-53
+# code: src/Gjk.Core/Solvers/Proofs.cs, IsLevel and IsClosed
+# assumed: as in noise.g
+# control: c = 64b-53;
+c = 16b-53;
+u = 1b-53;
+
+# n . w: products (p), sums (r). What it is off by is k times the terms' magnitudes at most, which add up to |n| |w| at
+# most (Cauchy and Schwarz).
+t1 = s1 * m1; t2 = s2 * m2; t3 = s3 * m3;
+computed = ((t1 * (1 + p1) + t2 * (1 + p2)) * (1 + r1) + t3 * (1 + p3)) * (1 + r2);
+exact = t1 + t2 + t3;
+magnitude = m1 + m2 + m3;
+e1 = (1 + p1) * (1 + r1) * (1 + r2) - 1;
+e2 = (1 + p2) * (1 + r1) * (1 + r2) - 1;
+e3 = (1 + p3) * (1 + r2) - 1;
+k = 30001e-4 * u;
+
+# The promise, 1e-14 of the scale, in pair sizes: a size is at most 1.74 times the scale (GjkTolerances).
+promise = 1e-14 / 174e-2;
+
+# n . b - plane is rounded once; its square is compared with level^2 |n|^2, some ten roundings together (g).
+reach = 202e-2;
+off = c * (1 + 10 * g) + k * reach + k * reach;
+{ m1 in [0, 3] /\ m2 in [0, 3] /\ m3 in [0, 3] /\ |s1| <= 1 /\ |s2| <= 1 /\ |s3| <= 1 /\ |p1| <= 1b-53 /\ |p2| <= 1b-53
+  /\ |p3| <= 1b-53 /\ |r1| <= 1b-53 /\ |r2| <= 1b-53 /\ |g| <= 1b-53
+  -> k * magnitude - (computed - exact) >= 0 /\ k * magnitude + (computed - exact) >= 0
+  /\ promise - off >= 0 }
+
+# The same, term by term: what is left is not negative. Gappa checks that the two sides are one polynomial.
+k * magnitude - (computed - exact) -> m1 * (k - s1 * e1) + m2 * (k - s2 * e2) + m3 * (k - s3 * e3);
+k * magnitude + (computed - exact) -> m1 * (k + s1 * e1) + m2 * (k + s2 * e2) + m3 * (k + s3 * e3);

@@ -1,0 +1,36 @@
+# A gap that counts as closed is one that the promise allows: the feature that is taken for the nearest one is no
+# further beyond the support plane than 1e-14 of the scale.
+# constant: GjkTolerances.Noise = 4 * 2^-53
+# code: src/Gjk.Core/Solvers/Proofs.cs, IsClosed; GjkDistance.cs, Judge; Simplex/NextSimplex.cs, KeepFace
+# assumed: the vertices as given; |n| = 1 and the pair's size 1, since nothing here knows a scale. Where the noise
+#   decides and not the ratio beside it, the distance is at most 1/64 of the size (RelativeGap), so the vertices are no
+#   further from the origin than 2.02: the centres are a size and the distance apart at most
+# control: c = 40b-53;
+c = 4b-53;
+u = 1b-53;
+
+# n . w: products (p), sums (r). What it is off by is k times the terms' magnitudes at most, which add up to |n| |w| at
+# most (Cauchy and Schwarz).
+t1 = s1 * m1; t2 = s2 * m2; t3 = s3 * m3;
+computed = ((t1 * (1 + p1) + t2 * (1 + p2)) * (1 + r1) + t3 * (1 + p3)) * (1 + r2);
+exact = t1 + t2 + t3;
+magnitude = m1 + m2 + m3;
+e1 = (1 + p1) * (1 + r1) * (1 + r2) - 1;
+e2 = (1 + p2) * (1 + r1) * (1 + r2) - 1;
+e3 = (1 + p3) * (1 + r2) - 1;
+k = 30001e-4 * u;
+
+# The promise, 1e-14 of the scale, in pair sizes: a size is at most 1.74 times the scale (GjkTolerances).
+promise = 1e-14 / 174e-2;
+
+# gap = height - plane is rounded once; its square is compared with noise^2 |n|^2, some ten roundings together (g).
+reach = 202e-2;
+gap = c * (1 + 10 * g) + k * reach + k * reach;
+{ m1 in [0, 3] /\ m2 in [0, 3] /\ m3 in [0, 3] /\ |s1| <= 1 /\ |s2| <= 1 /\ |s3| <= 1 /\ |p1| <= 1b-53 /\ |p2| <= 1b-53
+  /\ |p3| <= 1b-53 /\ |r1| <= 1b-53 /\ |r2| <= 1b-53 /\ |g| <= 1b-53
+  -> k * magnitude - (computed - exact) >= 0 /\ k * magnitude + (computed - exact) >= 0
+  /\ promise - gap >= 0 }
+
+# The same, term by term: what is left is not negative. Gappa checks that the two sides are one polynomial.
+k * magnitude - (computed - exact) -> m1 * (k - s1 * e1) + m2 * (k - s2 * e2) + m3 * (k - s3 * e3);
+k * magnitude + (computed - exact) -> m1 * (k + s1 * e1) + m2 * (k + s2 * e2) + m3 * (k + s3 * e3);
