@@ -30,8 +30,13 @@ internal static class ContactFollower
     /// <summary>Ratio to the tolerance: the gap at which a contact is over. Pinned by TouchingImpactTests.</summary>
     private const double Ended = 2;
 
-    /// <summary>Ratio: how much further each look for the end is. Pinned by TouchingImpactTests.</summary>
+    /// <summary>
+    /// Ratio and count: how much further each look for the end is, and how often; 2^64 times the first in all. Pinned
+    /// by TouchingImpactTests.
+    /// </summary>
     private const double Further = 4;
+
+    private const int MaxLooks = 32;
 
     /// <summary>Ratio to what the search for a depth leaves open: room for it. Pinned by TouchingImpactTests.</summary>
     private const double DepthRoom = 4;
@@ -69,11 +74,11 @@ internal static class ContactFollower
             if (shrunk == 0)
             {
                 double depth = interval.Begin > 0 ? 0 : -gap;
-                shrunk = Math.Max(allowed, depth) + tolerance + DepthRoom * state.DepthNoise;
+                shrunk = Math.Max(allowed, depth) + tolerance + accepted + DepthRoom * state.DepthNoise;
             }
 
-            impact.Outcome = Verdict.Enclosed;
-            if (gap + shrunk <= accepted) return;
+            impact.Outcome = gap > 0 ? Verdict.Beyond : Verdict.Enclosed;
+            if (gap + shrunk <= accepted || gap >= Ended * tolerance) return;
             frame.MarginA = margin - shrunk;
             TurningPlane.Choose(
                 state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out TurningPlane plane);
@@ -102,7 +107,8 @@ internal static class ContactFollower
     {
         PairFrame here = frame;
         next = plane.Start;
-        for (double step = (outside - plane.Gap) / motion.Speed; next < end; step *= Further)
+        double step = (outside - plane.Gap) / motion.Speed;
+        for (int look = 0; look < MaxLooks && next < end; look++, step *= Further)
         {
             next = Math.Min(plane.Start + step, end);
             motion.MoveTo(next, ref frame);

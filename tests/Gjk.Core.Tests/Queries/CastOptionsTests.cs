@@ -135,6 +135,32 @@ public class CastOptionsTests
             NoDeeper);
     }
 
+    /// <summary>
+    /// Round bodies that pass each other as deep as is allowed, but for a millionth more or less: told apart by bounds
+    /// that meet there.
+    /// </summary>
+    [Fact]
+    public void WhatIsJustAllowedPasses()
+    {
+        ConvexShape ball = ConvexShape.Sphere(1), capsule = ConvexShape.Capsule(1, 1);
+        foreach (ConvexShape body in new[] { ball, capsule })
+        {
+            for (int i = 0; i < 60; i++)
+            {
+                var rng = new Rng((ulong)i);
+                float side = rng.Float(1.2, 1.99), allowed = 2 - side;
+                var at = new RigidPose(new Vector3(-3 - rng.Float(0, 1), 0, side));
+                Vector3 motion = new Vector3(rng.Float(4, 8), 0, 0) * MathF.Pow(10, rng.Below(5) - 2);
+                Assert.True(Cast(allowed * (1 + 1e-6f)).Status == CastStatus.Miss, $"seed {i}");
+                Assert.True(Cast(allowed * (1 - 1e-6f) - 4e-6f).Status == CastStatus.Hit, $"seed {i}");
+
+                CastResult Cast(float depth) => ConvexQuery.Cast(
+                    capsule, RigidPose.Identity, default, body, at, motion, float.PositiveInfinity,
+                    CastOptions.OnlyDeeper(Math.Max(depth, 0)));
+            }
+        }
+    }
+
     /// <summary>Rays pass as points do: out of what they begin in, and along its surface.</summary>
     [Fact]
     public void RaysPassWhatTheyLeave()

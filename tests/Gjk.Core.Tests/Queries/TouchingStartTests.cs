@@ -56,7 +56,7 @@ public class TouchingStartTests
         }
     }
 
-    /// <summary>Along every plane in which they touch: lattice polytopes, corner on corner, held to all half-spaces.</summary>
+    /// <summary>Lattice polytopes, corner on corner, held to all half-spaces in which they touch.</summary>
     [Fact]
     public void TheBestOfThePlanesThatTouchDecides()
     {
@@ -158,7 +158,7 @@ public class TouchingStartTests
             ConvexQuery.Cast(floor, Here, default, body, new RigidPose(at), motion);
     }
 
-    /// <summary>From a surface a ray that goes in hits at 0; the rest misses; from inside the way out is told.</summary>
+    /// <summary>A ray from a surface hits at 0 if it goes in; from inside the way out is told.</summary>
     [Theory]
     [MemberData(nameof(Bodies))]
     public void RaysFromASurfaceGoInOrMiss(string kind)

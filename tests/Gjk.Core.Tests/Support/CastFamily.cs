@@ -73,7 +73,7 @@ internal static class CastFamily
             hasNormal && cells[7] == "1");
     }
 
-    /// <summary>The files call a touch at the start an overlap; whether it is a hit or a miss, the motion says.</summary>
+    /// <summary>The files call a touch at the start an overlap; the motion makes it a hit or a miss.</summary>
     private static CastStatus AtStart(TestPair pair, Vector3 velocity)
     {
         const double noise = 1e-12;

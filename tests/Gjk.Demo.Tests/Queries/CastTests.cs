@@ -30,7 +30,7 @@ public sealed class CastTests
         Assert.Equal(["0", "1", "Hit", "0.5", "0", "1", "0", "0", "1", "0"], rows[1][..10]);
         Assert.Equal(["0", "2", "Miss", "1", "", "", "", "", "", ""], rows[2][..10]);
         Assert.Equal(["0", "3", "OverlappingAtStart", "0"], rows[3][..4]);
-        Assert.Equal(["0", "0", "0"], rows[3][7..10]);
+        Assert.Equal(["1", "0", "0"], rows[3][7..10]);
         Assert.Equal(["1", "0", "Hit", "0.5"], rows[4][..4]);
 
         // 0 where the bounding balls alone tell.
@@ -39,6 +39,42 @@ public sealed class CastTests
         string file = Path.Combine(directory.Path, "out.csv");
         DemoProcess.Run("cast", scene, "--out", file).AssertDone();
         Assert.Equal(run.Out, File.ReadAllText(file));
+    }
+
+    /// <summary>
+    /// What stands on a box may slide and rise, and is stopped when it sinks, with the normal; also while it turns.
+    /// </summary>
+    [Theory]
+    [InlineData("[1,0,0]", "Miss", "1")]
+    [InlineData("[0,2,0]", "Miss", "1")]
+    [InlineData("[0,0,0]", "Miss", "1")]
+    [InlineData("[3,-1,0]", "Hit", "0")]
+    public void TouchingStartsFollowTheMotion(string velocity, string status, string fraction)
+    {
+        using var directory = new TempDirectory();
+        foreach (string turn in new[] { "[0,0,0]", "[0,0.5,0]" })
+        {
+            string motion = $"""
+                "position":[0,2,0],"velocity":{velocity},"angularVelocity":{turn}
+                """;
+            DemoRun run = DemoProcess.Run("cast", directory.Write("touching.json", $$$"""
+                {"version":1,"objects":[
+                  {"shape":{"type":"box","halfExtents":[4,1,4]}},
+                  {"shape":{"type":"box","halfExtents":[1,1,1]},{{{motion}}}},
+                  {"shape":{"type":"sphere","radius":1},{{{motion}}}},
+                  {"shape":{"type":"cylinder","radius":0.5,"halfHeight":1},{{{motion}}}},
+                  {"shape":{"type":"ellipsoid","radii":[2,1,1]},{{{motion}}}}],
+                 "pairs":[[0,1],[0,2],[0,3],[0,4]]}
+                """));
+            run.AssertDone();
+            foreach (string line in run.Out.TrimEnd().Split('\n').Skip(1))
+            {
+                string[] row = line.Split(',');
+                Assert.Equal([status, fraction], row[2..4]);
+                if (status == "Miss") Assert.All(row[4..10], Assert.Empty);
+                else Assert.Equal(1, double.Parse(row[8], CultureInfo.InvariantCulture), 1e-6);
+            }
+        }
     }
 
     /// <summary>A rod turns by half a turn until its side meets a ball: 2 cos(angle) = 0.1 + 0.5.</summary>

@@ -72,7 +72,10 @@ namespace Gjk.Unity
         /// <param name="maxDistance">World units: how far it moves; finite.</param>
         /// <param name="colliderB">The one that rests.</param>
         /// <param name="hit">Where they touch; <c>default</c> where they do not.</param>
-        /// <returns>Whether they touch. Colliders that overlap at the start do.</returns>
+        /// <returns>
+        /// Whether they touch. Colliders that overlap at the start do; those that only touch there do if the motion
+        /// goes in, not if they slide or part.
+        /// </returns>
         /// <exception cref="ArgumentOutOfRangeException">
         /// The direction has no length, or the distance is negative or not finite.
         /// </exception>
@@ -88,8 +91,9 @@ namespace Gjk.Unity
             var way = (System.Numerics.Vector3)(
                 new Vector3D(direction.x, direction.y, direction.z) * (maxDistance / length));
             CastResult result = ConvexQuery.Cast(a.Shape, a.Pose, way, b.Shape, b.Pose, default);
-            hit = result.IsHit ? new ColliderCastHit(result, maxDistance) : default;
-            return result.IsHit;
+            bool mayHit = result.IsHit || result.Status == CastStatus.IterationLimit;
+            hit = mayHit ? new ColliderCastHit(result, maxDistance) : default;
+            return mayHit;
         }
 
         /// <summary>

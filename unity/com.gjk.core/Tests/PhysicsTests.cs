@@ -131,6 +131,8 @@ namespace Gjk.Unity.Tests
             Assert.IsTrue(GjkPhysics.Cast(_box, Vector3.right, 1, _sphere, out hit));
             Assert.IsTrue(hit.isOverlappedAtStart);
             Assert.AreEqual(0, hit.distance, 0);
+            Assert.AreEqual(1, hit.normal.magnitude, 1e-6);
+            Assert.IsTrue(hit.depth > 0);
         }
 
         [Test]

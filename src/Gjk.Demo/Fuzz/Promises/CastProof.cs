@@ -35,10 +35,13 @@ internal static class CastProof
             case CastStatus.Hit:
                 return Touch(pair, r, most) ?? Normal(pair, r) ?? Point(pair, r);
             case CastStatus.OverlappingAtStart:
-                return r.Fraction == 0 && r.Normal == default
+                return r.Fraction == 0 && r.Depth > 0
+                    && Math.Abs(((Vector3D)r.Normal).Length - 1) <= Accuracy.UnitLength
                     ? Point(pair, r)
-                    : Say.Line($"{r.Status} with the fraction {r.Fraction:R} and the normal {r.Normal}");
+                    : Say.Line($"{r}, with the fraction {r.Fraction:R}");
             case CastStatus.Miss:
+                // What only touches at the start may go on touching.
+                if (pair.Answer.IsOverlapping) return WhatPassesGetsNoDeeper.Deeper(pair, most, 0);
                 return r.Fraction == most && float.IsNaN(r.Point.X) && float.IsNaN(r.Normal.X)
                     ? Apart(pair, 0, most, pair.Answer.Normal, "a miss")
                     : Say.Line($"a miss with the fraction {r.Fraction:R}, {r.Point} and {r.Normal}");

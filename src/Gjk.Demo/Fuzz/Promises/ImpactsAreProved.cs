@@ -38,9 +38,13 @@ internal sealed class ImpactsAreProved : IPromise
     public static string? Problem(FuzzPair pair, in RigidMotion a, in RigidMotion b, in CastResult r)
     {
         bool starts = r.Status == CastStatus.OverlappingAtStart;
-        if (starts != pair.Answer.IsOverlapping && !(starts && pair.Answer.Distance <= 4 * pair.Noise))
+        bool mayStart = pair.Answer.IsOverlapping || pair.Answer.Distance <= 4 * pair.Noise;
+        if (starts ? !mayStart : CastsBeginAsTheDepthSays.IsDeep(pair))
             return Say.Line($"{r} of {Text(a, b)}, but Distance says {pair.Answer.Status}");
         if (starts) return null;
+
+        // A touch at the start is passed where it gets no deeper than the tolerance.
+        double passed = pair.Answer.IsOverlapping ? 2 * Tolerance * pair.Scale : 0;
         if (r.Status is not (CastStatus.Hit or CastStatus.Miss or CastStatus.IterationLimit))
             return Say.Line($"{r} of {Text(a, b)}");
         double end = r.Fraction;
@@ -48,7 +52,7 @@ internal sealed class ImpactsAreProved : IPromise
         {
             double fraction = i < Looks ? end * i / Looks : end * (1 - Math.ScaleB(1, Looks - i - 4));
             double depth = -Signed(pair, a, b, fraction);
-            if (depth > Slack(pair, a, b, fraction))
+            if (depth > Slack(pair, a, b, fraction) + passed)
                 return Say.Line($"{r} of {Text(a, b)}, but at {fraction:R} they overlap by {depth:G3}");
         }
 

@@ -23,6 +23,7 @@ internal static class SameCast
     /// <summary>How two casts differ in any bit, or null; iterations do not count.</summary>
     public static string? BitProblem(in CastResult r, in CastResult s, string name) =>
         r.Status == s.Status && r.Fraction.Equals(s.Fraction) && r.Point.Equals(s.Point) && r.Normal.Equals(s.Normal)
+            && r.Depth.Equals(s.Depth)
             ? null
             : Say.Line(
                 $"{name}: {s.Status}, {s.Fraction:R}, {s.Point}; as given: {r.Status}, {r.Fraction:R}, {r.Point}");

@@ -100,7 +100,7 @@ public class RayGrazeTests
         Assert.True(hits > 10, $"{hits} hits");
     }
 
-    /// <summary>What the start says is what Contains and the depth say, on faces, edges and corners of turned bodies.</summary>
+    /// <summary>The start is what Contains and the depth say, on faces, edges and corners.</summary>
     [Fact]
     public void AStartOnAFaceIsWhatContainsSays()
     {

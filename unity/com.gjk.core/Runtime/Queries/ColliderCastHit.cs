@@ -13,7 +13,8 @@ namespace Gjk.Unity
             fraction = result.Fraction;
             distance = result.Fraction * reach;
             point = result.Point.ToUnity();
-            normal = (-result.Normal).ToUnity();
+            normal = result.IsHit ? (-result.Normal).ToUnity() : Vector3.zero;
+            depth = result.Depth;
             isOverlappedAtStart = result.Status == CastStatus.OverlappingAtStart;
         }
 
@@ -27,10 +28,14 @@ namespace Gjk.Unity
         public Vector3 point { get; }
 
         /// <summary>
-        /// The unit normal of the surface that was hit, towards the collider that moved; zero where the two overlapped
-        /// before.
+        /// The unit normal of the surface that was hit, towards the collider that moved. Where the two overlapped
+        /// before, it is the direction in which that one leaves the other by the shortest way; zero where the search
+        /// ended at its limit, with nothing in the way up to the distance.
         /// </summary>
         public Vector3 normal { get; }
+
+        /// <summary>World units: how far it has to leave along the normal; 0 where they did not overlap.</summary>
+        public float depth { get; }
 
         /// <summary>Whether they overlapped before anything moved.</summary>
         public bool isOverlappedAtStart { get; }

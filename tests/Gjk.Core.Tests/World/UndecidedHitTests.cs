@@ -1,0 +1,51 @@
+using System.Numerics;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>
+/// What a search left open at its limit may be a hit from its fraction on: a scene does not miss it in silence. No
+/// query of the library's own shapes is known to end so, hence the answers are made here.
+/// </summary>
+public class UndecidedHitTests
+{
+    private static readonly CastResult LateHit =
+        new(CastStatus.Hit, 0.5f, Vector3.One, Vector3.UnitX, 3);
+
+    private static readonly CastResult Undecided = CastResult.Nothing(CastStatus.IterationLimit, 0.25f, 128);
+
+    [Fact]
+    public void ACastThatIsUndecidedBeforeTheFirstHitIsTold()
+    {
+        var first = new FirstCastHit(null!, default, 1);
+        Assert.Equal((-1, CastStatus.Miss), (first.Slot, first.Result.Status));
+        first.Take(7, LateHit);
+        first.Take(9, Undecided);
+        Assert.Equal((9, CastStatus.IterationLimit, 0.25f), (first.Slot, first.Result.Status, first.Result.Fraction));
+        Assert.False(first.Result.IsHit);
+
+        // A hit before it, or at the same fraction with a lower number, comes first.
+        first.Take(8, new CastResult(CastStatus.Hit, 0.25f, default, default, 1));
+        Assert.Equal(8, first.Slot);
+        first.Take(1, Undecided);
+        Assert.Equal(1, first.Slot);
+        first.Take(2, new CastResult(CastStatus.OverlappingAtStart, 0, default, Vector3.UnitX, 1, 0.5f));
+        Assert.Equal(2, first.Slot);
+        first.Take(0, Undecided);
+        first.Take(0, CastResult.Nothing(CastStatus.Miss, 1, 1));
+        first.Take(0, CastResult.Nothing(CastStatus.InvalidShape, float.NaN, 1));
+        Assert.Equal(2, first.Slot);
+    }
+
+    [Fact]
+    public void ARayThatIsUndecidedBeforeTheFirstHitIsTold()
+    {
+        var ray = new RayQuery(Vector3.Zero, Vector3.UnitX, 9);
+        var first = new FirstRayHit(null!, ray, default, default);
+        first.Take(7, new RayCastResult(CastStatus.Hit, 4, Vector3.One, -Vector3.UnitX, 0));
+        first.Take(9, RayCastResult.Nothing(CastStatus.IterationLimit, 2, 128));
+        Assert.Equal((9, CastStatus.IterationLimit, 2f), (first.Slot, first.Result.Status, first.Result.Distance));
+        first.Take(3, new RayCastResult(CastStatus.Hit, 1, Vector3.One, -Vector3.UnitX, 0));
+        first.Take(2, RayCastResult.Nothing(CastStatus.Miss, 9, 1));
+        Assert.Equal(3, first.Slot);
+    }
+}
