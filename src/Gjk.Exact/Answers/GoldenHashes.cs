@@ -14,10 +14,10 @@ public static class GoldenHashes
         ["distances"] = "533df80e35cd6025",
         ["depths"] = "c7ab17cf145b9ea6",
         ["contacts"] = "1c4b41f969ba4b03",
-        ["casts"] = "9246966b07c7056d",
-        ["impacts"] = "c0d4540ba908c3d4",
-        ["rays"] = "e9e01845239071a8",
-        ["shapes"] = "65b14258d13dcb77",
-        ["scenes"] = "a23030cc81caf923",
+        ["casts"] = "39159121f13f5fe0",
+        ["impacts"] = "bcffe15aa874ff62",
+        ["rays"] = "cc035761d7ecbf2d",
+        ["shapes"] = "20246d2fb8f56c14",
+        ["scenes"] = "bf7784e8142d0f5b",
     };
 }
