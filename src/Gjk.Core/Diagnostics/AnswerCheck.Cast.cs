@@ -12,8 +12,8 @@ public static partial class AnswerCheck
     private const double WayRatio = 1.2e-7;
 
     /// <summary>
-    /// Length, as a fraction of the size: what passes no further away may be said to hit; 1e-9 of the scale is promised.
-    /// Pinned by AnswerRefusalTests.
+    /// Length, as a fraction of the size: what passes no further away may be said to hit; 1e-9 of the scale is
+    /// promised. Pinned by AnswerCheckTests.
     /// </summary>
     private const double Graze = 2e-9;
 
@@ -56,13 +56,13 @@ public static partial class AnswerCheck
             Vector3D onB = point - (Vector3D)translationB * answer.Fraction;
             double slack = MeetingSlack(pair, motion, answer.Fraction)
                 + FloatRatio * (point.Length + travelled.Length);
-            double slackA = slack + DoubleRatio * poseA.Position.Length();
-            double slackB = slack + DoubleRatio * poseB.Position.Length() + FloatRatio * onB.Length;
+            double slackA = slack + DoubleRatio * ((Vector3D)poseA.Position).Length;
+            double slackB = slack + DoubleRatio * ((Vector3D)poseB.Position).Length + FloatRatio * onB.Length;
             AddPoint(ref claims, ref shapeA, pair.LocalToA(point - travelled, poseA), slackA);
             AddPoint(ref claims, ref shapeB, pair.LocalToB(onB, poseB), slackB);
         }
 
-        return new CheckedAnswer(claims.Verdict, times.LowerBound, times.UpperBound);
+        return new CheckedAnswer(claims.Status, times.LowerBound, times.UpperBound);
     }
 
     /// <summary>Checks an answer of <c>ConvexQuery.RayCast</c>.</summary>
@@ -79,9 +79,9 @@ public static partial class AnswerCheck
     {
         T copy = shape;
         PointShape point = default;
-        PosedPair.Of(ref copy, pose, ref point, new RigidPose(origin), out PosedPair pair);
+        RigidPose begin = Guard.IsFinite(origin) ? new RigidPose(origin) : default;
+        PosedPair.Of(ref copy, pose, ref point, begin, out PosedPair pair);
         PosedPair.TryUnit(direction, out Vector3D unit);
-
         var cast = new CastResult(answer.Status, answer.Distance, answer.Point, answer.Normal, 0);
         AnswerClaims claims = default;
         CheckedAnswer times = CheckTimes(ref claims, ref copy, ref point, pair, unit, cast);
@@ -89,12 +89,13 @@ public static partial class AnswerCheck
         {
             Vector3D met = answer.Point;
             double slack = MeetingSlack(pair, unit, answer.Distance) + FloatRatio * met.Length
-                + DoubleRatio * pose.Position.Length();
+                + DoubleRatio * ((Vector3D)pose.Position).Length;
             AddPoint(ref claims, ref copy, pair.LocalToA(met, pose), slack);
-            claims.Add((unit * answer.Distance + origin - met).Length <= slack + FloatRatio * origin.Length());
+            double off = (unit * answer.Distance + origin - met).Length;
+            claims.Add(off <= slack + FloatRatio * ((Vector3D)origin).Length);
         }
 
-        return new CheckedAnswer(claims.Verdict, times.LowerBound, times.UpperBound);
+        return new CheckedAnswer(claims.Status, times.LowerBound, times.UpperBound);
     }
 
     /// <summary>Of a pair of which B moves, A rests.</summary>
@@ -111,7 +112,7 @@ public static partial class AnswerCheck
         }
 
         bool isAtStart = answer.Status == CastStatus.OverlappingAtStart;
-        claims.Add(fraction >= 0 && (!isAtStart || (fraction == 0 && answer.Normal == default)));
+        claims.Add(fraction >= 0 && (!isAtStart || fraction == 0));
         if (answer.Status == CastStatus.Hit) return CheckHit(ref claims, ref a, ref b, pair, motion, answer);
         if (isAtStart)
         {
@@ -124,7 +125,9 @@ public static partial class AnswerCheck
         double speed = motion.Length, past = 2 * (pair.Size + pair.Between.Length) / speed;
         Vector3D way = speed > 0 ? motion * Math.Min(fraction, past) : default;
         bool isFree = IsFree(ref a, ref b, pair, way, default, out bool isCrossed);
-        claims.Add(isFree, isCrossed);
+
+        // Two points have no inside to be crossed.
+        claims.Add(isFree, isCrossed && pair.Size > 0);
         return new CheckedAnswer(default, isFree ? fraction : 0, double.PositiveInfinity);
     }
 
@@ -149,14 +152,9 @@ public static partial class AnswerCheck
         // Along a motion that hardly closes in, what touches within rounding does so for a long way.
         double allowed = slack + touch / Math.Max(closing, TiltRatio);
         double early = fraction - allowed / speed, late = fraction + allowed / speed;
-        bool isFree = true;
-        if (early > 0)
-        {
-            isFree = IsFree(ref a, ref b, pair, motion * early, normal, out bool isCrossed);
-            claims.Add(isFree, isCrossed);
-        }
-
         early = Math.Max(early, 0);
+        bool isFree = IsFree(ref a, ref b, pair, motion * early, normal, out bool isCrossed) || early == 0;
+        claims.Add(isFree, isCrossed);
         PosedPair around = pair.Moved(motion * early, motion * (late - early));
         WitnessWalk met = WitnessWalk.Of(ref a, ref b, around, normal, double.NegativeInfinity, touch);
         bool isMet = met.Upper <= touch;

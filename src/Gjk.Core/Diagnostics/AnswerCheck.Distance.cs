@@ -23,8 +23,8 @@ public static partial class AnswerCheck
     /// curved cores 2e-6 of the larger of size and distance. The size is the sum of the bounding radii.
     /// </param>
     /// <returns>
-    /// Bounds of the signed distance. A result that overlaps or that ends beyond a largest distance is held to that, one
-    /// that ended at the iteration limit to its bounds; one of invalid input is open.
+    /// Bounds of the signed distance. A result that overlaps, or that ended beyond a largest distance, is held to that;
+    /// one that ended at the iteration limit to its bounds; one of invalid input is open.
     /// </returns>
     public static CheckedAnswer Distance<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
@@ -39,7 +39,7 @@ public static partial class AnswerCheck
 
     /// <summary>
     /// Checks an answer of <c>ConvexQuery.SignedDistance</c>. Of a depth, two witnesses prove that B leaves A after so
-    /// much along the normal, and so that the depth is no larger; see <see cref="AnswerVerdict.ProvedAtMost"/>.
+    /// much along the normal, and so that the depth is no larger; see <see cref="CheckStatus.ProvedAtMost"/>.
     /// </summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
@@ -79,7 +79,7 @@ public static partial class AnswerCheck
         if (answer.IsOverlapping && !isSigned) (least, most) = (double.NegativeInfinity, Touch(pair));
         WitnessWalk walk = WitnessWalk.Of(ref a, ref b, pair, answer.Normal, least, most);
         if (!pair.IsValid || !(answer.IsOverlapping || HasBounds(answer.Status)))
-            return new CheckedAnswer(AnswerVerdict.Open, walk.Lower, walk.Upper);
+            return new CheckedAnswer(CheckStatus.Open, walk.Lower, walk.Upper);
         if (isDepth) walk.Lower = Math.Max(walk.Lower, WayOut(ref a, ref b, pair, answer, allowed));
         bool isAtMost = isDepth && walk.Upper > most;
         AnswerClaims claims = default;
@@ -91,9 +91,9 @@ public static partial class AnswerCheck
             claims.Add(answer.LowerBound <= walk.Lower + allowed, answer.LowerBound > walk.Upper);
         AddNormal(ref claims, pair, answer, walk.HintGap, allowed);
         if (isSeparated || answer.IsOverlapping) AddPoints(ref claims, ref a, poseA, ref b, poseB, pair, answer);
-        AnswerVerdict verdict = claims.Verdict;
-        if (verdict == AnswerVerdict.Proved && isAtMost) verdict = AnswerVerdict.ProvedAtMost;
-        return new CheckedAnswer(verdict, walk.Lower, walk.Upper);
+        CheckStatus status = claims.Status;
+        if (status == CheckStatus.Proved && isAtMost) status = CheckStatus.ProvedAtMost;
+        return new CheckedAnswer(status, walk.Lower, walk.Upper);
     }
 
     /// <summary>Whether the answer is a distance, or bounds of one.</summary>
@@ -101,8 +101,8 @@ public static partial class AnswerCheck
         status is GjkStatus.Separated or GjkStatus.BeyondMaxDistance or GjkStatus.IterationLimit;
 
     /// <summary>
-    /// A lower bound of the signed distance: moved out along the normal and a little beyond, B has a distance again, and
-    /// no signed distance changes by more than B moves.
+    /// A lower bound of the signed distance: moved out along the normal and a little beyond, B has a distance again,
+    /// and no signed distance changes by more than B moves.
     /// </summary>
     private static double WayOut<TA, TB>(
         ref TA a, ref TB b, in PosedPair pair, in DistanceResult answer, double allowed)
@@ -149,8 +149,8 @@ public static partial class AnswerCheck
         AddPoint(ref claims, ref b, localB, slackB);
         double offA = (pair.WorldOfA(localA, poseA) - answer.PointA).Length;
         double offB = (pair.WorldOfB(localB, poseB) - answer.PointB).Length;
-        claims.Add(offA <= slackA + FloatRatio * answer.PointA.Length());
-        claims.Add(offB <= slackB + FloatRatio * answer.PointB.Length());
+        claims.Add(offA <= slackA + FloatRatio * ((Vector3D)answer.PointA).Length);
+        claims.Add(offB <= slackB + FloatRatio * ((Vector3D)answer.PointB).Length);
         double off = (pair.Way(ref a, localA, ref b, localB) - (Vector3D)answer.Normal * d).Length;
         claims.Add(off <= slackA + slackB + 2 * FloatRatio * Math.Abs(d));
     }

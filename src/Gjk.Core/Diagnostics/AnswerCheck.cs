@@ -11,8 +11,8 @@ namespace Gjk.Core;
 /// What is proved, is proved by two kinds of witness. A direction: two supports show that the shapes are no nearer than
 /// the planes across it. Two points that are weighted means of supports: the shapes are no further apart than these.
 /// What is trusted are the shapes' supports and margins, the poses, and double arithmetic, whose rounding is bounded.
-/// The answer's normal says where to look first; a walk of its own looks further, and may fail: then the verdict is
-/// <see cref="AnswerVerdict.Open"/>.
+/// The answer's normal says where to look first; a walk of its own looks further, and may fail: then it says
+/// <see cref="CheckStatus.Open"/>.
 /// </para>
 /// <para>
 /// All that an answer says is held to it: the number, the lower bound, the normal, and that the points lie on their
@@ -52,8 +52,8 @@ public static partial class AnswerCheck
     private const double Deep = 1e-8, CurvedDeep = 1e-5;
 
     /// <summary>
-    /// Ratio to what counts as touching: tetrahedra with corners so far out hold a ball of more than that; three is the
-    /// least.
+    /// Ratio to what counts as touching: a tetrahedron with corners so far out holds a ball of several times that. Two
+    /// would do; a larger one refutes less.
     /// </summary>
     private const double BallRatio = 8;
 
@@ -75,7 +75,10 @@ public static partial class AnswerCheck
     /// <summary>Ratio: what rounding a point's three coordinates to float can move it by.</summary>
     private const double FloatRatio = 2.0 / (1 << 24);
 
-    /// <summary>Ratio: what the way from the world into a local frame can move a point by in double.</summary>
+    /// <summary>
+    /// Ratio: what the way from the world into a local frame can move a point by in double, some ten roundings. It is
+    /// seen only where both shapes are points, and a larger one is as good.
+    /// </summary>
     private const double DoubleRatio = 32 * RoundOff.Unit;
 
     /// <summary>Length: below it a float has no digits; the least one is 1.4e-45.</summary>
@@ -90,8 +93,8 @@ public static partial class AnswerCheck
     /// <param name="poseB">Where it is.</param>
     /// <param name="answer">What was said.</param>
     /// <returns>
-    /// Bounds of the signed distance. Of shapes that touch within 1e-13 of their size (curved: 2e-9), it is open whether
-    /// they are apart, and proved that they overlap.
+    /// Bounds of the signed distance. Shapes that touch within 1e-13 of their size (curved: 2e-9) overlap as far as the
+    /// check can tell; that they do not is open then.
     /// </returns>
     public static CheckedAnswer Overlaps<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, bool answer)
@@ -106,7 +109,7 @@ public static partial class AnswerCheck
         var claims = default(AnswerClaims);
         if (answer) claims.Add(walk.Upper <= touch, walk.Lower > touch);
         else claims.Add(walk.Lower > 0, IsDeep(ref shapeA, ref shapeB, pair, walk));
-        return new CheckedAnswer(claims.Verdict, walk.Lower, walk.Upper);
+        return new CheckedAnswer(claims.Status, walk.Lower, walk.Upper);
     }
 
     /// <summary>How far apart shapes may be that count as touching.</summary>
@@ -114,7 +117,7 @@ public static partial class AnswerCheck
         (pair.IsCurved ? CurvedTouch : LengthRatio) * pair.Size + 2 * pair.Noise;
 
     /// <summary>How much a distance may be off.</summary>
-    private static double Allowed(in PosedPair pair, double distance) => LeastFloat + (pair.IsCurved
+    private static double Allowed(in PosedPair pair, double distance) => LeastFloat + 2 * pair.Noise + (pair.IsCurved
         ? CurvedRatio * Math.Max(pair.Size, Math.Abs(distance))
         : DistanceRatio * Math.Abs(distance) + LengthRatio * pair.Size);
 

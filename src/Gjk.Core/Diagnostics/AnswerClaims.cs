@@ -6,8 +6,8 @@ internal struct AnswerClaims
     private bool _isOpen, _isRefuted, _areAny;
 
     /// <summary>All of them together.</summary>
-    public readonly AnswerVerdict Verdict =>
-        _isRefuted ? AnswerVerdict.Refuted : _isOpen ? AnswerVerdict.Open : AnswerVerdict.Proved;
+    public readonly CheckStatus Status =>
+        _isRefuted ? CheckStatus.Refuted : _isOpen ? CheckStatus.Open : CheckStatus.Proved;
 
     /// <summary>Whether anything is known.</summary>
     public readonly bool AreAny => _areAny;

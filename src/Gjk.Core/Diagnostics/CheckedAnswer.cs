@@ -3,7 +3,7 @@ using System;
 namespace Gjk.Core;
 
 /// <summary>What <see cref="AnswerCheck"/> says of an answer.</summary>
-public enum AnswerVerdict : byte
+public enum CheckStatus : byte
 {
     /// <summary>The bounds neither prove nor refute it.</summary>
     Open = 0,
@@ -21,11 +21,11 @@ public enum AnswerVerdict : byte
     Refuted = 3,
 }
 
-/// <summary>A verdict on an answer, and the bounds that it comes from. Immutable.</summary>
+/// <summary>What a check says of an answer, and the bounds that it comes from. Immutable.</summary>
 public readonly struct CheckedAnswer
 {
     /// <summary>What is proved.</summary>
-    public readonly AnswerVerdict Verdict;
+    public readonly CheckStatus Status;
 
     /// <summary>
     /// The true number is not below this: the distance or signed distance, of a cast the fraction of the first touch,
@@ -36,14 +36,14 @@ public readonly struct CheckedAnswer
     /// <summary>The true number is not above this; +infinity where nothing is known.</summary>
     public readonly double UpperBound;
 
-    internal CheckedAnswer(AnswerVerdict verdict, double lowerBound, double upperBound)
+    internal CheckedAnswer(CheckStatus status, double lowerBound, double upperBound)
     {
-        Verdict = verdict;
+        Status = status;
         LowerBound = lowerBound;
         UpperBound = upperBound;
     }
 
-    /// <summary>The verdict and the bounds, for people to read.</summary>
+    /// <summary>What is proved and the bounds, for people to read.</summary>
     public override string ToString() =>
-        FormattableString.Invariant($"{Verdict}, from {LowerBound:R} to {UpperBound:R}");
+        FormattableString.Invariant($"{Status}, from {LowerBound:R} to {UpperBound:R}");
 }

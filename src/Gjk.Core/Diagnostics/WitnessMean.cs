@@ -1,23 +1,24 @@
 namespace Gjk.Core;
 
 /// <summary>
-/// A weighted mean of up to four points that is near the origin: the witness of an upper bound. Whatever the weights,
-/// as long as none is negative, it is a point of everything convex that holds the points.
+/// A weighted mean of up to four points that is near the origin: the witness of an upper bound. Whatever the weights
+/// are, as long as none is negative, it lies in everything convex that holds the points.
 /// </summary>
 internal struct WitnessMean
 {
-    /// <summary>A pure number: a weight so far below 0 is not mended by solving once more. Any such will do.</summary>
+    /// <summary>
+    /// A pure number: to solve once more does not mend a weight so far below 0. Only speed depends on it.
+    /// </summary>
     private const double Outside = -0.01;
 
     private Vector3D _p0, _p1, _p2, _p3;
+    private double _squared;
 
     /// <summary>How many points it is made of; 0 before the first.</summary>
     public int Count;
 
     /// <summary>The mean.</summary>
     public Vector3D Value;
-
-    private double _squared;
 
     /// <summary>Its distance from the origin.</summary>
     public readonly double Length => Value.Length;
@@ -30,20 +31,18 @@ internal struct WitnessMean
         int count = Count;
         double before = count == 0 ? double.PositiveInfinity : _squared;
         _squared = before;
-        if (count >= 3) TryTetrahedron(a, b, c, p);
+        if (count >= 3) TryFaces(p, a, b, c);
         if (Count == 4) return true;
         Try(1, p, default, default, default, 1, 0, 0, 0);
-        if (count >= 1) TrySegment(a, p);
-        if (count >= 2) TrySegment(b, p);
-        if (count >= 2) TryTriangle(a, b, p);
-        if (count >= 3) TrySegment(c, p);
-        if (count >= 3) TryTriangle(b, c, p);
-        if (count >= 3) TryTriangle(c, a, p);
+        if (count >= 1) TrySegment(p, a);
+        if (count >= 2) TrySegment(p, b);
+        if (count >= 2) TryTriangle(p, a, b);
         return _squared < before;
     }
 
     /// <summary>
-    /// The direction in which to look for a nearer mean: away from the origin, across the points.
+    /// The direction in which to look for a nearer mean: away from the origin, across the points. It is the direction
+    /// of the mean, but does not lose it where the mean is a small difference of long vectors.
     /// </summary>
     public readonly Vector3D Across()
     {
@@ -58,25 +57,38 @@ internal struct WitnessMean
         return Vector3D.Dot(n, Value) < 0 ? -n : n;
     }
 
-    private void TrySegment(in Vector3D a, in Vector3D p)
+    /// <summary>With three points at hand: the solid, and what its further faces and edges are.</summary>
+    private void TryFaces(in Vector3D p, in Vector3D a, in Vector3D b, in Vector3D c)
+    {
+        TryWeights(4, p, a, b, c, c - p);
+        if (Count == 4) return;
+        TrySegment(p, c);
+        TryTriangle(p, b, c);
+        TryTriangle(p, c, a);
+    }
+
+    private void TrySegment(in Vector3D p, in Vector3D a)
     {
         Vector3D e = p - a;
         double wp = -Vector3D.Dot(a, e), wa = Vector3D.Dot(p, e), sum = wp + wa;
         Try(2, p, a, default, default, wp / sum, wa / sum, 0, 0);
     }
 
-    private void TryTriangle(in Vector3D a, in Vector3D b, in Vector3D p) =>
-        TrySolid(3, a, b, default, p, Vector3D.Cross(a - p, b - p));
-
-    private void TryTetrahedron(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D p) =>
-        TrySolid(4, a, b, c, p, c - p);
+    private void TryTriangle(in Vector3D p, in Vector3D a, in Vector3D b) =>
+        TryWeights(3, p, a, b, default, Vector3D.Cross(a - p, b - p));
 
     /// <summary>
-    /// The weights by Cramer's rule, twice: what the first time leaves of the mean is solved for once more, which is
-    /// what needles need.
+    /// The weights of the origin, or of what is nearest to it in the plane, by Cramer's rule. What that leaves of the
+    /// mean is solved for once more: needles need it.
     /// </summary>
-    private void TrySolid(
-        int count, in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D p, in Vector3D third)
+    /// <param name="count">Three or four points.</param>
+    /// <param name="p">One of them.</param>
+    /// <param name="a">The second.</param>
+    /// <param name="b">The third.</param>
+    /// <param name="c">The fourth, if there is one.</param>
+    /// <param name="third">From p to c, or across the plane.</param>
+    private void TryWeights(
+        int count, in Vector3D p, in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D third)
     {
         Vector3D first = a - p, second = b - p, overA = Vector3D.Cross(second, third);
         Vector3D overB = Vector3D.Cross(third, first), overC = Vector3D.Cross(first, second), mean = p;

@@ -39,8 +39,8 @@ internal static class FuzzOptions
         };
         var certificate = new Option<bool>("--certificate")
         {
-            Description = "Judge each answer by its certificate alone, in a few microseconds a pair. Needs --pairs; goes "
-                + "on when an answer is refuted, and ends with exit code 1 then.",
+            Description = "Judge each answer by its certificate alone, in a few microseconds a pair. Needs --pairs; "
+                + "goes on when an answer is refuted, and ends with exit code 1 then.",
         };
         var resume = new Option<string?>("--resume")
         {
@@ -60,15 +60,12 @@ internal static class FuzzOptions
         var command = new Command("fuzz", Purpose) { seconds, seed, count, certificate, resume, threads };
         command.Validators.Add(result =>
         {
-            if (!result.GetValue(certificate))
-            {
-                if (result.GetResult(resume) is not null) result.AddError("--resume needs --certificate.");
-                if (result.GetResult(threads) is not null) result.AddError("--threads needs --certificate.");
-                return;
-            }
-
-            if (result.GetResult(count) is null) result.AddError("--certificate needs --pairs.");
-            if (result.GetResult(seconds) is not null) result.AddError("--certificate and --seconds exclude each other.");
+            bool isJudged = result.GetValue(certificate);
+            bool Has(Option option) => result.GetResult(option) is not null;
+            if (!isJudged && Has(resume)) result.AddError("--resume needs --certificate.");
+            if (!isJudged && Has(threads)) result.AddError("--threads needs --certificate.");
+            if (isJudged && !Has(count)) result.AddError("--certificate needs --pairs.");
+            if (isJudged && Has(seconds)) result.AddError("--certificate and --seconds exclude each other.");
         });
         command.SetAction(r =>
         {

@@ -29,9 +29,9 @@ internal static class CastCommand
     }
 
     /// <summary>Two witnesses prove nothing of a path that turns: its answer stays open.</summary>
-    private static AnswerVerdict Check(SceneObject a, SceneObject b, in CastResult answer) => Turns(a, b)
-        ? AnswerVerdict.Open
-        : AnswerCheck.Cast(a.Shape, a.Pose, a.Velocity, b.Shape, b.Pose, b.Velocity, answer).Verdict;
+    private static CheckStatus Check(SceneObject a, SceneObject b, in CastResult answer) => Turns(a, b)
+        ? CheckStatus.Open
+        : AnswerCheck.Cast(a.Shape, a.Pose, a.Velocity, b.Shape, b.Pose, b.Velocity, answer).Status;
 
     private static bool Turns(SceneObject a, SceneObject b) =>
         a.AngularVelocity != Vector3.Zero || b.AngularVelocity != Vector3.Zero;

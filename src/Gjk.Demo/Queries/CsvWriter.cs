@@ -56,7 +56,7 @@ internal sealed class CsvWriter
     public int RefutedRows { get; private set; }
 
     /// <summary>A row of <see cref="Distances"/>.</summary>
-    public void Write(int a, int b, in DistanceResult result, AnswerVerdict verdict = default)
+    public void Write(int a, int b, in DistanceResult result, CheckStatus verdict = default)
     {
         if (_used > BufferBytes - RowBytes) Flush();
         Add(a);
@@ -73,7 +73,7 @@ internal sealed class CsvWriter
     }
 
     /// <summary>A row of <see cref="Casts"/>. What a status says nothing of is empty.</summary>
-    public void Write(int a, int b, in CastResult result, AnswerVerdict verdict = default)
+    public void Write(int a, int b, in CastResult result, CheckStatus verdict = default)
     {
         if (_used > BufferBytes - RowBytes) Flush();
         Add(a);
@@ -150,15 +150,15 @@ internal sealed class CsvWriter
         _buffer[_used++] = (byte)',';
     }
 
-    private static string VerdictName(AnswerVerdict verdict) => verdict switch
+    private static string VerdictName(CheckStatus verdict) => verdict switch
     {
-        AnswerVerdict.Proved => "proved",
-        AnswerVerdict.ProvedAtMost => "proved-at-most",
-        AnswerVerdict.Refuted => "refuted",
+        CheckStatus.Proved => "proved",
+        CheckStatus.ProvedAtMost => "proved-at-most",
+        CheckStatus.Refuted => "refuted",
         _ => "open",
     };
 
-    private void EndRow(int a, int b, AnswerVerdict verdict)
+    private void EndRow(int a, int b, CheckStatus verdict)
     {
         if (_names is not null)
         {
@@ -167,7 +167,7 @@ internal sealed class CsvWriter
         }
 
         if (_isChecked) Add(VerdictName(verdict));
-        if (verdict == AnswerVerdict.Refuted) RefutedRows++;
+        if (verdict == CheckStatus.Refuted) RefutedRows++;
         EndRow();
     }
 

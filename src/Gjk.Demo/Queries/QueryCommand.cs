@@ -40,7 +40,7 @@ internal static class QueryCommand
             : result;
     }
 
-    private static AnswerVerdict Check(SceneObject a, SceneObject b, in DistanceResult answer, bool depth) => (depth
+    private static CheckStatus Check(SceneObject a, SceneObject b, in DistanceResult answer, bool depth) => (depth
         ? AnswerCheck.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose, answer)
-        : AnswerCheck.Distance(a.Shape, a.Pose, b.Shape, b.Pose, answer)).Verdict;
+        : AnswerCheck.Distance(a.Shape, a.Pose, b.Shape, b.Pose, answer)).Status;
 }

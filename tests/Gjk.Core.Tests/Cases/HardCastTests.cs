@@ -37,8 +37,8 @@ public class HardCastTests
     }
 
     /// <summary>
-    /// Hulls that are flat but for rounding, whose faces' normals prove nothing: what a point meets, asked as a cast and
-    /// as a ray.
+    /// Hulls that are flat but for rounding, whose faces' normals prove nothing: what a point meets, asked as a cast
+    /// and as a ray.
     /// </summary>
     [Fact]
     public void FlatHullsAreMetWhereTheyAre()

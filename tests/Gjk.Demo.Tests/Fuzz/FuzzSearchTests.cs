@@ -57,9 +57,9 @@ public sealed class FuzzSearchTests
     /// </summary>
     [Theory]
     [InlineData("bound", "lower bound|maximum")]
-    [InlineData("further", "exact|planes|points|mirrors|bits|warm|maximum|repeated|unit|moving")]
-    [InlineData("mirrored", "planes|points")]
-    [InlineData("overlapping", "exact|plane|Overlaps|mirrors")]
+    [InlineData("further", "exact|planes|points|mirrors|bits|warm|maximum|repeated|unit|moving|check")]
+    [InlineData("mirrored", "planes|points|check")]
+    [InlineData("overlapping", "exact|plane|Overlaps|mirrors|check")]
     [InlineData("invalid", "ends|Overlaps|mirrors")]
     [InlineData("beyond", "ends|Overlaps|bits")]
     public void WrongAnswersAreNoticed(string lie, string names)

@@ -64,7 +64,7 @@ public sealed class CheckTests
         var table = new PairTable(
             new Scene("two", [cube, cube], ScenePairs.All(2), 1), file, hasNames: false, isChecked: true);
         int code = table.Write(
-            CsvWriter.Distances, (rows, a, b) => rows.Write(a, b, AnyAnswer(), AnswerVerdict.Refuted), default);
+            CsvWriter.Distances, (rows, a, b) => rows.Write(a, b, AnyAnswer(), CheckStatus.Refuted), default);
         Assert.Equal(1, code);
         Assert.EndsWith(",refuted\n", File.ReadAllText(file));
     }

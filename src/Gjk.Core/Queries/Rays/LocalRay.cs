@@ -29,8 +29,8 @@ internal struct LocalRay
     private const double Farther = 1e-12;
 
     /// <summary>
-    /// Ratio to the lengths that cancel: 2^-90, more than double-double loses when it turns a vector twice (some 2^-97).
-    /// What is less is nothing: a line in the plane of a face stays in it. Pinned by RayGrazeTests.
+    /// Ratio to the lengths that cancel: 2^-90, more than double-double loses when it turns a vector twice (some
+    /// 2^-97). What is less is nothing: a line in the plane of a face stays in it. Pinned by RayGrazeTests.
     /// </summary>
     private const double ExactError = 1.0 / (1L << 45) / (1L << 45);
 

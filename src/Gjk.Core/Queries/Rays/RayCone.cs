@@ -8,12 +8,12 @@ namespace Gjk.Core;
 /// </summary>
 /// <remarks>
 /// With y counted down from the apex, and stretched by the radius over the height, the double cone is x² + z² ≤ y²: a
-/// quadratic form of the line's point f + d t. Its discriminant is written by the minors of f and d, which do not change
-/// when the line is measured from another of its points: mxy² + mzy² - mxz². Where the quadratic coefficient is positive,
-/// the line is flatter than the side, and in the double cone between the roots; the cut by y ≥ 0 leaves that of the
-/// lower one. Where it is negative, the line is steeper and passes through both: in the lower one from the greater root
-/// on when it goes down, up to the lesser when it goes up. Where it is nothing, the line is parallel to a side and cuts
-/// one of the two cones in a parabola: it stays inside from its only root on, or up to it.
+/// quadratic form of the line's point f + d t. Its discriminant is written by the minors of f and d, which do not
+/// change when the line is measured from another of its points: mxy² + mzy² - mxz². Where the quadratic coefficient is
+/// positive, the line is flatter than the side, and in the double cone between the roots; the cut by y ≥ 0 leaves that
+/// of the lower one. Where it is negative, the line is steeper and passes through both: in the lower one from the
+/// greater root on when it goes down, up to the lesser when it goes up. Where it is nothing, the line is parallel to a
+/// side and cuts one of the two cones in a parabola: it stays inside from its only root on, or up to it.
 /// </remarks>
 internal static class RayCone
 {

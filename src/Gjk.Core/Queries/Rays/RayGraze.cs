@@ -19,8 +19,8 @@ internal static class RayGraze
     public const double FootError = 4e-13;
 
     /// <summary>
-    /// Squared ratio of half the chord to the radius: a line with a shorter chord is a tangent. At it, what rounding does
-    /// to the foot moves the entry by a tenth of the promise. Pinned by RayGrazeTests.
+    /// Squared ratio of half the chord to the radius: a line with a shorter chord is a tangent. At it, what rounding
+    /// does to the foot moves the entry by a tenth of the promise. Pinned by RayGrazeTests.
     /// </summary>
     private const double Tangent = 1e-10;
 

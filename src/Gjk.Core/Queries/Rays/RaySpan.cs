@@ -15,7 +15,8 @@ internal struct RaySpan
     public Vector3D Normal;
 
     /// <summary>
-    /// Whether the line so nearly touches the body, or runs along it, that what rounding did to the foot moves the entry.
+    /// Whether the line so nearly touches the body, or runs along it, that what rounding did to the foot moves the
+    /// entry.
     /// </summary>
     public bool IsClose;
 

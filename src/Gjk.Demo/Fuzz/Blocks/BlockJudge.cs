@@ -40,7 +40,7 @@ internal sealed class BlockJudge
     /// <summary>Asks about the pair at hand, and tells it what a distance says.</summary>
     /// <param name="index">The pair's number: which query it is asked.</param>
     /// <param name="problem">What is wrong, or null.</param>
-    public AnswerVerdict Ask(long index, out string? problem)
+    public CheckStatus Ask(long index, out string? problem)
     {
         BlockPairs p = _pairs;
         _verb = (int)(index % Verbs.Length);
@@ -70,7 +70,7 @@ internal sealed class BlockJudge
             _pairs.A, new RigidMotion(_pairs.PoseA, _velocityA), _pairs.B,
             new RigidMotion(_pairs.PoseB, _velocityB)).ToString();
 
-    private AnswerVerdict Overlaps(ref string? problem)
+    private CheckStatus Overlaps(ref string? problem)
     {
         BlockPairs p = _pairs;
         bool flag = ConvexQuery.Overlaps(p.A, p.PoseA, p.B, p.PoseB, out GjkStatus status);
@@ -79,10 +79,10 @@ internal sealed class BlockJudge
         if (flag != distance.IsOverlapping || status != distance.Status)
             problem = Say.Line($"{status}, the distance says {distance}");
         CheckedAnswer check = AnswerCheck.Overlaps(p.A, p.PoseA, p.B, p.PoseB, flag);
-        return Verdict(check, ref problem);
+        return Status(check, ref problem);
     }
 
-    private AnswerVerdict Signed(ref string? problem)
+    private CheckStatus Signed(ref string? problem)
     {
         BlockPairs p = _pairs;
         DistanceResult r = ConvexQuery.SignedDistance(p.A, p.PoseA, p.B, p.PoseB);
@@ -95,29 +95,29 @@ internal sealed class BlockJudge
         return JudgeSigned(r, ref problem);
     }
 
-    private AnswerVerdict Cast(ref string? problem)
+    private CheckStatus Cast(ref string? problem)
     {
         BlockPairs p = _pairs;
         p.DrawMotion(out _velocityA, out _velocityB);
         CastResult r = ConvexQuery.Cast(p.A, p.PoseA, _velocityA, p.B, p.PoseB, _velocityB);
         CheckedAnswer check = AnswerCheck.Cast(p.A, p.PoseA, _velocityA, p.B, p.PoseB, _velocityB, r);
         if (!HasAnswer(r.Status)) problem = r.ToString();
-        else if (check.Verdict == AnswerVerdict.Refuted) problem = Say.Line($"{r}: {check}");
-        return check.Verdict;
+        else if (check.Status == CheckStatus.Refuted) problem = Say.Line($"{r}: {check}");
+        return check.Status;
     }
 
-    private AnswerVerdict Ray(ref string? problem)
+    private CheckStatus Ray(ref string? problem)
     {
         BlockPairs p = _pairs;
         p.DrawRay(out _point, out _velocityB);
         RayCastResult r = ConvexQuery.RayCast(p.A, p.PoseA, _point, _velocityB);
         CheckedAnswer check = AnswerCheck.RayCast(p.A, p.PoseA, _point, _velocityB, r);
         if (!HasAnswer(r.Status)) problem = r.ToString();
-        else if (check.Verdict == AnswerVerdict.Refuted) problem = Say.Line($"{r}: {check}");
-        return check.Verdict;
+        else if (check.Status == CheckStatus.Refuted) problem = Say.Line($"{r}: {check}");
+        return check.Status;
     }
 
-    private AnswerVerdict Point(ref string? problem)
+    private CheckStatus Point(ref string? problem)
     {
         BlockPairs p = _pairs;
         _point = p.DrawPoint();
@@ -127,35 +127,38 @@ internal sealed class BlockJudge
         if (isIn != r.IsOverlapping && r.Status != GjkStatus.IterationLimit)
             problem = Say.Line($"Contains says {isIn}, the signed distance {r}");
         if (!HasDepth(r.Status, p.A)) problem = r.ToString();
-        return Verdict(AnswerCheck.SignedDistance(p.A, p.PoseA, default(PointShape), pose, r), ref problem);
+        return Status(AnswerCheck.SignedDistance(p.A, p.PoseA, default(PointShape), pose, r), ref problem);
     }
 
-    private AnswerVerdict Judge(in DistanceResult r, ref string? problem)
+    private CheckStatus Judge(in DistanceResult r, ref string? problem)
     {
         BlockPairs p = _pairs;
         p.Tell(r);
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) problem = r.ToString();
-        return Verdict(AnswerCheck.Distance(p.A, p.PoseA, p.B, p.PoseB, r), ref problem);
+        return Status(AnswerCheck.Distance(p.A, p.PoseA, p.B, p.PoseB, r), ref problem);
     }
 
-    private AnswerVerdict JudgeSigned(in DistanceResult r, ref string? problem)
+    private CheckStatus JudgeSigned(in DistanceResult r, ref string? problem)
     {
         BlockPairs p = _pairs;
         p.Tell(r);
         if (!HasDepth(r.Status, p.A) && !HasDepth(r.Status, p.B)) problem = r.ToString();
-        return Verdict(AnswerCheck.SignedDistance(p.A, p.PoseA, p.B, p.PoseB, r), ref problem);
+        return Status(AnswerCheck.SignedDistance(p.A, p.PoseA, p.B, p.PoseB, r), ref problem);
     }
 
-    private static AnswerVerdict Verdict(in CheckedAnswer check, ref string? problem)
+    private static CheckStatus Status(in CheckedAnswer check, ref string? problem)
     {
-        if (check.Verdict == AnswerVerdict.Refuted) problem = Say.Line($"the check says {check}");
-        return check.Verdict;
+        if (check.Status == CheckStatus.Refuted) problem = Say.Line($"the check says {check}");
+        return check.Status;
     }
 
-    /// <summary>Whether a depth may end so; only curved shapes and large hulls outgrow the room of its search.</summary>
+    /// <summary>
+    /// Whether a depth may end so; only curved shapes and large hulls outgrow the room of its search.
+    /// </summary>
     private static bool HasDepth(GjkStatus status, in ConvexShape shape) =>
         status is GjkStatus.Separated or GjkStatus.Overlapping
-            || (status == GjkStatus.IterationLimit && (IsCurved(shape) || shape.Hull is { VertexCount: > MostVertices }));
+            || (status == GjkStatus.IterationLimit
+                && (IsCurved(shape) || shape.Hull is { VertexCount: > MostVertices }));
 
     private bool HasAnswer(CastStatus status) => status is CastStatus.Hit or CastStatus.Miss
         or CastStatus.OverlappingAtStart

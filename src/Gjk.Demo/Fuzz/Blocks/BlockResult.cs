@@ -70,14 +70,14 @@ internal readonly record struct BlockResult(
             }
 
             drawn.Next();
-            AnswerVerdict verdict = Ask(judge, i, out string? problem);
+            CheckStatus verdict = Ask(judge, i, out string? problem);
             if (problem is not null)
             {
                 refuted++;
                 if (finds.Count < BlockFind.MostOfABlock)
                     finds.Add(new BlockFind(number, i, judge.Verb, problem, judge.Record()));
             }
-            else if (verdict == AnswerVerdict.Open)
+            else if (verdict == CheckStatus.Open)
             {
                 open++;
             }
@@ -92,7 +92,7 @@ internal readonly record struct BlockResult(
     }
 
     /// <summary>A query that throws is wrong, too.</summary>
-    private static AnswerVerdict Ask(BlockJudge judge, long index, out string? problem)
+    private static CheckStatus Ask(BlockJudge judge, long index, out string? problem)
     {
         try
         {
@@ -101,7 +101,7 @@ internal readonly record struct BlockResult(
         catch (Exception e)
         {
             problem = Say.Line($"throws {e.GetType().Name}: {e.Message}");
-            return AnswerVerdict.Refuted;
+            return CheckStatus.Refuted;
         }
     }
 

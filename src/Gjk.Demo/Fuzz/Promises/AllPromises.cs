@@ -28,6 +28,7 @@ internal static class AllPromises
         new WarmCastsAreCold(),
         new WhatPassesGetsNoDeeper(),
         new ImpactsAreProved(),
+        new TheCheckAgrees(),
         new SwappingMirrors(),
         new WarmStartsChangeNothing(),
         new MaxDistanceEndsEarly(),

@@ -34,5 +34,5 @@ internal sealed class TheCheckAgrees : IPromise
     }
 
     private static string? Refuted(in CheckedAnswer check, string name) =>
-        check.Verdict == AnswerVerdict.Refuted ? Say.Line($"{name}: {check}") : null;
+        check.Status == CheckStatus.Refuted ? Say.Line($"{name}: {check}") : null;
 }

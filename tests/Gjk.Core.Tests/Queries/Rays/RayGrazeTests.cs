@@ -47,7 +47,8 @@ public class RayGrazeTests
             shape.Shape.Support(new Vector3D(0, -1, 0), out Vector3D end);
             double angle = rng.Range(0, 2 * Math.PI), tilt = rng.Below(3) == 0 ? 0 : rng.LogFloat(1e-8, 1e-4);
             Vector3D along = new(Math.Cos(angle), tilt, Math.Sin(angle));
-            Vector3D aim = new Vector3D(0, end.Y - tilt * rng.Range(-0.5, 0.3) + rng.Range(-1e-6, 1e-6), 0) - along * rng.LogFloat(3, 300);
+            double height = end.Y - tilt * rng.Range(-0.5, 0.3) + rng.Range(-1e-6, 1e-6);
+            Vector3D aim = new Vector3D(0, height, 0) - along * rng.LogFloat(3, 300);
             Vector3 origin = pose.TransformPoint((Vector3)aim);
             var turn = new RotationD(pose.Rotation);
             Vector3 direction = Clean((Vector3)turn.Rotate(along));
@@ -61,8 +62,8 @@ public class RayGrazeTests
     }
 
     /// <summary>
-    /// Lines that touch a ball or a cylinder exactly, from two hundred radii away: a rounding of the foot would move the
-    /// entry by the root of it.
+    /// Lines that touch a ball or a cylinder exactly, from two hundred radii away: a rounding of the foot would move
+    /// the entry by the root of it.
     /// </summary>
     [Theory]
     [InlineData("sphere")]
