@@ -58,15 +58,7 @@ internal static class FuzzOptions
             "Search at random for a pair of shapes whose distance, depth or cast breaks a promise of the library, and "
             + "shrink what is found.";
         var command = new Command("fuzz", Purpose) { seconds, seed, count, certificate, resume, threads };
-        command.Validators.Add(result =>
-        {
-            bool isJudged = result.GetValue(certificate);
-            bool Has(Option option) => result.GetResult(option) is not null;
-            if (!isJudged && Has(resume)) result.AddError("--resume needs --certificate.");
-            if (!isJudged && Has(threads)) result.AddError("--threads needs --certificate.");
-            if (isJudged && !Has(count)) result.AddError("--certificate needs --pairs.");
-            if (isJudged && Has(seconds)) result.AddError("--certificate and --seconds exclude each other.");
-        });
+        command.Validators.Add(result => Validate(result, seconds, count, certificate, resume, threads));
         command.SetAction(r =>
         {
             if (r.GetValue(certificate))
@@ -83,6 +75,17 @@ internal static class FuzzOptions
                     r.GetValue(count)), r.GetValue(seed) ?? (ulong)Random.Shared.Next(), cancel);
         });
         return command;
+    }
+
+    private static void Validate(
+        CommandResult result, Option seconds, Option count, Option<bool> certificate, Option resume, Option threads)
+    {
+        bool isJudged = result.GetValue(certificate);
+        bool Has(Option option) => result.GetResult(option) is not null;
+        if (!isJudged && Has(resume)) result.AddError("--resume needs --certificate.");
+        if (!isJudged && Has(threads)) result.AddError("--threads needs --certificate.");
+        if (isJudged && !Has(count)) result.AddError("--certificate needs --pairs.");
+        if (isJudged && Has(seconds)) result.AddError("--certificate and --seconds exclude each other.");
     }
 
     private static double? Seconds(ArgumentResult result) =>

@@ -1,6 +1,4 @@
-using System;
 using System.Numerics;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Diagnostics;
 

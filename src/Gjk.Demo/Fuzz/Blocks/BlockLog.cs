@@ -4,7 +4,6 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 using System.Threading;
-using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Fuzz.Blocks;
 
