@@ -7,7 +7,6 @@ using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Fuzz.Blocks;
 using Gjk.Demo.Tests.Support;
-using Gjk.Exact.Randomness;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
