@@ -7,19 +7,19 @@ public static partial class AnswerCheck
 {
     /// <summary>
     /// Length, as a fraction of the larger of the size and the way: how far along the motion a cast may end early or
-    /// late; 1e-7 of the scale is promised. Pinned by AnswerCheckTests.
+    /// late; 1e-7 of the scale is promised. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double WayRatio = 1.2e-7;
 
     /// <summary>
     /// Length, as a fraction of the size: what passes no further away may be said to hit; 1e-9 of the scale is
-    /// promised. Pinned by AnswerCheckTests.
+    /// promised. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double Graze = 2e-9;
 
     /// <summary>
     /// Length, as a fraction of the size: curved shapes touch when they are within 1e-9 of the scale, so that the point
-    /// and the normal of a hit are known to the root of that. Pinned by AnswerCheckTests.
+    /// and the normal of a hit are known to the root of that. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double CurvedMeeting = 1e-4;
 

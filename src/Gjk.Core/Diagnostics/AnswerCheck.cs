@@ -23,31 +23,31 @@ namespace Gjk.Core;
 public static partial class AnswerCheck
 {
     /// <summary>
-    /// Ratio to the distance: its rounding to float, 2^-24 and then some, as promised. Pinned by AnswerCheckTests.
+    /// Ratio to the distance: its rounding to float, 2^-24 and then some, as promised. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double DistanceRatio = 1.2e-7;
 
     /// <summary>
     /// Length, as a fraction of the size: ten times the promised 1e-14, since the check's own rounding comes on top.
-    /// Shapes that are nearer share a point as far as it can tell. Pinned by AnswerCheckTests.
+    /// Shapes that are nearer share a point as far as it can tell. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double LengthRatio = 1e-13;
 
     /// <summary>
     /// Length, as a fraction of the larger of the size and the distance: what is promised for curved cores. The size is
-    /// at least half the scale that promises are measured by, so it is doubled. Pinned by AnswerCheckTests.
+    /// at least half the scale that promises are measured by, so it is doubled. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double CurvedRatio = 2e-6;
 
     /// <summary>
     /// Length, as a fraction of the size: curved shapes that are nearer touch, as is promised, 1e-9 of the scale.
-    /// Pinned by AnswerCheckTests.
+    /// Pinned by AnswerToleranceTests.
     /// </summary>
     private const double CurvedTouch = 2e-9;
 
     /// <summary>
     /// Lengths, as fractions of the size: shapes that overlap by about as much may not be said to be apart; 1e-9 of the
-    /// scale is promised, of curved cores 1e-6. Pinned by AnswerCheckTests.
+    /// scale is promised, of curved cores 1e-6. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double Deep = 1e-8, CurvedDeep = 1e-5;
 
@@ -59,17 +59,17 @@ public static partial class AnswerCheck
 
     /// <summary>
     /// Length, as a fraction of the size: how far a point may be off its shape beside its rounding to float; 1.2e-7 of
-    /// the scale is promised. Pinned by AnswerCheckTests.
+    /// the scale is promised. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double PointRatio = 2.4e-7;
 
     /// <summary>
     /// Length, as a fraction of size and distance: by how much the planes across a normal that was rounded to float can
-    /// be nearer: 1.1e-7 radians times the width, which is at most twice the size. Pinned by AnswerCheckTests.
+    /// be nearer: 1.1e-7 radians times the width, which is at most twice the size. Pinned by AnswerToleranceTests.
     /// </summary>
     private const double TiltRatio = 3e-7;
 
-    /// <summary>A pure number: how far a normal's length may be from 1. Pinned by AnswerCheckTests.</summary>
+    /// <summary>A pure number: how far a normal's length may be from 1. Pinned by AnswerToleranceTests.</summary>
     private const double UnitLength = 1e-6;
 
     /// <summary>Ratio: what rounding a point's three coordinates to float can move it by.</summary>
