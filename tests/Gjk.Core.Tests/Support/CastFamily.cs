@@ -65,20 +65,10 @@ internal static class CastFamily
         bool isHit = outcome == CastStatus.Hit, hasNormal = isHit && name != Flat;
         var pair = new TestPair(
             $"{name} {a},{b} {cells[^1]}", objects[a].Shape, objects[a].Pose, objects[b].Shape, objects[b].Pose);
-        if (outcome == CastStatus.OverlappingAtStart) outcome = AtStart(pair, velocities[b]);
         return new CastCase(
             pair, velocities[b], outcome, isHit ? CaseFamily.Number(cells[3]) : 0,
             hasNormal ? new(CaseFamily.Number(cells[4]), CaseFamily.Number(cells[5]), CaseFamily.Number(cells[6]))
                 : default,
             hasNormal && cells[7] == "1");
-    }
-
-    /// <summary>The files call a touch at the start an overlap; the motion makes it a hit or a miss.</summary>
-    private static CastStatus AtStart(TestPair pair, Vector3 velocity)
-    {
-        const double noise = 1e-12;
-        bool arePolytopes = pair.A.Vertices is { Length: > 1 } && pair.B.Vertices is { Length: > 1 };
-        if (!arePolytopes || Depth.Of(pair) > noise) return CastStatus.OverlappingAtStart;
-        return Depth.Rate(pair, velocity, noise) < 0 ? CastStatus.Hit : CastStatus.Miss;
     }
 }
