@@ -23,7 +23,7 @@ public sealed class FuzzTests
     {
         DemoRun run = DemoProcess.Run("fuzz", "--seconds", "1.5", "--seed", "6");
         run.AssertDone();
-        Assert.Matches(@"^\d+ pairs tried in 1\.\d s, \d+ pairs per second, seed 6: no promise broken\n$", run.Out);
+        Assert.Matches(@"^\d+ pairs tried in [1-9]\.\d s, \d+ pairs per second, seed 6: no promise broken\n$", run.Out);
         Assert.NotEqual("0", run.Out.Split(' ')[0]);
     }
 
