@@ -148,7 +148,9 @@ internal sealed class FatLeaves(BoundsTable table)
         return true;
     }
 
-    /// <summary>Rounding is monotone, so the larger box holds the box.</summary>
+    /// <summary>
+    /// Rounding is monotone, so the larger box holds the box. It ends where floats do: a sweep needs finite ends.
+    /// </summary>
     private void Fatten(int id, out Vector3 min, out Vector3 max)
     {
         ref readonly Aabb box = ref table.Boxes[id];
@@ -162,8 +164,8 @@ internal sealed class FatLeaves(BoundsTable table)
             fat = Vector3.Max(fat, Vector3.Min(most, Vector3.Min(_steps[id], largest) * FramesAhead));
         }
 
-        min -= fat;
-        max += fat;
+        min = Vector3.Max(min - fat, -largest);
+        max = Vector3.Min(max + fat, largest);
     }
 }
 

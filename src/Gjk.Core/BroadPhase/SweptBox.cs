@@ -102,7 +102,7 @@ public readonly struct SweptBox
     /// <param name="entry">Where the two first touch, or a little before it; at least 0.</param>
     public bool Meets(in Aabb box, double limit, out double entry) => Meets(box.Min, box.Max, limit, out entry);
 
-    /// <summary>As the other; infinite ends are admitted.</summary>
+    /// <summary>As the other; the ends are finite, or an infinite one times a motion of 0 would be no number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal bool Meets(Vector3 min, Vector3 max, double limit, out double entry)
     {

@@ -59,6 +59,7 @@ public sealed class ConvexHull
     internal readonly HullPlanes? Planes;
 
     private const string NoPoints = "At least one point is needed.";
+    private const string NegativeCount = "The list says that it has fewer than no points.";
 
     private readonly int[] _sources;
     private readonly int[] _triangles;
@@ -69,6 +70,7 @@ public sealed class ConvexHull
     /// <exception cref="ArgumentException">
     /// The list is empty, or a coordinate is NaN or infinite; the message names the index.
     /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The list's count is negative.</exception>
     public ConvexHull(IReadOnlyList<Vector3> points)
         : this(new DistinctPoints(CheckedCopy(points)))
     {
@@ -143,8 +145,7 @@ public sealed class ConvexHull
             return false;
         }
 
-        Vector3[] cloud = Copy(points);
-        reason = Refusal(cloud);
+        reason = Refusal(points, out Vector3[] cloud);
         if (reason is not null) return false;
         hull = new ConvexHull(new DistinctPoints(cloud));
         return true;
@@ -214,23 +215,22 @@ public sealed class ConvexHull
 
     private static Vector3[] CheckedCopy(IReadOnlyList<Vector3> points)
     {
-        Vector3[] cloud = Copy(Guard.NotNull(points, nameof(points)));
-        string? reason = Refusal(cloud);
-        return reason is null ? cloud : throw new ArgumentException(reason, nameof(points));
+        string? reason = Refusal(Guard.NotNull(points, nameof(points)), out Vector3[] cloud);
+        if (reason is null) return cloud;
+        throw reason == NegativeCount
+            ? new ArgumentOutOfRangeException(nameof(points), reason)
+            : new ArgumentException(reason, nameof(points));
     }
 
-    private static Vector3[] Copy(IReadOnlyList<Vector3> points)
+    /// <summary>Copies the points; gives null, or what is wrong with them.</summary>
+    private static string? Refusal(IReadOnlyList<Vector3> points, out Vector3[] cloud)
     {
-        var cloud = new Vector3[points.Count];
-        for (int i = 0; i < cloud.Length; i++) cloud[i] = points[i];
-        return cloud;
-    }
-
-    private static string? Refusal(Vector3[] cloud)
-    {
-        if (cloud.Length == 0) return NoPoints;
-        for (int i = 0; i < cloud.Length; i++)
+        int count = points.Count;
+        cloud = new Vector3[Math.Max(count, 0)];
+        if (count <= 0) return count < 0 ? NegativeCount : NoPoints;
+        for (int i = 0; i < count; i++)
         {
+            cloud[i] = points[i];
             if (!Guard.IsFinite(cloud[i])) return $"Point {i} has a coordinate that is NaN or infinite.";
         }
 

@@ -48,14 +48,14 @@ internal static class AdvancementSolver
 
     /// <summary>
     /// Ratios to the tolerance: steps leave a proved gap of the floor, and aim at half of the gap that is accepted. The
-    /// rest is left for rounding the fraction to a float. Pinned by TimeOfImpactTests.
+    /// rest is left for rounding the fraction to a float. Pinned by ImpactToleranceTests.
     /// </summary>
     internal const double FloorRatio = 1.0 / 64, MostAccepted = 1.0 / 2;
 
     private const double LeastAccepted = 1.0 / 8;
 
     /// <summary>
-    /// Ratio to a fraction: 2^-23, at least the distance to the float before. Pinned by TimeOfImpactTests.
+    /// Ratio to a fraction: 2^-23, at least the distance to the float before. Pinned by ImpactToleranceTests.
     /// </summary>
     private const double FloatStep = 1.0 / (1 << 23);
 
@@ -175,7 +175,7 @@ internal static class AdvancementSolver
         next = plane.Start;
         if (!(plane.Rate >= 0) || !(plane.Gap > floor)) return false;
         PairFrame here = frame;
-        next = Math.Min(plane.Start + outside / plane.Rate, end);
+        next = plane.Rate > 0 ? Math.Min(plane.Start + outside / plane.Rate, end) : end;
         motion.MoveTo(next, ref frame);
         double gap = plane.GapAt(ref a, ref b, frame, next);
         bool isProved = plane.IsProved(next - plane.Start, gap, floor) && (next >= end || gap >= 0.5 * outside);

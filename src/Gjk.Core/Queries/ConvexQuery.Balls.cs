@@ -43,10 +43,14 @@ public static partial class ConvexQuery
         double share = touching && !isSigned && margins > 0 ? root / margins : 1;
         double reachA = share * a.Margin, reachB = share * b.Margin;
         Vector3D worldA = Place(poseA, a.Center) + normal * reachA;
-        bool isFromB = touching
-            ? b.Margin * FarApart < a.Margin
-            : gap > FarApart * margins && gap > FarApart * b.Center.SumOfMagnitudes;
-        Vector3D worldB = isFromB ? Place(poseB, b.Center) - normal * reachB : worldA + normal * gap;
+        Vector3D worldB = worldA + normal * gap;
+        bool isFromB = IsSmallerB(a.Margin, b.Margin, b.Center, MuchSmaller) || IsFarApart(gap, b.Margin, b.Center);
+        if (isFromB)
+        {
+            worldB = Place(poseB, b.Center) - normal * reachB;
+            if (!IsFarApart(gap, a.Margin, a.Center)) worldA = worldB - normal * gap;
+        }
+
         var localA = (Vector3)(inA * reachA + a.Center);
         var localB = (Vector3)(inB * -reachB + b.Center);
         if (!touching || isSigned)

@@ -13,7 +13,8 @@ public static partial class ConvexQuery
 {
     /// <summary>
     /// Ratio to the way and the radii: what rounding does to the place of the line, 32 roundings, where 20 are the most
-    /// (proofs/ball-line.g). A line that passes the ball by less touches it. Pinned by CastTests.
+    /// (proofs/ball-line.g). A line that passes the ball by less touches it. Pinned by
+    /// CastToleranceTests.BallsThatPassByThirtyTwoRoundingsTouch.
     /// </summary>
     private const double BallLineError = 32 * RoundOff.Unit;
 

@@ -7,11 +7,19 @@ namespace Gjk.Core;
 public static partial class ConvexQuery
 {
     /// <summary>
-    /// Ratio of the distance to the pair's size and to B's offset from its local origin: further apart, a point of B
-    /// that is reached from A over the distance would lie beside B by rounding alone, so it is placed from B's own
-    /// pose. Pinned by WitnessPointTests.
+    /// Ratio of the distance to a shape's size and to its offset from its local origin: further apart, a point of it
+    /// that is reached from the other shape over the distance would lie beside it by rounding alone, so it is placed
+    /// from its own pose. Here rounding is 2^-33 of the size, so a few times as much would do no harm, and less would
+    /// only cost time. WitnessPointTests have all distances.
     /// </summary>
     internal const double FarApart = 1 << 20;
+
+    /// <summary>
+    /// Ratio of the radii: where B is smaller than A by more, the points are placed from B's pose. Up to here, what
+    /// rounding in A's frame does to them is far below B's floats; 2^20 is too much, as PointPlacementTests show, and
+    /// less only costs time.
+    /// </summary>
+    internal const double MuchSmaller = 1 << 10;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -41,13 +49,19 @@ public static partial class ConvexQuery
         }
 
         bool isDeep = isSigned && distance < -GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
-        distance = (isDeep ? distance : isTouching ? 0 : Math.Max(distance, 0)) * frame.Unit;
+        double gap = isDeep ? distance : isTouching ? 0 : Math.Max(distance, 0);
+        distance = gap * frame.Unit;
         if ((float)distance > Math.Max(maxDistance, 0)) return Beyond(state, frame);
 
         Vector3D localA = (onA - toA * frame.MarginA + frame.CenterA) * frame.Unit;
         Vector3D localB = (onB + toAInB * frame.MarginB + frame.CenterB) * frame.Unit;
         Vector3D normal = -frame.RotationA.Rotate(toA), worldA = frame.RotationA.Rotate(localA) + poseA.Position;
-        Vector3D worldB = IsFarApart(state, frame, distance) ? ToWorld(poseB, localB) : worldA + normal * distance;
+        Vector3D worldB = worldA + normal * distance;
+        if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
+        {
+            worldB = ToWorld(poseB, localB);
+            if (!IsFarApart(gap, frame.RadiusA, frame.CenterA)) worldA = worldB - normal * distance;
+        }
 
         // The plane is the feature's but for a walk in extended precision that ended on an older, better one.
         double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared
@@ -73,26 +87,38 @@ public static partial class ConvexQuery
     private static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
         state.Feature.Height * scale - frame.MarginA - frame.MarginB;
 
-    /// <summary>Whether B's own pose places its point better than the distance from A does.</summary>
+    /// <summary>
+    /// Whether B's own pose places the points better than A's: where B is much smaller, and where the curve of a core
+    /// or the end of the iterations keeps them apart by far more than rounding, where B is smaller at all.
+    /// </summary>
+    private static bool IsMuchSmallerB(in SolverState state, in PairFrame frame)
+    {
+        double ratio = state.IsCurved || state.Verdict == Verdict.Undecided ? 1 : MuchSmaller;
+        return IsSmallerB(frame.RadiusA, frame.RadiusB, frame.CenterB, ratio);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsFarApart(in SolverState state, in PairFrame frame, double distance) =>
-        distance > FarApart * frame.Unit * state.Size.Value
-        && distance > FarApart * frame.Unit * frame.CenterB.SumOfMagnitudes;
+    private static bool IsSmallerB(double radiusA, double radiusB, in Vector3D centerB, double ratio) =>
+        radiusB * ratio < radiusA && centerB.SumOfMagnitudes <= FarApart * radiusA;
+
+    /// <summary>Whether a shape's own pose places its point better than the way from the other shape does.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsFarApart(double distance, double radius, in Vector3D center) =>
+        distance > FarApart * radius && distance > FarApart * center.SumOfMagnitudes;
 
     private static DistanceResult Invalid(in SolverState state) =>
         DistanceResult.Invalid(
             state.Iterations == 0 ? GjkStatus.InvalidInput : GjkStatus.InvalidShape, state.Iterations);
 
     /// <summary>
-    /// A common point, given on both cores. Where the sizes differ greatly it is placed from the smaller shape, whose
-    /// frame holds it better.
+    /// A common point, given on both cores, and placed from the pose that the two points of shapes apart would be.
     /// </summary>
     private static DistanceResult Common(
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, in Vector3D onA,
         in Vector3D onB)
     {
         Vector3D localA = (onA + frame.CenterA) * frame.Unit, localB = (onB + frame.CenterB) * frame.Unit;
-        var world = (Vector3)(frame.RadiusB * FarApart < frame.RadiusA
+        var world = (Vector3)(IsMuchSmallerB(state, frame)
             ? ToWorld(poseB, localB)
             : frame.RotationA.Rotate(localA) + poseA.Position);
         return new DistanceResult(

@@ -7,7 +7,7 @@ public static partial class ConvexQuery
 {
     /// <summary>
     /// Whether two convex shapes share a point, touching included: exactly when <c>Distance(a, b)</c> says
-    /// <see cref="GjkStatus.Overlapping"/>.
+    /// <see cref="GjkStatus.Overlapping"/>, for supports in double.
     /// </summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>

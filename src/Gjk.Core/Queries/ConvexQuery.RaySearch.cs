@@ -24,7 +24,8 @@ public static partial class ConvexQuery
     {
         /// <summary>
         /// Ratio of the origin's distance to the radius, beyond which the ray begins anew: from further away, rounding
-        /// could carry the point through a flat shape. Pinned by TheClosedFormAgreesWithTheCast in RayCastTests.
+        /// could carry the point through a flat shape. Pinned by TheClosedFormAgreesWithTheCast in RayCastTests, from
+        /// below; four times as much would still round by less than what counts as touching.
         /// </summary>
         private const double FarOrigin = 3;
 

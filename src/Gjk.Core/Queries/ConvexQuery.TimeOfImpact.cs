@@ -14,19 +14,19 @@ public static partial class ConvexQuery
 
     /// <summary>
     /// Ratio to the pair's size: a finer tolerance would reach down to what counts as touching for curved cores (4e-10
-    /// of the size). Pinned by TimeOfImpactTests.
+    /// of the size). Pinned by ImpactToleranceTests.
     /// </summary>
     private const double LeastTolerance = 1e-8;
 
     /// <summary>
     /// Ratio to what rounding does to a gap: tolerances are at least this, so that the floor of a step, a 64th of it,
-    /// is no less than rounding. Pinned by TimeOfImpactTests.
+    /// is no less than rounding. Pinned by ImpactToleranceTests.
     /// </summary>
     private const double RoundingTolerance = 64;
 
     /// <summary>
-    /// Ratio: 2^-24, no more than from a float to the one before, and more than half of that. Pinned by
-    /// WhatDoesNotTurnIsCast in TimeOfImpactTests.
+    /// Ratio: 2^-24, no more than from a float to the one before, and more than half of that. A smaller one would do as
+    /// well, since what is left is rounded down. Pinned by WhatDoesNotTurnIsCast in TimeOfImpactTests.
     /// </summary>
     private const double OneFloat = 1.0 / (1 << 24);
 

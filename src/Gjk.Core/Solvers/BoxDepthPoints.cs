@@ -16,13 +16,14 @@ internal static class BoxDepthPoints
     /// <summary>
     /// Length, as a fraction of the size: a side that rises by less along the way out is level. An edge that is tilted
     /// by more decides which corner is the deepest without doubt; one that is tilted by less moves the points by less
-    /// than they are promised. Pinned by HardDepthTests.
+    /// than they are promised. Pinned by DepthToleranceTests.ASideThatHardlyRisesIsLevel.
     /// </summary>
     private const double LevelSide = 3e-8;
 
     /// <summary>
     /// Length, as a fraction of the size: how far beside a face a point still counts as opposite, so that rounding
-    /// leaves something of what lies along its rim. Pinned by TouchingCoreDepthTests.
+    /// leaves something of what lies along its rim. Anything well above rounding, 1e-15, and well below float's
+    /// will do.
     /// </summary>
     private const double Slack = 1e-12;
 

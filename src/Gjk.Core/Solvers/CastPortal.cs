@@ -34,30 +34,31 @@ namespace Gjk.Core;
 internal static class CastPortal
 {
     /// <summary>
-    /// Count, of either loop: more than hulls of thousands of vertices need. Pinned by CastPortalTests.
+    /// Count, of either loop: more than hulls of thousands of vertices need. It only decides which solver answers.
     /// </summary>
     private const int MaxRounds = 40;
 
     /// <summary>
     /// Ratio to the radii: how far the two bounds of the entry may be apart along the motion, and how far their point
-    /// may be from the line. A thousandth of the promise. Pinned by HardCastTests.
+    /// may be from the line. A thousandth of the promise. Pinned by CastPortalTests.ATipAboveAPortalIsLevelOrATurn.
     /// </summary>
     private const double EntryGap = 1e-10;
 
     /// <summary>
     /// Ratio to the radii: how level the corners of a face are; then the entry is right to 1e-9 (proofs/cast-portal.g).
-    /// Pinned by CastPortalTests.
+    /// Pinned by CastPortalTests.ATipAboveAPortalIsLevelOrATurn.
     /// </summary>
     private const double Level = 64 * RoundOff.Unit;
 
     /// <summary>
     /// Ratio to the radii: a triangle that is lower is a needle, whose normal may be wrong by more than 3e-7. Pinned by
-    /// CastPortalTests.
+    /// CastPortalTests.ANeedleIsNoPortal.
     /// </summary>
     private const double LeastHeight = 1e7 * Level;
 
     /// <summary>
-    /// Ratio: the sine of the angle between the motion and a face; a flatter one is a graze. Pinned by CastPortalTests.
+    /// Ratio: the sine of the angle between the motion and a face; a flatter one is a graze. Pinned by
+    /// CastPortalTests.AGrazedTriangleIsNoPortal.
     /// </summary>
     private const double LeastSlope = 1e-5;
 

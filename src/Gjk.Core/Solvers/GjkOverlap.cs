@@ -15,7 +15,7 @@ namespace Gjk.Core;
 /// <para>
 /// It differs from the textbook in what it calls certain. Cores are apart only when the plane's gap exceeds all
 /// rounding, and the origin is enclosed only when four determinants are certain. Contact within some 1e-14 of the size
-/// is Undecided and goes to the distance solver, so the two never disagree.
+/// is Undecided and goes to the distance solver, so the two never disagree for supports in double.
 /// </para>
 /// <para>
 /// Muratori's step can cycle on degenerate input, which is the endless loop of implementations that trust it. MaxRounds
@@ -61,6 +61,9 @@ internal static class GjkOverlap
                     ? Verdict.Enclosed
                     : Verdict.Undecided;
             }
+
+            // The origin is on the feature, as far as double can tell, and there is no direction to search in.
+            if (!(feature.NormalSquared > 0)) return Verdict.Undecided;
         }
 
         return Verdict.Undecided;

@@ -37,7 +37,7 @@ internal static class GjkTolerances
     /// <summary>
     /// Length: how far the corners of a nearest triangle may be from level. Between Noise, which well-shaped triangles
     /// keep, and the promised 1e-14 of the scale; what is above goes to extended precision (proofs/level.g). Pinned by
-    /// SliverTests.
+    /// ToleranceTests.ATriangleIsLevelToSixteenRoundings.
     /// </summary>
     public const double Level = 4 * Noise;
 

@@ -16,11 +16,12 @@ internal unsafe interface IWideQuestion
     /// <summary>Answers four pairs of the same route, whose frames are composed.</summary>
     /// <param name="a">The first shapes.</param>
     /// <param name="b">The second shapes.</param>
+    /// <param name="batch">Has the poses.</param>
     /// <param name="pairs">The frames.</param>
     /// <param name="index">The pairs' places in the part.</param>
     /// <param name="lanes">How many of the four are pairs of their own.</param>
     /// <returns>One bit for each that was answered.</returns>
-    uint AskFour<TA, TB>(ref TA a, ref TB b, ref WidePairs pairs, int* index, int lanes)
+    uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide;
 
@@ -57,14 +58,14 @@ internal readonly unsafe ref struct WideDistances(ref DistanceResult results, fl
 
     public WideRoute Route(in WideBatch batch, int pair) => WideRoute.Cold;
 
-    public uint AskFour<TA, TB>(ref TA a, ref TB b, ref WidePairs pairs, int* index, int lanes)
+    public uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
         Unsafe.SkipInit(out WideResults found);
         WideDistance.Solve(ref a, ref b, ref pairs);
         uint own = (1u << lanes) - 1;
-        uint done = own & WideFinish.Finish(ref a, ref b, ref pairs, _maxDistance, ref found);
+        uint done = own & WideFinish.Finish(ref a, ref b, batch, index, ref pairs, _maxDistance, ref found);
         found.Write(done, index, ref _results);
         return done;
     }
@@ -97,7 +98,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
         return isWide ? WideRoute.Cold : WideRoute.Alone;
     }
 
-    public uint AskFour<TA, TB>(ref TA a, ref TB b, ref WidePairs pairs, int* index, int lanes)
+    public uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {

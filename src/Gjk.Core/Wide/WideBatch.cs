@@ -139,7 +139,7 @@ internal readonly unsafe ref struct WideBatch
                 }
 
                 WideFrame.Begin(this, four, question.Reach, ref pairs);
-                done = question.AskFour(ref a, ref b, ref pairs, four, lanes);
+                done = question.AskFour(ref a, ref b, this, ref pairs, four, lanes);
             }
 
             for (int i = 0; i < lanes; i++)

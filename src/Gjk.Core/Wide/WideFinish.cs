@@ -12,12 +12,20 @@ namespace Gjk.Core;
 /// The results of four walks, as <c>ConvexQuery.Finish</c> and <see cref="ClosestPointWeights"/> have them; lanes that
 /// need more than the plain case are left to the scalar query.
 /// </summary>
-internal static class WideFinish
+internal static unsafe class WideFinish
 {
     /// <summary>Finds the points, adds the margins and rounds.</summary>
+    /// <param name="a">The first shapes.</param>
+    /// <param name="b">The second shapes.</param>
+    /// <param name="batch">Has the poses.</param>
+    /// <param name="index">The pairs' places in it.</param>
+    /// <param name="s">The ends of the walks.</param>
+    /// <param name="maxDistance">What was asked.</param>
+    /// <param name="results">Gets the results.</param>
     /// <returns>One bit for each lane whose result is complete.</returns>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    public static uint Finish<TA, TB>(ref TA a, ref TB b, ref WidePairs s, float maxDistance, ref WideResults results)
+    public static uint Finish<TA, TB>(
+        ref TA a, ref TB b, in WideBatch batch, int* index, ref WidePairs s, float maxDistance, ref WideResults results)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
@@ -37,7 +45,8 @@ internal static class WideFinish
             onB = WideVector.Select(inside, onB + b.Vertex(High(s.SlotsW)) * results.WeightD, onB);
         }
 
-        return (good | s.Beyond).ExtractMostSignificantBits() & Points(s, onA, onB, maxDistance, ref results);
+        uint placed = Points(batch, index, s, onA, onB, maxDistance, ref results);
+        return (good | s.Beyond).ExtractMostSignificantBits() & placed;
     }
 
     /// <summary>Which lanes are apart and which overlap; what is in neither is for the scalar query.</summary>
@@ -110,19 +119,16 @@ internal static class WideFinish
 
     /// <summary>The rest of <c>ConvexQuery.Finish</c>.</summary>
     private static uint Points(
-        in WidePairs s, in WideVector onA, in WideVector onB, float maxDistance, ref WideResults r)
+        in WideBatch batch, int* index, in WidePairs s, in WideVector onA, in WideVector onB, float maxDistance,
+        ref WideResults r)
     {
         Lanes one = Lanes.One, zero = Lanes.Zero, inside = s.Inside, margins = s.MarginA + s.MarginB;
         Lanes size = s.RadiusA + s.RadiusB, scale = one / Vector256.Sqrt(s.NormalSquared);
         Lanes distance = s.Height * scale - s.MarginA - s.MarginB;
         Lanes touching = Vector256.LessThanOrEqual(distance, Vector256.Create(GjkTolerances.Touch) * size);
-        Lanes farApart = Vector256.Create(ConvexQuery.FarApart);
-        Lanes isFar = Vector256.GreaterThan(distance, farApart * size)
-            & Vector256.GreaterThan(distance, farApart * s.CenterB.SumOfMagnitudes);
         Vector128<float> rounded = Avx.ConvertToVector128Single(distance);
         Lanes beyond = Vector256.GreaterThan(
             Avx.ConvertToVector256Double(rounded), Vector256.Create((double)Math.Max(maxDistance, 0)));
-        Lanes unequal = Vector256.LessThan(s.RadiusB * farApart, s.RadiusA);
         WideVector none = new(zero, zero, zero), toA = s.Normal * scale;
         WideVector toAInB = WideVector.Select(
             Vector256.GreaterThan(s.MarginB, zero), s.Rotation.InverseRotate(toA), none);
@@ -134,11 +140,19 @@ internal static class WideFinish
         Lanes reachB = Select(touching, share * s.MarginB, s.MarginB);
         Lanes common = inside | touching;
         Lanes far = s.Beyond | Vector256.AndNot(s.Closed & beyond, touching);
-        Lanes good = far | Vector256.ConditionalSelect(common, ~unequal, ~isFar);
+        Lanes smaller = IsSmallerB(s);
+        Lanes isFar = Select(
+            smaller, IsFarApart(distance, s.RadiusA, s.CenterA), IsFarApart(distance, s.RadiusB, s.CenterB));
+        Lanes good = far | common | ~isFar;
         WideVector localA = WideVector.Select(inside, onA, onA - toA * reachA) + s.CenterA;
         WideVector localB = WideVector.Select(inside, onB, onB + toAInB * reachB) + s.CenterB;
         WideVector normal = -s.RotationA.Rotate(toA), worldA = s.RotationA.Rotate(localA) + s.PositionA;
-        WideVector worldB = worldA + normal * distance;
+        WideVector way = normal * distance, worldB = worldA + way;
+        if (smaller != zero)
+        {
+            worldB = WideVector.Select(smaller, WideFrame.PlaceB(batch, index, localB), worldB);
+            worldA = WideVector.Select(smaller, WideVector.Select(common, worldB, worldB - way), worldA);
+        }
 
         // Beyond what was asked, the plane says all that is known.
         normal = WideVector.Select(far, s.RotationA.Rotate(s.Normal * -scale), normal);
@@ -152,6 +166,20 @@ internal static class WideFinish
             worldA, WideVector.Select(common, worldA, worldB), WideVector.Select(common, none, normal), localA, localB);
         r.Iterations = Avx.ConvertToVector128Int32(s.Iterations);
         return good.ExtractMostSignificantBits();
+    }
+
+    /// <summary>As <c>ConvexQuery.IsSmallerB</c>, where nothing is curved.</summary>
+    private static Lanes IsSmallerB(in WidePairs s) =>
+        Vector256.LessThan(s.RadiusB * Vector256.Create(ConvexQuery.MuchSmaller), s.RadiusA)
+            & Vector256.LessThanOrEqual(
+                s.CenterB.SumOfMagnitudes, Vector256.Create(ConvexQuery.FarApart) * s.RadiusA);
+
+    /// <summary>As <c>ConvexQuery.IsFarApart</c>.</summary>
+    private static Lanes IsFarApart(Lanes distance, Lanes radius, in WideVector center)
+    {
+        Lanes ratio = Vector256.Create(ConvexQuery.FarApart);
+        return Vector256.GreaterThan(distance, ratio * radius)
+            & Vector256.GreaterThan(distance, ratio * center.SumOfMagnitudes);
     }
 
     /// <summary>As <see cref="RoundOff.Down"/> for positive numbers; 0 for the others.</summary>

@@ -50,6 +50,18 @@ internal static unsafe class WideFrame
         SetTolerances(reach, radius, margins, ref s);
     }
 
+    /// <summary>Points of the second shapes in the world, by their own poses as <c>ConvexQuery</c> has them.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static WideVector PlaceB(in WideBatch batch, int* index, in WideVector local)
+    {
+        Read(
+            batch.PoseB(index[0]), batch.PoseB(index[1]), batch.PoseB(index[2]), batch.PoseB(index[3]), out Lanes x,
+            out Lanes y, out Lanes z, out Lanes w, out WideVector position);
+        WideRotation rotation = default;
+        rotation.Set(x, y, z, w, Vector256.Create(2.0) / (x * x + y * y + z * z + w * w));
+        return rotation.Rotate(local) + position;
+    }
+
     private static void SetTolerances(double reach, Lanes radius, Lanes margins, ref WidePairs s)
     {
         Lanes touch = Vector256.Create(GjkTolerances.Touch) * radius;

@@ -28,7 +28,7 @@ internal readonly unsafe ref struct WideWarmDistances(
         return (uint)count < WideWarmStart.MostVertices ? WideRoute.Warm : WideRoute.Alone;
     }
 
-    public uint AskFour<TA, TB>(ref TA a, ref TB b, ref WidePairs pairs, int* index, int lanes)
+    public uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
@@ -45,7 +45,7 @@ internal readonly unsafe ref struct WideWarmDistances(
         }
 
         uint own = (1u << lanes) - 1;
-        uint done = own & WideFinish.Finish(ref a, ref b, ref pairs, _maxDistance, ref found);
+        uint done = own & WideFinish.Finish(ref a, ref b, batch, index, ref pairs, _maxDistance, ref found);
         found.Write(done, index, ref _results);
         WideWarmStart.Store(ref a, ref b, pairs, done, index, ref _starts);
         return done;

@@ -24,13 +24,13 @@ internal static class SceneReplay
         var results = new DistanceResult[pairs.Count];
         WarmUp.Run(() => pairs.Distances(results), length.Frames is null ? WarmUp.Usual : WarmUp.Short, cancel);
         Samples frames = Measure(pairs, results, length, progress, cancel, out long bytes);
-        double supportNs = new SupportReplay(objects, cancel).MedianNs();
+        double supportShare = new SupportReplay(objects, cancel).Share();
         return new SceneReport(scene, objects.Objects[0].Shape.Hull!.VertexCount, pairs.A, pairs.B, results)
         {
             Frames = frames.Count,
             MedianMs = frames.MedianNs / NsPerMs,
             P99Ms = frames.PercentileNs(0.99) / NsPerMs,
-            SupportShare = supportNs / frames.MedianNs,
+            SupportShare = supportShare,
             BytesPerCall = (double)bytes / ((long)frames.Count * pairs.Count),
         };
     }

@@ -64,7 +64,7 @@ internal sealed class SceneReport
     /// <summary>The 99th percentile of the frame times.</summary>
     public double P99Ms { get; init; }
 
-    /// <summary>The time to replay the recorded support calls, divided by the time of the queries.</summary>
+    /// <summary>Which part of the queries is the search for support points: <see cref="SupportReplay"/>.</summary>
     public double SupportShare { get; init; }
 
     public double BytesPerCall { get; init; }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
@@ -8,75 +9,100 @@ using Gjk.Demo.Timing;
 namespace Gjk.Demo.Replay;
 
 /// <summary>
-/// Measures which part of a frame is the search for support points. One frame runs on meshes that record the direction
-/// of every support call. The same calls are then repeated on the plain meshes and timed. No stopwatch runs inside the
+/// Measures which part of the queries is the search for support points. One pass over the pairs records what each
+/// support call gives. Then the passes search and read the record in turns. The record gives the same points in the
+/// same order, and all else is the same code, so the search alone makes the difference. No stopwatch runs inside the
 /// loop, because it would cost more than the work that it measures.
 /// </summary>
 internal sealed class SupportReplay
 {
-    private static readonly TimeSpan Duration = TimeSpan.FromSeconds(0.2);
+    private static readonly TimeSpan Duration = TimeSpan.FromSeconds(0.5);
 
-    private readonly ConvexMesh[] _meshes;
-    private readonly List<SupportCall> _calls = [];
+    private readonly Scene _scene;
+    private readonly RecordedMesh[] _meshes;
+    private readonly SupportRecord _record = new();
     private readonly CancellationToken _cancel;
-    private long _ids;
 
-    /// <param name="scene">Its shapes are unscaled meshes. The queries ask them directly, whatever type holds
-    /// them.</param>
+    /// <param name="scene">Its shapes are unscaled meshes.</param>
     /// <param name="cancel">Ends the measuring.</param>
     public SupportReplay(Scene scene, CancellationToken cancel)
     {
+        _scene = scene;
         _cancel = cancel;
-        _meshes = Array.ConvertAll(scene.Objects, o => new ConvexMesh(o.Shape.Hull!));
-        foreach ((int a, int b) in scene.Pairs)
+        _meshes = Array.ConvertAll(scene.Objects, o => new RecordedMesh(new ConvexMesh(o.Shape.Hull!), _record));
+        Ask(RecordUse.Write);
+    }
+
+    /// <summary>
+    /// 1 - (time of the queries that read the record) / (time of the queries), from 0 to 1: the median over the turns.
+    /// </summary>
+    public double Share()
+    {
+        WarmUp.Run(() => Ask(RecordUse.None), WarmUp.Short, _cancel);
+        WarmUp.Run(() => Ask(RecordUse.Read), WarmUp.Short, _cancel);
+        var shares = new List<double>();
+        long start = Stopwatch.GetTimestamp();
+        do
         {
-            var onA = new RecordingMesh(_meshes[a], a, _calls);
-            var onB = new RecordingMesh(_meshes[b], b, _calls);
-            ConvexQuery.Distance(onA, scene.Objects[a].Pose, onB, scene.Objects[b].Pose);
+            _cancel.ThrowIfCancellationRequested();
+            long before = Stopwatch.GetTimestamp();
+            Ask(RecordUse.None);
+            long between = Stopwatch.GetTimestamp();
+            Ask(RecordUse.Read);
+            shares.Add(1 - (double)(Stopwatch.GetTimestamp() - between) / (between - before));
+        }
+        while (Stopwatch.GetElapsedTime(start) < Duration);
+        shares.Sort();
+        return Math.Clamp(shares[shares.Count / 2], 0, 1);
+    }
+
+    private void Ask(RecordUse use)
+    {
+        _record.Begin(use);
+        foreach ((int a, int b) in _scene.Pairs)
+            ConvexQuery.Distance(_meshes[a], _scene.Objects[a].Pose, _meshes[b], _scene.Objects[b].Pose);
+    }
+
+    private enum RecordUse
+    {
+        None,
+        Write,
+        Read,
+    }
+
+    /// <summary>The points and ids of all support calls of a pass, in their order.</summary>
+    private sealed class SupportRecord
+    {
+        private (Vector3D Point, int Id)[] _calls = new (Vector3D, int)[1024];
+        private int _next;
+
+        public RecordUse Use { get; private set; }
+
+        public void Begin(RecordUse use)
+        {
+            Use = use;
+            _next = 0;
+        }
+
+        public void Write(in Vector3D point, int id)
+        {
+            if (_next == _calls.Length) Array.Resize(ref _calls, 2 * _next);
+            _calls[_next++] = (point, id);
+        }
+
+        public int Read(out Vector3D point)
+        {
+            ref readonly (Vector3D Point, int Id) call = ref _calls[_next++];
+            point = call.Point;
+            return call.Id;
         }
     }
 
-    /// <summary>The median time of all support calls of a frame, in nanoseconds.</summary>
-    public double MedianNs()
+    /// <summary>A mesh that writes its support points into the record, or reads them there.</summary>
+    private readonly struct RecordedMesh(ConvexMesh mesh, SupportRecord record) : ISupportMap
     {
-        SupportCall[] calls = [.. _calls];
-        WarmUp.Run(() => Ask(calls), WarmUp.Short, _cancel);
-        return Samples.Of(() => Ask(calls), Duration, 1, _cancel).MedianNs;
-    }
-
-    private void Ask(SupportCall[] calls)
-    {
-        long ids = 0;
-        foreach (ref readonly SupportCall call in calls.AsSpan())
-            ids += _meshes[call.Object].Support(call.Direction, out _);
-        _ids = ids;
-    }
-
-    private readonly struct SupportCall
-    {
-        public readonly Vector3D Direction;
-        public readonly int Object;
-
-        public SupportCall(int index, in Vector3D direction)
-        {
-            Object = index;
-            Direction = direction;
-        }
-    }
-
-    /// <summary>A mesh that records each direction before it answers.</summary>
-    private readonly struct RecordingMesh : ISupportMap
-    {
-        private readonly ConvexMesh _mesh;
-        private readonly int _object;
-        private readonly List<SupportCall> _calls;
-
-        public RecordingMesh(in ConvexMesh mesh, int index, List<SupportCall> calls)
-        {
-            _mesh = mesh;
-            _object = index;
-            _calls = calls;
-        }
+        private readonly ConvexMesh _mesh = mesh;
+        private readonly SupportRecord _record = record;
 
         public Vector3D Center => _mesh.Center;
 
@@ -86,8 +112,10 @@ internal sealed class SupportReplay
 
         public int Support(in Vector3D direction, out Vector3D point)
         {
-            _calls.Add(new SupportCall(_object, direction));
-            return _mesh.Support(direction, out point);
+            if (_record.Use == RecordUse.Read) return _record.Read(out point);
+            int id = _mesh.Support(direction, out point);
+            if (_record.Use == RecordUse.Write) _record.Write(point, id);
+            return id;
         }
 
         public bool TryGetVertex(int id, out Vector3D point) => _mesh.TryGetVertex(id, out point);

@@ -17,7 +17,8 @@ public static class GoldenHashes
         ["casts"] = "39159121f13f5fe0",
         ["impacts"] = "bcffe15aa874ff62",
         ["rays"] = "cc035761d7ecbf2d",
-        ["shapes"] = "20246d2fb8f56c14",
-        ["scenes"] = "bf7784e8142d0f5b",
+        ["shapes"] = "a2fd6bcbbda5f628",
+        ["batches"] = "fa189d073c2db4ba",
+        ["scenes"] = "9b076e6d774d54ac",
     };
 }

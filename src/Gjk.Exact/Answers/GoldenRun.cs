@@ -22,6 +22,9 @@ public sealed class GoldenRun
     /// <summary>How many rays are sent at each shape of the cases.</summary>
     private const int RaysPerShape = 3;
 
+    /// <summary>How many shapes are in a batch, each of them with each.</summary>
+    private const int BatchShapes = 100;
+
     private readonly CaseFile[] _pairs, _casts;
 
     /// <param name="folder">Where tests/Cases is.</param>
@@ -41,7 +44,7 @@ public sealed class GoldenRun
     public IReadOnlyList<(string Name, Func<BitHash> Hash)> Parts =>
     [
         ("distances", Distances), ("depths", Depths), ("contacts", Contacts), ("casts", Casts), ("impacts", Impacts),
-        ("rays", Rays), ("shapes", Shapes), ("scenes", SceneRun.Hash),
+        ("rays", Rays), ("shapes", Shapes), ("batches", Batches), ("scenes", SceneRun.Hash),
     ];
 
     private BitHash Distances()
@@ -133,6 +136,28 @@ public sealed class GoldenRun
             AddRay(a, poseA, random, ref hash);
         }
 
+        return hash;
+    }
+
+    /// <summary>Where a build solves four pairs at once, and where none does.</summary>
+    private static BitHash Batches()
+    {
+        var random = new FuzzRandom(6);
+        var shapes = new ConvexShape[BatchShapes];
+        var poses = new RigidPose[BatchShapes];
+        for (int i = 0; i < BatchShapes; i++)
+        {
+            shapes[i] = RandomShape.Make(random);
+            if (random.OneIn(4)) shapes[i] = shapes[i].Scaled(new Vector3((float)random.Of(1e-4, 1e4)));
+            poses[i] = new RigidPose(Rotations.Even(random), random.Vector(2));
+        }
+
+        var pairs = new ObjectPair[BatchShapes * BatchShapes];
+        for (int i = 0; i < pairs.Length; i++) pairs[i] = new ObjectPair(i / BatchShapes, i % BatchShapes);
+        var results = new DistanceResult[pairs.Length];
+        PairBatch.Distance(shapes, poses, pairs, results);
+        var hash = new BitHash();
+        foreach (DistanceResult result in results) hash.Add(result);
         return hash;
     }
 

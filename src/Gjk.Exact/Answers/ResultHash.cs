@@ -6,7 +6,7 @@ namespace Gjk.Exact.Answers;
 /// <summary>
 /// A hash of results: FNV-1a, 64 bits. For each pair in order it takes a, b (int32), the status (byte, see
 /// <see cref="StatusCode"/>), and the IEEE bits of the distance, both points and the normal. All are little-endian, and
-/// -0 counts as +0. Iterations are not in it. Equal hashes mean equal answers to the last bit.
+/// -0 counts as +0. Iterations are not in it. Programs print it; <see cref="BitHash"/> holds every field.
 /// </summary>
 public struct ResultHash
 {
@@ -14,14 +14,6 @@ public struct ResultHash
 
     public ResultHash()
     {
-    }
-
-    /// <summary>The hash of one pair.</summary>
-    public static string Of(int a, int b, in DistanceResult result)
-    {
-        var hash = new ResultHash();
-        hash.Add(a, b, result);
-        return hash.ToString();
     }
 
     public void Add(int a, int b, in DistanceResult result)

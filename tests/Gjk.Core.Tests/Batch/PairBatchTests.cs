@@ -17,7 +17,7 @@ public class PairBatchTests
         string[] expected =
         [
             .. pairs.Select(
-                p => ResultHash.Of(p.A, p.B, ConvexQuery.Distance(shapes[p.A], poses[p.A], shapes[p.B], poses[p.B])))
+                p => ResultBits.Of(ConvexQuery.Distance(shapes[p.A], poses[p.A], shapes[p.B], poses[p.B])))
         ];
         bool[] overlapping =
             [.. pairs.Select(p => ConvexQuery.Overlaps(shapes[p.A], poses[p.A], shapes[p.B], poses[p.B]))];
@@ -32,7 +32,7 @@ public class PairBatchTests
             PairBatch.Distance(shapes, poses, pairs, distances, workers: workers);
             PairBatch.Overlaps(shapes, poses, pairs, statuses, workers);
             Assert.True(
-                expected.SequenceEqual(pairs.Select((p, i) => ResultHash.Of(p.A, p.B, distances[i]))),
+                expected.SequenceEqual(pairs.Select((p, i) => ResultBits.Of(distances[i]))),
                 $"{threads} threads");
             Assert.True(
                 overlapping.SequenceEqual(statuses.Take(pairs.Length).Select(s => s == GjkStatus.Overlapping)),

@@ -199,7 +199,7 @@ public class QueryRecordTests
         AssertSame(name, b, back.B);
         AssertSame(name, poseA, back.PoseA);
         AssertSame(name, poseB, back.PoseB);
-        Assert.Equal(ResultHash.Of(0, 1, record.Distance()), ResultHash.Of(0, 1, back.Distance()));
+        Assert.Equal(ResultBits.Of(record.Distance()), ResultBits.Of(back.Distance()));
     }
 
     private static void AssertSame(string name, in ConvexShape expected, in ConvexShape actual)

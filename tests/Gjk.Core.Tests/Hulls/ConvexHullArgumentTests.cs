@@ -1,4 +1,7 @@
 using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 
 namespace Gjk.Core.Tests;
@@ -21,6 +24,24 @@ public class ConvexHullArgumentTests
         Assert.Equal("points", Assert.Throws<ArgumentException>(() => new ConvexHull([])).ParamName);
         Assert.False(ConvexHull.TryCreate([], out _, out string? reason));
         Assert.Contains("At least one point", reason);
+    }
+
+    [Fact]
+    public void AListWithANegativeCountIsRefused()
+    {
+        var list = new NegativeList();
+        foreach (Action build in new Action[]
+        {
+            () => _ = new ConvexHull(list), () => _ = new ConvexMesh(list), () => ConvexShape.Mesh(list),
+        })
+        {
+            string name = Assert.Throws<ArgumentOutOfRangeException>(build).ParamName!;
+            Assert.Equal("points", name);
+        }
+
+        Assert.False(ConvexHull.TryCreate(list, out ConvexHull? hull, out string? reason));
+        Assert.Null(hull);
+        Assert.NotEmpty(reason);
     }
 
     [Theory]
@@ -77,5 +98,16 @@ public class ConvexHullArgumentTests
 
         // The vertex count must bound the id, not the padded arrays.
         Assert.Throws<ArgumentOutOfRangeException>(() => new ConvexHull([Vector3.One]).GetVertex(1));
+    }
+
+    private sealed class NegativeList : IReadOnlyList<Vector3>
+    {
+        public int Count => -3;
+
+        public Vector3 this[int index] => throw new ArgumentOutOfRangeException(nameof(index));
+
+        public IEnumerator<Vector3> GetEnumerator() => Enumerable.Empty<Vector3>().GetEnumerator();
+
+        IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
     }
 }

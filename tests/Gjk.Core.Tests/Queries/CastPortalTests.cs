@@ -101,6 +101,50 @@ public class CastPortalTests
         Assert.Equal((CastStatus.Hit, 0.5f), (r.Status, r.Fraction));
     }
 
+    /// <summary>A point falls through a triangle of this height; a needle's normal is not believed.</summary>
+    [Theory]
+    [InlineData(2.5e-8f, false)]
+    [InlineData(1.2e-7f, true)]
+    public void ANeedleIsNoPortal(float height, bool isPortal) =>
+        AssertPortal(
+            isPortal, new(0, 2, 0), new(0, -4, 0),
+            new(-1, 0, -height / 3), new(1, 0, -height / 3), new(0, 0, 2 * height / 3));
+
+    /// <summary>A point flies through a triangle nearly along it.</summary>
+    [Theory]
+    [InlineData(0.5e-5f, false)]
+    [InlineData(2e-5f, true)]
+    public void AGrazedTriangleIsNoPortal(float slope, bool isPortal) =>
+        AssertPortal(
+            isPortal, new(-2, 2 * slope, 0), new(4, -4 * slope, 0), new(-1, 0, -1), new(1, 0, -1), new(0, 0, 1));
+
+    /// <summary>
+    /// A point falls onto a triangle with a tip. One that is level with the triangle is passed over, a high one makes a
+    /// portal of its own, and in between nothing is certain.
+    /// </summary>
+    [Theory]
+    [InlineData(3.5e-15f, true)]
+    [InlineData(1.4e-14f, false)]
+    [InlineData(0.5e-10f, false)]
+    [InlineData(2e-10f, true)]
+    public void ATipAboveAPortalIsLevelOrATurn(float tip, bool isPortal) =>
+        AssertPortal(
+            isPortal, new(0.1f, 2, -0.7f), new(0, -4, 0),
+            new(-1, 0, -1), new(1, 0, -1), new(0, 0, 1), new(0, tip, -0.2f));
+
+    private static void AssertPortal(bool isPortal, Vector3 from, Vector3 motion, params Vector3[] corners)
+    {
+        var mesh = new ConvexMesh(corners);
+        var point = new PointShape();
+        PairFrame.Compose(ref mesh, RigidPose.Identity, ref point, new RigidPose(from), out PairFrame frame);
+        Assert.Equal(Verdict.Enclosed, CastLine.Make(frame, motion, out CastLine line));
+        frame.Translation = line.Nearest;
+        SolverState.Begin<ConvexMesh, PointShape>(frame, out SolverState state);
+        CastFinding cast = default;
+        Verdict verdict = CastPortal.Solve(ref mesh, ref point, frame, line, 1, ref cast, ref state);
+        Assert.Equal(isPortal ? Verdict.Enclosed : Verdict.Undecided, verdict);
+    }
+
     private static CastResult Cast(TestPair p, Vector3 motion) =>
         ConvexQuery.Cast(p.A.Shape, p.PoseA, default, p.B.Shape, p.PoseB, motion);
 

@@ -71,7 +71,7 @@ public class CertifiedPairTests
         for (ulong i = 0; i < (ulong)Budget.Count(200); i++)
         {
             TestPair pair = Generators.Pair(60_000 + i, Generators.AllKinds);
-            Assert.Equal(ResultHash.Of(0, 1, pair.Distance()), ResultHash.Of(0, 1, pair.Distance()));
+            Assert.Equal(ResultBits.Of(pair.Distance()), ResultBits.Of(pair.Distance()));
         }
     }
 

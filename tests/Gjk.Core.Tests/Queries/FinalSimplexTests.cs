@@ -19,7 +19,7 @@ public class FinalSimplexTests
         {
             TestPair p = c.Pair;
             DistanceResult r = ConvexQuery.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, out FinalSimplex simplex);
-            Assert.Equal(ResultHash.Of(0, 0, p.Distance()), ResultHash.Of(0, 0, r));
+            Assert.Equal(ResultBits.Of(p.Distance()), ResultBits.Of(r));
             Assert.InRange(simplex.Count, 1, 4);
             double sum = 0, reach = p.Scale + ((Vector3D)p.PoseA.Position - p.PoseB.Position).Length;
             Vector3D onA = default, onB = default;

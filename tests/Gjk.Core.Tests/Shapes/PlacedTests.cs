@@ -138,7 +138,7 @@ public class PlacedTests
             var record = new QueryRecord(shape, Beside, ConvexShape.Sphere(1), RigidPose.Identity);
             QueryRecord back = QueryRecord.Parse(record.ToString());
             Assert.Equal(record.ToString(), back.ToString());
-            Assert.Equal(ResultHash.Of(0, 1, record.Distance()), ResultHash.Of(0, 1, back.Distance()));
+            Assert.Equal(ResultBits.Of(record.Distance()), ResultBits.Of(back.Distance()));
         }
     }
 
@@ -159,7 +159,7 @@ public class PlacedTests
             {
                 DistanceResult alone = ConvexQuery.Distance(
                     shapes[pair.Pair.A], poses[pair.Pair.A], shapes[pair.Pair.B], poses[pair.Pair.B]);
-                Assert.Equal(ResultHash.Of(0, 1, alone), ResultHash.Of(0, 1, pair.Result));
+                Assert.Equal(ResultBits.Of(alone), ResultBits.Of(pair.Result));
             }
 
             var overlaps = new List<ObjectPair>();
@@ -225,7 +225,7 @@ public class PlacedTests
             var pose = new RigidPose(rng.Rotation(), 12 * rng.Direction());
             DistanceResult a = ConvexQuery.Distance(typed, RigidPose.Identity, new SphereShape(1), pose);
             DistanceResult b = ConvexQuery.Distance(shape, RigidPose.Identity, ConvexShape.Sphere(1), pose);
-            Assert.Equal(ResultHash.Of(0, 1, a), ResultHash.Of(0, 1, b));
+            Assert.Equal(ResultBits.Of(a), ResultBits.Of(b));
         }
     }
 }

@@ -1,3 +1,6 @@
+using System;
+using System.Numerics;
+
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>The tolerances of casts, each from both sides; the numbers are written out.</summary>
@@ -53,6 +56,19 @@ public class CastToleranceTests
         Assert.False(place.TryEnd(Apart(1, 0.5), frame, line, 0, ref cast));
         Assert.True(place.TryEnd(Apart(-1, errors * line.Error), frame, line, 0, ref cast));
         Assert.Equal(isMet ? Verdict.Enclosed : Verdict.Apart, cast.Outcome);
+    }
+
+    /// <summary>Two balls, of radius 1 in all, that pass each other on a way of 1, a little further apart.</summary>
+    [Theory]
+    [InlineData(16, CastStatus.Hit)]
+    [InlineData(64, CastStatus.Miss)]
+    public void BallsThatPassByThirtyTwoRoundingsTouch(double roundings, CastStatus status)
+    {
+        float aside = (float)Math.Sqrt(2 * roundings * U * (1 + 1));
+        CastResult r = ConvexQuery.Cast(
+            new SphereShape(0.5f), RigidPose.Identity, default, new SphereShape(0.5f),
+            new RigidPose(new Vector3(-1, 1, aside)), new Vector3(2, 0, 0));
+        Assert.Equal(status, r.Status);
     }
 
     private static PairFrame Frame() => new() { RadiusA = 1, Translation = new Vector3D(-3, 0, 0) };

@@ -73,6 +73,23 @@ public class DepthToleranceTests
         Assert.Equal(isFlat, verdict == DepthVerdict.Flat);
     }
 
+    /// <summary>
+    /// A box that is tilted on a larger one: its deepest edge is where they touch, or, if it hardly rises, the middle.
+    /// </summary>
+    [Theory]
+    [InlineData(1.5e-8, true)]
+    [InlineData(6e-8, false)]
+    public void ASideThatHardlyRisesIsLevel(double rise, bool isLevel)
+    {
+        double size = (4 + 1) * Math.Sqrt(3);
+        var tilt = new Quaternion(0, 0, (float)(0.5 * rise * size), 1);
+        DistanceResult r = ConvexQuery.SignedDistance(
+            new BoxShape(new Vector3(4)), RigidPose.Identity, new BoxShape(Vector3.One),
+            new RigidPose(tilt, new Vector3(0, 4.9f, 0)));
+        Assert.Equal(-0.1, r.Distance, 1e-6);
+        Assert.Equal(isLevel ? 0 : -1, r.PointB.X, 1e-3);
+    }
+
     private static DistanceResult Ask(double tip, bool isCurved) => ConvexQuery.SignedDistance(
         new Block(tip, isCurved), RigidPose.Identity, new PointShape(),
         new RigidPose(new Vector3(0.1f, 0.07f, -0.3f)));

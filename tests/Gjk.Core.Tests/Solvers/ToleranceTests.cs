@@ -181,6 +181,37 @@ public class ToleranceTests
             Assert.Equal(isInside, Proofs.IsCertainlyInside(v[o[0]], v[o[1]], v[o[2]], v[o[3]]));
     }
 
+    /// <summary>
+    /// Needles of triangles, whose normals rounding tilts: the double walk ends where their corners are level to 16
+    /// roundings of the size, beside what the distance allows, and hands over where they are not.
+    /// </summary>
+    [Fact]
+    public void ATriangleIsLevelToSixteenRoundings()
+    {
+        var rng = new Rng(11);
+        int level = 0, tilted = 0;
+        for (int i = 0; i < 20000; i++)
+        {
+            // A frame that is turned at random, so that no product is exact.
+            Vector3D along = rng.Direction(), across = Vector3D.Cross(along, rng.Direction());
+            Vector3D away = Vector3D.Cross(along, across) * (1.0 / (1 << 20));
+            across *= rng.LogFloat(1e-4, 1);
+            Vector3D[] v = [.. new[] { -0.4, 0.5, rng.Range(-1, 1) }.Select(
+                x => along * x + across * rng.Range(-1, 1) + away)];
+            SolverState state = Solve([.. v, v[2]], default, false, false);
+            if (state.Simplex.Count != 3 || state.Iterations != 4) continue;
+            Vector3D normal = state.Feature.Normal;
+            double plane = Vector3D.Dot(normal, v[2]), unit = U * state.Size.Value * normal.Length;
+            double off = v.Max(p => Math.Abs(Vector3D.Dot(normal, p) - plane)) / unit;
+            bool isApart = state.Verdict == Verdict.Apart;
+            if (isApart && off > 5) level++;
+            if (!isApart && off < 60) tilted++;
+            Assert.True(isApart ? off < 17 : off > 15, $"{i}: {state.Verdict}, {off} roundings");
+        }
+
+        Assert.True(level > 20 && tilted > 20, $"{level} level, {tilted} tilted");
+    }
+
     private static SolverState Solve(
         Vector3D[] vertices, in Vector3D translation, bool isCurved, bool isExtended,
         double most = double.PositiveInfinity)

@@ -135,7 +135,7 @@ public class SceneContactTests
     }
 
     private static string Text(ObjectPair pair, in DistanceResult result) =>
-        $"{pair} {ResultHash.Of(pair.A, pair.B, result)}";
+        $"{pair} {ResultBits.Of(result)}";
 
     private static string Text(ObjectPair pair, in DistanceResult result, in ContactManifold manifold)
     {

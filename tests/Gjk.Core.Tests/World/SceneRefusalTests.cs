@@ -142,7 +142,7 @@ public class SceneRefusalTests
     }
 
     private static IEnumerable<string> Hashes(List<PairDistance> pairs) =>
-        pairs.Select(p => ResultHash.Of(p.Pair.A, p.Pair.B, p.Result));
+        pairs.Select(p => $"{p.Pair} {ResultBits.Of(p.Result)}");
 
     /// <summary>What no constructor makes, but a copy of raw memory may.</summary>
     private static RigidPose NaNPose(Quaternion rotation, Vector3 position)

@@ -128,7 +128,7 @@ internal sealed class HullCells
         for (int list = 0; list < lists.Count; list++) Fill(lists, list, starts);
         if (tree is not null)
         {
-            Tree = new HullTree(tree.Nodes, tree.Inverse, tree.Largest);
+            Tree = new HullTree(tree.Nodes, tree.Inverse);
             AppendTree(lists, tree, blocks * Lanes);
         }
 

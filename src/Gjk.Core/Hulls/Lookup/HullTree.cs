@@ -10,11 +10,13 @@ namespace Gjk.Core;
 /// would be long: towards a face with thousands of corners, or along a rim.
 /// </summary>
 /// <remarks>
-/// Each node has two boxes. One is turned so that it fits tightly, whatever the slope of the face. Its bound is taken
-/// with an allowance for rounding. The other is along the axes. Its bound is computed by the operations of a vertex's
-/// dot product, in their order, from the box's furthest coordinates. Rounding is monotone, so this bound is not below
-/// the computed dot product of any vertex inside, without an allowance. A node can be left out where it is below the
-/// best dot product, or equal to it with no lower id inside: that is the scan's rule.
+/// Each node has two boxes, and its bound is the lower of theirs. One is turned so that it fits tightly, whatever the
+/// slope of the face. Its bound is taken with an allowance for rounding, in proportion to the coordinates in the node:
+/// a hull can have corners at every scale down to 10^-38 of its size, and an allowance in proportion to the hull would
+/// hide all that is small. The other box is along the axes. Its bound is computed by the operations of a vertex's dot
+/// product, in their order, from the box's furthest coordinates. Rounding is monotone, so this bound is not below the
+/// computed dot product of any vertex inside, without an allowance. A node can be left out where its bound is below
+/// the best dot product, or equal to it with no lower id inside: that is the scan's rule.
 /// </remarks>
 internal sealed class HullTree
 {
@@ -24,33 +26,34 @@ internal sealed class HullTree
     public const int LeafVertices = 8 * HullCells.Lanes;
 
     /// <summary>
-    /// Relative to m, the sum of |d_i| times the largest coordinate on axis i: how far a turned box's bound can be
-    /// below a computed dot product inside. With u = 2^-53 it is at most 25 u: 3 u in that dot product, 3 u in that of
-    /// the vertex that bounds are relative to, 1 u in the centre of the box, 2 u where that vertex is subtracted, 12 u
-    /// in the product with the direction and in the sum, 4 u where this and the best's level are added. The sides of
-    /// the box cover whatever else is rounded. This is 32 u. Pinned by HullLookupTests.
+    /// Relative to m, the sum of |c_i d_i| over the coordinates c_i of a turned box's four vectors (centre and half
+    /// sides): how far its bound can be below a computed dot product inside. With u = 2^-53 it is at most 12 u: 3 u in
+    /// that dot product, whose terms add up to no more than m, 1 u in the centre, 3 u in the products with the
+    /// direction and their sums, 5 u in the sum of the four and of this. The sides of the box cover whatever else is
+    /// rounded. This is 16 u. A larger one costs time alone. Pinned by HullLookupTests.
     /// </summary>
-    private const double Rounding = 1.0 / (1L << 48);
+    private const double Rounding = 1.0 / (1L << 49);
 
-    /// <summary>In roundings: where a bound is this close to the best, the box along the axes is asked too.</summary>
-    private const double Near = 16;
+    /// <summary>
+    /// Absolute, 2^-1060: what products lose that are no normal numbers. Two dozen of them lose 2^-1075 each, some
+    /// times a coordinate of up to 16. The smallest dot product that counts is 2^-849: a float with a direction of the
+    /// least safe reach.
+    /// </summary>
+    private const double Underflow = double.Epsilon * (1 << 14);
 
     /// <summary>Count: nodes that wait on the way to a leaf; 2^31 vertices have fewer.</summary>
     private const int MaxDepth = 40;
 
-    private readonly Vector3D _scale, _inverse, _largest;
+    private readonly Vector3D _scale;
     private readonly HullTreeNode[] _nodes;
 
     /// <param name="nodes">The root first.</param>
     /// <param name="inverse">The factors of the nodes' coordinates: powers of two, 0 for an axis without
     /// extent.</param>
-    /// <param name="largest">The largest magnitude of such a coordinate on each axis.</param>
-    public HullTree(HullTreeNode[] nodes, in Vector3D inverse, in Vector3D largest)
+    public HullTree(HullTreeNode[] nodes, in Vector3D inverse)
     {
         _nodes = nodes;
-        _inverse = inverse;
         _scale = new Vector3D(Inverse(inverse.X), Inverse(inverse.Y), Inverse(inverse.Z));
-        _largest = largest;
     }
 
     /// <summary>What a search tells while it runs.</summary>
@@ -63,7 +66,7 @@ internal sealed class HullTree
     /// <summary>The slot of the furthest vertex.</summary>
     /// <param name="cells">Holds the leaves' blocks.</param>
     /// <param name="d">The direction, prepared.</param>
-    /// <param name="start">The slot of a vertex that is furthest nearby. Bounds are relative to it.</param>
+    /// <param name="start">The slot of a vertex that is furthest nearby.</param>
     public int Find(HullCells cells, in Vector3D d, int start)
     {
         var trace = default(Unobserved);
@@ -74,12 +77,8 @@ internal sealed class HullTree
     public unsafe int Find<TTrace>(HullCells cells, in Vector3D d, int start, ref TTrace trace)
         where TTrace : struct, ITrace
     {
-        HullBlocks.Read(cells.Coordinates, start, out Vector3D origin);
-        origin = Vector3D.Multiply(origin, _inverse);
         Vector3D s = Vector3D.Multiply(d, _scale);
-        double size = Math.Abs(s.X) * _largest.X + Math.Abs(s.Y) * _largest.Y + Math.Abs(s.Z) * _largest.Z;
-        double rounding = Rounding * size, near = Near * rounding;
-        double level = HullBlocks.Dot(cells.Coordinates, start, d), best = level;
+        double best = HullBlocks.Dot(cells.Coordinates, start, d);
         int* waiting = stackalloc int[MaxDepth];
         double* bounds = stackalloc double[MaxDepth];
         int depth = 0, bestId = cells.Ids[start], bestSlot = start, next = _nodes[0].Next;
@@ -89,18 +88,14 @@ internal sealed class HullTree
             {
                 trace.Step();
                 ref HullTreeNode left = ref _nodes[next], right = ref _nodes[next + 1];
-                double leftBound = Bound(ref left, s, origin) + rounding;
-                double rightBound = Bound(ref right, s, origin) + rounding;
-                double least = best - level, clear = least + near;
-                bool isLeft = leftBound > clear || (leftBound >= least && CanHoldBetter(ref left, d, best, bestId));
-                bool isRight = rightBound > clear || (rightBound >= least && CanHoldBetter(ref right, d, best, bestId));
+                double leftBound = Bound(ref left, s, d), rightBound = Bound(ref right, s, d);
+                bool isLeft = CanHoldBetter(ref left, leftBound, best, bestId);
+                bool isRight = CanHoldBetter(ref right, rightBound, best, bestId);
                 if (!isLeft && !isRight) break;
                 if (isLeft && isRight)
                 {
-                    // Where the bounds do not tell, the lower id may win the tie.
-                    isLeft = Math.Abs(leftBound - rightBound) <= rounding
-                        ? left.LeastId < right.LeastId
-                        : leftBound > rightBound;
+                    // Of vertices that are level the lowest id wins.
+                    isLeft = leftBound == rightBound ? left.LeastId < right.LeastId : leftBound > rightBound;
                     waiting[depth] = isLeft ? next + 1 : next;
                     bounds[depth++] = isLeft ? rightBound : leftBound;
                 }
@@ -124,39 +119,49 @@ internal sealed class HullTree
                 depth--;
                 ref HullTreeNode node = ref _nodes[waiting[depth]];
                 next = node.Next;
-                double bound = bounds[depth], least = best - level;
-                if (bound > least + near || (bound >= least && CanHoldBetter(ref node, d, best, bestId))) break;
+                if (CanHoldBetter(ref node, bounds[depth], best, bestId)) break;
             }
         }
     }
 
     /// <summary>False when no vertex inside a node exceeds the best, or is level with it and has a lower id.</summary>
-    private static bool CanHoldBetter(ref HullTreeNode node, in Vector3D d, double best, int bestId)
+    private static bool CanHoldBetter(ref HullTreeNode node, double bound, double best, int bestId) =>
+        bound > best || (bound == best && node.LeastId < bestId);
+
+    /// <summary>No computed dot product of a vertex inside is larger.</summary>
+    private static double Bound(ref HullTreeNode node, in Vector3D s, in Vector3D d)
     {
         double x = d.X < 0 ? node.MinX : node.MaxX;
         double y = d.Y < 0 ? node.MinY : node.MaxY;
         double z = d.Z < 0 ? node.MinZ : node.MaxZ;
-        double bound = x * d.X + y * d.Y + z * d.Z;
-        return bound > best || (bound == best && node.LeastId < bestId);
+        double straight = x * d.X + y * d.Y + z * d.Z;
+#if NET
+        ref double center = ref node.CenterX;
+        Vector256<double> alongX = Vector256.LoadUnsafe(ref center) * s.X;
+        Vector256<double> alongY = Vector256.LoadUnsafe(ref center, 4) * s.Y;
+        Vector256<double> alongZ = Vector256.LoadUnsafe(ref center, 8) * s.Z;
+        Vector256<double> size = Vector256.Abs(alongX) + Vector256.Abs(alongY) + Vector256.Abs(alongZ);
+        Vector256<long> withoutSigns = Vector256.Create(-1, long.MaxValue, long.MaxValue, long.MaxValue);
+        Vector256<double> along = ((alongX + alongY + alongZ).AsInt64() & withoutSigns).AsDouble();
+        double turned = Vector256.Sum(along + size * Rounding) + Underflow;
+#else
+        double centerX = node.CenterX * s.X, centerY = node.CenterY * s.Y, centerZ = node.CenterZ * s.Z;
+        double reach = 0, size = Math.Abs(centerX) + Math.Abs(centerY) + Math.Abs(centerZ);
+        Add(node.FirstX * s.X, node.FirstY * s.Y, node.FirstZ * s.Z, ref reach, ref size);
+        Add(node.SecondX * s.X, node.SecondY * s.Y, node.SecondZ * s.Z, ref reach, ref size);
+        Add(node.ThirdX * s.X, node.ThirdY * s.Y, node.ThirdZ * s.Z, ref reach, ref size);
+        double turned = centerX + centerY + centerZ + reach + size * Rounding + Underflow;
+#endif
+        return turned < straight ? turned : straight;
     }
 
-    /// <summary>How far beyond a vertex a turned box reaches.</summary>
-    private static double Bound(ref HullTreeNode node, in Vector3D s, in Vector3D origin)
+#if !NET
+    private static void Add(double x, double y, double z, ref double reach, ref double size)
     {
-#if NET
-        ref double x = ref node.CenterX;
-        Vector256<double> along = (Vector256.LoadUnsafe(ref x) - Vector256.CreateScalar(origin.X)) * s.X
-            + (Vector256.LoadUnsafe(ref x, 4) - Vector256.CreateScalar(origin.Y)) * s.Y
-            + (Vector256.LoadUnsafe(ref x, 8) - Vector256.CreateScalar(origin.Z)) * s.Z;
-        Vector256<long> withoutSigns = Vector256.Create(-1, long.MaxValue, long.MaxValue, long.MaxValue);
-        return Vector256.Sum((along.AsInt64() & withoutSigns).AsDouble());
-#else
-        return (node.CenterX - origin.X) * s.X + (node.CenterY - origin.Y) * s.Y + (node.CenterZ - origin.Z) * s.Z
-            + (Math.Abs(node.FirstX * s.X + node.FirstY * s.Y + node.FirstZ * s.Z)
-            + Math.Abs(node.SecondX * s.X + node.SecondY * s.Y + node.SecondZ * s.Z)
-            + Math.Abs(node.ThirdX * s.X + node.ThirdY * s.Y + node.ThirdZ * s.Z));
-#endif
+        reach += Math.Abs(x + y + z);
+        size += Math.Abs(x) + Math.Abs(y) + Math.Abs(z);
     }
+#endif
 
     private static double Inverse(double power) => power > 0 ? 1 / power : 0;
 

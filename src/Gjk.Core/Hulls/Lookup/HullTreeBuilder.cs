@@ -9,7 +9,7 @@ namespace Gjk.Core;
 internal sealed class HullTreeBuilder
 {
     /// <summary>
-    /// Steps of a float at the hull's largest coordinate: a node that is thinner than this along its parent's normal
+    /// Steps of a float at the node's largest coordinate: a node that is thinner than this along its parent's normal
     /// keeps that normal. The vertices of a tilted face are rounded to floats; normals fitted to that roughness would
     /// differ from node to node, and the bounds with them.
     /// </summary>
@@ -29,7 +29,6 @@ internal sealed class HullTreeBuilder
 
     private readonly HullVertices _hull;
     private readonly double[] _x, _y, _z, _keys;
-    private readonly double _roughness;
     private readonly int _firstBlock;
     private int _used = 1;
 
@@ -42,16 +41,12 @@ internal sealed class HullTreeBuilder
         _hull = hull;
         _firstBlock = firstBlock;
         Inverse = new Vector3D(InversePower(stretch.X), InversePower(stretch.Y), InversePower(stretch.Z));
-        _x = Multiplied(hull.X, Inverse.X, count, out double x);
-        _y = Multiplied(hull.Y, Inverse.Y, count, out double y);
-        _z = Multiplied(hull.Z, Inverse.Z, count, out double z);
-        Largest = new Vector3D(x, y, z);
+        _x = Multiplied(hull.X, Inverse.X, count);
+        _y = Multiplied(hull.Y, Inverse.Y, count);
+        _z = Multiplied(hull.Z, Inverse.Z, count);
         _keys = new double[count];
         Order = new int[count];
         for (int i = 0; i < count; i++) Order[i] = i;
-        Vector3D min = hull.Bounds.Min, max = hull.Bounds.Max;
-        double step = Math.Max(Step(min.X, max.X) * Inverse.X, Step(min.Y, max.Y) * Inverse.Y);
-        _roughness = Math.Min(Roughness * Math.Max(step, Step(min.Z, max.Z) * Inverse.Z), MostRoughness);
         int leaves = (count + HullTree.LeafVertices - 1) / HullTree.LeafVertices;
         Nodes = new HullTreeNode[2 * leaves - 1];
         Build(0, 0, leaves, new Vector3D(0, 0, 1));
@@ -63,9 +58,6 @@ internal sealed class HullTreeBuilder
     /// </summary>
     public Vector3D Inverse { get; }
 
-    /// <summary>The largest magnitude of a coordinate on each axis, multiplied.</summary>
-    public Vector3D Largest { get; }
-
     /// <summary>The root first.</summary>
     public HullTreeNode[] Nodes { get; }
 
@@ -76,17 +68,21 @@ internal sealed class HullTreeBuilder
 
     private static double InversePower(double stretch) => stretch > 0 ? 1 / PowerOfTwo.AtMost(stretch) : 0;
 
-    private static double[] Multiplied(float[] coordinates, double inverse, int count, out double largest)
+    private static double[] Multiplied(float[] coordinates, double inverse, int count)
     {
         double[] scaled = new double[count];
-        largest = 0;
-        for (int i = 0; i < count; i++)
-        {
-            scaled[i] = coordinates[i] * inverse;
-            largest = Math.Max(largest, Math.Abs(scaled[i]));
-        }
-
+        for (int i = 0; i < count; i++) scaled[i] = coordinates[i] * inverse;
         return scaled;
+    }
+
+    /// <summary>What the rounding of the vertices in a node to floats can make of a plane.</summary>
+    private double RoughnessOf(in HullTreeNode node)
+    {
+        Vector3D origin = _hull.Origin;
+        double x = Step(node.MinX + origin.X, node.MaxX + origin.X) * Inverse.X;
+        double y = Step(node.MinY + origin.Y, node.MaxY + origin.Y) * Inverse.Y;
+        double z = Step(node.MinZ + origin.Z, node.MaxZ + origin.Z) * Inverse.Z;
+        return Math.Min(Roughness * Math.Max(x, Math.Max(y, z)), MostRoughness);
     }
 
     /// <summary>The relative step of a float is 2^-23.</summary>
@@ -96,7 +92,7 @@ internal sealed class HullTreeBuilder
     {
         int from = leaf * HullTree.LeafVertices, to = Math.Min(from + leaves * HullTree.LeafVertices, Order.Length);
         SetBox(ref Nodes[node], from, to);
-        Vector3D normal = FitNormal(from, to, parentNormal, out Vector3D chord);
+        Vector3D normal = FitNormal(from, to, RoughnessOf(Nodes[node]), parentNormal, out Vector3D chord);
         Vector3D longest = SetTurnedBox(ref Nodes[node], from, to, chord, normal);
         if (leaves == 1)
         {
@@ -138,13 +134,13 @@ internal sealed class HullTreeBuilder
     /// <summary>
     /// A unit vector along the longest chord found, and a unit normal of the plane that the vertices lie near.
     /// </summary>
-    private Vector3D FitNormal(int from, int to, in Vector3D parentNormal, out Vector3D chord)
+    private Vector3D FitNormal(int from, int to, double roughness, in Vector3D parentNormal, out Vector3D chord)
     {
         Extreme(from, to, out int a, out int b);
         chord = Unit(Offset(a, b), new Vector3D(1, 0, 0));
         Extent(parentNormal, from, to, out _, out double thickness);
         Vector3D normal = parentNormal;
-        if (2 * thickness > _roughness)
+        if (2 * thickness > roughness)
         {
             double most = 0;
             for (int k = from; k < to; k++)
