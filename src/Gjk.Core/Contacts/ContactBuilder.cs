@@ -5,17 +5,32 @@ namespace Gjk.Core;
 
 /// <summary>
 /// From the two faces or edges that a pair shows along its normal to the points of its manifold: both are seen along
-/// the normal, what lies opposite is found (<see cref="ContactCandidates"/>), and four points of it stay
-/// (<see cref="ContactReduction"/>).
+/// the normal, the places where they lie opposite each other are found (<see cref="ContactPlaces"/>), each gets a point
+/// of both surfaces (<see cref="Surface"/>), and four of them stay (<see cref="ContactReduction"/>).
 /// </summary>
 /// <remarks>
 /// The gap of each point is the distance of the two surfaces along the normal, so none is less than the signed
-/// distance. The deepest points belong to the manifold even where no corner or edge names them: the rim of a tilted
-/// disc, a face that is shown by some of its corners. A margin is added along the normal.
+/// distance. A deepest point belongs to the manifold even where no corner or edge names it, as on the rim of a tilted
+/// disc.
 /// </remarks>
 internal static unsafe class ContactBuilder
 {
+    /// <summary>
+    /// Length, as a fraction of the size: a point is as deep as the deepest where its gap is wider by no more. Within
+    /// the promised 1e-6, above what rounding to float does to the poses of bodies that lie flat. Pinned by
+    /// ContactPropertyTests.
+    /// </summary>
+    public const double AsDeep = 4e-7;
+
+    /// <summary>
+    /// Length, as a fraction of the size: tilted by so little that a margin along its normal and one along the contact
+    /// normal differ by less, a surface needs no proof. Pinned by MarginContactTests.
+    /// </summary>
+    private const double Level = 1e-7;
+
     /// <summary>Fills a manifold, whose normal is there already.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="b">The second shape.</param>
     /// <param name="plane">Where the contact is.</param>
     /// <param name="cornersA">A's face or edge, from A's centre; at least two corners.</param>
     /// <param name="cornersB">B's, from B's centre in B's frame; at least two corners.</param>
@@ -24,68 +39,81 @@ internal static unsafe class ContactBuilder
     /// <param name="distance">The signed distance, in world units.</param>
     /// <param name="manifold">Gets the points.</param>
     /// <returns>False where the faces lie too steep to say anything; the manifold has no points then.</returns>
-    public static bool TryBuild(
-        in ContactPlane plane, in FaceCorners cornersA, in FaceCorners cornersB, in RigidPose poseA, double maxGap,
-        float distance, ref ContactManifold manifold)
+    public static bool TryBuild<TA, TB>(
+        ref TA a, ref TB b, in ContactPlane plane, in FaceCorners cornersA, in FaceCorners cornersB, in RigidPose poseA,
+        double maxGap, float distance, ref ContactManifold manifold)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
     {
-        var basis = new PlaneBasis(plane.Normal);
+        var view = new ContactView(plane);
         FlatCorner* flat = stackalloc FlatCorner[2 * FaceCorners.Capacity];
-        FlatCorner* flatB = flat + FaceCorners.Capacity;
-        double factor = 1 / plane.Frame.Unit;
-        for (int i = 0; i < cornersA.Count; i++) flat[i] = See(cornersA[i] * factor, cornersA.IdOf(i), plane, basis);
-        for (int i = 0; i < cornersB.Count; i++)
+        FlatFeature faceA = view.SeeA(cornersA, flat), faceB = view.SeeB(cornersB, flat + FaceCorners.Capacity);
+        if (!faceA.IsLevel || !faceB.IsLevel) return false;
+        ContactPlace* places = stackalloc ContactPlace[ContactPlaces.Capacity];
+        var found = new ContactPlaces(places, faceA, faceB, plane.Size);
+        found.Find(ref faceA, ref faceB);
+        Candidate* memory = stackalloc Candidate[ContactCandidates.Capacity];
+        var candidates = new ContactCandidates(memory);
+        double mostGap = Math.Max(maxGap / plane.Frame.Unit, plane.Distance);
+        bool haveMoved = false;
+        for (int i = 0; i < found.Count; i++)
         {
-            Vector3D point = plane.Frame.Rotation.Rotate(cornersB[i] * factor) + plane.Frame.Translation;
-            flatB[i] = See(point, cornersB.IdOf(i), plane, basis);
+            if (!TryMeasure(ref a, ref b, view, found, found[i], faceA, faceB, out Candidate candidate)) continue;
+            haveMoved |= candidate.U != found[i].U || candidate.V != found[i].V;
+            if (candidate.Gap <= mostGap) candidates.Add(candidate);
         }
 
-        var a = new FlatFeature(flat, cornersA.Count);
-        var b = new FlatFeature(flatB, cornersB.Count);
-        if (!a.IsLevel || !b.IsLevel) return false;
-        Candidate* memory = stackalloc Candidate[ContactCandidates.Capacity];
-        double mostGap = Math.Max(maxGap * factor + plane.Frame.Margins, plane.CoreDistance);
-        var candidates = new ContactCandidates(memory, plane.Size, mostGap);
-        candidates.Find(ref a, ref b);
-        AddDeepest(plane, basis, ref candidates);
-        int count = ContactReduction.Reduce(ref candidates, plane.Size);
-        for (int i = 0; i < count; i++) manifold.Add(Point(candidates[i], plane, basis, poseA, distance));
+        if (haveMoved && candidates.Count > ContactManifold.Capacity) candidates.KeepOutline();
+        bool areEdges = faceA.Count == 2 && faceB.Count == 2;
+        var deepest = new Candidate(
+            0, 0, plane.Frame.MarginA, plane.Frame.MarginB - plane.CoreDistance,
+            areEdges ? ContactFeature.Of(ContactFeature.Edge(faceA[0].Id), ContactFeature.Edge(faceB[0].Id)) : 0);
+        Candidate* quarters = stackalloc Candidate[ContactManifold.Capacity];
+        if (!QuarterNames.TryFind(ref faceA, ref faceB, quarters)) quarters = null;
+        ContactReduction.Reduce(ref candidates, deepest, quarters, AsDeep * plane.Size, found.ReachAround);
+        for (int i = 0; i < candidates.Count; i++) manifold.Add(Point(candidates[i], view, poseA, distance));
         return true;
     }
 
-    private static FlatCorner See(in Vector3D point, int id, in ContactPlane plane, in PlaneBasis basis)
+    /// <summary>
+    /// Finds the surfaces over a place, or near it: where a surface that was worked out is not the shape's own, the
+    /// place moves to where a face is flat.
+    /// </summary>
+    private static bool TryMeasure<TA, TB>(
+        ref TA shapeA, ref TB shapeB, in ContactView view, in ContactPlaces places, in ContactPlace place,
+        in FlatFeature a, in FlatFeature b, out Candidate candidate)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
     {
-        // From the deepest point, so that no length is larger than the shapes.
-        Vector3D p = point - plane.OnA;
-        return new FlatCorner
+        double u = place.U, v = place.V, level = Level * view.Plane.Size;
+        bool isSureA = a.IsSureWithin(level), isSureB = b.IsSureWithin(level);
+        for (int tries = 0; ; tries++)
         {
-            U = Vector3D.Dot(p, basis.U),
-            V = Vector3D.Dot(p, basis.V),
-            Height = Vector3D.Dot(p, plane.Normal),
-            Id = id,
-        };
-    }
-
-    private static void AddDeepest(in ContactPlane plane, in PlaneBasis basis, ref ContactCandidates candidates)
-    {
-        double enough = plane.CoreDistance + ContactCandidates.Slack * plane.Size;
-        for (int i = 0; i < candidates.Count; i++)
-            if (candidates[i].Gap <= enough) return;
-        candidates.Add(default, plane.CoreDistance, ContactFeature.None);
+            Surface onA = a.SurfaceAt(u, v, tries == 0 ? place.CornerA : -1);
+            Surface onB = b.SurfaceAt(u, v, tries == 0 ? place.CornerB : -1);
+            candidate = new Candidate(u, v, onA.Height, onB.Height, place.Id);
+            bool holdsA = isSureA || ContactProof.HoldsOnA(ref shapeA, view, onA, u, v);
+            bool holdsB = isSureB || ContactProof.HoldsOnB(ref shapeB, view, onB, u, v);
+            if (holdsA && holdsB) return true;
+            if (tries > 0 || holdsA == holdsB) return false;
+            if (holdsA) b.ToFlatPart(ref u, ref v);
+            else a.ToFlatPart(ref u, ref v);
+            if (!(holdsA ? a : b).Holds(u, v, places.SlackAround)) return false;
+        }
     }
 
     /// <summary>Back from the plane to the shapes and to the world.</summary>
     private static ContactPoint Point(
-        in Candidate candidate, in ContactPlane plane, in PlaneBasis basis, in RigidPose poseA, float distance)
+        in Candidate candidate, in ContactView view, in RigidPose poseA, float distance)
     {
-        ref readonly PairFrame frame = ref plane.Frame;
-        Vector3D place = plane.OnA + basis.U * candidate.U + basis.V * candidate.V;
-        Vector3D onA = place + plane.Normal * (candidate.HeightA + frame.MarginA);
-        Vector3D onB = place + plane.Normal * (candidate.HeightB - frame.MarginB);
+        ref readonly PairFrame frame = ref view.Plane.Frame;
+        Vector3D onA = view.Plane.OnA + view.Direction(candidate.U, candidate.V, candidate.HeightA);
+        Vector3D onB = view.Plane.OnA + view.Direction(candidate.U, candidate.V, -candidate.HeightB);
         Vector3D localA = (onA + frame.CenterA) * frame.Unit;
         Vector3D localB = (frame.Rotation.InverseRotate(onB - frame.Translation) + frame.CenterB) * frame.Unit;
-        double gap = (candidate.Gap - frame.Margins) * frame.Unit;
+        double gap = candidate.Gap * frame.Unit;
         Vector3D worldA = frame.RotationA.Rotate(localA) + poseA.Position;
-        Vector3D worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
+        Vector3D worldB = worldA + frame.RotationA.Rotate(view.Plane.Normal) * gap;
         return new ContactPoint(
             (Vector3)worldA, (Vector3)worldB, (Vector3)localA, (Vector3)localB, Math.Max((float)gap, distance),
             candidate.Id);

@@ -1,153 +1,150 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>
-/// Where two faces or edges lie opposite each other, seen along the normal: the corners of each that lie within the
-/// other, and where their outlines cross. These are the corners of the overlap of two convex polygons.
+/// The places of which some become contact points, in order around what is shared, each with a surface of both shapes.
 /// </summary>
-/// <remarks>
-/// Faces clipped against each other are what physics engines make contacts of (Gregorius, "Robust contact creation for
-/// physics simulation", GDC 2015; Gottschalk, "Separating axis theorem", 1996, for which features meet). They clip by
-/// one side after the other; here all corners and crossings are asked instead, which needs no order, gives each point a
-/// name of its own, and for the few corners of a face costs the same.
-/// </remarks>
 internal unsafe ref struct ContactCandidates
 {
-    /// <summary>Count: every corner of both faces, and two crossings for each edge of one.</summary>
-    public const int Capacity = 4 * FaceCorners.Capacity + 1;
-
-    /// <summary>
-    /// Length, as a fraction of the size: a corner that lies beside an edge by less is on it, so that equal faces and
-    /// parallel edges meet whatever rounding says, and places that are closer are one. Pinned by ContactTests.
-    /// </summary>
-    public const double Slack = 4e-7;
+    /// <summary>Count: one for each place, and the deepest point.</summary>
+    public const int Capacity = ContactPlaces.Capacity + 1;
 
     private readonly Candidate* _candidates;
-    private readonly double _slack, _mostGap;
 
     /// <param name="memory">Room for <see cref="Capacity"/> candidates.</param>
-    /// <param name="size">Of the pair.</param>
-    /// <param name="mostGap">Of the cores, above which there is no contact.</param>
-    public ContactCandidates(Candidate* memory, double size, double mostGap)
+    public ContactCandidates(Candidate* memory)
     {
         _candidates = memory;
-        _slack = Slack * size;
-        _mostGap = mostGap;
         Count = 0;
     }
 
     /// <summary>How many there are.</summary>
     public int Count { get; private set; }
 
+    /// <summary>The first candidate; the others follow.</summary>
+    public readonly Candidate* Pointer => _candidates;
+
     /// <summary>A candidate.</summary>
     public readonly ref Candidate this[int index] => ref _candidates[index];
 
-    /// <summary>Brings a candidate forward to a place; those between keep their order.</summary>
-    public readonly void MoveTo(int from, int place)
-    {
-        Candidate moved = _candidates[from];
-        for (int i = from; i > place; i--) _candidates[i] = _candidates[i - 1];
-        _candidates[place] = moved;
-    }
-
-    /// <summary>Exchanges two candidates.</summary>
-    public readonly void Swap(int i, int k) => (_candidates[i], _candidates[k]) = (_candidates[k], _candidates[i]);
+    /// <summary>Adds one; there is room.</summary>
+    public void Add(in Candidate candidate) => _candidates[Count++] = candidate;
 
     /// <summary>
-    /// Adds a place, unless the gap is too wide; where one is there already, the one with the smaller gap stays.
+    /// Leaves of a finely rounded outline what is needed to stay within a length of it, beginning with the first name
+    /// towards the first of its neighbours.
     /// </summary>
-    /// <param name="place">The place, with A's height.</param>
-    /// <param name="heightB">B's height there.</param>
-    /// <param name="id">The point's name.</param>
-    public void Add(in FlatCorner place, double heightB, long id)
+    public void KeepCorners(double within)
     {
-        if (!(heightB - place.Height <= _mostGap) || Count == Capacity) return;
-        for (int i = 0; i < Count; i++)
+        int first = 0;
+        for (int i = 1; i < Count; i++)
+            if (ContactFeature.IsBefore(_candidates[i].Id, _candidates[first].Id)) first = i;
+        long next = _candidates[(first + 1) % Count].Id, last = _candidates[(first + Count - 1) % Count].Id;
+        int step = ContactFeature.IsBefore(last, next) ? Count - 1 : 1, kept = 0;
+        int* corners = stackalloc int[Capacity];
+        for (int from = 0; from < Count;)
         {
-            double u = _candidates[i].U - place.U, v = _candidates[i].V - place.V;
-            if (!(u * u + v * v <= _slack * _slack)) continue;
-            if (heightB - place.Height < _candidates[i].Gap)
-                _candidates[i] = new Candidate(place, heightB, _candidates[i].Id);
-            return;
+            corners[kept++] = from;
+            int to = from + 1;
+            while (to < Count && IsWithin(first, step, from, to + 1, within)) to++;
+            from = to;
         }
 
-        _candidates[Count++] = new Candidate(place, heightB, id);
+        Candidate* outline = stackalloc Candidate[Capacity];
+        for (int i = 0; i < kept; i++) outline[i] = _candidates[(first + corners[i] * step) % Count];
+        for (int i = 0; i < kept; i++) _candidates[i] = outline[i];
+        Count = kept;
     }
 
-    /// <summary>Finds all places where the features lie opposite each other.</summary>
-    public void Find(ref FlatFeature a, ref FlatFeature b)
+    /// <summary>Whether all corners between two lie within a length of the line between these.</summary>
+    private readonly bool IsWithin(int first, int step, int from, int to, double within)
     {
-        double* insideB = stackalloc double[a.Count * b.Count];
-        double* insideA = stackalloc double[a.Count * b.Count];
-        for (int i = 0; i < a.Count; i++)
+        ref Candidate p = ref _candidates[(first + from * step) % Count];
+        ref Candidate q = ref _candidates[(first + to * step) % Count];
+        double squared = within * within * p.SquaredTo(q);
+        for (int i = from + 1; i < to; i++)
         {
-            ref FlatCorner corner = ref a[i];
-            if (b.Holds(corner, _slack, insideB + i * b.Count))
-                Add(corner, b.HeightAt(corner), ContactFeature.Of(ContactFeature.Corner(corner.Id), 0));
+            double area = Candidate.Area(p, _candidates[(first + i * step) % Count], q);
+            if (!(area * area <= squared)) return false;
         }
 
-        for (int i = 0; i < b.Count; i++)
-        {
-            FlatCorner corner = b[i];
-            if (!a.Holds(corner, _slack, insideA + i * a.Count)) continue;
-            double height = corner.Height;
-            corner.Height = a.HeightAt(corner);
-            Add(corner, height, ContactFeature.Of(0, ContactFeature.Corner(corner.Id)));
-        }
-
-        for (int i = 0; i < a.EdgeCount; i++)
-        {
-            double* from = insideB + i * b.Count;
-            double* to = insideB + (i + 1 < a.Count ? i + 1 : 0) * b.Count;
-            for (int j = 0; j < b.EdgeCount; j++)
-            {
-                // Edges that do not part by more than the slack have their corners on one another.
-                if ((from[j] < 0) == (to[j] < 0) || Math.Abs(from[j] - to[j]) <= 2 * _slack) continue;
-                int next = j + 1 < b.Count ? j + 1 : 0;
-                double begin = insideA[j * a.Count + i], end = insideA[next * a.Count + i];
-                if ((begin < 0) == (end < 0)) continue;
-                AddCrossing(ref a, i, from[j] / (from[j] - to[j]), ref b, j, begin / (begin - end));
-            }
-        }
+        return true;
     }
 
-    private void AddCrossing(ref FlatFeature a, int edgeA, double partA, ref FlatFeature b, int edgeB, double partB)
+    /// <summary>Takes away all behind the first ones.</summary>
+    public void Truncate(int count) => Count = count;
+
+    /// <summary>
+    /// Leaves the corners of the convex outline, in order around it (Andrew 1979): places that moved to where a face is
+    /// flat may have left it.
+    /// </summary>
+    public void KeepOutline()
     {
-        ref FlatCorner p = ref a[edgeA], q = ref a.After(edgeA), r = ref b[edgeB], s = ref b.After(edgeB);
-        var place = new FlatCorner
+        for (int i = 1; i < Count; i++)
         {
-            U = p.U + (q.U - p.U) * partA,
-            V = p.V + (q.V - p.V) * partA,
-            Height = p.Height + (q.Height - p.Height) * partA,
-        };
-        Add(
-            place, r.Height + (s.Height - r.Height) * partB,
-            ContactFeature.Of(ContactFeature.Edge(p.Id), ContactFeature.Edge(r.Id)));
+            Candidate moved = _candidates[i];
+            int k = i;
+            for (; k > 0 && IsLeftOf(moved, _candidates[k - 1]); k--) _candidates[k] = _candidates[k - 1];
+            _candidates[k] = moved;
+        }
+
+        Candidate* outline = stackalloc Candidate[Capacity + 1];
+        int count = 0;
+        for (int i = 0; i < Count; i++) Append(outline, ref count, 0, _candidates[i]);
+        int half = count - 1;
+        for (int i = Count - 2; i >= 0; i--) Append(outline, ref count, half, _candidates[i]);
+        Count = count - 1;
+        for (int i = 0; i < Count; i++) _candidates[i] = outline[i];
+    }
+
+    private static bool IsLeftOf(in Candidate p, in Candidate q) => p.U != q.U ? p.U < q.U : p.V < q.V;
+
+    /// <summary>Adds the next corner of half an outline, and takes away those before it that it makes hollow.</summary>
+    private static void Append(Candidate* outline, ref int count, int begin, in Candidate next)
+    {
+        while (count > begin + 1 && !(Candidate.Area(outline[count - 2], outline[count - 1], next) > 0)) count--;
+        outline[count++] = next;
+    }
+
+    /// <summary>Makes room between two and puts one there.</summary>
+    public void Insert(int index, in Candidate candidate)
+    {
+        for (int i = Count++; i > index; i--) _candidates[i] = _candidates[i - 1];
+        _candidates[index] = candidate;
     }
 }
 
 /// <summary>A place where both shapes have a surface.</summary>
 internal readonly struct Candidate
 {
-    /// <summary>In the plane across the normal.</summary>
+    /// <summary>In the plane across the normal, from the deepest point.</summary>
     public readonly double U, V;
 
-    /// <summary>Along the normal, of each core.</summary>
+    /// <summary>How far each shape reaches towards the other, margin included.</summary>
     public readonly double HeightA, HeightB;
 
     /// <summary>The point's name.</summary>
     public readonly long Id;
 
-    public Candidate(in FlatCorner place, double heightB, long id)
+    public Candidate(double u, double v, double heightA, double heightB, long id)
     {
-        U = place.U;
-        V = place.V;
-        HeightA = place.Height;
+        U = u;
+        V = v;
+        HeightA = heightA;
         HeightB = heightB;
         Id = id;
     }
 
-    /// <summary>How far apart the cores are here.</summary>
-    public double Gap => HeightB - HeightA;
+    /// <summary>How far apart the shapes are here.</summary>
+    public double Gap => -(HeightA + HeightB);
+
+    /// <summary>The same point by another name.</summary>
+    public Candidate Named(long id) => new(U, V, HeightA, HeightB, id);
+
+    /// <summary>The squared distance of another.</summary>
+    public double SquaredTo(in Candidate other) =>
+        (U - other.U) * (U - other.U) + (V - other.V) * (V - other.V);
+
+    /// <summary>Twice the area of a triangle, positive where it runs counter-clockwise.</summary>
+    public static double Area(in Candidate p, in Candidate q, in Candidate r) =>
+        (q.U - p.U) * (r.V - p.V) - (q.V - p.V) * (r.U - p.U);
 }

@@ -1,3 +1,5 @@
+using System;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -22,6 +24,19 @@ internal static class ContactFeature
 
     /// <summary>The number of a point.</summary>
     public static long Of(uint a, uint b) => (long)((ulong)a << Half | b);
+
+    /// <summary>
+    /// Whether one number comes before another: by their smaller halves, then by their larger ones, so that the
+    /// order of most points is that of the exchanged pair, then by A's.
+    /// </summary>
+    public static bool IsBefore(long one, long other)
+    {
+        uint a = (uint)(one >> Half & LowerHalf), b = (uint)(one & LowerHalf);
+        uint otherA = (uint)(other >> Half & LowerHalf), otherB = (uint)(other & LowerHalf);
+        uint least = Math.Min(a, b), otherLeast = Math.Min(otherA, otherB);
+        uint most = Math.Max(a, b), otherMost = Math.Max(otherA, otherB);
+        return least != otherLeast ? least < otherLeast : most != otherMost ? most < otherMost : a < otherA;
+    }
 
     /// <summary>The number with A and B exchanged.</summary>
     public static long Swapped(long id) => Of((uint)(id & LowerHalf), (uint)(id >> Half & LowerHalf));

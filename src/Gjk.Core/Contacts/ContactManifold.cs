@@ -20,7 +20,10 @@ public struct ContactManifold
     /// <summary>The unit vector in which B leaves A, common to all points; zero when there are none.</summary>
     public Vector3 Normal { get; private set; }
 
-    /// <summary>A point. The first is the deepest, or as deep to within 1e-6 of the size.</summary>
+    /// <summary>
+    /// A point. They are in the order of their <see cref="ContactPoint.FeatureId"/>s, which stays from frame to frame;
+    /// one of them is the deepest, or as deep to within 1e-6 of the size.
+    /// </summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>
     public readonly ContactPoint this[int index]

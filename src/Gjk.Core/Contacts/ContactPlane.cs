@@ -17,6 +17,9 @@ internal readonly struct ContactPlane
     /// <summary>How far the cores are apart along the normal; negative when they overlap.</summary>
     public readonly double CoreDistance;
 
+    /// <summary>How far the shapes are apart, margins included.</summary>
+    public double Distance => CoreDistance - Frame.Margins;
+
     /// <summary>Of the pair: what lengths are relative to.</summary>
     public readonly double Size;
 

@@ -25,9 +25,12 @@ public readonly struct ContactPoint
     public readonly float Gap;
 
     /// <summary>
-    /// Tells the point from the others of its manifold: the same number as long as the same corner of one shape lies
-    /// across the same face of the other, or the same two edges cross. Carry what a solver knows about a point from
-    /// frame to frame by it. 0 for a pair of deepest points that no corner or edge names (round shapes).
+    /// Tells the point from the others of its manifold. Carry what a solver knows about a point from frame to frame by
+    /// it. A's part is in the upper half, B's in the lower one: a corner's id times 4 plus 1, or the id of the corner
+    /// at which an edge begins times 4 plus 2, or 0 for a face or a round side. Both are corners where two coincide,
+    /// to within a two hundredth of the width that is shared; one is where it lies on the other's face; both are edges
+    /// where these cross. A point on the outline of a round face (a disc, or one of 16 corners or more) is named by
+    /// the quarter that it is in. 0 for a pair of deepest points that no corner or edge names (round shapes).
     /// </summary>
     public readonly long FeatureId;
 

@@ -3,142 +3,123 @@ using System;
 namespace Gjk.Core;
 
 /// <summary>
-/// Which four of many contact points stay: those that span the largest area, one of them as deep as any (Gregorius
-/// 2015).
+/// Which four of many contact points stay, by which names, and in which order.
 /// </summary>
 /// <remarks>
-/// One after the other is chosen, the deepest, the furthest from it, the one that makes the largest triangle and the
-/// one that adds the most; then each is exchanged for a better one as long as there is any. Equally good ones are told
-/// apart by their order, which is that of the shapes' corners, not by rounding: so the same four stay while a body
-/// rests or slides. It ends because the area grows with each exchange.
+/// <para>
+/// The four span the largest area, to within a fiftieth (<see cref="LargestFour"/>). If none of them is as deep as the
+/// deepest point, the largest four that hold that point take their places, and their names stay: a can that rocks on
+/// its rim touches everywhere in turn, and what a solver knows of each quarter of the rim must not get lost. A name
+/// then stands for the part of the outline around the corner that it names.
+/// </para>
+/// <para>
+/// The points are sorted by name, so that their order stays too. A and B count alike, so that the order is that of the
+/// exchanged pair.
+/// </para>
 /// </remarks>
-internal static class ContactReduction
+internal static unsafe class ContactReduction
 {
     /// <summary>
-    /// Ratio of lengths and areas: what is less than this better is as good. More than rounding and a resting body's
-    /// unrest move a point, less than matters to what stands on it. Pinned by ContactPropertyTests.
+    /// Count: of more corners, which only finely rounded outlines have, those are left out first that hardly stand out,
+    /// so that the time does not grow with the square. Pinned by ContactAreaTests.
     /// </summary>
-    private const double AsGood = 1e-4;
+    private const int Many = 24;
 
-    /// <summary>Count: a backstop; two or three rounds of exchanges are the rule.</summary>
-    private const int MostRounds = 8;
-
-    /// <summary>Brings the points that stay to the front, the deepest first.</summary>
-    /// <returns>How many stay: all of up to four; fewer of more where they are on a line.</returns>
-    public static int Reduce(ref ContactCandidates candidates, double size)
+    /// <summary>Leaves what stays.</summary>
+    /// <param name="candidates">In order around what is shared.</param>
+    /// <param name="deepest">A deepest point; its name is used if no other has been there before.</param>
+    /// <param name="quarters">The names of a round outline's points; null where it is not round.</param>
+    /// <param name="asDeep">Length: a gap that is wider by less is as deep.</param>
+    /// <param name="reach">Length: a candidate that is nearer to the deepest point takes its place.</param>
+    public static void Reduce(
+        ref ContactCandidates candidates, in Candidate deepest, Candidate* quarters, double asDeep, double reach)
     {
-        double deepest = double.PositiveInfinity;
-        for (int i = 0; i < candidates.Count; i++) deepest = Math.Min(deepest, candidates[i].Gap);
-        deepest += ContactCandidates.Slack * size;
-        int first = 0;
-        while (!(candidates[first].Gap <= deepest)) first++;
-        candidates.MoveTo(first, 0);
-        if (candidates.Count <= ContactManifold.Capacity) return candidates.Count;
-        Choose(ref candidates, 1, default(Furthest));
-        if (!Choose(ref candidates, 2, default(LargestTriangle))) return 2;
-        if (!Choose(ref candidates, 3, default(LargestGain))) return 3;
-        for (int i = 0; i < MostRounds && Exchange(ref candidates, deepest); i++)
+        int* four = stackalloc int[ContactManifold.Capacity];
+        if (candidates.Count <= ContactManifold.Capacity) quarters = null;
+        if (candidates.Count > Many) candidates.KeepCorners(reach);
+        int count = LargestFour.Choose(candidates.Pointer, candidates.Count, -1, four);
+        Candidate* before = stackalloc Candidate[ContactManifold.Capacity];
+        if (!HasDeepest(candidates, four, count, deepest.Gap + asDeep))
         {
+            for (int i = 0; i < count; i++) before[i] = candidates[four[i]];
+            if (quarters == null && count == ContactManifold.Capacity) quarters = before;
+            int at = Put(ref candidates, deepest, reach);
+            count = LargestFour.Choose(candidates.Pointer, candidates.Count, at, four);
         }
 
-        for (first = 0; !(candidates[first].Gap <= deepest);) first++;
-        candidates.MoveTo(first, 0);
-        return ContactManifold.Capacity;
+        Keep(ref candidates, four, count);
+        if (quarters != null && count == ContactManifold.Capacity) Rename(ref candidates, quarters);
+        Sort(ref candidates);
     }
 
-    /// <summary>Moves the best of those that are left to a place; false when none is any good.</summary>
-    private static bool Choose<TMerit>(ref ContactCandidates candidates, int place, TMerit merit)
-        where TMerit : struct, IMerit
+    private static bool HasDeepest(in ContactCandidates candidates, int* chosen, int count, double mostGap)
     {
-        double most = 0;
-        for (int i = place; i < candidates.Count; i++) most = Math.Max(most, merit.Of(candidates, i));
-        int best = place;
-        while (!(merit.Of(candidates, best) >= most * (1 - AsGood))) best++;
-        candidates.MoveTo(best, place);
-        return most > 0;
-    }
-
-    /// <summary>Exchanges each of the four for the first one that makes the area larger; true when any was.</summary>
-    private static bool Exchange(ref ContactCandidates candidates, double deepest)
-    {
-        bool any = false;
-        double area = Area(candidates);
-        for (int i = 0; i < ContactManifold.Capacity; i++)
-        {
-            for (int k = ContactManifold.Capacity; k < candidates.Count; k++)
-            {
-                candidates.Swap(i, k);
-                double now = Area(candidates);
-                if (now > area * (1 + AsGood) && HasDeepest(candidates, deepest))
-                {
-                    area = now;
-                    any = true;
-                }
-                else
-                {
-                    candidates.Swap(i, k);
-                }
-            }
-        }
-
-        return any;
-    }
-
-    private static bool HasDeepest(in ContactCandidates candidates, double deepest)
-    {
-        for (int i = 0; i < ContactManifold.Capacity; i++)
-            if (candidates[i].Gap <= deepest) return true;
+        for (int i = 0; i < count; i++)
+            if (candidates[chosen[i]].Gap <= mostGap) return true;
         return false;
     }
 
-    /// <summary>
-    /// Twice the area of the first four, corners of a convex polygon in any order: the cross product of its diagonals,
-    /// which is the largest of the three that there can be.
-    /// </summary>
-    private static double Area(in ContactCandidates candidates)
+    /// <summary>Puts the deepest point among the others, where it belongs around the outline.</summary>
+    /// <returns>Where it is.</returns>
+    private static int Put(ref ContactCandidates candidates, in Candidate deepest, double reach)
     {
-        ref readonly Candidate p = ref candidates[0], q = ref candidates[1], r = ref candidates[2];
-        ref readonly Candidate s = ref candidates[3];
-        double first = Math.Abs((q.U - p.U) * (s.V - r.V) - (q.V - p.V) * (s.U - r.U));
-        double second = Math.Abs((r.U - p.U) * (s.V - q.V) - (r.V - p.V) * (s.U - q.U));
-        double third = Math.Abs((s.U - p.U) * (r.V - q.V) - (s.V - p.V) * (r.U - q.U));
-        return Math.Max(first, Math.Max(second, third));
-    }
-
-    private static double Area(in Candidate p, in Candidate q, in Candidate r) =>
-        (q.U - p.U) * (r.V - p.V) - (q.V - p.V) * (r.U - p.U);
-
-    /// <summary>How good a candidate is beside those that were chosen.</summary>
-    private interface IMerit
-    {
-        double Of(in ContactCandidates candidates, int index);
-    }
-
-    private readonly struct Furthest : IMerit
-    {
-        public double Of(in ContactCandidates candidates, int index)
+        int nearest = -1, after = candidates.Count;
+        double least = reach * reach, u = deepest.U, v = deepest.V, most = double.NegativeInfinity, sum = 0;
+        for (int i = 0; i < candidates.Count; i++)
         {
-            double u = candidates[index].U - candidates[0].U, v = candidates[index].V - candidates[0].V;
-            return Math.Sqrt(u * u + v * v);
+            ref Candidate p = ref candidates[i], q = ref candidates[i + 1 < candidates.Count ? i + 1 : 0];
+            sum += Candidate.Area(candidates[0], p, q);
+            double squared = p.SquaredTo(deepest);
+            if (!(squared <= least)) continue;
+            least = squared;
+            nearest = i;
         }
-    }
 
-    private readonly struct LargestTriangle : IMerit
-    {
-        public double Of(in ContactCandidates candidates, int index) =>
-            Math.Abs(Area(candidates[0], candidates[1], candidates[index]));
-    }
-
-    /// <summary>The area outside the triangle that was chosen.</summary>
-    private readonly struct LargestGain : IMerit
-    {
-        public double Of(in ContactCandidates candidates, int index)
+        if (nearest >= 0)
         {
-            ref readonly Candidate p = ref candidates[0], q = ref candidates[1], r = ref candidates[2];
-            ref readonly Candidate s = ref candidates[index];
-            double sign = Math.Sign(Area(p, q, r));
-            return Math.Max(
-                Math.Max(-sign * Area(p, q, s), -sign * Area(q, r, s)), Math.Max(-sign * Area(r, p, s), 0));
+            candidates[nearest] = deepest.Named(candidates[nearest].Id);
+            return nearest;
+        }
+
+        // Beyond the side that it is furthest outside of.
+        for (int i = 0; i < candidates.Count; i++)
+        {
+            ref Candidate p = ref candidates[i], q = ref candidates[i + 1 < candidates.Count ? i + 1 : 0];
+            double length = Math.Sqrt(p.SquaredTo(q)), outside = -Candidate.Area(p, q, deepest) / length;
+            if (sum < 0) outside = -outside;
+            if (!(outside > most)) continue;
+            most = outside;
+            after = i + 1;
+        }
+
+        candidates.Insert(after, deepest);
+        return after;
+    }
+
+    /// <summary>Gives the points the names of four others, as both run around the outline.</summary>
+    private static void Rename(ref ContactCandidates candidates, Candidate* others)
+    {
+        QuarterNames.Match(others, candidates.Pointer, out int turn, out int step);
+        for (int i = 0; i < candidates.Count; i++)
+            candidates[i] = candidates[i].Named(others[QuarterNames.At(i, turn, step)].Id);
+    }
+
+    private static void Keep(ref ContactCandidates candidates, int* kept, int count)
+    {
+        // Their numbers rise, so none is overwritten before it is moved.
+        for (int i = 0; i < count; i++) candidates[i] = candidates[kept[i]];
+        candidates.Truncate(count);
+    }
+
+    private static void Sort(ref ContactCandidates candidates)
+    {
+        for (int i = 1; i < candidates.Count; i++)
+        {
+            Candidate moved = candidates[i];
+            int k = i;
+            for (; k > 0 && ContactFeature.IsBefore(moved.Id, candidates[k - 1].Id); k--)
+                candidates[k] = candidates[k - 1];
+            candidates[k] = moved;
         }
     }
 }

@@ -3,50 +3,76 @@ using System;
 namespace Gjk.Core;
 
 /// <summary>
-/// A face or an edge seen along a contact normal: its corners in the plane across the normal, and their heights.
+/// A face or an edge that a core shows along a contact normal, seen along it: its corners in the plane across the
+/// normal, and how far each reaches towards the other shape. With its margin it is a surface (<see cref="Surface"/>).
 /// </summary>
 internal unsafe struct FlatFeature
 {
+    /// <summary>
+    /// Length, as a fraction of the pair's size: an edge that is shorter, or a face that is narrower, has a direction
+    /// that is rounding to more than 1e-7, so the edge is a point and the face an edge. Four times more or less is far from both.
+    /// </summary>
+    private const double Thin = 1e-9;
+
     /// <summary>How many corners there are: two are an edge, more a face.</summary>
-    public readonly int Count;
+    public int Count { get; private set; }
+
+    /// <summary>What the core is widened by.</summary>
+    public readonly double Margin;
+
+    /// <summary>The radius of the round side that an edge is a line of; 0 for a sharp edge, and for faces.</summary>
+    public readonly double SideRadius;
 
     private readonly FlatCorner* _corners;
 
     /// <summary>The length of an edge that stands alone.</summary>
-    private readonly double _length;
+    private double _length;
 
-    /// <summary>How fast a face rises along the plane's axes.</summary>
+    private readonly bool _isDisc;
+
+    /// <summary>How fast the feature rises along the plane's axes; an edge does not rise across itself.</summary>
     private double _riseU, _riseV;
 
     /// <param name="memory">The corners; what they know of their edges is filled in.</param>
     /// <param name="count">How many there are; at least 2.</param>
-    public FlatFeature(FlatCorner* memory, int count)
+    /// <param name="margin">What the core is widened by.</param>
+    /// <param name="sideRadius">Of an edge on a round side, else 0.</param>
+    /// <param name="isDisc">Whether the corners are those of a disc.</param>
+    /// <param name="size">Of the pair.</param>
+    public FlatFeature(FlatCorner* memory, int count, double margin, double sideRadius, bool isDisc, double size)
     {
         _corners = memory;
         Count = count;
+        Margin = margin;
+        SideRadius = sideRadius;
         _length = 0;
         _riseU = 0;
         _riseV = 0;
-        double turn = count > 2 ? Tilt() : 1;
-        for (int i = 0; i < EdgeCount; i++)
+        IsLevel = false;
+        double thin = Thin * size, area = 0;
+        if (count > 2 && !(Math.Abs(area = Tilt()) > thin * Width()))
         {
-            ref FlatCorner p = ref _corners[i], q = ref After(i);
-            double u = q.U - p.U, v = q.V - p.V;
-            _length = Math.Sqrt(u * u + v * v);
-            p.InwardU = -v * turn / _length;
-            p.InwardV = u * turn / _length;
+            KeepLongest();
+            Count = 2;
         }
 
-        double rise = count > 2
-            ? Math.Sqrt(_riseU * _riseU + _riseV * _riseV)
-            : Math.Abs(_corners[1].Height - _corners[0].Height) / _length;
-        IsLevel = rise <= FaceTilt.MostRise;
+        _isDisc = isDisc && Count > 2;
+        MeasureEdges(area < 0 ? -1 : 1);
+        if (Count == 2) TiltEdge();
+        Secant = Math.Sqrt(1 + _riseU * _riseU + _riseV * _riseV);
+        IsLevel = (Count > 2 || _length > thin) && Secant <= FaceTilt.MostSecant;
     }
 
     /// <summary>
     /// Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show another.
     /// </summary>
     public readonly bool IsLevel;
+
+    /// <summary>One over the cosine of its tilt: how much longer a margin is along the contact normal.</summary>
+    public readonly double Secant;
+
+    /// <summary>How far a surface round an edge reaches to its sides: margin and round side together.</summary>
+    public readonly double Roundness => Margin + SideRadius;
 
     /// <summary>A corner.</summary>
     public readonly ref FlatCorner this[int index] => ref _corners[index];
@@ -57,45 +83,123 @@ internal unsafe struct FlatFeature
     /// <summary>How many edges there are; each begins at the corner of its number.</summary>
     public readonly int EdgeCount => Count > 2 ? Count : 1;
 
-    /// <summary>Writes how far a place lies on the inner side of each edge.</summary>
-    /// <returns>
-    /// Whether the place is in the face or on the edge, or beside it by no more than a slack; not for NaN.
-    /// </returns>
-    public readonly bool Holds(in FlatCorner place, double slack, double* inside)
+    /// <summary>The largest distance of a corner from the first one.</summary>
+    public readonly double Width()
     {
-        bool holds = true;
-        for (int i = 0; i < EdgeCount; i++)
+        double most = 0;
+        for (int i = 1; i < Count; i++) most = Math.Max(most, _corners[i].SquaredTo(_corners[0].U, _corners[0].V));
+        return Math.Sqrt(most);
+    }
+
+    /// <summary>Whether more corners of a disc can be put between those that are there.</summary>
+    public readonly bool CanBeRefined => _isDisc && Count < FaceCorners.Capacity;
+
+    /// <summary>Puts a corner of the disc between each two.</summary>
+    public void Refine()
+    {
+        DiscCorners.Double(_corners, Count);
+        Count *= 2;
+        MeasureEdges(Tilt() < 0 ? -1 : 1);
+    }
+
+    /// <summary>Gives neighbours that are nearer than a length one name.</summary>
+    public readonly void JoinCorners(double length)
+    {
+        for (int i = 0; i < Count && Count > 2; i++)
         {
-            ref FlatCorner p = ref _corners[i];
-            inside[i] = p.InwardU * (place.U - p.U) + p.InwardV * (place.V - p.V);
-            holds &= inside[i] >= -slack;
+            ref FlatCorner p = ref _corners[i], q = ref After(i);
+            if (p.SquaredTo(q.U, q.V) <= length * length) q.Id = p.Id = Math.Min(p.Id, q.Id);
+        }
+    }
+
+    /// <summary>How far a place lies on the inner side of a face's edge.</summary>
+    public readonly double Inside(int edge, double u, double v)
+    {
+        ref FlatCorner p = ref _corners[edge];
+        return p.InwardU * (u - p.U) + p.InwardV * (v - p.V);
+    }
+
+    /// <summary>Whether a place is beside an edge, not beyond its ends by more than a slack.</summary>
+    public readonly bool IsBeside(int edge, double u, double v, double slack)
+    {
+        ref FlatCorner p = ref _corners[edge], q = ref After(edge);
+        double along = Math.Abs(p.InwardV) > Math.Abs(p.InwardU)
+            ? (u - p.U) / (q.U - p.U)
+            : (v - p.V) / (q.V - p.V);
+        double part = slack / Math.Sqrt(q.SquaredTo(p.U, p.V));
+        return along >= -part && along <= 1 + part;
+    }
+
+    /// <summary>Whether a place is in the face or on the edge, or beside it by no more than a slack.</summary>
+    public readonly bool Holds(double u, double v, double slack)
+    {
+        for (int i = 0; i < EdgeCount; i++)
+            if (!(Inside(i, u, v) >= -slack)) return false;
+        if (Count > 2) return true;
+        ref FlatCorner p = ref _corners[0];
+        double along = p.InwardV * (u - p.U) - p.InwardU * (v - p.V);
+        return Inside(0, u, v) <= slack && along >= -slack && along <= _length + slack;
+    }
+
+    /// <summary>How far the shape reaches at a place, margin included.</summary>
+    /// <param name="u">The place: in the face, or beside the edge by less than it is round.</param>
+    /// <param name="v">Its other coordinate.</param>
+    /// <param name="corner">The corner that the place is exactly at, or -1: no face of a mesh is quite flat.</param>
+    public readonly Surface SurfaceAt(double u, double v, int corner)
+    {
+        ref FlatCorner p = ref _corners[Math.Max(corner, 0)];
+        if (Count == 2) return Surface.OfEdge(_corners[0], _corners[1], u, v, Margin, SideRadius);
+        var surface = new Surface(
+            p.Height + _riseU * (u - p.U) + _riseV * (v - p.V) + Margin * Secant, -_riseU / Secant, -_riseV / Secant,
+            1 / Secant);
+        if (Margin == 0) return surface;
+
+        // The core's point that belongs to this place; near the upper rim it lies beyond, and the rim is round.
+        double footU = u - Margin * surface.NormalU, footV = v - Margin * surface.NormalV;
+        double height = double.NegativeInfinity;
+        for (int i = 0; i < Count; i++)
+        {
+            if (Inside(i, footU, footV) >= 0) continue;
+            var rim = Surface.OfEdge(_corners[i], After(i), u, v, Margin, 0);
+            if (!(rim.Height > height)) continue;
+            height = rim.Height;
+            surface = rim;
         }
 
-        if (Count > 2 || !holds) return holds;
-        double along = Along(place);
-        return inside[0] <= slack && along >= -slack && along <= _length + slack;
-    }
-
-    /// <summary>The height of the face or edge at a place.</summary>
-    public readonly double HeightAt(in FlatCorner place)
-    {
-        ref FlatCorner p = ref _corners[0];
-        if (Count > 2) return p.Height + _riseU * (place.U - p.U) + _riseV * (place.V - p.V);
-        return p.Height + (_corners[1].Height - p.Height) * Math.Max(0, Math.Min(1, Along(place) / _length));
-    }
-
-    /// <summary>How far along an edge a place lies, from its beginning.</summary>
-    private readonly double Along(in FlatCorner place)
-    {
-        ref FlatCorner p = ref _corners[0];
-        return p.InwardV * (place.U - p.U) - p.InwardU * (place.V - p.V);
+        return surface;
     }
 
     /// <summary>
-    /// Finds the plane through a face's corners, by the areas of its projections (Newell); returns 1 where they run
-    /// counter-clockwise, else -1.
+    /// Whether its surface is known to within a length without asking the shape: without margin it is the core's own.
     /// </summary>
-    private int Tilt()
+    public readonly bool IsSureWithin(double length) =>
+        Margin * (Secant - 1) <= length && (Count > 2 || SideRadius == 0);
+
+    /// <summary>Where the face's own part of the surface begins that belongs to a place of the core.</summary>
+    public readonly void ToFlatPart(ref double u, ref double v)
+    {
+        u -= Margin * _riseU / Secant;
+        v -= Margin * _riseV / Secant;
+    }
+
+    /// <summary>Finds the inner side of each edge.</summary>
+    private void MeasureEdges(double turn)
+    {
+        for (int i = 0; i < EdgeCount; i++)
+        {
+            ref FlatCorner p = ref _corners[i], q = ref After(i);
+            double u = q.U - p.U, v = q.V - p.V;
+            _length = Math.Sqrt(u * u + v * v);
+            p.InwardU = -v * turn / _length;
+            p.InwardV = u * turn / _length;
+        }
+    }
+
+    /// <summary>
+    /// Finds the plane through a face's corners, by the areas of its projections (Newell); returns twice the area that
+    /// is seen, positive where the corners run counter-clockwise.
+    /// </summary>
+    private double Tilt()
     {
         double u = 0, v = 0, h = 0;
         ref FlatCorner o = ref _corners[0];
@@ -111,14 +215,46 @@ internal unsafe struct FlatFeature
 
         _riseU = -u / h;
         _riseV = -v / h;
-        return h < 0 ? -1 : 1;
+        return h;
+    }
+
+    private void TiltEdge()
+    {
+        ref FlatCorner p = ref _corners[0], q = ref _corners[1];
+        double rise = (q.Height - p.Height) / (_length * _length);
+        _riseU = rise * (q.U - p.U);
+        _riseV = rise * (q.V - p.V);
+    }
+
+    /// <summary>Leaves of a narrow face its two ends.</summary>
+    private readonly void KeepLongest()
+    {
+        int first = Furthest(0), second = Furthest(first);
+        FlatCorner p = _corners[Math.Min(first, second)], q = _corners[Math.Max(first, second)];
+        _corners[0] = p;
+        _corners[1] = q;
+    }
+
+    private readonly int Furthest(int from)
+    {
+        int furthest = from;
+        double most = -1;
+        for (int i = 0; i < Count; i++)
+        {
+            double squared = _corners[i].SquaredTo(_corners[from].U, _corners[from].V);
+            if (!(squared > most)) continue;
+            most = squared;
+            furthest = i;
+        }
+
+        return furthest;
     }
 }
 
-/// <summary>A corner of a flat feature, or a place beside it.</summary>
+/// <summary>A corner of a flat feature.</summary>
 internal struct FlatCorner
 {
-    /// <summary>Along the plane's axes, and along the normal.</summary>
+    /// <summary>Along the plane's axes, and how far it reaches towards the other shape.</summary>
     public double U, V, Height;
 
     /// <summary>Across the edge that begins here, of unit length, to the inner side.</summary>
@@ -126,4 +262,7 @@ internal struct FlatCorner
 
     /// <summary>What tells it from the feature's others.</summary>
     public int Id;
+
+    /// <summary>The squared distance of a place, seen along the normal.</summary>
+    public readonly double SquaredTo(double u, double v) => (U - u) * (U - u) + (V - v) * (V - v);
 }

@@ -10,7 +10,13 @@ public unsafe ref struct FaceCorners
     /// How many corners there is room for; further ones are left out. A face with more is shown by some of them, spread
     /// evenly around it.
     /// </summary>
-    public const int Capacity = 32;
+    public const int Capacity = 64;
+
+    /// <summary>
+    /// Count: a disc is shown by every fourth corner of a polygon that fills the room. Two such polygons, turned
+    /// against each other, share 97 % of what discs share. Pinned by ContactAreaTests.
+    /// </summary>
+    internal const int DiscStep = 4;
 
     private readonly FaceCorner* _corners;
 
@@ -19,10 +25,21 @@ public unsafe ref struct FaceCorners
     {
         _corners = memory;
         Count = 0;
+        SideRadius = 0;
+        IsDisc = false;
     }
 
     /// <summary>How many corners there are: none, a corner, an edge's two ends, or a face's.</summary>
     public int Count { get; private set; }
+
+    /// <summary>
+    /// The radius of the round side of the core that a single edge lies on, as a cylinder's; 0 for an edge that is
+    /// sharp, or round in a way that is not known.
+    /// </summary>
+    internal double SideRadius { get; set; }
+
+    /// <summary>Whether the corners are those of a disc, or of what scaling has made of one.</summary>
+    internal bool IsDisc { get; set; }
 
     /// <summary>Adds the next corner around the face.</summary>
     /// <param name="point">Measured from the shape's <see cref="ISupportMap.Center"/>, in its local frame.</param>

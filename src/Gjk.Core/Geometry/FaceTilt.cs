@@ -1,3 +1,5 @@
+using System;
+
 namespace Gjk.Core;
 
 /// <summary>Which faces and edges lie level enough across a direction to carry contact points.</summary>
@@ -10,8 +12,8 @@ internal static class FaceTilt
     /// </summary>
     public const double LeastCosine = 0.5, MostSine = 0.5;
 
-    /// <summary>Ratio: what a face rises at that cosine, its tangent, and a little for rounding.</summary>
-    public const double MostRise = 1.7321;
+    /// <summary>Ratio: one over that cosine, and a little for rounding.</summary>
+    public const double MostSecant = 2.0001;
 
     /// <summary>Whether a face lies level enough.</summary>
     /// <param name="normal">Outward, of any length.</param>
@@ -21,6 +23,15 @@ internal static class FaceTilt
         double along = Vector3D.Dot(normal, direction);
         return along > 0
             && along * along >= LeastCosine * LeastCosine * normal.LengthSquared * direction.LengthSquared;
+    }
+
+    /// <summary>How steep an edge is, for comparing: the sine, infinite for an edge without length.</summary>
+    /// <param name="edge">Of any length.</param>
+    /// <param name="direction">Of one length for all that are compared.</param>
+    public static double Rise(in Vector3D edge, in Vector3D direction)
+    {
+        double length = edge.Length;
+        return length > 0 ? Math.Abs(Vector3D.Dot(edge, direction)) / length : double.PositiveInfinity;
     }
 
     /// <summary>Whether an edge lies level enough; one without length does not.</summary>

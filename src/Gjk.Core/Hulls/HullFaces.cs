@@ -77,7 +77,7 @@ internal sealed class HullFaces
         {
             _hull.GetVertex(_hull.Neighbors[i], out Vector3D other);
             Vector3D edge = other - point;
-            double rise = Math.Abs(Vector3D.Dot(edge, direction)) / edge.Length;
+            double rise = FaceTilt.Rise(edge, direction);
             if (!FaceTilt.IsLevelEdge(edge, direction) || rise >= least) continue;
             least = rise;
             end = _hull.Neighbors[i];

@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// range of double. Nothing is rounded by it, so the answer has the bits that it would have if double had no limits.
 /// </summary>
 /// <typeparam name="T">The shape inside.</typeparam>
-internal readonly struct UnitSized<T> : ISupportMap
+internal readonly struct UnitSized<T> : ISupportMap, ISupportFace
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -35,5 +35,12 @@ internal readonly struct UnitSized<T> : ISupportMap
         bool found = _inner.TryGetVertex(id, out point);
         point *= _factor;
         return found;
+    }
+
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        FaceOf<T>.Get(_inner, direction, ref corners);
+        corners.SideRadius *= _factor;
+        for (int i = 0; i < corners.Count; i++) corners[i] *= _factor;
     }
 }

@@ -20,9 +20,10 @@ public static partial class ConvexQuery
     /// </param>
     /// <param name="manifold">
     /// Emptied and filled: no points when the shapes are further apart than <paramref name="maxGap"/> or invalid. A
-    /// face on a face has up to four, which span the largest area, an edge on a face two, a corner one. Shapes whose
-    /// face, edge or corner there is unknown or round (spheres, ellipsoids, those without <see cref="ISupportFace"/>)
-    /// have the one pair of deepest points. Every pair of points lies along the manifold's normal.
+    /// face on a face has up to four, which span at least 95 % of the largest area that four can, an edge on a face
+    /// two, as have parallel cylinders, a corner one. Shapes whose face, edge or corner there is unknown or round
+    /// (spheres, ellipsoids, those without <see cref="ISupportFace"/>) have the one pair of deepest points. Every pair
+    /// of points lies along the manifold's normal.
     /// </param>
     /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
     public static DistanceResult Contacts<TA, TB>(
@@ -75,7 +76,7 @@ public static partial class ConvexQuery
         if (question.Result.Distance <= mostGap)
         {
             manifold.Begin(question.Result.Normal);
-            AddPoints(shapeA, poseA, shapeB, question, mostGap, ref manifold);
+            AddPoints(ref shapeA, poseA, ref shapeB, question, mostGap, ref manifold);
         }
 
         return question.Result;
@@ -84,7 +85,7 @@ public static partial class ConvexQuery
     /// <summary>Asks both shapes for what they show along the normal.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static unsafe void AddPoints<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in SignedQuestion<NoPolytopeTrace> question, float maxGap,
+        ref TA a, in RigidPose poseA, ref TB b, in SignedQuestion<NoPolytopeTrace> question, float maxGap,
         ref ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -102,7 +103,11 @@ public static partial class ConvexQuery
 
         bool areFlat = cornersA.Count > 1 && cornersB.Count > 1;
         if (areFlat
-            && ContactBuilder.TryBuild(plane, cornersA, cornersB, poseA, maxGap, result.Distance, ref manifold)) return;
+            && ContactBuilder.TryBuild(
+                ref a, ref b, plane, cornersA, cornersB, poseA, maxGap, result.Distance, ref manifold))
+        {
+            return;
+        }
 
         long id = ContactFeature.Of(ContactFeature.OnlyCorner(cornersA), ContactFeature.OnlyCorner(cornersB));
         manifold.Add(

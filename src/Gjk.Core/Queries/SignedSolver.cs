@@ -35,6 +35,7 @@ internal static class SignedSolver
         if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
+        SideNormal.Sharpen(ref a, ref b, frame, ref state);
     }
 
     private static void SolveDepthFirst<TA, TB, TTrace>(

@@ -14,8 +14,7 @@ public readonly partial struct ConvexShape
         // Uneven factors make a margin part of a core that has no corners then.
         if (_parts.InnerMargin > 0 && !_scale.KeepsBalls) return;
         CoreFace(_isPlain ? direction : _scale.Inward(direction), ref corners);
-        if (_isPlain) return;
-        for (int i = 0; i < corners.Count; i++) corners[i] = _scale.Outward(corners[i]) + _centerError;
+        if (!_isPlain) _scale.Outward(ref corners, _centerError);
     }
 
     /// <summary>The face of the core before the scale, measured from the core's centre.</summary>

@@ -8,13 +8,11 @@ namespace Gjk.Core;
 /// </summary>
 internal static class PrimitiveFaces
 {
-    /// <summary>Count: a disc is shown by an octagon in it, at fixed angles, so that its ids stay.</summary>
-    private const int DiscCorners = 8;
-
-    private const double HalfRoot = 0.70710678118654752;
+    /// <summary>Cosines of a sixteenth, an eighth and three sixteenths of a turn.</summary>
+    private const double Cosine1 = 0.92387953251128674, HalfRoot = 0.70710678118654752, Cosine3 = 0.38268343236508977;
 
     /// <summary>The ids, after the disc's, of the ends of a line on a round side.</summary>
-    private const int UpperEnd = DiscCorners, LowerEnd = DiscCorners + 1;
+    private const int UpperEnd = FaceCorners.Capacity, LowerEnd = UpperEnd + 1;
 
     /// <summary>A box's face, its corners by their signs as in <see cref="BoxSupport"/>.</summary>
     public static void Box(in Vector3D half, in Vector3D direction, ref FaceCorners corners)
@@ -53,15 +51,15 @@ internal static class PrimitiveFaces
             return;
         }
 
-        // The corner opposite the edge that is left lies lowest.
-        double ha = Vector3D.Dot(a, direction), hb = Vector3D.Dot(b, direction), hc = Vector3D.Dot(c, direction);
-        int lowest = ha <= hb && ha <= hc ? 0 : hb <= hc ? 1 : 2;
-        Vector3D from = lowest == 0 ? b : a, to = lowest == 2 ? b : c;
-        bool isEdge = FaceTilt.IsLevelEdge(to - from, direction);
-        int id = PrimitiveSupport.Triangle(a, b, c, direction, out _);
-        if (lowest != 0 && (isEdge || id == 0)) corners.Add(a, 0);
-        if (lowest != 1 && (isEdge || id == 1)) corners.Add(b, 1);
-        if (lowest != 2 && (isEdge || id == 2)) corners.Add(c, 2);
+        // The more level of the two edges at the furthest corner, as for a hull.
+        int id = PrimitiveSupport.Triangle(a, b, c, direction, out Vector3D point);
+        Vector3D next = (id == 0 ? b : id == 1 ? c : a) - point, last = (id == 0 ? c : id == 1 ? a : b) - point;
+        bool isNext = FaceTilt.Rise(next, direction) <= FaceTilt.Rise(last, direction);
+        bool isEdge = FaceTilt.IsLevelEdge(isNext ? next : last, direction);
+        int end = !isEdge ? id : isNext ? (id + 1) % 3 : (id + 2) % 3;
+        if (id == 0 || end == 0) corners.Add(a, 0);
+        if (id == 1 || end == 1) corners.Add(b, 1);
+        if (id == 2 || end == 2) corners.Add(c, 2);
     }
 
     /// <summary>A cylinder's cap, or the line of its side that lies furthest.</summary>
@@ -77,7 +75,9 @@ internal static class PrimitiveFaces
 
         double x = radius * d.X / radial, z = radius * d.Z / radial;
         corners.Add(new Vector3D(x, halfHeight, z), UpperEnd);
-        if (halfHeight > 0) corners.Add(new Vector3D(x, -halfHeight, z), LowerEnd);
+        if (halfHeight == 0) return;
+        corners.Add(new Vector3D(x, -halfHeight, z), LowerEnd);
+        corners.SideRadius = radius;
     }
 
     /// <summary>A cone's base, or the line of its side that lies furthest.</summary>
@@ -106,18 +106,36 @@ internal static class PrimitiveFaces
         if (FaceTilt.IsLevelEdge(new Vector3D(rim.X, -height, rim.Z), d)) corners.Add(rim, LowerEnd);
     }
 
+    /// <summary>
+    /// A polygon in a disc, at fixed angles, so that its ids stay; contacts that share little of the disc put more
+    /// corners between these, which take the ids between theirs.
+    /// </summary>
     private static void Disc(double radius, double y, ref FaceCorners corners)
     {
-        double half = radius * HalfRoot;
-        corners.Add(new Vector3D(radius, y, 0), 0);
-        if (radius == 0) return;
-        corners.Add(new Vector3D(half, y, half), 1);
-        corners.Add(new Vector3D(0, y, radius), 2);
-        corners.Add(new Vector3D(-half, y, half), 3);
-        corners.Add(new Vector3D(-radius, y, 0), 4);
-        corners.Add(new Vector3D(-half, y, -half), 5);
-        corners.Add(new Vector3D(0, y, -radius), 6);
-        corners.Add(new Vector3D(half, y, -half), 7);
+        if (radius == 0)
+        {
+            corners.Add(new Vector3D(0, y, 0), 0);
+            return;
+        }
+
+        double a = radius * Cosine1, b = radius * HalfRoot, c = radius * Cosine3;
+        AddQuarter(radius, a, b, c, 0, new Vector3D(1, 0, 0), new Vector3D(0, 0, 1), y, ref corners);
+        AddQuarter(radius, a, b, c, 4, new Vector3D(0, 0, 1), new Vector3D(-1, 0, 0), y, ref corners);
+        AddQuarter(radius, a, b, c, 8, new Vector3D(-1, 0, 0), new Vector3D(0, 0, -1), y, ref corners);
+        AddQuarter(radius, a, b, c, 12, new Vector3D(0, 0, -1), new Vector3D(1, 0, 0), y, ref corners);
+        corners.IsDisc = true;
+    }
+
+    /// <summary>A quarter of a disc's corners, from one axis towards the next.</summary>
+    private static void AddQuarter(
+        double radius, double a, double b, double c, int first, in Vector3D from, in Vector3D to, double y,
+        ref FaceCorners corners)
+    {
+        var middle = new Vector3D(0, y, 0);
+        corners.Add(from * radius + middle, first * FaceCorners.DiscStep);
+        corners.Add(from * a + to * c + middle, (first + 1) * FaceCorners.DiscStep);
+        corners.Add(from * b + to * b + middle, (first + 2) * FaceCorners.DiscStep);
+        corners.Add(from * c + to * a + middle, (first + 3) * FaceCorners.DiscStep);
     }
 
     private static double HalfOf(in Vector3D half, int bit) => bit == 1 ? half.X : bit == 2 ? half.Y : half.Z;

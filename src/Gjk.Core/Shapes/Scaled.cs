@@ -86,7 +86,7 @@ public readonly struct Scaled<T> : ISupportMap, ISupportFace, IRayTarget, ITight
     {
         if (_inner.Margin > 0 && !_scale.KeepsBalls) return;
         FaceOf<T>.Get(_inner, _scale.Inward(direction), ref corners);
-        for (int i = 0; i < corners.Count; i++) corners[i] = _scale.Outward(corners[i]) + _centerError;
+        _scale.Outward(ref corners, _centerError);
     }
 
     /// <inheritdoc/>

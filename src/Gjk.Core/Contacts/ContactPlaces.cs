@@ -1,0 +1,279 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The places where two faces or edges lie opposite each other, with names that stay from frame to frame.
+/// </summary>
+/// <remarks>
+/// Of two faces these are the corners of what they share. Bodies that stand on each other share corners and edges but
+/// for their unrest: which of two such corners lies within the other face is a last bit, and a name must not follow it.
+/// So a corner that is nearer than a reach to the other's edge names the place, whichever way round they lie, and two
+/// corners nearer than that to each other name it together; what gets the same name is one place, the middle. Where
+/// edges cross that are as good as parallel there is none. The reach is a small part of the width that is shared, so
+/// that hardly any area is lost.
+/// </remarks>
+internal unsafe ref struct ContactPlaces
+{
+    /// <summary>Count: as many as corners, or the ends of what two edges share.</summary>
+    public const int Capacity = FeatureOverlap.Capacity;
+
+    /// <summary>
+    /// Length, as a fraction of the pair's size: what lies beside an edge by less is on it, so that equal faces and
+    /// parallel edges meet whatever rounding to float did to their poses. Pinned by ContactTests.
+    /// </summary>
+    public const double Slack = 4e-7;
+
+    /// <summary>Ratio: the slack is at most this part of the smaller feature. Four times more or less is as good.</summary>
+    private const double LeastPart = 1e-3;
+
+    /// <summary>
+    /// Ratio to the width that is shared: corners closer than this coincide. Four places that move by as much lose 3 %
+    /// of the largest area; a body at rest moves by 1e-3. Pinned by NameTests.
+    /// </summary>
+    private const double Reach = 1.0 / 200;
+
+    /// <summary>
+    /// Ratio of the width that is shared to a disc's: below the first 16 corners leave too much of the disc out, below
+    /// the second 32. Pinned by ContactAreaTests.
+    /// </summary>
+    private const double LittleOfDisc = 1, LeastOfDisc = 0.4;
+
+    /// <summary>Sine: edges that cross at less are as good as parallel. Pinned by NameTests.</summary>
+    private const double Parallel = 0.05;
+
+    private readonly ContactPlace* _places;
+    private readonly double _slack;
+    private double _reach;
+
+    /// <param name="memory">Room for <see cref="Capacity"/> places.</param>
+    /// <param name="a">What A shows.</param>
+    /// <param name="b">What B shows.</param>
+    /// <param name="size">Of the pair.</param>
+    public ContactPlaces(ContactPlace* memory, in FlatFeature a, in FlatFeature b, double size)
+    {
+        _places = memory;
+        _slack = Math.Min(Slack * size, LeastPart * Math.Min(a.Width(), b.Width()));
+        _reach = 0;
+        Count = 0;
+        a.JoinCorners(2 * _slack);
+        b.JoinCorners(2 * _slack);
+    }
+
+    /// <summary>How many there are.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Length: places closer than this are one.</summary>
+    public readonly double ReachAround => _reach;
+
+    /// <summary>Length: what lies beside a feature by less is on it.</summary>
+    public readonly double SlackAround => _slack;
+
+    /// <summary>A place; they run around what is shared.</summary>
+    public readonly ref ContactPlace this[int index] => ref _places[index];
+
+    /// <summary>Finds all places.</summary>
+    public void Find(ref FlatFeature a, ref FlatFeature b)
+    {
+        if (a.Count == 2 && b.Count == 2)
+        {
+            FindAlong(ref a, ref b);
+            return;
+        }
+
+        OverlapCorner* memory = stackalloc OverlapCorner[2 * FeatureOverlap.Capacity];
+        var overlap = new FeatureOverlap(memory, _slack);
+        bool areFaces = a.Count > 2 && b.Count > 2, isACut = areFaces ? a.Count >= b.Count : a.Count == 2;
+        do
+        {
+            if (isACut) overlap.Find(ref a, ref b);
+            else overlap.Find(ref b, ref a);
+        }
+        while (IsLittleOf(Measure(overlap, areFaces), ref a, ref b));
+        for (int i = 0; i < overlap.Count; i++)
+        {
+            ref OverlapCorner corner = ref overlap[i];
+            if (isACut) Add(corner, corner.Cut, corner.CutEdge, ref a, corner.Cutter, corner.CutterEdge, ref b);
+            else Add(corner, corner.Cutter, corner.CutterEdge, ref a, corner.Cut, corner.CutEdge, ref b);
+        }
+
+        for (int i = 0; i < Count; i++) _places[i].TakeMiddle();
+        RemoveFlat();
+    }
+
+    /// <summary>
+    /// Whether so little of a disc is shared that it was shown by too few corners; it gets more then.
+    /// </summary>
+    private static bool IsLittleOf(double width, ref FlatFeature a, ref FlatFeature b)
+    {
+        bool ofA = IsLittleOf(width, ref a), ofB = IsLittleOf(width, ref b);
+        if (ofA) a.Refine();
+        if (ofB) b.Refine();
+        return ofA || ofB;
+    }
+
+    private static bool IsLittleOf(double width, ref FlatFeature disc)
+    {
+        if (!disc.CanBeRefined) return false;
+        bool isFirst = disc.Count == FaceCorners.Capacity / FaceCorners.DiscStep;
+        return width < (isFirst ? LittleOfDisc : LeastOfDisc) * disc.Width();
+    }
+
+    /// <summary>How wide the overlap is, from its area and length: what the reach is a part of.</summary>
+    private double Measure(in FeatureOverlap overlap, bool isArea)
+    {
+        double area = 0, u = 0, v = 0, squared = 0;
+        int count = overlap.Count;
+        for (int i = 0; i < count; i++)
+        {
+            u += overlap[i].U / count;
+            v += overlap[i].V / count;
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            ref OverlapCorner p = ref overlap[i], q = ref overlap[i + 1 < count ? i + 1 : 0];
+            area += ((p.U - u) * (q.V - v) - (p.V - v) * (q.U - u)) / 2;
+            squared = Math.Max(squared, (p.U - u) * (p.U - u) + (p.V - v) * (p.V - v));
+        }
+
+        double length = 2 * Math.Sqrt(squared), width = isArea ? 2 * Math.Abs(area) / length : length;
+        _reach = Math.Max(width > 0 ? Reach * width : 0, 2 * _slack);
+        return width;
+    }
+
+    private void Add(
+        in OverlapCorner at, int cornerA, int edgeA, ref FlatFeature a, int cornerB, int edgeB, ref FlatFeature b)
+    {
+        var place = new ContactPlace { U = at.U, V = at.V, CornerA = cornerA, CornerB = cornerB, Count = 1 };
+        int nameA = cornerA >= 0 ? cornerA : cornerB < 0 ? NearEnd(ref a, edgeA, at.U, at.V) : -1;
+        int nameB = cornerB >= 0 ? cornerB : cornerA < 0 ? NearEnd(ref b, edgeB, at.U, at.V) : -1;
+        if (nameA >= 0 && nameB < 0) nameB = Nearest(ref b, a[nameA].U, a[nameA].V);
+        else if (nameB >= 0 && nameA < 0) nameA = Nearest(ref a, b[nameB].U, b[nameB].V);
+        if (nameA < 0 && nameB < 0)
+        {
+            place.Id = ContactFeature.Of(EdgeOf(ref a, edgeA), EdgeOf(ref b, edgeB));
+            place.IsFlat = Sine(ref a, edgeA, ref b, edgeB) <= Parallel;
+        }
+        else
+        {
+            place.Id = ContactFeature.Of(CornerOf(ref a, nameA), CornerOf(ref b, nameB));
+        }
+
+        for (int i = Count - 1; i >= 0; i--)
+        {
+            if (_places[i].Id != place.Id) continue;
+            _places[i].Join(place);
+            return;
+        }
+
+        _places[Count++] = place;
+    }
+
+    /// <summary>The end of an edge that is within reach of a place; -1 where neither is.</summary>
+    private readonly int NearEnd(ref FlatFeature feature, int edge, double u, double v)
+    {
+        int next = edge + 1 < feature.Count ? edge + 1 : 0;
+        double from = feature[edge].SquaredTo(u, v), to = feature[next].SquaredTo(u, v);
+        return !(Math.Min(from, to) <= _reach * _reach) ? -1 : from <= to ? edge : next;
+    }
+
+    /// <summary>The corner nearest a place, within reach; -1 where none is.</summary>
+    private readonly int Nearest(ref FlatFeature feature, double u, double v)
+    {
+        int nearest = -1;
+        double least = _reach * _reach;
+        for (int i = 0; i < feature.Count; i++)
+        {
+            double squared = feature[i].SquaredTo(u, v);
+            if (!(squared <= least)) continue;
+            least = squared;
+            nearest = i;
+        }
+
+        return nearest;
+    }
+
+    private static uint CornerOf(ref FlatFeature feature, int corner) =>
+        corner < 0 ? ContactFeature.None : ContactFeature.Corner(feature[corner].Id);
+
+    private static uint EdgeOf(ref FlatFeature feature, int edge) =>
+        ContactFeature.Edge(feature[feature.Count == 2 ? 0 : edge].Id);
+
+    private static double Sine(ref FlatFeature a, int edgeA, ref FlatFeature b, int edgeB)
+    {
+        if (a.Count == 2) edgeA = 0;
+        if (b.Count == 2) edgeB = 0;
+        return Math.Abs(a[edgeA].InwardU * b[edgeB].InwardV - a[edgeA].InwardV * b[edgeB].InwardU);
+    }
+
+    /// <summary>Takes away where nearly parallel edges cross, if the outline has no corner there to speak of.</summary>
+    private void RemoveFlat()
+    {
+        for (int i = Count - 1; i >= 0 && Count > 2; i--)
+        {
+            ref ContactPlace p = ref _places[i > 0 ? i - 1 : Count - 1], q = ref _places[i];
+            ref ContactPlace r = ref _places[i + 1 < Count ? i + 1 : 0];
+            if (!q.IsFlat) continue;
+            double u = r.U - p.U, v = r.V - p.V, area = (q.U - p.U) * v - (q.V - p.V) * u;
+            double along = (q.U - p.U) * u + (q.V - p.V) * v, squared = u * u + v * v;
+            if (!(area * area <= _reach * _reach * squared && along >= 0 && along <= squared)) continue;
+            for (int k = i; k + 1 < Count; k++) _places[k] = _places[k + 1];
+            Count--;
+        }
+    }
+
+    /// <summary>Two edges that are as good as parallel share a length: its two ends, between the one and the other.</summary>
+    private void FindAlong(ref FlatFeature a, ref FlatFeature b)
+    {
+        var shared = new SharedLength(a, b, _slack);
+        _reach = Math.Max(Reach * shared.Length, 2 * _slack);
+        if (!shared.IsThere) return;
+        AddEnd(shared, shared.Begin, ref a, ref b);
+        if (shared.Length > 2 * _reach) AddEnd(shared, shared.End, ref a, ref b);
+    }
+
+    private void AddEnd(in SharedLength shared, double along, ref FlatFeature a, ref FlatFeature b)
+    {
+        if (!shared.TryPlace(along, out ContactPlace place)) return;
+        place.Id = ContactFeature.Of(
+            CornerOf(ref a, shared.EndOfA(along, _reach)), CornerOf(ref b, shared.EndOfB(along, _reach)));
+        _places[Count++] = place;
+    }
+}
+
+/// <summary>A place in the plane across the normal where both shapes have a surface.</summary>
+internal struct ContactPlace
+{
+    /// <summary>Where it is.</summary>
+    public double U, V;
+
+    /// <summary>Its name.</summary>
+    public long Id;
+
+    /// <summary>How many corners it is the middle of.</summary>
+    public int Count;
+
+    /// <summary>The corner that it is exactly at; -1 where it is at none.</summary>
+    public int CornerA, CornerB;
+
+    /// <summary>Whether nearly parallel edges cross here.</summary>
+    public bool IsFlat;
+
+    /// <summary>Takes in another corner with the same name.</summary>
+    public void Join(in ContactPlace other)
+    {
+        U += other.U;
+        V += other.V;
+        Count++;
+        CornerA = -1;
+        CornerB = -1;
+    }
+
+    /// <summary>From the sum of its corners to their middle.</summary>
+    public void TakeMiddle()
+    {
+        U /= Count;
+        V /= Count;
+    }
+}

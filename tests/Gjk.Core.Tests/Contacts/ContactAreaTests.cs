@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+using static Gjk.Core.Tests.Support.Resting;
+
+namespace Gjk.Core.Tests.Contacts;
+
+/// <summary>The four points span nearly the largest area that four points of the overlap can.</summary>
+public class ContactAreaTests
+{
+    /// <summary>Ratio: an overlap that is narrower for its length is not counted.</summary>
+    private const double Narrow = 1e-4;
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void FourPointsSpanTheLargestAreaToWithinATwentieth(int kind)
+    {
+        var rng = new Rng((ulong)kind);
+        int count = 0;
+        for (int i = 0; i < Budget.Count(1500); i++)
+        {
+            (ConvexShape a, List<Vector2> faceA) = Face(kind, rng);
+            (ConvexShape b, List<Vector2> faceB) = i % 6 == 0 ? (a, faceA) : Face(i % 4, rng);
+            float turn = i % 4 == 0 ? 0 : rng.Float(0, 6.3), far = i % 3 == 0 ? 0.05f : 0.8f;
+            var pose = new RigidPose(
+                Quaternion.CreateFromAxisAngle(Vector3.UnitY, turn),
+                new Vector3(rng.Float(-far, far), 0.99f, rng.Float(-far, far)));
+            List<Vector2> placed =
+            [
+                .. faceB.Select(p => Vector3.Transform(new Vector3(p.X, 0, p.Y), pose.Rotation) + pose.Position)
+                    .Select(p => new Vector2(p.X, p.Z)),
+            ];
+            List<Vector2> shared = Shared(faceA, placed);
+            double length = shared.Count < 3 ? 0 : shared.Max(p => (double)Vector2.DistanceSquared(p, shared[0]));
+            if (!(length > 0 && AreaOf(shared) > Narrow * length)) continue;
+            ContactManifold m = Ask(a, RigidPose.Identity, b, pose, 0);
+            if (m.Normal.Y < 0.999f) continue;
+            count++;
+            double area = m.Count < 3 ? 0 : Area(m), best = Largest(shared);
+            Assert.True(
+                area >= 0.95 * best, $"{i}: {area / best:P1} by {m.Count}: {new QueryRecord(a, default, b, pose)}");
+        }
+
+        Assert.InRange(count, 300, int.MaxValue);
+    }
+
+    private static (ConvexShape Shape, List<Vector2> Face) Face(int kind, Rng rng)
+    {
+        float radius = rng.Float(0.1, 1);
+        if (kind == 0)
+        {
+            float x = rng.Float(0.05, 1), z = rng.Float(0.05, 1);
+            return (ConvexShape.Box(new Vector3(x, 0.5f, z)), [new(x, z), new(-x, z), new(-x, -z), new(x, -z)]);
+        }
+
+        if (kind == 1) return (ConvexShape.Cylinder(radius, 0.5f), Regular(96, radius));
+        List<Vector2> face = Regular(3 + rng.Below(60), radius);
+        if (kind == 3)
+        {
+            float width = rng.Float(0.1, 1);
+            face = [.. Enumerable.Range(0, 12).Select(_ => rng.Float(0, 6.28)).Order().Select(
+                angle => new Vector2(radius * MathF.Cos(angle), width * radius * MathF.Sin(angle)))];
+        }
+
+        return (ConvexShape.Mesh(
+            [.. face.SelectMany(p => new Vector3[] { new(p.X, 0.5f, p.Y), new(p.X, -0.5f, p.Y) })]), face);
+    }
+
+    private static List<Vector2> Regular(int count, float radius) =>
+    [
+        .. Enumerable.Range(0, count).Select(i => 2 * MathF.PI * i / count)
+            .Select(angle => new Vector2(radius * MathF.Cos(angle), radius * MathF.Sin(angle))),
+    ];
+
+    /// <summary>Cuts the one by the sides of the other; both run counter-clockwise.</summary>
+    private static List<Vector2> Shared(List<Vector2> polygon, List<Vector2> other)
+    {
+        if (AreaOf(other) < 0) other.Reverse();
+        for (int e = 0; e < other.Count && polygon.Count > 0; e++)
+        {
+            Vector2 from = other[e], to = other[(e + 1) % other.Count];
+            List<Vector2> cut = [];
+            for (int i = 0; i < polygon.Count; i++)
+            {
+                Vector2 p = polygon[i], q = polygon[(i + 1) % polygon.Count];
+                double inP = Cross(from, to, p), inQ = Cross(from, to, q);
+                if (inP >= 0) cut.Add(p);
+                if (inP >= 0 != inQ >= 0) cut.Add(p + (q - p) * (float)(inP / (inP - inQ)));
+            }
+
+            polygon = cut;
+        }
+
+        return polygon;
+    }
+
+    /// <summary>Of all four corners, by trying all diagonals.</summary>
+    private static double Largest(List<Vector2> p)
+    {
+        double largest = p.Count == 3 ? AreaOf(p) : 0;
+        for (int i = 0; i < p.Count; i++)
+        {
+            for (int k = i + 2; k < p.Count; k++)
+            {
+                IEnumerable<double> sides = p.Select(c => Cross(p[i], p[k], c));
+                largest = Math.Max(largest, (sides.Max() - sides.Min()) / 2);
+            }
+        }
+
+        return largest;
+    }
+
+    private static double AreaOf(List<Vector2> p) =>
+        p.Select((c, i) => Cross(p[0], c, p[(i + 1) % p.Count])).Sum() / 2;
+
+    private static double Cross(Vector2 p, Vector2 q, Vector2 r) =>
+        ((double)q.X - p.X) * ((double)r.Y - p.Y) - ((double)q.Y - p.Y) * ((double)r.X - p.X);
+}

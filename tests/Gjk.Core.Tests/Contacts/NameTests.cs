@@ -1,0 +1,136 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+using static Gjk.Core.Tests.Support.Resting;
+
+namespace Gjk.Core.Tests.Contacts;
+
+/// <summary>Names of contact points, and their order, stay while bodies at rest shiver.</summary>
+public class NameTests
+{
+    private static readonly ConvexShape Unit = ConvexShape.Box(new Vector3(0.5f));
+
+    /// <summary>Pairs of the same or of other faces, and how far the upper body is turned and moved.</summary>
+    public static TheoryData<string, string, float, float, float> Standing => new()
+    {
+        { "box", "box", 0, 0, 1e-3f },
+        { "box", "box", 0.3f, 0, 1e-3f },
+        { "box", "box", MathF.PI / 4, 0, 1e-3f },
+        { "box", "box", MathF.PI / 2, 0, 1e-3f },
+        { "box", "box", 0, 0.5f, 1e-3f },
+        { "floor", "box", 0.3f, 0.1f, 1e-3f },
+        { "rounded", "rounded", 0, 0, 1e-3f },
+        { "floor", "cylinder", 0.3f, 0, 1e-3f },
+        { "box", "cylinder", 0, 0, 1e-4f },
+        { "cylinder", "cylinder", 0, 0, 1e-3f },
+        { "cylinder", "cylinder", 0.2f, 0.1f, 1e-4f },
+        { "floor", "cone", 0.1f, 0, 1e-4f },
+        { "floor", "prism8", 0.2f, 0, 1e-4f },
+        { "prism8", "prism8", 0.07f, 0, 1e-4f },
+        { "floor", "prism12", 0.2f, 0, 1e-4f },
+        { "prism12", "prism12", 0, 0, 1e-4f },
+        { "prism16", "prism16", 0.07f, 0, 1e-4f },
+        { "floor", "prism64", 0.2f, 0, 1e-4f },
+        { "prism64", "prism64", 0, 0, 1e-4f },
+        { "prism64", "prism64", 0.07f, 0, 1e-4f },
+        { "prism100", "cylinder", 0.07f, 0, 1e-4f },
+    };
+
+    [Theory]
+    [MemberData(nameof(Standing))]
+    public void NamesAndTheirOrderStayUnderNoise(string below, string above, float yaw, float shift, float noise)
+    {
+        ConvexShape a = Shape(below), b = Shape(above);
+        var rng = new Rng(5);
+        long[] last = [];
+        int kept = 0, frames = 600;
+        for (int i = 0; i <= frames; i++)
+        {
+            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, yaw + rng.Float(-noise, noise))
+                * Quaternion.CreateFromYawPitchRoll(0, rng.Float(-noise, noise), rng.Float(-noise, noise));
+            var at = new Vector3(shift, 0.995f, shift / 2) + rng.Vector(-noise, noise);
+            long[] names = Names(Ask(a, RigidPose.Identity, b, new RigidPose(turn, at), 0.02f));
+            Assert.Equal(names.Length, names.Distinct().Count());
+            if (names.SequenceEqual(last)) kept++;
+            last = names;
+        }
+
+        Assert.InRange(kept, frames * 99 / 100, frames);
+    }
+
+    /// <summary>The sign of a last bit names no point.</summary>
+    [Fact]
+    public void EqualCubesHaveTheSameNamesAtAnyTinyTurn()
+    {
+        long[] Names(float yaw) => NameTests.Names(
+            Ask(
+                Unit, RigidPose.Identity, Unit,
+                new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitY, yaw), new Vector3(0, 0.999f, 0))));
+        long[] straight = Names(0);
+        Assert.Equal(4, straight.Length);
+        foreach (float yaw in new[] { 2e-6f, -3e-6f, 1e-4f, -1e-4f }) Assert.Equal(straight, Names(yaw));
+    }
+
+    /// <summary>
+    /// A name is made of a corner of each body where two coincide, of one body's where it lies on the other's face, and
+    /// of the two edges where they cross.
+    /// </summary>
+    [Fact]
+    public void ANameSaysWhatItIsMadeOf()
+    {
+        const uint Corner = 1, Edge = 2;
+        static uint Kind(long half) => (uint)half & 3;
+        (uint, uint)[] Kinds(float yaw, float half) =>
+        [
+            .. Names(
+                Ask(
+                    Unit, RigidPose.Identity, ConvexShape.Box(new Vector3(half, 0.5f, half)),
+                    new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitY, yaw), new Vector3(0, 0.999f, 0))))
+                .Select(id => (Kind(id >> 32), Kind(id))),
+        ];
+        Assert.All(Kinds(0, 0.5f), k => Assert.Equal((Corner, Corner), k));
+        Assert.All(Kinds(0, 0.25f), k => Assert.Equal((0u, Corner), k));
+        Assert.All(Kinds(0, 1), k => Assert.Equal((Corner, 0u), k));
+        Assert.All(Kinds(MathF.PI / 4, 0.5f), k => Assert.Equal((Edge, Edge), k));
+    }
+
+    [Fact]
+    public void NamesAreThoseOfTheExchangedPair()
+    {
+        var rng = new Rng(8);
+        for (int i = 0; i < 200; i++)
+        {
+            string[] names = ["box", "rounded", "cylinder", "prism8"];
+            ConvexShape a = Shape(names[i % 4]), b = Shape(names[i / 4 % 4]);
+            var pose = new RigidPose(
+                Quaternion.CreateFromAxisAngle(Vector3.UnitY, rng.Float(0, 6)),
+                new Vector3(rng.Float(-0.3, 0.3), 0.99f, rng.Float(-0.3, 0.3)));
+            ContactManifold m = Ask(a, RigidPose.Identity, b, pose), swapped = Ask(b, pose, a, RigidPose.Identity);
+            Assert.Equal(Names(m).Order(), Names(swapped.Swapped).Order());
+        }
+    }
+
+    private static long[] Names(ContactManifold m) => [.. Points(m).Select(p => p.FeatureId)];
+
+    private static ConvexShape Shape(string name) => name switch
+    {
+        "box" => Unit,
+        "floor" => ConvexShape.Box(new Vector3(5, 0.5f, 5)),
+        "rounded" => ConvexShape.Box(new Vector3(0.4f)).Rounded(0.1f),
+        "cylinder" => ConvexShape.Cylinder(0.5f, 0.5f),
+        "cone" => ConvexShape.Cone(0.5f, 0.5f),
+        _ => ConvexShape.Mesh(Prism(int.Parse(name["prism".Length..]))),
+    };
+
+    private static Vector3[] Prism(int sides) =>
+    [
+        .. Enumerable.Range(0, 2 * sides).Select(i =>
+        {
+            float angle = i / 2 * (2 * MathF.PI / sides);
+            return new Vector3(MathF.Cos(angle), i % 2 == 0 ? 1 : -1, MathF.Sin(angle)) / 2;
+        }),
+    ];
+}
