@@ -20,6 +20,8 @@ internal readonly struct HullCore : ISupportMap, ITightBounds
         _radius = radius;
     }
 
+    public ConvexHull Hull => _hull;
+
     public Vector3D Center => _hull.Center;
 
     public double Margin => _margin;

@@ -80,7 +80,7 @@ public static partial class AnswerCheck
         WitnessWalk walk = WitnessWalk.Of(ref a, ref b, pair, answer.Normal, least, most);
         if (!pair.IsValid || !(answer.IsOverlapping || HasBounds(answer.Status)))
             return new CheckedAnswer(CheckStatus.Open, walk.Lower, walk.Upper);
-        if (isDepth) walk.Lower = Math.Max(walk.Lower, WayOut(ref a, ref b, pair, answer, allowed));
+        if (isDepth) walk.Lower = Math.Max(walk.Lower, Leaving(ref a, ref b, pair, answer, allowed));
         bool isAtMost = isDepth && walk.Upper > most;
         AnswerClaims claims = default;
         claims.Add(
@@ -104,7 +104,7 @@ public static partial class AnswerCheck
     /// A lower bound of the signed distance: moved out along the normal and a little beyond, B has a distance again,
     /// and no signed distance changes by more than B moves.
     /// </summary>
-    private static double WayOut<TA, TB>(
+    private static double Leaving<TA, TB>(
         ref TA a, ref TB b, in PosedPair pair, in DistanceResult answer, double allowed)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

@@ -32,6 +32,9 @@ public sealed class ConvexHull
     /// </remarks>
     internal readonly int[] NeighborStart, Neighbors;
 
+    /// <summary>The corners of triangle i are those from 3 i on.</summary>
+    internal readonly int[] Triangles;
+
     /// <summary>Which corners can be furthest in a direction.</summary>
     internal readonly HullCells Cells;
 
@@ -58,11 +61,13 @@ public sealed class ConvexHull
     /// <summary>What it shows to rays; null where they are cast.</summary>
     internal readonly HullPlanes? Planes;
 
+    /// <summary>A ball of this radius about <see cref="Center"/> is inside; negative where that is outside.</summary>
+    internal readonly double InnerRadius;
+
     private const string NoPoints = "At least one point is needed.";
     private const string NegativeCount = "The list says that it has fewer than no points.";
 
     private readonly int[] _sources;
-    private readonly int[] _triangles;
 
     /// <summary>Builds the hull of a cloud.</summary>
     /// <param name="points">At least one; repeats and points inside are fine. Copied.</param>
@@ -82,7 +87,7 @@ public sealed class ConvexHull
         int count = mesh.Corners.Length;
         var corners = new Vector3[count];
         _sources = new int[count];
-        _triangles = mesh.Triangles;
+        Triangles = mesh.Triangles;
         for (int i = 0; i < count; i++)
         {
             corners[i] = cloud.Points[mesh.Corners[i]];
@@ -95,11 +100,12 @@ public sealed class ConvexHull
         Center = Vertices.Center;
         BoundingRadius = MeasureRadius();
         Cells = new HullCells(Vertices);
-        Faces = new HullFaces(this, new FaceRegions(corners, _triangles, Bounds));
+        Faces = new HullFaces(this, new FaceRegions(corners, Triangles, Bounds));
 #if NET
         Centered = Vertices.Centered();
 #endif
         Planes = HullPlanes.Of(this);
+        InnerRadius = HullInner.Radius(this);
         IsExactBox = Cells.Kind == HullCells.LookupKind.Box
             && Bounds.Max - Center == Cells.Stretch && Center - Bounds.Min == Cells.Stretch;
     }
@@ -116,7 +122,7 @@ public sealed class ConvexHull
     /// <summary>
     /// How many triangles the surface has. A flat polygon has both sides; a segment and a point have none.
     /// </summary>
-    public int TriangleCount => _triangles.Length / 3;
+    public int TriangleCount => Triangles.Length / 3;
 
     /// <summary>The smallest axis-aligned box around the hull.</summary>
     public Aabb Bounds { get; }
@@ -182,9 +188,9 @@ public sealed class ConvexHull
     {
         if (index < 0 || index >= TriangleCount)
             throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
-        a = _triangles[3 * index];
-        b = _triangles[3 * index + 1];
-        c = _triangles[3 * index + 2];
+        a = Triangles[3 * index];
+        b = Triangles[3 * index + 1];
+        c = Triangles[3 * index + 2];
     }
 
     /// <summary>

@@ -168,12 +168,13 @@ public static partial class ConvexQuery
             }
             else if (frame.IsOrdinary)
             {
-                Solve(ref a, ref b, frame, poseA, ref state);
+                Solve(ref a, ref b, frame, default, poseA, ref state);
             }
             else
             {
                 ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-                Solve(ref unitA, ref unitB, frame, poseA, ref state);
+                PairForm.Look(ref a, ref b, frame, out PairForm form);
+                Solve(ref unitA, ref unitB, frame, form, poseA, ref state);
             }
 
             bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
@@ -185,11 +186,11 @@ public static partial class ConvexQuery
         }
 
         private void Solve<TA, TB>(
-            ref TA a, ref TB b, in PairFrame frame, in RigidPose poseA, ref SolverState state)
+            ref TA a, ref TB b, in PairFrame frame, in PairForm form, in RigidPose poseA, ref SolverState state)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            SignedSolver.Solve(ref a, ref b, frame, ref WarmStart, _isWarm, ref state, ref Trace);
+            SignedSolver.Solve(ref a, ref b, frame, form, ref WarmStart, _isWarm, ref state, ref Trace);
             if (_wantsTouch && state.IsCurved && state.Verdict == Verdict.Apart)
                 Touch(ref a, ref b, frame, poseA, state);
         }

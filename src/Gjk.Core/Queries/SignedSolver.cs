@@ -25,32 +25,29 @@ internal static class SignedSolver
     /// <summary>Solves from the warm start, if there is one, and keeps where it ended.</summary>
     /// <remarks>The trace is told of the search for the depth alone; <c>Explain</c> tells of the distance.</remarks>
     public static void Solve<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, bool isWarm, ref SolverState state,
-        ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref WarmStart warmStart, bool isWarm,
+        ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
-        if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
-        else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
+        if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, form, warmStart, isWarm, ref state, ref trace);
+        else SolveDistanceFirst(ref a, ref b, frame, form, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
         SideNormal.Sharpen(ref a, ref b, frame, ref state);
     }
 
     private static void SolveDepthFirst<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm, ref SolverState state,
-        ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, in WarmStart warmStart, bool isWarm,
+        ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         PairSize size = state.Size;
-        if (trace.IsOn) TellBoxes(ref a, ref b, frame, state, ref trace);
-        DepthVerdict depth =
-            BoxOf<TA>.TryGet(ref a, out BoxCore boxA) && BoxOf<TB>.TryGet(ref b, out BoxCore boxB)
-                ? BoxDepth.Solve(boxA.Half.Xyz, boxB.Half.Xyz, frame, ref state)
-                : GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
+        DepthVerdict depth = SolveDepth(ref a, ref b, frame, form, ref state, ref trace);
+
         // Within the band either answer could be rounding.
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
         bool isKnown = depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided;
@@ -75,8 +72,8 @@ internal static class SignedSolver
     }
 
     private static void SolveDistanceFirst<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm, ref SolverState state,
-        ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, in WarmStart warmStart, bool isWarm,
+        ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
@@ -87,7 +84,7 @@ internal static class SignedSolver
         Simplex common = state.Simplex;
         Weights weights = state.Weights;
         state.Feature.Normal = frame.FirstNormal;
-        DepthVerdict depth = GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
+        DepthVerdict depth = SolveDepth(ref a, ref b, frame, form, ref state, ref trace);
         if (depth != DepthVerdict.Flat && depth != DepthVerdict.Apart)
         {
             Settle(ref state, depth);
@@ -103,18 +100,64 @@ internal static class SignedSolver
     }
 
     /// <summary>
-    /// Boxes are answered by separating axes, which have no surface to tell of, so one is grown for the trace alone.
+    /// Asks the search that is made for the pair, or else the general one. The state gets the weights of the way's end
+    /// where the depth is known.
     /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void TellBoxes<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, SolverState state, ref TTrace trace)
+    private static DepthVerdict SolveDepth<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, PairForm form, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        if (BoxOf<TA>.TryGet(ref a, out _) && BoxOf<TB>.TryGet(ref b, out _))
-            GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
+        var verdict = DepthVerdict.Undecided;
+        if (frame.Margins == 0 && BoxOf<TA>.TryGet(ref a, out BoxCore boxA)
+            && BoxOf<TB>.TryGet(ref b, out BoxCore boxB))
+        {
+            if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
+            verdict = BoxDepth.Solve(boxA.Half.Xyz, boxB.Half.Xyz, frame, ref state);
+        }
+        else if (MayBeRound<TA>() && MayBeRound<TB>())
+        {
+            if (!form.IsKnown) PairForm.Look(ref a, ref b, frame, out form);
+            if (form.Way.IsKnown)
+            {
+                if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
+                verdict = AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state);
+                if (verdict != DepthVerdict.Undecided) return verdict;
+            }
+        }
+
+        if (verdict == DepthVerdict.Undecided) verdict = GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
+        if (verdict == DepthVerdict.Undecided) return SolveLarge(ref a, ref b, frame, form, ref state);
+        if (verdict == DepthVerdict.Enclosed) state.Weights = ClosestPointWeights.Of(state.Simplex);
+        return verdict;
     }
+
+    /// <summary>What the general search has no room for.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static DepthVerdict SolveLarge<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, PairForm form, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (!form.IsKnown) PairForm.Look(ref a, ref b, frame, out form);
+        return form.AreFaceted
+            ? HullDepth.Solve(ref a, ref b, frame, form, ref state)
+            : DepthCells.Solve(ref a, ref b, frame, ref state);
+    }
+
+    /// <summary>Whether the type may be that of a round body; the meshes' core is not, and costs no look.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool MayBeRound<T>() => typeof(T) != typeof(HullCore) && typeof(T) != typeof(BoxCore);
+
+    /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Tell<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, SolverState state, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace =>
+        GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
 
     /// <summary>Puts the warm start's simplex and normal, or the cold query's, into the state.</summary>
     private static void Begin<TA, TB>(
@@ -136,7 +179,6 @@ internal static class SignedSolver
             return;
         }
 
-        state.Weights = ClosestPointWeights.Of(state.Simplex);
         state.Verdict = depth == DepthVerdict.Enclosed ? Verdict.Apart : Verdict.Undecided;
     }
 

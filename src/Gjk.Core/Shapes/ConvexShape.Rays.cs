@@ -8,7 +8,8 @@ public readonly partial struct ConvexShape
     internal bool TryGetTarget(out RayTarget target)
     {
         bool found = _parts.Layer is null ? TryGetCore(out target) : _parts.Layer.TryGetTarget(out target);
-        return found && target.Round(_parts.Rounding);
+        target.Round(_parts.Rounding);
+        return found;
     }
 
     /// <summary>What a ray sees of a shape without layers, not yet widened.</summary>

@@ -15,6 +15,9 @@ internal struct RayTarget
     /// <summary>Whether <see cref="Factors"/> are to be applied, and whether <see cref="Turn"/> is.</summary>
     public bool IsScaled, IsPlaced;
 
+    /// <summary>Whether the body has a margin that its form does not have; no ray has a closed form then.</summary>
+    public bool IsRounded;
+
     /// <summary>Its numbers, as the form has them.</summary>
     public Vector3D A, B, C;
 
@@ -53,7 +56,7 @@ internal struct RayTarget
     /// <returns>False where that leaves no body of these forms.</returns>
     public bool Scale(in AxisScale scale)
     {
-        if (IsPlaced) return false;
+        if (IsPlaced || (IsRounded && !scale.KeepsBalls)) return false;
         Vector3D size = new(Math.Abs(scale.Factors.X), Math.Abs(scale.Factors.Y), Math.Abs(scale.Factors.Z));
         switch (Form)
         {
@@ -80,13 +83,10 @@ internal struct RayTarget
     }
 
     /// <summary>Widens the body.</summary>
-    /// <returns>False where that leaves no body of these forms.</returns>
-    public bool Round(double radius)
+    public void Round(double radius)
     {
-        if (radius == 0) return true;
-        if (IsScaled || !(Form is RayForm.Ball or RayForm.Capsule)) return false;
-        Radius += radius;
-        return true;
+        if (!IsScaled && (Form is RayForm.Ball or RayForm.Capsule)) Radius += radius;
+        else IsRounded |= radius > 0;
     }
 
     /// <summary>Turns the body; the centre is the caller's to place.</summary>

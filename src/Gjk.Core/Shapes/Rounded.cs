@@ -37,7 +37,9 @@ public readonly struct Rounded<T> : ISupportMap, ISupportFace, IRayTarget
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
         T inner = _inner;
-        return RayTargetOf<T>.TryGet(ref inner, out target) && target.Round(_radius);
+        bool found = RayTargetOf<T>.TryGet(ref inner, out target);
+        target.Round(_radius);
+        return found;
     }
 
     /// <inheritdoc/>

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -28,53 +27,70 @@ internal unsafe partial struct Polytope
     /// <summary>A face that is not there.</summary>
     private const double Gone = double.PositiveInfinity;
 
-    private const int DoublesPerVertex = 10, DoublesPerFace = 6;
+    /// <summary>No face.</summary>
+    private const ushort None = ushort.MaxValue;
+
+    private const int DoublesPerVertex = 10, DoublesPerFace = 5, DoublesPerCut = 3;
+
+    /// <summary>A rim has at most two edges more than there are faces taken away.</summary>
+    private const int RimSpare = 4;
 
     private readonly PolytopeVertex* _vertices;
     private readonly PolytopeFace* _faces;
     private readonly double* _heights;
+    private readonly Vector3D* _cuts;
 
     /// <summary>
     /// Faces still to be looked across; free ones; the rim's outer edges; by vertex, a new face that begins there; by
     /// face, another one that begins where it does.
     /// </summary>
-    private readonly int* _stack, _free, _rim, _fan, _sameFan;
+    private readonly ushort* _stack, _free, _rim, _fan, _sameFan;
 
     private readonly int _mostVertices, _mostFaces;
     private double _noise, _level;
-    private int _vertexCount, _faceCount, _freeCount;
+    private int _vertexCount, _faceCount, _freeCount, _cutCount;
+    private bool _isOpen;
 
     /// <summary>A polytope without vertices.</summary>
     /// <param name="memory">As many doubles as <see cref="Doubles"/> says.</param>
-    /// <param name="mostVertices">How many vertices it has room for.</param>
+    /// <param name="mostVertices">How many vertices it has room for; at most 8,000, so that 16 bits number all.</param>
     public Polytope(double* memory, int mostVertices)
     {
         _mostVertices = mostVertices;
         _mostFaces = 2 * mostVertices;
         _noise = _level = 0;
-        _vertexCount = _faceCount = _freeCount = 0;
+        _vertexCount = _faceCount = _freeCount = _cutCount = 0;
+        _isOpen = false;
         _vertices = (PolytopeVertex*)memory;
         memory += DoublesPerVertex * mostVertices;
         _faces = (PolytopeFace*)memory;
         memory += DoublesPerFace * _mostFaces;
         _heights = memory;
-        _stack = (int*)(memory + _mostFaces);
+        _cuts = (Vector3D*)(memory + _mostFaces);
+        _stack = (ushort*)(_cuts + MostCuts);
         _free = _stack + _mostFaces;
         _rim = _free + _mostFaces;
-        _sameFan = _rim + 2 * _mostFaces;
+        _sameFan = _rim + _mostFaces + RimSpare;
         _fan = _sameFan + _mostFaces;
-        for (int i = 0; i < mostVertices; i++) _fan[i] = -1;
+        for (int i = 0; i < mostVertices + MostCuts; i++) _fan[i] = None;
     }
 
     /// <summary>How much memory a polytope of so many vertices needs.</summary>
-    public static int Doubles(int mostVertices) =>
-        (DoublesPerVertex + 2 * (DoublesPerFace + 1)) * mostVertices + (2 * 5 * mostVertices + mostVertices + 1) / 2;
+    public static int Doubles(int mostVertices)
+    {
+        int numbers = 2 * 4 * mostVertices + RimSpare + mostVertices + MostCuts;
+        return (DoublesPerVertex + 2 * (DoublesPerFace + 1)) * mostVertices + DoublesPerCut * MostCuts
+            + (numbers + 3) / 4;
+    }
 
     /// <summary>How many faces there are or have been; some may be gone.</summary>
     public readonly int FaceCount => _faceCount;
 
+    /// <summary>False after an expansion that found no room: nothing is proved by the faces then.</summary>
+    public readonly bool IsClosed => !_isOpen;
+
     /// <summary>Whether there is room for another vertex.</summary>
-    public readonly bool HasRoom => _vertexCount < _mostVertices;
+    public readonly bool HasRoom => _vertexCount + _cutCount < _mostVertices;
 
     public readonly ref PolytopeVertex Vertex(int index) => ref _vertices[index];
 
@@ -157,9 +173,10 @@ internal unsafe partial struct Polytope
     /// <returns>False when there is no room; the surface is then no longer closed.</returns>
     public bool TryExpand(int face, int vertex, double lowest)
     {
-        int rim = TakeAway(face, _vertices[vertex].W);
-        if (rim - _freeCount > _mostFaces - _faceCount) return false;
-        int* added = _stack;
+        int rim = TakeAway(face, vertex);
+        _isOpen = rim - _freeCount > _mostFaces - _faceCount;
+        if (_isOpen) return false;
+        ushort* added = _stack;
         for (int i = 0; i < rim; i++)
         {
             int twin = _rim[i], outer = twin >> 2, edge = twin & 3, made = NewFace();
@@ -167,15 +184,15 @@ internal unsafe partial struct Polytope
             SetFace(made, from, to, vertex, _faces[outer].Normal);
             Join(made, 0, outer, edge);
             _sameFan[made] = _fan[from];
-            _fan[from] = made;
-            added[i] = made;
+            _fan[from] = added[i] = (ushort)made;
             if (_heights[made] < lowest && lowest > 0) Raise(made);
         }
 
         for (int i = 0; i < rim; i++)
         {
             int to = _faces[added[i]].Vertices[1], next = _fan[to];
-            if (next < 0) return false;
+            _isOpen = next == None;
+            if (_isOpen) return false;
             _fan[to] = _sameFan[next];
             Join(added[i], 1, next, 2);
         }
@@ -187,24 +204,28 @@ internal unsafe partial struct Polytope
     /// Takes away the face and all that can be reached from it across edges and that the point lies above too.
     /// </summary>
     /// <returns>How many edges the rim has.</returns>
-    private int TakeAway(int face, in Vector3D point)
+    private int TakeAway(int face, int vertex)
     {
         int height = 0, rim = 0;
-        _stack[height++] = face;
+        bool isDirection = IsDirection(vertex);
+        Vector3D point = isDirection ? _cuts[vertex - _mostVertices] : _vertices[vertex].W;
+        double noise = isDirection ? CutNoise : _noise;
+        _stack[height++] = (ushort)face;
         _heights[face] = Gone;
         while (height > 0)
         {
             int taken = _stack[--height];
-            _free[_freeCount++] = taken;
+            _free[_freeCount++] = (ushort)taken;
             for (int k = 0; k < 3; k++)
             {
-                int twin = _faces[taken].Twins[k], other = twin >> 2;
+                ushort twin = _faces[taken].Twins[k];
+                int other = twin >> 2;
                 double otherHeight = _heights[other];
                 if (otherHeight == Gone) continue;
-                if (Vector3D.Dot(_faces[other].Normal, point) - otherHeight > _noise)
+                if (Vector3D.Dot(_faces[other].Normal, point) - (isDirection ? 0 : otherHeight) > noise)
                 {
                     _heights[other] = Gone;
-                    _stack[height++] = other;
+                    _stack[height++] = (ushort)other;
                 }
                 else
                 {
@@ -225,71 +246,7 @@ internal unsafe partial struct Polytope
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly void Join(int face, int edge, int other, int otherEdge)
     {
-        _faces[face].Twins[edge] = other << 2 | otherEdge;
-        _faces[other].Twins[otherEdge] = face << 2 | edge;
-    }
-
-    /// <summary>Writes a face; its twins are still to be joined.</summary>
-    /// <param name="index">Where.</param>
-    /// <param name="a">A vertex.</param>
-    /// <param name="b">The next one.</param>
-    /// <param name="c">The last one.</param>
-    /// <param name="beside">The normal of the face across the edge from a to b.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void SetFace(int index, int a, int b, int c, in Vector3D beside)
-    {
-        ref PolytopeFace face = ref _faces[index];
-        face.Vertices[0] = (ushort)a;
-        face.Vertices[1] = (ushort)b;
-        face.Vertices[2] = (ushort)c;
-        Vector3D p = _vertices[a].W, q = _vertices[b].W, r = _vertices[c].W;
-        Vector3D normal = Vector3D.Cross(q - p, r - p);
-        double squared = normal.LengthSquared;
-        normal *= 1 / Math.Sqrt(squared);
-        double least = Heights(normal, p, q, r, out double most);
-        if (!(most - least <= _level)) least = Mend(p, q, r, beside, ref normal);
-        face.Normal = normal;
-        _heights[index] = least;
-    }
-
-    /// <summary>
-    /// Turns a face's normal to its point that is nearest the origin, along which its height is the most. A new face
-    /// lies with the vertex and a face that was taken away on one side of a plane, so it is no nearer the origin than
-    /// that one was; where its height is less, its own normal is rounding, as between vertices that nearly coincide.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private readonly void Raise(int index)
-    {
-        ref PolytopeFace face = ref _faces[index];
-        Vector3D p = _vertices[face.Vertices[0]].W, q = _vertices[face.Vertices[1]].W;
-        Vector3D r = _vertices[face.Vertices[2]].W;
-        Vector3D nearest = ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default);
-        Vector3D normal = nearest * (1 / nearest.Length);
-        double height = Heights(normal, p, q, r, out _);
-        if (!(height > _heights[index])) return;
-        face.Normal = normal;
-        _heights[index] = height;
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Heights(in Vector3D normal, in Vector3D p, in Vector3D q, in Vector3D r, out double most)
-    {
-        double a = Vector3D.Dot(normal, p), b = Vector3D.Dot(normal, q), c = Vector3D.Dot(normal, r);
-        double larger = a > b ? a : b, smaller = a < b ? a : b;
-        most = larger > c ? larger : c;
-        return smaller < c ? smaller : c;
-    }
-
-    /// <summary>
-    /// The normal of a needle, in 106 bits; where even that is none, that of the neighbour. Returns the height.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static double Mend(in Vector3D p, in Vector3D q, in Vector3D r, in Vector3D beside, ref Vector3D normal)
-    {
-        VectorDD origin = p;
-        var cross = (Vector3D)VectorDD.Cross((VectorDD)q - origin, (VectorDD)r - origin);
-        double length = cross.Length;
-        normal = length > 0 ? cross * (1 / length) : beside;
-        return Heights(normal, p, q, r, out _);
+        _faces[face].Twins[edge] = (ushort)(other << 2 | otherEdge);
+        _faces[other].Twins[otherEdge] = (ushort)(face << 2 | edge);
     }
 }

@@ -21,5 +21,5 @@ internal unsafe struct PolytopeFace
     /// What lies across the edge from vertex k to the next: the other face's number times 4, plus the number of the
     /// edge there.
     /// </summary>
-    public fixed int Twins[3];
+    public fixed ushort Twins[3];
 }

@@ -39,6 +39,14 @@ internal struct DepthBounds
         Below = double.NegativeInfinity,
     };
 
+    /// <summary>What a search has left in a state.</summary>
+    public static DepthBounds Of(in SolverState state) => new()
+    {
+        Normal = -state.Feature.Normal,
+        Above = -state.Plane.Value,
+        Below = -state.Feature.Height,
+    };
+
     /// <summary>Takes note of what a direction costs; the first of equally cheap ones stays.</summary>
     public void See(in Vector3D normal, double height)
     {

@@ -33,39 +33,20 @@ namespace Gjk.Core;
 /// </remarks>
 internal static unsafe class GjkDepth
 {
-    /// <summary>Count: vertices of most pairs; 56 kilobytes of stack.</summary>
-    private const int FewVertices = 256;
-
-    /// <summary>
-    /// Count: vertices that hulls of hundreds of corners can need when they lie in each other; 220 kilobytes of stack.
-    /// </summary>
-    private const int ManyVertices = 1024;
+    /// <summary>Count: vertices that there is room for; 40 kilobytes of stack. Pinned by StackTests.</summary>
+    public const int Room = 208;
 
     /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
+    /// <remarks>Its stack is given back when it returns.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static DepthVerdict Solve<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        DepthVerdict verdict = SolveWithin(FewVertices, ref a, ref b, frame, ref state, ref trace);
-
-        // The second search begins at the face that the first one ended at.
-        return verdict == DepthVerdict.Undecided
-            ? SolveWithin(ManyVertices, ref a, ref b, frame, ref state, ref trace)
-            : verdict;
-    }
-
-    /// <summary>Its stack is given back when it returns, so the two sizes are never held at once.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict SolveWithin<TA, TB, TTrace>(
-        int vertices, ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TTrace : struct, IPolytopeTrace
-    {
-        double* memory = stackalloc double[Polytope.Doubles(vertices)];
-        var polytope = new Polytope(memory, vertices);
+        double* memory = stackalloc double[Polytope.Doubles(Room)];
+        var polytope = new Polytope(memory, Room);
         return Expand(ref a, ref b, frame, ref state, ref polytope, ref trace);
     }
 

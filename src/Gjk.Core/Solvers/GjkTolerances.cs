@@ -128,6 +128,13 @@ internal static class GjkTolerances
     public const double DepthNoiseCurved = 2e-7;
 
     /// <summary>
+    /// The same where the search has to divide its surface into cells. The supports that it takes grow with one over
+    /// this, or with its root; nine tenths of the promise, whose scale is this one's size over 1.74. A
+    /// quarter of it only takes more of them. Pinned by HullDepthTests.
+    /// </summary>
+    public const double DepthCellNoiseCurved = 5e-7;
+
+    /// <summary>
     /// Length: a Minkowski difference that is thinner has no inside; eight times the level that its faces are kept to.
     /// A depth of half of it is below the promised 1e-14 of the scale (proofs/flat.g). Pinned by
     /// DepthToleranceTests.AThinDifferenceHasNoInside.

@@ -12,13 +12,12 @@ public static class GoldenHashes
     public static readonly IReadOnlyDictionary<string, string> All = new Dictionary<string, string>
     {
         ["distances"] = "533df80e35cd6025",
-        ["depths"] = "c7ab17cf145b9ea6",
-        ["contacts"] = "1c4b41f969ba4b03",
-        ["casts"] = "39159121f13f5fe0",
-        ["impacts"] = "bcffe15aa874ff62",
-        ["rays"] = "cc035761d7ecbf2d",
-        ["shapes"] = "a2fd6bcbbda5f628",
-        ["batches"] = "fa189d073c2db4ba",
-        ["scenes"] = "9b076e6d774d54ac",
+        ["depths"] = "ae978d1d82c9e9c6",
+        ["contacts"] = "08349d9c796b97c1",
+        ["casts"] = "0c2574f0ce9d9562",
+        ["impacts"] = "37d05805bedaf4c6",
+        ["rays"] = "c5d3aedc05127f04",
+        ["shapes"] = "a01523d40c75a8b0",
+        ["scenes"] = "94e988fdb567841f",
     };
 }

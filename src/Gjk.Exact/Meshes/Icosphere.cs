@@ -25,7 +25,7 @@ public static class Icosphere
     }
 
     /// <summary>Every new point is the normalised middle of an edge, all in float.</summary>
-    private static Vector3[] InFloat(int times)
+    public static Vector3[] InFloat(int times)
     {
         List<Vector3> triangles = Corners(v => Vector3.Normalize((Vector3)v));
         for (int i = 0; i < times; i++) triangles = Split(triangles, (a, b) => Vector3.Normalize((a + b) * 0.5f));

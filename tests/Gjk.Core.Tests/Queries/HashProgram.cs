@@ -14,8 +14,10 @@ internal static class HashProgram
 {
     public const string Command = "hash";
 
+    /// <summary>The one entry point of the assembly, also for <see cref="StackProgram"/>.</summary>
     public static int Main(string[] args)
     {
+        if (args is [StackProgram.Command]) return StackProgram.Run();
         if (args is not [Command, .. string[] names]) return 2;
         GoldenRun run = Read();
         Console.WriteLine(

@@ -1,8 +1,7 @@
-using System;
-using System.Diagnostics;
 using System.Linq;
 using System.Runtime.Intrinsics;
 using System.Threading.Tasks;
+using Gjk.Core.Tests.Support;
 using Gjk.Exact.Cases;
 
 namespace Gjk.Core.Tests.Queries;
@@ -13,8 +12,6 @@ namespace Gjk.Core.Tests.Queries;
 /// </summary>
 public class SameBitsTests
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(3);
-
     /// <summary>All hashes, where the library takes other ways; elsewhere that of the distances will do.</summary>
     private static readonly string[] All = [.. GoldenHashes.All.Keys], Distances = ["distances"];
 
@@ -58,23 +55,6 @@ public class SameBitsTests
 
     private static string Golden(string[] names) => string.Join(' ', names.Select(n => GoldenHashes.All[n]));
 
-    /// <summary>
-    /// The last line that this assembly prints when it is run as a program under a switch of the runtime.
-    /// </summary>
-    private static string Child(string option, string value, string[] names)
-    {
-        var start = new ProcessStartInfo(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet")
-        {
-            ArgumentList = { "exec", typeof(SameBitsTests).Assembly.Location, HashProgram.Command },
-            RedirectStandardOutput = true,
-            Environment = { ["DOTNET_" + option] = value },
-        };
-        foreach (string name in names) start.ArgumentList.Add(name);
-        using Process child = Process.Start(start)!;
-        string text = child.StandardOutput.ReadToEnd().Trim();
-        bool ended = child.WaitForExit(Patience);
-        if (!ended) child.Kill(entireProcessTree: true);
-        Assert.True(ended && child.ExitCode == 0, $"{option}={value}: the child failed.");
-        return text;
-    }
+    private static string Child(string option, string value, string[] names) =>
+        ChildProcess.Run(option, value, [HashProgram.Command, .. names]);
 }

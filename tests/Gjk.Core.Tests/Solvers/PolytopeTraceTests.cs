@@ -56,18 +56,16 @@ public class PolytopeTraceTests
         Assert.Equal((PolytopeOutcome.BoundsMet, 0.5, 0.5), (last.Outcome, last.Below, last.Above));
     }
 
+    /// <summary>The surface is told to its end; what was found without one afterwards is not.</summary>
     [Fact]
-    public void ASearchWithoutRoomBeginsAnewWithMore()
+    public void ASearchWithoutRoomSaysSoOnce()
     {
         ConvexShape ball = ConvexShape.Ellipsoid(new(1, 0.999f, 0.998f));
         var trace = new Recorder();
         DistanceResult r = ConvexQuery.ExplainDepth(ball, RigidPose.Identity, ball, RigidPose.Identity, ref trace);
-        Assert.Equal(GjkStatus.IterationLimit, r.Status);
-        Step[] ends = [.. trace.Steps.Where(s => s.Outcome != PolytopeOutcome.Grows)];
-        Assert.Equal(2, ends.Length);
-        Assert.All(ends, s => Assert.Equal((PolytopeOutcome.OutOfRoom, 0), (s.Outcome, s.FaceCount)));
-        Assert.True(ends[0].Room < ends[1].Room);
-        Assert.Equal(r.Distance, (float)-ends[1].Below);
+        Step end = Assert.Single(trace.Steps, s => s.Outcome != PolytopeOutcome.Grows);
+        Assert.Equal((PolytopeOutcome.OutOfRoom, 0), (end.Outcome, end.FaceCount));
+        Assert.InRange(-r.Distance, (float)end.Below, (float)end.Above);
     }
 
     [Fact]

@@ -93,6 +93,10 @@ internal sealed class TestShape
         return new(text, scaled, vertices, margin, extent) { Reach = reach };
     }
 
+    /// <summary>A curved shape with something around it that makes no side longer than its own margin does.</summary>
+    public TestShape Decorated(Func<ConvexShape, ConvexShape> by, string text) =>
+        new($"{Text}.{text}", by(Shape), null, 0, new Vector3D(1, 1, 1) * (LongestSide + 2 * by(Shape).Margin));
+
     public override string ToString() => Text;
 
     public static Vector3[] Corners(Vector3 h) =>

@@ -65,7 +65,7 @@ internal static class RayCaster
         in RayTarget target, double radius, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
     {
         hit = default;
-        if (!(radius >= LeastRadius && radius <= MostRadius)) return false;
+        if (target.IsRounded || !(radius >= LeastRadius && radius <= MostRadius)) return false;
         Vector3D between = (Vector3D)line.Origin - pose.Position;
         if (target.Form == RayForm.Ball && target.Center.SumOfMagnitudes == 0)
             return TryCastBall(target.Radius, pose, between, line, ref hit);

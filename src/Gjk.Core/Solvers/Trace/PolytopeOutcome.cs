@@ -16,7 +16,7 @@ public enum PolytopeOutcome
     Flat,
 
     /// <summary>
-    /// There was no room for another point. If the room was the smaller of two, the search begins anew with the larger.
+    /// There was no room for another point. The query asks another search then, which has no surface to tell of.
     /// </summary>
     OutOfRoom,
 

@@ -1,0 +1,66 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The surface's normal where an ellipsoid is nearest a point, by the root of one equation (Eberly, "Distance from a
+/// point to an ellipse, an ellipsoid, or a hyperellipsoid", 2013).
+/// </summary>
+/// <remarks>
+/// <para>
+/// The nearest point x and the given one p satisfy p = x + t n with n = x / r², for each axis by itself. So x / r = z ρ
+/// / (u + ρ - 1) with z = p / r, ρ the squared ratio of the radius to the least one, and one unknown u = 1 + t / r² of
+/// that one; and x lies on the surface: the squares add up to 1. Of all roots the largest belongs to the nearest point.
+/// </para>
+/// <para>
+/// Two things differ from the source. The unknown is u, which is 0 and not -1 at the worst, so that nothing cancels
+/// there. And Newton's step takes the place of bisection: the sum is convex and falls, so that steps from the left
+/// never pass the root, and they end when rounding stops them. Where the point lies in the plane across the shortest
+/// axis and the sum is too small even for u = 0, x leaves the plane by as much as is missing.
+/// </para>
+/// </remarks>
+internal static class EllipsoidNormal
+{
+    /// <summary>
+    /// Count: far from the root a step grows u by half of it, so that this many reach it from the least double.
+    /// </summary>
+    private const int MostSteps = 2048;
+
+    /// <summary>The outward normal at the nearest point, of unit length.</summary>
+    /// <param name="radii">All above 0.</param>
+    /// <param name="point">Measured from the centre, along the axes.</param>
+    public static Vector3D Nearest(in Vector3D radii, in Vector3D point)
+    {
+        double least = Math.Min(Math.Min(radii.X, radii.Y), radii.Z);
+        double ex = Excess(radii.X, least), ey = Excess(radii.Y, least), ez = Excess(radii.Z, least);
+        double zx = (1 + ex) * Math.Abs(point.X / radii.X), zy = (1 + ey) * Math.Abs(point.Y / radii.Y);
+        double zz = (1 + ez) * Math.Abs(point.Z / radii.Z);
+        double u = Math.Max(Math.Max(Math.Max(zx - ex, zy - ey), zz - ez), 0), x, y, z;
+        for (int i = 0; ; i++)
+        {
+            x = Ratio(zx, u + ex);
+            y = Ratio(zy, u + ey);
+            z = Ratio(zz, u + ez);
+            double over = x * x + y * y + z * z - 1;
+            double slope = 2 * (Ratio(x * x, u + ex) + Ratio(y * y, u + ey) + Ratio(z * z, u + ez));
+            double next = u + over / slope;
+            if (!(over > 0 && next > u) || i == MostSteps) break;
+            u = next;
+        }
+
+        double missing = Math.Sqrt(Math.Max(1 - (x * x + y * y + z * z), 0));
+        if (u == 0 && ex == 0) x = missing;
+        else if (u == 0 && ey == 0) y = missing;
+        else if (u == 0) z = missing;
+        var normal = new Vector3D(
+            Signed(x / radii.X, point.X), Signed(y / radii.Y, point.Y), Signed(z / radii.Z, point.Z));
+        return normal * (1 / normal.Length);
+    }
+
+    /// <summary>The squared ratio of a radius to the least one, less 1.</summary>
+    private static double Excess(double radius, double least) => (radius - least) / least * ((radius + least) / least);
+
+    private static double Ratio(double a, double b) => a > 0 ? a / b : 0;
+
+    private static double Signed(double size, double sign) => sign < 0 ? -size : size;
+}

@@ -1,0 +1,33 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>How large a ball about its centre a hull holds.</summary>
+internal static class HullInner
+{
+    /// <summary>Ratio: more than the rounding of a plane takes away.</summary>
+    private const double RoundingDown = 1 - 16 * RoundOff.Unit;
+
+    /// <summary>
+    /// The least distance of a facet's plane from the centre, rounded down; negative where the centre is outside, 0 for
+    /// a flat hull.
+    /// </summary>
+    public static double Radius(ConvexHull hull)
+    {
+        if (hull.Dimension < 3) return 0;
+        double least = hull.BoundingRadius;
+        for (int i = 0; i < hull.TriangleCount; i++)
+        {
+            hull.GetTriangle(i, out int a, out int b, out int c);
+            hull.GetVertex(a, out Vector3D origin);
+            hull.GetVertex(b, out Vector3D second);
+            hull.GetVertex(c, out Vector3D third);
+            double unit = 1 / PowerOfTwo.AtMost(hull.BoundingRadius);
+            VectorDD ab = (VectorDD)(second * unit) - origin * unit, ac = (VectorDD)(third * unit) - origin * unit;
+            var normal = (Vector3D)VectorDD.Cross(ab, ac);
+            least = Math.Min(least, Vector3D.Dot(normal, origin - hull.Center) / normal.Length);
+        }
+
+        return least * (least > 0 ? RoundingDown : 2 - RoundingDown);
+    }
+}

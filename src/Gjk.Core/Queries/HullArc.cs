@@ -1,0 +1,123 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The directions across an edge of A, from the normal of a facet beside it to that of the facet on its other side, and
+/// the ways out along them.
+/// </summary>
+/// <remarks>
+/// In all of them the furthest point of A is an end of the edge. That of B changes where the arc crosses the directions
+/// across an edge of B: there the support's neighbours are as far as it, and the next one is the first to be. Between
+/// two changes the way out is the product of a fixed point and a direction that turns, least at one of the two. So the
+/// arc is proved by its ends and its changes; whichever points the walk holds, they are points of A and of B, and what
+/// it calls the cost of a way out is never more than it is.
+/// </remarks>
+internal struct HullArc
+{
+    /// <summary>
+    /// Squared ratio: a corner so near the edge's line does not tell the height of the plane through both to within
+    /// <see cref="HullFacet.Slack"/>. The arc is walked from both ends then.
+    /// </summary>
+    private const double NearEdge = 1e-10;
+
+    /// <summary>Where the walk is, and in which direction it goes on, of unit length; in A's axes and in B's.</summary>
+    private Vector3D _normal, _ahead, _normalInB, _aheadInB;
+
+    /// <summary>The edge's end, seen from B's centre, along both.</summary>
+    private double _height, _slope;
+
+    /// <summary>B's furthest corner.</summary>
+    private int _id;
+
+    /// <summary>An arc that begins at a facet and crosses the edge from its first corner to its second.</summary>
+    /// <param name="facet">Of A.</param>
+    /// <param name="normal">Its unit normal.</param>
+    /// <param name="frame">Where B is, seen from A.</param>
+    /// <param name="id">B's furthest corner against the normal.</param>
+    public HullArc(in HullFacet facet, in Vector3D normal, in PairFrame frame, int id)
+    {
+        _normal = normal;
+        _ahead = Vector3D.Cross(facet.Q - facet.P, normal);
+        _ahead *= 1 / _ahead.Length;
+        _normalInB = frame.Rotation.InverseRotate(_normal);
+        _aheadInB = frame.Rotation.InverseRotate(_ahead);
+        _height = Vector3D.Dot(facet.P - frame.Translation, _normal);
+        _slope = Vector3D.Dot(facet.P - frame.Translation, _ahead);
+        _id = id;
+    }
+
+    /// <summary>Walks as far as ways out may be short, if the arc's lower end is this one.</summary>
+    /// <returns>False when the looks are spent, or a way out on it is not what the walk took it for.</returns>
+    public bool TryWalk<TA, TB>(
+        in HullFacet facet, ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref FacetSearch search)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        HullTurn end = FindEnd(facet, ref a, form.A, out bool isCertain);
+        double slack = HullFacet.Slack * (Math.Abs(_height) + Math.Abs(_slope));
+        if (isCertain && end.Of(_height, _slope) < _height - slack) return true;
+        b.TryGetVertex(_id, out Vector3D onB);
+        while (true)
+        {
+            double atEnd = end.Of(_height, _slope)
+                - end.Of(Vector3D.Dot(onB, _normalInB), Vector3D.Dot(onB, _aheadInB));
+            if (atEnd >= search.Limit) return true;
+            HullTurn turn = end;
+            int next = FindChange(ref b, form.B, onB, ref turn);
+            Go(turn, ref end);
+            if (!search.TryLook(ref a, ref b, frame, _normal, _height - Vector3D.Dot(onB, _normalInB))) return false;
+            if (next < 0 || (_height > 0 && _height >= search.Limit - search.InnerB)) return true;
+            _id = next;
+            b.TryGetVertex(_id, out onB);
+        }
+    }
+
+    /// <summary>How far to turn until another corner of A is as far as the edge.</summary>
+    private readonly HullTurn FindEnd<TA>(in HullFacet facet, ref TA a, in BodyForm form, out bool isCertain)
+        where TA : struct, ISupportMap
+    {
+        int[] starts = form.Hull!.NeighborStart, neighbors = form.Hull.Neighbors;
+        HullTurn end = HullTurn.Half;
+        double squared = 0;
+        for (int k = starts[facet.IdP]; k < starts[facet.IdP + 1]; k++)
+        {
+            if (neighbors[k] == facet.IdQ) continue;
+            a.TryGetVertex(neighbors[k], out Vector3D corner);
+            Vector3D toEdge = facet.P - corner;
+            if (end.TryShorten(Vector3D.Dot(toEdge, _normal), Vector3D.Dot(toEdge, _ahead)))
+                squared = toEdge.LengthSquared;
+        }
+
+        isCertain = end.SizeSquared > NearEdge * squared;
+        end.Normalize();
+        return end;
+    }
+
+    /// <summary>How far to turn until another corner of B is as far as the one that is furthest.</summary>
+    private readonly int FindChange<TB>(ref TB b, in BodyForm form, in Vector3D onB, ref HullTurn turn)
+        where TB : struct, ISupportMap
+    {
+        int[] starts = form.Hull!.NeighborStart, neighbors = form.Hull.Neighbors;
+        int next = -1;
+        for (int k = starts[_id]; k < starts[_id + 1]; k++)
+        {
+            b.TryGetVertex(neighbors[k], out Vector3D corner);
+            Vector3D fromB = corner - onB;
+            if (turn.TryShorten(Vector3D.Dot(fromB, _normalInB), Vector3D.Dot(fromB, _aheadInB)))
+                next = neighbors[k];
+        }
+
+        turn.Normalize();
+        return next;
+    }
+
+    private void Go(in HullTurn turn, ref HullTurn end)
+    {
+        (_normal, _ahead) = (_normal * turn.Cosine + _ahead * turn.Sine, _ahead * turn.Cosine - _normal * turn.Sine);
+        (_normalInB, _aheadInB) = (
+            _normalInB * turn.Cosine + _aheadInB * turn.Sine, _aheadInB * turn.Cosine - _normalInB * turn.Sine);
+        (_height, _slope) = (turn.Of(_height, _slope), _slope * turn.Cosine - _height * turn.Sine);
+        end.TakeAway(turn);
+    }
+}

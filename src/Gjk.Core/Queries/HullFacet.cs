@@ -1,0 +1,58 @@
+namespace Gjk.Core;
+
+/// <summary>A triangle of a hull, as a shape scales it: wound so that its normal points outward.</summary>
+internal struct HullFacet
+{
+    /// <summary>
+    /// Squared sine of the angle between two edges: a thinner triangle's normal is computed in 106 bits. Above it,
+    /// double turns a normal by less than 1e-13, and a height by less than that times the size. Four times more or less
+    /// only moves triangles from one to the other.
+    /// </summary>
+    private const double Thin = 1e-4;
+
+    /// <summary>
+    /// Ratio to a height: more than that. A facet that is higher than asked by less is looked at in vain.
+    /// </summary>
+    public const double Slack = 1e-11;
+
+    /// <summary>The corners, measured from the shape's centre.</summary>
+    public Vector3D P, Q, R;
+
+    /// <summary>Outward, of any length.</summary>
+    public Vector3D Normal;
+
+    /// <summary>The corners' ids.</summary>
+    public int IdP, IdQ, IdR;
+
+    /// <summary>Reads a triangle of a shape that is a hull.</summary>
+    public static void Get<T>(ref T shape, in BodyForm form, int index, out HullFacet facet)
+        where T : struct, ISupportMap
+    {
+        int[] triangles = form.Hull!.Triangles;
+        facet.IdP = triangles[3 * index];
+        facet.IdQ = triangles[3 * index + (form.IsMirrored ? 2 : 1)];
+        facet.IdR = triangles[3 * index + (form.IsMirrored ? 1 : 2)];
+        shape.TryGetVertex(facet.IdP, out facet.P);
+        shape.TryGetVertex(facet.IdQ, out facet.Q);
+        shape.TryGetVertex(facet.IdR, out facet.R);
+        Vector3D e = facet.Q - facet.P, f = facet.R - facet.P;
+        facet.Normal = Vector3D.Cross(e, f);
+        if (facet.Normal.LengthSquared > Thin * (e.LengthSquared * f.LengthSquared)) return;
+        VectorDD origin = facet.P;
+        facet.Normal = (Vector3D)VectorDD.Cross((VectorDD)facet.Q - origin, (VectorDD)facet.R - origin);
+    }
+
+    /// <summary>Whether its plane is certainly as high as that, measured from a point along the normal.</summary>
+    public readonly bool IsAbove(in Vector3D point, double height)
+    {
+        double over = Vector3D.Dot(Normal, P - point);
+        return height > 0 && over > 0 && over * over >= height * height * (1 + 2 * Slack) * Normal.LengthSquared;
+    }
+
+    /// <summary>Makes the second corner the first.</summary>
+    public void Turn()
+    {
+        (P, Q, R) = (Q, R, P);
+        (IdP, IdQ, IdR) = (IdQ, IdR, IdP);
+    }
+}

@@ -1,0 +1,106 @@
+using System;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// What the forms of two shapes say about their depth before anything is searched. A point leaves an ellipsoid in a
+/// direction that is known; two bodies of revolution whose axes are parallel, such as a pin in its hole, leave each
+/// other in a plane that is known; and of two hulls the facets are known.
+/// </summary>
+internal readonly struct PairForm
+{
+    /// <summary>
+    /// Length, as a fraction of the size: axes count as parallel when turning the smaller body until they are moves no
+    /// point of it further. The rounding of two quaternions does that. Twice it, and what the search in the plane
+    /// leaves, are below the promise of 1e-6. Pinned by CoaxialDepthTests.
+    /// </summary>
+    private const double Parallel = 1e-7;
+
+    /// <summary>
+    /// Length, as a fraction of the size: bodies are nearly coaxial when that and the gap between their axes are less.
+    /// The planes that have to be searched grow with it; beyond, the general search is faster. Pinned by
+    /// CoaxialDepthTests.
+    /// </summary>
+    private const double NearlyCoaxial = 5e-5;
+
+    /// <summary>Whether the pair was looked at; else nothing is known.</summary>
+    public readonly bool IsKnown;
+
+    /// <summary>What is known of the way out.</summary>
+    public readonly WayOut Way;
+
+    /// <summary>Both shapes' forms.</summary>
+    public readonly BodyForm A, B;
+
+    /// <summary>Whether their Minkowski difference has no facets but those of hulls.</summary>
+    public bool AreFaceted =>
+        (A.Hull is not null || A.IsPoint) && (B.Hull is not null || B.IsPoint) && (A.Hull ?? B.Hull) is not null;
+
+    private PairForm(in BodyForm a, in BodyForm b, in PairFrame frame)
+    {
+        IsKnown = true;
+        A = a;
+        B = b;
+        bool areRound = a.IsRound && b.IsRound && (a.IsCurved || b.IsCurved);
+        Way = areRound ? WayOf(a, b, frame) : default;
+    }
+
+    /// <summary>Looks at a pair.</summary>
+    /// <param name="a">The first shape, in world units.</param>
+    /// <param name="b">The second shape, in world units.</param>
+    /// <param name="frame">Where B is, seen from A; its units are the form's.</param>
+    /// <param name="form">What is known then.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Look<TA, TB>(ref TA a, ref TB b, in PairFrame frame, out PairForm form)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        BodyForm.Get(ref a, frame.Unit, out BodyForm formA);
+        BodyForm.Get(ref b, frame.Unit, out BodyForm formB);
+        form = new PairForm(formA, formB, frame);
+    }
+
+    private static WayOut WayOf(in BodyForm a, in BodyForm b, in PairFrame frame)
+    {
+        if (a.Radii == default && b.Radii == default) return AlongAxes(a, b, frame);
+        if (b.IsPoint) return WayOut.In(OutOf(a, frame.Translation));
+        return a.IsPoint
+            ? WayOut.In(-frame.Rotation.Rotate(OutOf(b, frame.Rotation.InverseRotate(-frame.Translation))))
+            : default;
+    }
+
+    /// <summary>The way of a point out of an ellipsoid; 0 where that is flat.</summary>
+    private static Vector3D OutOf(in BodyForm ellipsoid, in Vector3D point)
+    {
+        Vector3D radii = ellipsoid.Radii;
+        var turn = new RotationD(ellipsoid.Turn);
+        return radii.X > 0 && radii.Y > 0 && radii.Z > 0
+            ? turn.Rotate(EllipsoidNormal.Nearest(radii, turn.InverseRotate(point)))
+            : default;
+    }
+
+    private static WayOut AlongAxes(in BodyForm a, in BodyForm b, in PairFrame frame)
+    {
+        double radiusA = frame.RadiusA - frame.MarginA, radiusB = frame.RadiusB - frame.MarginB;
+        Vector3D axisA = Unit(a.Axis), axisB = frame.Rotation.Rotate(Unit(b.Axis));
+        Vector3D axis = axisA == default || (axisB != default && radiusB > radiusA) ? axisB : axisA;
+        if (axis == default) axis = new Vector3D(0, 1, 0);
+        double moved = 0;
+        if (axisA != default && axisB != default)
+        {
+            Vector3D turned = Vector3D.Dot(axisA, axisB) < 0 ? axisA + axisB : axisA - axisB;
+            moved = turned.Length * Math.Min(radiusA, radiusB);
+        }
+
+        if (moved <= Parallel * frame.Radius) return WayOut.Along(axis, frame.Translation, 0);
+        double slope = moved + Vector3D.Cross(axis, frame.Translation).Length;
+        return slope <= NearlyCoaxial * frame.Radius ? WayOut.Along(axis, frame.Translation, slope) : default;
+    }
+
+    private static Vector3D Unit(in Vector3D axis)
+    {
+        double length = axis.Length;
+        return length > 0 ? axis * (1 / length) : default;
+    }
+}

@@ -1,0 +1,118 @@
+using System;
+using System.Numerics;
+#if NET
+using System.Runtime.CompilerServices;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>
+/// A shape without its margin as the searches for a depth know it, however it is written: a hull, or a round body, that
+/// is a point, a segment, an ellipsoid or another body of revolution.
+/// </summary>
+internal struct BodyForm
+{
+    /// <summary>Whether it is a round body.</summary>
+    public bool IsRound;
+
+    /// <summary>Whether a round body has no vertices; false for points and segments.</summary>
+    public bool IsCurved;
+
+    /// <summary>
+    /// Turned about this line through the centre, a round body stays the same; 0 where it does about every line. Of any
+    /// length.
+    /// </summary>
+    public Vector3D Axis;
+
+    /// <summary>The radii of an ellipsoid that has no such line; else 0.</summary>
+    public Vector3D Radii;
+
+    /// <summary>The rotation of the ellipsoid in the shape's local frame.</summary>
+    public Quaternion Turn;
+
+    /// <summary>The hull of a solid mesh that is not placed; else null.</summary>
+    public ConvexHull? Hull;
+
+    /// <summary>A ball of this radius about its centre is inside the mesh; negative where that is outside.</summary>
+    public double InnerRadius;
+
+    /// <summary>Whether the mesh's scale has turned the winding of its triangles.</summary>
+    public bool IsMirrored;
+
+    /// <summary>Whether it is a point.</summary>
+    public readonly bool IsPoint => IsRound && !IsCurved && Axis == default;
+
+    /// <summary>How many triangles the mesh has; 0 without one.</summary>
+    public readonly int TriangleCount => Hull is null ? 0 : Hull.TriangleCount;
+
+    /// <summary>The form of a shape; neither round nor a hull where there is nothing to say.</summary>
+    /// <param name="shape">In world units.</param>
+    /// <param name="unit">The form's unit of length, in world units.</param>
+    /// <param name="form">Gets it.</param>
+    public static void Get<T>(ref T shape, double unit, out BodyForm form)
+        where T : struct, ISupportMap
+    {
+        form = default;
+#if NET
+        if (typeof(T) == typeof(BoxCore)) return;
+        if (typeof(T) == typeof(HullCore))
+        {
+            form.SetHull(Unsafe.As<T, HullCore>(ref shape).Hull, new Vector3D(1, 1, 1) * (1 / unit));
+            return;
+        }
+
+        if (typeof(T) == typeof(SegmentCore))
+        {
+            form.IsRound = true;
+            form.Axis = Unsafe.As<T, SegmentCore>(ref shape).Along;
+            return;
+        }
+#endif
+        if (RayTargetOf<T>.TryGet(ref shape, out RayTarget body)) form.Set(body, unit);
+    }
+
+    private void Set(in RayTarget body, double unit)
+    {
+        Turn = body.IsPlaced ? body.Turn : Quaternion.Identity;
+        switch (body.Form)
+        {
+            case RayForm.Hull when !body.IsPlaced:
+                SetHull(body.Hull!, (body.IsScaled ? body.Factors : new Vector3D(1, 1, 1)) * (1 / unit));
+                break;
+            case RayForm.Ball:
+                IsRound = true;
+                break;
+            case RayForm.Capsule:
+                IsRound = !body.IsScaled;
+                Axis = Turned(body.A - body.B);
+                break;
+            case RayForm.Cylinder or RayForm.Cone:
+                IsRound = !body.IsScaled || body.Factors.X * body.Factors.X == body.Factors.Z * body.Factors.Z;
+                IsCurved = true;
+                Axis = Turned(new Vector3D(0, 1, 0));
+                break;
+            case RayForm.Ellipsoid:
+                IsRound = IsCurved = true;
+                SetEllipsoid(body.A * (1 / unit));
+                break;
+        }
+    }
+
+    private void SetHull(ConvexHull hull, in Vector3D factors)
+    {
+        if (hull.Dimension < 3) return;
+        double x = Math.Abs(factors.X), y = Math.Abs(factors.Y), z = Math.Abs(factors.Z), inner = hull.InnerRadius;
+        Hull = hull;
+        IsMirrored = (factors.X < 0) ^ (factors.Y < 0) ^ (factors.Z < 0);
+        InnerRadius = inner * (inner > 0 ? Math.Min(Math.Min(x, y), z) : Math.Max(Math.Max(x, y), z));
+    }
+
+    private void SetEllipsoid(in Vector3D radii)
+    {
+        bool xy = radii.X == radii.Y, yz = radii.Y == radii.Z, zx = radii.Z == radii.X;
+        if (!(xy || yz || zx)) Radii = radii;
+        else if (!(xy && yz)) Axis = Turned(new Vector3D(yz ? 1 : 0, zx ? 1 : 0, xy ? 1 : 0));
+    }
+
+    private readonly Vector3D Turned(in Vector3D axis) => new RotationD(Turn).Rotate(axis);
+}

@@ -1,0 +1,175 @@
+using System;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The surface of A - B as directions of one cell see it, so that a surface of any number of faces can be proved part
+/// by part in little memory.
+/// </summary>
+/// <remarks>
+/// <para>
+/// A cell is what half-spaces leave of all directions: those n with n·d at most 0 for each of its cuts d. Each cut is a
+/// vertex at infinity, in the direction d. The surface with it is that of A - B and all rays along the cuts, which no
+/// direction of the cell sees and which hide A - B from all others. So a cut is an ordinary step of the expansion: the
+/// faces whose normals lie beyond it go, and their rim is joined to the ray. The faces that are left have normals of
+/// the cell, and where all their heights are at least r, no direction of the cell has a shorter way out than r.
+/// </para>
+/// <para>
+/// Two cells that a cut divides share its great circle, and rounding turns a border by a few units in the last place:
+/// what lies between them moves a height by as little as a rounding of the size does.
+/// </para>
+/// </remarks>
+internal unsafe partial struct Polytope
+{
+    /// <summary>Count: each halves a cell, so the last one is far smaller than any face that double can tell.</summary>
+    public const int MostCuts = 48;
+
+    /// <summary>
+    /// Cosine: a normal counts as beyond a cut when it leans over it by more than this, some roundings. Another amount
+    /// moves a few faces from one cell to its neighbour.
+    /// </summary>
+    private const double CutNoise = 64 * RoundOff.Unit;
+
+    /// <summary>The height of a face between three rays, which no direction sees.</summary>
+    private const double AtInfinity = double.MaxValue;
+
+    /// <summary>Vertices that a cell begins with: those of the tetrahedron, which stay where they are.</summary>
+    private const int Kept = 4;
+
+    /// <summary>How many cuts there are.</summary>
+    public readonly int CutCount => _cutCount;
+
+    /// <summary>Leaves the directions out that lie along another, and the vertices that only they see.</summary>
+    /// <param name="direction">Of unit length.</param>
+    /// <returns>False when there is no room; the surface is then no longer closed.</returns>
+    public bool TryCut(in Vector3D direction)
+    {
+        _cuts[_cutCount] = direction;
+        int vertex = _mostVertices + _cutCount++, face = -1;
+        double most = CutNoise;
+        for (int i = 0; i < _faceCount; i++)
+        {
+            if (!IsThere(i) || !(Vector3D.Dot(_faces[i].Normal, direction) > most)) continue;
+            most = Vector3D.Dot(_faces[i].Normal, direction);
+            face = i;
+        }
+
+        if (face < 0) return true;
+        if (!TryExpand(face, vertex, 0)) return false;
+        DropUnused();
+        return true;
+    }
+
+    /// <summary>
+    /// Begins the cell across a cut: the tetrahedron, the cuts before that one, and that one turned round.
+    /// </summary>
+    /// <param name="cut">The cut's number; those after it are forgotten.</param>
+    /// <returns>False when there is no room; the surface is then no longer closed.</returns>
+    public bool TryCross(int cut)
+    {
+        _vertexCount = Kept;
+        _cutCount = _freeCount = 0;
+        _cuts[cut] = -_cuts[cut];
+        bool isWhole = TrySetTetrahedron(_noise, _level);
+        while (isWhole && _cutCount <= cut) isWhole = TryCut(_cuts[_cutCount]);
+        return isWhole;
+    }
+
+    /// <summary>
+    /// A cut between the two faces below a height whose normals are about the furthest from each other.
+    /// </summary>
+    /// <param name="limit">There is such a face.</param>
+    public readonly Vector3D Halving(double limit)
+    {
+        int first = FurthestFrom(Lowest(out _), limit), second = FurthestFrom(first, limit);
+        Vector3D between = _faces[second].Normal - _faces[first].Normal;
+        double length = between.Length;
+        return length > 0 ? between * (1 / length) : _faces[first].Normal;
+    }
+
+    private readonly int FurthestFrom(int face, double limit)
+    {
+        int furthest = face;
+        double least = double.PositiveInfinity;
+        for (int i = 0; i < _faceCount; i++)
+        {
+            if (!(_heights[i] < limit)) continue;
+            double cosine = Vector3D.Dot(_faces[i].Normal, _faces[face].Normal);
+            if (!(cosine < least)) continue;
+            least = cosine;
+            furthest = i;
+        }
+
+        return furthest;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly bool IsDirection(int vertex) => vertex >= _mostVertices;
+
+    /// <summary>Moves the vertices that faces have to the front, and forgets the others.</summary>
+    private void DropUnused()
+    {
+        ushort* moved = _fan;
+        for (int i = 0; i < Kept; i++) moved[i] = 0;
+        for (int i = 0; i < _faceCount; i++)
+        {
+            for (int k = 0; k < 3 && IsThere(i); k++) moved[_faces[i].Vertices[k]] = 0;
+        }
+
+        int count = 0;
+        for (int i = 0; i < _vertexCount; i++)
+        {
+            if (moved[i] == None) continue;
+            moved[i] = (ushort)count;
+            _vertices[count++] = _vertices[i];
+        }
+
+        for (int i = 0; i < _faceCount; i++)
+        {
+            for (int k = 0; k < 3 && IsThere(i); k++)
+            {
+                ref ushort vertex = ref _faces[i].Vertices[k];
+                if (!IsDirection(vertex)) vertex = moved[vertex];
+            }
+        }
+
+        for (int i = 0; i < _mostVertices + MostCuts; i++) moved[i] = None;
+        _vertexCount = count;
+    }
+
+    /// <summary>Sets the normal and the height of a face with a vertex at infinity.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private readonly void SetOpenFace(int index, in Vector3D beside)
+    {
+        ref PolytopeFace face = ref _faces[index];
+        int first = 0;
+        while (first < 3 && IsDirection(face.Vertices[first])) first++;
+        if (first == 3)
+        {
+            face.Normal = default;
+            _heights[index] = AtInfinity;
+            return;
+        }
+
+        int second = face.Vertices[Next(first)], third = face.Vertices[Next(Next(first))];
+        Vector3D from = _vertices[face.Vertices[first]].W;
+        var cross = (Vector3D)VectorDD.Cross(Edge(from, second), Edge(from, third));
+        double length = cross.Length;
+        face.Normal = length > 0 ? cross * (1 / length) : beside;
+        if (face.Normal == default)
+        {
+            _heights[index] = AtInfinity;
+            return;
+        }
+
+        double height = Vector3D.Dot(face.Normal, from);
+        if (!IsDirection(second)) height = Math.Min(height, Vector3D.Dot(face.Normal, _vertices[second].W));
+        if (!IsDirection(third)) height = Math.Min(height, Vector3D.Dot(face.Normal, _vertices[third].W));
+        _heights[index] = height;
+    }
+
+    /// <summary>From a point to a vertex, or along a ray.</summary>
+    private readonly VectorDD Edge(in Vector3D from, int to) =>
+        IsDirection(to) ? _cuts[to - _mostVertices] : (VectorDD)_vertices[to].W - from;
+}

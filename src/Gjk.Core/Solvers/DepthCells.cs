@@ -1,0 +1,109 @@
+using System;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Ends a search for a depth whose surface has outgrown its room: the directions are divided into cells, and the depth
+/// is proved in each, one after the other.
+/// </summary>
+/// <remarks>
+/// <para>
+/// Where shapes are nearly round and lie about one centre, all ways out are nearly equally long, and each must be
+/// proved to be no shorter than the shortest that was found. A closed surface of so many faces needs memory for all of
+/// them; a cell (<see cref="Polytope.TryCut"/>) only for its own. A cell that outgrows the room is halved: one half
+/// keeps its part of the surface, the other begins anew later. Nothing is kept of a cell that is proved but the
+/// shortest way out.
+/// </para>
+/// <para>
+/// The cells form a binary tree that is walked depth first. The cuts are the path, and one bit for each says whether
+/// its second half is being walked. As deep as the tree has been before, a cell is halved while it is small, since it
+/// can be expected to outgrow the room again, and what it knows of the other half is lost.
+/// </para>
+/// <para>
+/// It terminates because supports are counted. Verdicts: Enclosed, Apart and Contradiction as those of <see
+/// cref="GjkDepth"/>; Undecided when the supports are spent, or there was no room.
+/// </para>
+/// </remarks>
+internal static unsafe class DepthCells
+{
+    /// <summary>
+    /// Count: supports after which the bounds are given as they are; about two milliseconds. Pinned by HullDepthTests.
+    /// </summary>
+    private const int MostSupports = 3072;
+
+    /// <summary>
+    /// Count: vertices at which a cell is halved that will not fit: enough to see where its low faces are, and few to
+    /// ask for twice. Only time depends on it.
+    /// </summary>
+    private const int EarlyVertices = 32;
+
+    /// <summary>Finds the depth from what the general search has left in the state.</summary>
+    public static DepthVerdict Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        var depth = DepthBounds.Of(state);
+        DepthVerdict verdict = Search(ref a, ref b, frame, ref state, ref depth);
+        return DepthEnd.Settle(ref a, ref b, frame, depth, verdict, ref state);
+    }
+
+    /// <summary>Its stack is given back when it returns.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static DepthVerdict Search<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        double* memory = stackalloc double[Polytope.Doubles(GjkDepth.Room)];
+        var polytope = new Polytope(memory, GjkDepth.Room);
+        DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
+        return verdict == DepthVerdict.Undecided
+            ? Walk(ref a, ref b, frame, ref state, ref polytope, ref depth)
+            : verdict;
+    }
+
+    private static DepthVerdict Walk<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        ulong crossed = 0;
+        int deepest = 0, limit = state.Iterations + MostSupports;
+        while (true)
+        {
+            double noise = CellNoise(state), proved = depth.Above - noise;
+            int face = polytope.Lowest(out double lowest);
+            if (lowest >= proved)
+            {
+                int cut = polytope.CutCount - 1;
+                while (cut >= 0 && (crossed >> cut & 1) != 0) cut--;
+                if (cut < 0) return DepthVerdict.Enclosed;
+                crossed = (crossed | 1UL << cut) & ~(~0UL << cut << 1);
+                if (!polytope.TryCross(cut)) return DepthVerdict.Undecided;
+                continue;
+            }
+
+            if (!polytope.HasRoom || (polytope.CutCount < deepest && polytope.VertexCount >= EarlyVertices))
+            {
+                if (polytope.CutCount == Polytope.MostCuts) return DepthVerdict.Undecided;
+                if (!polytope.TryCut(polytope.Halving(proved))) return DepthVerdict.Undecided;
+                deepest = Math.Max(deepest, polytope.CutCount);
+                continue;
+            }
+
+            if (state.Iterations >= limit) return DepthVerdict.Undecided;
+            Vector3D normal = polytope.Face(face).Normal;
+            int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
+            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
+            depth.See(normal, height);
+            if (depth.IsApart(state)) return DepthVerdict.Apart;
+            if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
+            if (gap <= noise) polytope.DropLast();
+            else if (!polytope.TryExpand(face, vertex, 0)) return DepthVerdict.Undecided;
+        }
+    }
+
+    private static double CellNoise(in SolverState state) =>
+        (state.IsCurved ? GjkTolerances.DepthCellNoiseCurved : GjkTolerances.DepthNoise) * state.Size.Value;
+}

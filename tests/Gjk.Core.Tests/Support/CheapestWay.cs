@@ -1,0 +1,59 @@
+using System.Linq;
+
+namespace Gjk.Core.Tests.Support;
+
+/// <summary>
+/// How long the shortest way out is at most: a search from many directions at once, each walking downhill in ever
+/// smaller steps. It uses the shapes' supports alone, so it judges every shape.
+/// </summary>
+internal static class CheapestWay
+{
+    private const int Starts = 400, Walks = 4, Tries = 12;
+
+    private const double LeastStep = 1e-8;
+
+    public static double Of(TestPair pair, Vector3D first, ulong seed)
+    {
+        var rng = new Rng(seed);
+        var a = new Body<ConvexShape>(pair.A.Shape, pair.PoseA);
+        var b = new Body<ConvexShape>(pair.B.Shape, pair.PoseB);
+        (double Cost, Vector3D Way)[] starts =
+        [
+            .. Enumerable.Range(0, Starts).Select(i => i == 0 ? first * (1 / first.Length) : Direction())
+                .Select(way => (Cost(way), way)).OrderBy(s => s.Item1).Take(Walks)
+        ];
+        return starts.Min(s => Downhill(s.Cost, s.Way));
+
+        Vector3D Direction()
+        {
+            Vector3D way = rng.Direction();
+            return way * (1 / way.Length);
+        }
+
+        double Cost(Vector3D way) =>
+            a.Height(way) + b.Height(-way) - Vector3D.Dot(way, b.Position - a.Position);
+
+        double Downhill(double least, Vector3D way)
+        {
+            int failed = 0;
+            for (double step = 0.2; step > LeastStep;)
+            {
+                Vector3D next = way + Direction() * step;
+                next *= 1 / next.Length;
+                double cost = Cost(next);
+                if (cost < least)
+                {
+                    (least, way, failed) = (cost, next, 0);
+                    step *= 1.5;
+                }
+                else if (++failed > Tries)
+                {
+                    failed = 0;
+                    step *= 0.6;
+                }
+            }
+
+            return least;
+        }
+    }
+}
