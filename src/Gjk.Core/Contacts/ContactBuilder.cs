@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// <summary>
 /// From the two faces or edges that a pair shows along its normal to the points of its manifold: both are seen along
 /// the normal, the places where they lie opposite each other are found (<see cref="ContactPlaces"/>), each gets a point
-/// of both surfaces (<see cref="Surface"/>), and four of them stay (<see cref="ContactReduction"/>).
+/// of both surfaces (<see cref="SurfacePoint"/>), and four of them stay (<see cref="ContactReduction"/>).
 /// </summary>
 /// <remarks>
 /// The gap of each point is the distance of the two surfaces along the normal, so none is less than the signed
@@ -89,8 +89,8 @@ internal static unsafe class ContactBuilder
         bool isSureA = a.IsSureWithin(level), isSureB = b.IsSureWithin(level);
         for (int tries = 0; ; tries++)
         {
-            Surface onA = a.SurfaceAt(u, v, tries == 0 ? place.CornerA : -1);
-            Surface onB = b.SurfaceAt(u, v, tries == 0 ? place.CornerB : -1);
+            SurfacePoint onA = a.SurfaceAt(u, v, tries == 0 ? place.CornerA : -1);
+            SurfacePoint onB = b.SurfaceAt(u, v, tries == 0 ? place.CornerB : -1);
             candidate = new Candidate(u, v, onA.Height, onB.Height, place.Id);
             bool holdsA = isSureA || ContactProof.HoldsOnA(ref shapeA, view, onA, u, v);
             bool holdsB = isSureB || ContactProof.HoldsOnB(ref shapeB, view, onB, u, v);

@@ -24,7 +24,9 @@ internal unsafe ref struct ContactPlaces
     /// </summary>
     public const double Slack = 4e-7;
 
-    /// <summary>Ratio: the slack is at most this part of the smaller feature. Four times more or less is as good.</summary>
+    /// <summary>
+    /// Ratio: the slack is at most this part of the smaller feature. Four times more or less is as good.
+    /// </summary>
     private const double LeastPart = 1e-3;
 
     /// <summary>
@@ -223,7 +225,7 @@ internal unsafe ref struct ContactPlaces
         }
     }
 
-    /// <summary>Two edges that are as good as parallel share a length: its two ends, between the one and the other.</summary>
+    /// <summary>Two edges that are as good as parallel share a length: its two ends, between both.</summary>
     private void FindAlong(ref FlatFeature a, ref FlatFeature b)
     {
         var shared = new SharedLength(a, b, _slack);

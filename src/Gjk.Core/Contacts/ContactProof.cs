@@ -18,7 +18,7 @@ internal static class ContactProof
     private const double MostError = 1e-6;
 
     /// <summary>Whether nothing of A reaches beyond its surface at a place.</summary>
-    public static bool HoldsOnA<T>(ref T a, in ContactView view, in Surface surface, double u, double v)
+    public static bool HoldsOnA<T>(ref T a, in ContactView view, in SurfacePoint surface, double u, double v)
         where T : struct, ISupportMap
     {
         Vector3D outward = view.Direction(surface.NormalU, surface.NormalV, surface.NormalHeight);
@@ -28,7 +28,7 @@ internal static class ContactProof
     }
 
     /// <summary>The same for B, whose surface looks and reaches against the normal.</summary>
-    public static bool HoldsOnB<T>(ref T b, in ContactView view, in Surface surface, double u, double v)
+    public static bool HoldsOnB<T>(ref T b, in ContactView view, in SurfacePoint surface, double u, double v)
         where T : struct, ISupportMap
     {
         Vector3D outward = view.Direction(surface.NormalU, surface.NormalV, -surface.NormalHeight);
@@ -37,6 +37,6 @@ internal static class ContactProof
         return reach - Shown(surface, u, v) <= MostError * view.Plane.Size;
     }
 
-    private static double Shown(in Surface surface, double u, double v) =>
+    private static double Shown(in SurfacePoint surface, double u, double v) =>
         surface.NormalU * u + surface.NormalV * v + surface.NormalHeight * surface.Height;
 }

@@ -114,7 +114,7 @@ internal struct OverlapCorner
     /// <summary>In the plane across the normal.</summary>
     public double U, V;
 
-    /// <summary>The edge that the side beginning here lies on: one of the feature that is cut, or of the cutter.</summary>
+    /// <summary>The edge that the side beginning here lies on: one of what is cut, or of the cutter.</summary>
     public int Side;
 
     /// <summary>The corner of the one or of the other that this is; -1 where it is none.</summary>

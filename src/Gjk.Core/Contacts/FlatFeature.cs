@@ -4,13 +4,15 @@ namespace Gjk.Core;
 
 /// <summary>
 /// A face or an edge that a core shows along a contact normal, seen along it: its corners in the plane across the
-/// normal, and how far each reaches towards the other shape. With its margin it is a surface (<see cref="Surface"/>).
+/// normal, and how far each reaches towards the other shape. With its margin it is a surface (<see
+/// cref="SurfacePoint"/>).
 /// </summary>
 internal unsafe struct FlatFeature
 {
     /// <summary>
     /// Length, as a fraction of the pair's size: an edge that is shorter, or a face that is narrower, has a direction
-    /// that is rounding to more than 1e-7, so the edge is a point and the face an edge. Four times more or less is far from both.
+    /// that is rounding to more than 1e-7, so the edge is a point and the face an edge. Four times more or less
+    /// is far from both.
     /// </summary>
     private const double Thin = 1e-9;
 
@@ -145,11 +147,11 @@ internal unsafe struct FlatFeature
     /// <param name="u">The place: in the face, or beside the edge by less than it is round.</param>
     /// <param name="v">Its other coordinate.</param>
     /// <param name="corner">The corner that the place is exactly at, or -1: no face of a mesh is quite flat.</param>
-    public readonly Surface SurfaceAt(double u, double v, int corner)
+    public readonly SurfacePoint SurfaceAt(double u, double v, int corner)
     {
         ref FlatCorner p = ref _corners[Math.Max(corner, 0)];
-        if (Count == 2) return Surface.OfEdge(_corners[0], _corners[1], u, v, Margin, SideRadius);
-        var surface = new Surface(
+        if (Count == 2) return SurfacePoint.OfEdge(_corners[0], _corners[1], u, v, Margin, SideRadius);
+        var surface = new SurfacePoint(
             p.Height + _riseU * (u - p.U) + _riseV * (v - p.V) + Margin * Secant, -_riseU / Secant, -_riseV / Secant,
             1 / Secant);
         if (Margin == 0) return surface;
@@ -160,7 +162,7 @@ internal unsafe struct FlatFeature
         for (int i = 0; i < Count; i++)
         {
             if (Inside(i, footU, footV) >= 0) continue;
-            var rim = Surface.OfEdge(_corners[i], After(i), u, v, Margin, 0);
+            var rim = SurfacePoint.OfEdge(_corners[i], After(i), u, v, Margin, 0);
             if (!(rim.Height > height)) continue;
             height = rim.Height;
             surface = rim;

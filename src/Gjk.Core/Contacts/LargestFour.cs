@@ -18,7 +18,7 @@ namespace Gjk.Core;
 internal readonly unsafe ref struct LargestFour
 {
     /// <summary>
-    /// Ratio of areas: four that span this much of the largest are as good, and none that spans less than the second is.
+    /// Ratio of areas: four that span this much of the largest are as good, none that spans less than the second.
     /// More than a resting body's unrest changes areas, less than matters to what stands on them. Pinned by NameTests.
     /// </summary>
     private const double AsGood = 0.995, LeastGood = 0.98;
@@ -166,7 +166,7 @@ internal readonly unsafe ref struct LargestFour
         return first;
     }
 
-    /// <summary>Where what is as good ends: in the first gap between one area and the next that is wide enough.</summary>
+    /// <summary>Where what is as good ends: in the first gap between two areas that is wide enough.</summary>
     private double Enough(double* areas, double most)
     {
         double from = 0;

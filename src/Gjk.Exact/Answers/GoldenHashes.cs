@@ -12,12 +12,12 @@ public static class GoldenHashes
     public static readonly IReadOnlyDictionary<string, string> All = new Dictionary<string, string>
     {
         ["distances"] = "533df80e35cd6025",
-        ["depths"] = "ae978d1d82c9e9c6",
-        ["contacts"] = "08349d9c796b97c1",
-        ["casts"] = "0c2574f0ce9d9562",
-        ["impacts"] = "37d05805bedaf4c6",
-        ["rays"] = "c5d3aedc05127f04",
-        ["shapes"] = "a01523d40c75a8b0",
-        ["scenes"] = "94e988fdb567841f",
+        ["depths"] = "c7ab17cf145b9ea6",
+        ["contacts"] = "a0f0c573fac87960",
+        ["casts"] = "12dbb977fca3a35e",
+        ["impacts"] = "3efb193442007c1d",
+        ["rays"] = "e8c5042b37b8cc9e",
+        ["shapes"] = "c73216de22fea6c0",
+        ["scenes"] = "3ee4862f4ef43c25",
     };
 }

@@ -28,7 +28,8 @@ public class ParallelContactTests
                 : ConvexShape.Cylinder(otherRadius, rng.Float(0.5, 2));
             if (i % 7 == 0) a = ConvexShape.Cylinder(radius / 2, half).Scaled(new Vector3(-2, 1, 2));
             Quaternion turn = Quaternion.Normalize(rng.Rotation());
-            Quaternion other = i % 2 == 0 ? turn : turn * Quaternion.CreateFromAxisAngle(Vector3.UnitY, rng.Float(0, 6));
+            var yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, i % 2 * rng.Float(0, 6));
+            Quaternion other = turn * yaw;
             float angle = rng.Float(0, 6.28);
             double apart = radius + otherRadius + gap * Math.Min(radius, otherRadius);
             var across = Vector3.Transform(new Vector3(MathF.Cos(angle), 0, MathF.Sin(angle)), turn);

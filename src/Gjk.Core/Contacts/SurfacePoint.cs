@@ -11,7 +11,7 @@ namespace Gjk.Core;
 /// margin / cos t above the core, and round an edge it is a cylinder, at its ends balls. The direction lets a support
 /// of the shape prove that nothing of it reaches further (<see cref="ContactProof"/>).
 /// </remarks>
-internal readonly struct Surface
+internal readonly struct SurfacePoint
 {
     /// <summary>Along the contact normal, towards the other shape.</summary>
     public readonly double Height;
@@ -19,7 +19,7 @@ internal readonly struct Surface
     /// <summary>Outward, of unit length: along the plane's axes, and along the contact normal.</summary>
     public readonly double NormalU, NormalV, NormalHeight;
 
-    public Surface(double height, double normalU, double normalV, double normalHeight)
+    public SurfacePoint(double height, double normalU, double normalV, double normalHeight)
     {
         Height = height;
         NormalU = normalU;
@@ -32,7 +32,7 @@ internal readonly struct Surface
     /// end. Where the edge is a line of a round side, that side's axis takes its place.
     /// </summary>
     /// <returns>A height that is NaN where the place lies too far beside the edge.</returns>
-    public static Surface OfEdge(
+    public static SurfacePoint OfEdge(
         in FlatCorner p, in FlatCorner q, double u, double v, double margin, double sideRadius)
     {
         double edgeU = q.U - p.U, edgeV = q.V - p.V, length = Math.Sqrt(edgeU * edgeU + edgeV * edgeV);
@@ -55,7 +55,7 @@ internal readonly struct Surface
         double up = Math.Sqrt(1 - side * side - back * back);
         return Make((foot < 0 ? p.Height : q.Height) + margin * up + drop * secant, back, up);
 
-        Surface Make(double height, double normalAlong, double normalHeight) =>
+        SurfacePoint Make(double height, double normalAlong, double normalHeight) =>
             new(height, alongU * normalAlong - alongV * side, alongV * normalAlong + alongU * side, normalHeight);
     }
 }
