@@ -12,12 +12,13 @@ public static class GoldenHashes
     public static readonly IReadOnlyDictionary<string, string> All = new Dictionary<string, string>
     {
         ["distances"] = "533df80e35cd6025",
-        ["depths"] = "c7ab17cf145b9ea6",
-        ["contacts"] = "a0f0c573fac87960",
-        ["casts"] = "12dbb977fca3a35e",
-        ["impacts"] = "3efb193442007c1d",
-        ["rays"] = "e8c5042b37b8cc9e",
-        ["shapes"] = "c73216de22fea6c0",
-        ["scenes"] = "3ee4862f4ef43c25",
+        ["depths"] = "ae978d1d82c9e9c6",
+        ["contacts"] = "d3209a82f5a753f5",
+        ["casts"] = "0439b074989db937",
+        ["impacts"] = "644f83534344b4ba",
+        ["rays"] = "986d5510c045beb9",
+        ["shapes"] = "cf7c99aa0c7f883a",
+        ["scenes"] = "d6079d0fecb9f022",
+        ["batches"] = "f50047053320661e",
     };
 }
