@@ -130,7 +130,7 @@ public static partial class ConvexQuery
         else state.Feature.Normal = frame.FirstNormal;
         ProvedDistance.Solve(ref a, ref b, frame, reach, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
-        SideNormal.Sharpen(ref a, ref b, frame, ref state);
+        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref trace);
     }
 
     /// <summary>The same for pairs whose lengths would leave the range of double when they are multiplied.</summary>

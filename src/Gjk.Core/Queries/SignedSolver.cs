@@ -35,7 +35,8 @@ internal static class SignedSolver
         if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, form, warmStart, isWarm, ref state, ref trace);
         else SolveDistanceFirst(ref a, ref b, frame, form, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
-        SideNormal.Sharpen(ref a, ref b, frame, ref state);
+        NoTrace untold = default;
+        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref untold);
     }
 
     private static void SolveDepthFirst<TA, TB, TTrace>(

@@ -18,7 +18,7 @@ public static class GoldenHashes
         ["impacts"] = "644f83534344b4ba",
         ["rays"] = "986d5510c045beb9",
         ["shapes"] = "cf7c99aa0c7f883a",
-        ["scenes"] = "d6079d0fecb9f022",
         ["batches"] = "f50047053320661e",
+        ["scenes"] = "d6079d0fecb9f022",
     };
 }

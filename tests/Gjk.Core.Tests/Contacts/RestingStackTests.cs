@@ -8,7 +8,7 @@ namespace Gjk.Core.Tests.Contacts;
 /// Five seconds of equal bodies that stand on each other, on a plain solver that begins each frame with what points of
 /// the same name had before: they come to rest, and names stay.
 /// </summary>
-public class StackTests
+public class RestingStackTests
 {
     private const float Rest = 0.005f;
 
