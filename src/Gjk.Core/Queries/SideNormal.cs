@@ -36,8 +36,8 @@ internal static class SideNormal
     private const double Level = 4e-7;
 
     /// <summary>
-    /// Length: the two points are this near to one line along the normal; a rounding to float, and less than the line of
-    /// a short body's ends may be off. Pinned by PointPlacementTests.
+    /// Length: the two points are this near to one line along the normal; a rounding to float, and less than the line
+    /// of a short body's ends may be off. Pinned by PointPlacementTests.
     /// </summary>
     private const double Beside = 1.0 / (1 << 23);
 
