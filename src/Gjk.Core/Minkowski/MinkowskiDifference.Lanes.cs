@@ -24,7 +24,7 @@ internal static partial class MinkowskiDifference
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool HaveLanes<TA, TB>() => HasLanes<TA>() && HasLanes<TB>() && Avx2.IsSupported;
+    public static bool HaveLanes<TA, TB>() => HasLanes<TA>() && HasLanes<TB>() && Avx2.IsSupported;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool HasLanes<T>() =>
@@ -43,6 +43,23 @@ internal static partial class MinkowskiDifference
         simplex.Fill(slot, w, onA, onB, idA, idB);
         ids = idA | idB;
         return Xyz(w);
+    }
+
+    /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void SupportInLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, PolytopeVertex* vertex)
+    {
+        Vector256<double> x = Vector256.Create(direction.X), y = Vector256.Create(direction.Y);
+        Vector256<double> inB = frame.Inverse.Column0 * x + frame.Inverse.Column1 * y
+            + frame.Inverse.Column2 * Vector256.Create(direction.Z);
+        Vector256<double> inA = Vector256.Create(direction.X, direction.Y, direction.Z, 0);
+        Vector256<double> onA = Furthest(ref a, inA, out int idA), onB = Furthest(ref b, -inB, out int idB);
+        VertexOf(frame, onA, onB).Store((double*)vertex);
+        onA.Store((double*)&vertex->OnA);
+        onB.Store((double*)&vertex->OnB);
+        vertex->IdA = idA;
+        vertex->IdB = idB;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -31,8 +31,8 @@ internal unsafe partial struct Polytope
     /// </summary>
     private const double CutNoise = 64 * RoundOff.Unit;
 
-    /// <summary>The height of a face between three rays, which no direction sees.</summary>
-    private const double AtInfinity = double.MaxValue;
+    /// <summary>The key of a face between three rays, which no direction sees: above all others, and below none.</summary>
+    private const double AtInfinity = 1e300;
 
     /// <summary>Vertices that a cell begins with: those of the tetrahedron, which stay where they are.</summary>
     private const int Kept = 4;
@@ -46,17 +46,19 @@ internal unsafe partial struct Polytope
     public bool TryCut(in Vector3D direction)
     {
         _cuts[_cutCount] = direction;
-        int vertex = _mostVertices + _cutCount++, face = -1;
+        int vertex = Room + _cutCount++, face = -1;
         double most = CutNoise;
         for (int i = 0; i < _faceCount; i++)
         {
-            if (!IsThere(i) || !(Vector3D.Dot(_faces[i].Normal, direction) > most)) continue;
-            most = Vector3D.Dot(_faces[i].Normal, direction);
+            if (!IsThere(i)) continue;
+            double cosine = Vector3D.Dot(_faces[i].UnitNormal, direction);
+            if (!(cosine > most)) continue;
+            most = cosine;
             face = i;
         }
 
         if (face < 0) return true;
-        if (!TryExpand(face, vertex, 0)) return false;
+        if (!TryExpand(face, vertex, double.NegativeInfinity)) return false;
         DropUnused();
         return true;
     }
@@ -69,7 +71,7 @@ internal unsafe partial struct Polytope
     public bool TryCross(int cut)
     {
         _vertexCount = Kept;
-        _cutCount = _freeCount = 0;
+        _cutCount = 0;
         _cuts[cut] = -_cuts[cut];
         bool isWhole = TrySetTetrahedron(_noise, _level);
         while (isWhole && _cutCount <= cut) isWhole = TryCut(_cuts[_cutCount]);
@@ -83,9 +85,9 @@ internal unsafe partial struct Polytope
     public readonly Vector3D Halving(double limit)
     {
         int first = FurthestFrom(Lowest(out _), limit), second = FurthestFrom(first, limit);
-        Vector3D between = _faces[second].Normal - _faces[first].Normal;
+        Vector3D between = _faces[second].UnitNormal - _faces[first].UnitNormal;
         double length = between.Length;
-        return length > 0 ? between * (1 / length) : _faces[first].Normal;
+        return length > 0 ? between * (1 / length) : _faces[first].UnitNormal;
     }
 
     private readonly int FurthestFrom(int face, double limit)
@@ -94,8 +96,8 @@ internal unsafe partial struct Polytope
         double least = double.PositiveInfinity;
         for (int i = 0; i < _faceCount; i++)
         {
-            if (!(_heights[i] < limit)) continue;
-            double cosine = Vector3D.Dot(_faces[i].Normal, _faces[face].Normal);
+            if (!IsThere(i) || !(_faces[i].Height < limit)) continue;
+            double cosine = Vector3D.Dot(_faces[i].UnitNormal, _faces[face].UnitNormal);
             if (!(cosine < least)) continue;
             least = cosine;
             furthest = i;
@@ -105,13 +107,37 @@ internal unsafe partial struct Polytope
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly bool IsDirection(int vertex) => vertex >= _mostVertices;
+    private static bool IsDirection(int vertex) => vertex >= Room;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsOpen(PolytopeFace* face) =>
+        IsDirection(face->Vertices[0]) || IsDirection(face->Vertices[1]) || IsDirection(face->Vertices[2]);
+
+    /// <summary><see cref="TakeAway"/> for a cut: what its ray sees.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private readonly int TakeAwayBeyond(int face, int cut)
+    {
+        Vector3D direction = _cuts[cut - Room];
+        int height = BeginRim(face), rim = 0;
+        while (height > 0)
+        {
+            int twin = _stack[--height], other = twin >> 2;
+            if (_keys[other] == Gone) continue;
+            Vector3D normal = _faces[other].Normal;
+            bool isBeyond = Vector3D.Dot(normal, direction) > CutNoise * normal.SumOfMagnitudes;
+            if (isBeyond) height = Cross(twin, height);
+            else _rim[rim++] = (ushort)twin;
+        }
+
+        return rim;
+    }
 
     /// <summary>Moves the vertices that faces have to the front, and forgets the others.</summary>
     private void DropUnused()
     {
-        ushort* moved = _fan;
-        for (int i = 0; i < Kept; i++) moved[i] = 0;
+        const ushort none = ushort.MaxValue;
+        ushort* moved = _stack;
+        for (int i = 0; i < Room + MostCuts; i++) moved[i] = i < Kept ? (ushort)0 : none;
         for (int i = 0; i < _faceCount; i++)
         {
             for (int k = 0; k < 3 && IsThere(i); k++) moved[_faces[i].Vertices[k]] = 0;
@@ -120,7 +146,7 @@ internal unsafe partial struct Polytope
         int count = 0;
         for (int i = 0; i < _vertexCount; i++)
         {
-            if (moved[i] == None) continue;
+            if (moved[i] == none) continue;
             moved[i] = (ushort)count;
             _vertices[count++] = _vertices[i];
         }
@@ -134,42 +160,39 @@ internal unsafe partial struct Polytope
             }
         }
 
-        for (int i = 0; i < _mostVertices + MostCuts; i++) moved[i] = None;
         _vertexCount = count;
     }
 
     /// <summary>Sets the normal and the height of a face with a vertex at infinity.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private readonly void SetOpenFace(int index, in Vector3D beside)
+    private readonly void SetOpenFace(int index)
     {
-        ref PolytopeFace face = ref _faces[index];
+        PolytopeFace* face = _faces + index;
         int first = 0;
-        while (first < 3 && IsDirection(face.Vertices[first])) first++;
-        if (first == 3)
+        while (first < 3 && IsDirection(face->Vertices[first])) first++;
+        Vector3D normal = default, from = default;
+        if (first < 3)
         {
-            face.Normal = default;
-            _heights[index] = AtInfinity;
-            return;
+            int second = face->Vertices[Next(first)], third = face->Vertices[Next(Next(first))];
+            from = _vertices[face->Vertices[first]].W;
+            var cross = (Vector3D)VectorDD.Cross(Edge(from, second), Edge(from, third));
+            double length = cross.Length;
+            PolytopeFace* beside = _faces + (face->Twins[0] >> 2);
+            normal = length > 0 ? cross * (1 / length) : beside->NormalSquared > 0 ? beside->UnitNormal : default;
         }
 
-        int second = face.Vertices[Next(first)], third = face.Vertices[Next(Next(first))];
-        Vector3D from = _vertices[face.Vertices[first]].W;
-        var cross = (Vector3D)VectorDD.Cross(Edge(from, second), Edge(from, third));
-        double length = cross.Length;
-        face.Normal = length > 0 ? cross * (1 / length) : beside;
-        if (face.Normal == default)
+        double least = Vector3D.Dot(normal, from);
+        for (int k = 0; k < 3; k++)
         {
-            _heights[index] = AtInfinity;
-            return;
+            int vertex = face->Vertices[k];
+            if (!IsDirection(vertex)) least = Math.Min(least, Vector3D.Dot(normal, _vertices[vertex].W));
         }
 
-        double height = Vector3D.Dot(face.Normal, from);
-        if (!IsDirection(second)) height = Math.Min(height, Vector3D.Dot(face.Normal, _vertices[second].W));
-        if (!IsDirection(third)) height = Math.Min(height, Vector3D.Dot(face.Normal, _vertices[third].W));
-        _heights[index] = height;
+        Put(index, normal, least);
+        if (normal == default) _keys[index] = KeyOf(AtInfinity, index);
     }
 
     /// <summary>From a point to a vertex, or along a ray.</summary>
     private readonly VectorDD Edge(in Vector3D from, int to) =>
-        IsDirection(to) ? _cuts[to - _mostVertices] : (VectorDD)_vertices[to].W - from;
+        IsDirection(to) ? _cuts[to - Room] : (VectorDD)_vertices[to].W - from;
 }

@@ -1,78 +1,139 @@
 using System;
 using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace Gjk.Core;
 
 /// <remarks>The normals and heights of faces.</remarks>
 internal unsafe partial struct Polytope
 {
-    /// <summary>Writes a face; its twins are still to be joined.</summary>
-    /// <param name="index">Where.</param>
-    /// <param name="a">A vertex.</param>
-    /// <param name="b">The next one.</param>
-    /// <param name="c">The last one.</param>
-    /// <param name="beside">The normal of the face across the edge from a to b.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void SetFace(int index, int a, int b, int c, in Vector3D beside)
-    {
-        ref PolytopeFace face = ref _faces[index];
-        face.Vertices[0] = (ushort)a;
-        face.Vertices[1] = (ushort)b;
-        face.Vertices[2] = (ushort)c;
-        if (_cutCount > 0 && (IsDirection(a) || IsDirection(b) || IsDirection(c)))
-        {
-            SetOpenFace(index, beside);
-            return;
-        }
+    /// <summary>The key of a slot that holds no face.</summary>
+    private const double Gone = double.MaxValue;
 
-        Vector3D p = _vertices[a].W, q = _vertices[b].W, r = _vertices[c].W;
-        Vector3D normal = Vector3D.Cross(q - p, r - p);
-        double squared = normal.LengthSquared;
-        normal *= 1 / Math.Sqrt(squared);
-        double least = Heights(normal, p, q, r, out double most);
-        if (!(most - least <= _level)) least = Mend(p, q, r, beside, ref normal);
-        face.Normal = normal;
-        _heights[index] = least;
+    /// <summary>The last bits of a key: the face's slot.</summary>
+    private const long SlotBits = 511;
+
+    /// <summary>The face of least height; the first of those that are equally high.</summary>
+    /// <param name="key">Its key.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly int Lowest(out double key)
+    {
+#if NET
+        if (Avx2.IsSupported)
+        {
+            key = LeastKeyInLanes();
+            return SlotOf(key);
+        }
+#endif
+        key = _keys[0];
+        for (int i = 1; i < _faceCount; i++)
+            if (_keys[i] < key) key = _keys[i];
+        return SlotOf(key);
     }
 
     /// <summary>
-    /// Turns a face's normal to its point that is nearest the origin, along which its height is the most. A new face
-    /// lies with the vertex and a face that was taken away on one side of a plane, so it is no nearer the origin than
-    /// that one was; where its height is less, its own normal is rounding, as between vertices that nearly coincide.
+    /// What orders faces by height and knows their slots: h |h|, of an offset d and a normal n as d |d| / n², so that
+    /// no root is drawn, with the slot for the last nine bits. Heights that differ by less than one part in 2^43 may
+    /// change places; that is below float's rounding, which a depth ends with.
     /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private readonly void Raise(int index)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double KeyOf(double square, int slot) =>
+        BitConverter.Int64BitsToDouble((BitConverter.DoubleToInt64Bits(square) & ~SlotBits) | (long)slot);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int SlotOf(double key) => (int)(BitConverter.DoubleToInt64Bits(key) & SlotBits);
+
+    /// <summary>Gives new faces their normals and keys; their vertices and twins are known.</summary>
+    /// <param name="first">The first one's slot, a multiple of four.</param>
+    /// <param name="count">How many; the slots behind them up to a multiple of four hold no face.</param>
+    /// <param name="lowest">As for <see cref="TryExpand"/>.</param>
+    /// <returns>False when a face of the first four has no area, and so no normal.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly bool TrySetFaces(int first, int count, double lowest)
     {
-        ref PolytopeFace face = ref _faces[index];
-        Vector3D p = _vertices[face.Vertices[0]].W, q = _vertices[face.Vertices[1]].W;
-        Vector3D r = _vertices[face.Vertices[2]].W;
+        int end = first + count;
+        bool have = true;
+#if NET
+        if (Avx2.IsSupported && _cutCount == 0)
+        {
+            for (int i = first; i < end; i += 4) have &= TrySetLanes(i, end, lowest);
+            return have;
+        }
+#endif
+        for (int i = first; i < end; i++) have &= TrySetFace(i, lowest);
+        for (int i = end; (i & 3) != 0; i++) _keys[i] = Gone;
+        return have;
+    }
+
+    private readonly bool TrySetFace(int index, double lowest)
+    {
+        PolytopeFace* face = _faces + index;
+        if (_cutCount > 0 && IsOpen(face))
+        {
+            SetOpenFace(index);
+            return true;
+        }
+
+        Vector3D p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
+        Vector3D r = _vertices[face->Vertices[2]].W, normal = Vector3D.Cross(q - p, r - p);
+        double least = Offsets(normal, p, q, r, out double most);
+        Put(index, normal, least);
+        return (most - least <= normal.SumOfMagnitudes * _level && _keys[index] >= lowest) || TryMend(index, lowest);
+    }
+
+    /// <summary>
+    /// Mends a face whose normal rounding has turned. Where its corners are not level, as a needle's, the normal is
+    /// computed in 106 bits; where even that is none, it is that of the neighbour. And no new face is nearer the origin
+    /// than the one that was taken away, since with the vertex it lies on one side of a plane: where its height is
+    /// less, as between vertices that nearly coincide, the normal is turned to its point that is nearest the origin,
+    /// along which its height is the most.
+    /// </summary>
+    /// <returns>False when the face is one of the first four, and has no normal.</returns>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private readonly bool TryMend(int index, double lowest)
+    {
+        PolytopeFace* face = _faces + index;
+        Vector3D p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
+        Vector3D r = _vertices[face->Vertices[2]].W, normal = face->Normal;
+        double least = Offsets(normal, p, q, r, out double most);
+        if (!(most - least <= normal.SumOfMagnitudes * _level && face->NormalSquared > 0))
+        {
+            VectorDD origin = p;
+            var cross = (Vector3D)VectorDD.Cross((VectorDD)q - origin, (VectorDD)r - origin);
+            double length = cross.Length;
+            if (!(length > 0) && index < 4) return false;
+            normal = length > 0 ? cross * (1 / length) : _faces[face->Twins[0] >> 2].UnitNormal;
+            Put(index, normal, Offsets(normal, p, q, r, out _));
+        }
+
+        if (_keys[index] >= lowest) return true;
         Vector3D nearest = ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default);
-        Vector3D normal = nearest * (1 / nearest.Length);
-        double height = Heights(normal, p, q, r, out _);
-        if (!(height > _heights[index])) return;
-        face.Normal = normal;
-        _heights[index] = height;
+        normal = nearest * (1 / nearest.Length);
+        least = Offsets(normal, p, q, r, out _);
+        if (least * Math.Abs(least) > _keys[index]) Put(index, normal, least);
+        return true;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Heights(in Vector3D normal, in Vector3D p, in Vector3D q, in Vector3D r, out double most)
+    private readonly void Put(int index, in Vector3D normal, double least)
+    {
+        PolytopeFace* face = _faces + index;
+        face->Normal = normal;
+        face->Limit = least + normal.SumOfMagnitudes * _noise;
+        face->Offset = least;
+        face->NormalSquared = normal.LengthSquared;
+        _keys[index] = KeyOf(least * Math.Abs(least) / face->NormalSquared, index);
+    }
+
+    /// <summary>Least and most of three points' products with a normal.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Offsets(in Vector3D normal, in Vector3D p, in Vector3D q, in Vector3D r, out double most)
     {
         double a = Vector3D.Dot(normal, p), b = Vector3D.Dot(normal, q), c = Vector3D.Dot(normal, r);
         double larger = a > b ? a : b, smaller = a < b ? a : b;
         most = larger > c ? larger : c;
         return smaller < c ? smaller : c;
-    }
-
-    /// <summary>
-    /// The normal of a needle, in 106 bits; where even that is none, that of the neighbour. Returns the height.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static double Mend(in Vector3D p, in Vector3D q, in Vector3D r, in Vector3D beside, ref Vector3D normal)
-    {
-        VectorDD origin = p;
-        var cross = (Vector3D)VectorDD.Cross((VectorDD)q - origin, (VectorDD)r - origin);
-        double length = cross.Length;
-        normal = length > 0 ? cross * (1 / length) : beside;
-        return Heights(normal, p, q, r, out _);
     }
 }

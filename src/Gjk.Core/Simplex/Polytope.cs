@@ -14,90 +14,90 @@ namespace Gjk.Core;
 /// surface need not be convex, and rounding may leave it dented.
 /// </para>
 /// <para>
-/// Closed is a matter of bookkeeping alone: each edge is run through once in each direction. Where the rim passes a
-/// vertex twice, any pairing of its new edges keeps that.
+/// Closed is a matter of bookkeeping alone: each edge is run through once in each direction. A search of the faces that
+/// go, depth first and edge by edge in turn, comes to their rim's edges in their own order, so each new face lies beside
+/// the next. Where they have an island or more between them it does not; then edges are paired by their vertices, and
+/// any pairing keeps the surface closed.
 /// </para>
 /// <para>
-/// The memory is the caller's stack. A face that would be flat for sure takes the normal of its neighbour, in whose
-/// plane it lies.
+/// New faces are made four at a time, in slots behind all others, since four normals cost hardly more than one where
+/// the processor has lanes for them (<c>Polytope.Lanes.cs</c>, with the bits of the same steps one by one). Slots of
+/// faces that are gone come back when all are used. The memory is the caller's stack.
 /// </para>
 /// </remarks>
 internal unsafe partial struct Polytope
 {
-    /// <summary>A face that is not there.</summary>
-    private const double Gone = double.PositiveInfinity;
+    /// <summary>
+    /// Counts: vertices and faces that there is room for; 40 kilobytes. A surface of so many vertices has at most 284
+    /// faces. Pinned by StackTests.
+    /// </summary>
+    public const int Room = 144, MostFaces = 336;
 
-    /// <summary>No face.</summary>
-    private const ushort None = ushort.MaxValue;
+    private const int BytesPerVertex = 96, BytesPerFace = 64, Alignment = 64;
 
-    private const int DoublesPerVertex = 10, DoublesPerFace = 5, DoublesPerCut = 3;
+    /// <summary>Edges of faces that are being taken away, and of their rim: three more than there are faces.</summary>
+    private const int MostEdges = MostFaces + 4;
 
-    /// <summary>A rim has at most two edges more than there are faces taken away.</summary>
-    private const int RimSpare = 4;
+    /// <summary>How many doubles of memory a polytope needs.</summary>
+    public const int Doubles = (Alignment + MostFaces * (BytesPerFace + sizeof(double)) + Room * BytesPerVertex
+        + MostCuts * 3 * sizeof(double) + 2 * MostEdges * sizeof(ushort)) / sizeof(double);
 
     private readonly PolytopeVertex* _vertices;
     private readonly PolytopeFace* _faces;
-    private readonly double* _heights;
+
+    /// <summary>What orders the faces by height; see <see cref="KeyOf"/>.</summary>
+    private readonly double* _keys;
+
     private readonly Vector3D* _cuts;
 
-    /// <summary>
-    /// Faces still to be looked across; free ones; the rim's outer edges; by vertex, a new face that begins there; by
-    /// face, another one that begins where it does.
-    /// </summary>
-    private readonly ushort* _stack, _free, _rim, _fan, _sameFan;
+    /// <summary>Edges still to be looked across, and the rim's outer edges: a face's number times 4, and the edge's.</summary>
+    private readonly ushort* _stack, _rim;
 
-    private readonly int _mostVertices, _mostFaces;
     private double _noise, _level;
-    private int _vertexCount, _faceCount, _freeCount, _cutCount;
+    private int _vertexCount, _faceCount, _cutCount;
     private bool _isOpen;
 
     /// <summary>A polytope without vertices.</summary>
     /// <param name="memory">As many doubles as <see cref="Doubles"/> says.</param>
-    /// <param name="mostVertices">How many vertices it has room for; at most 8,000, so that 16 bits number all.</param>
-    public Polytope(double* memory, int mostVertices)
+    public Polytope(double* memory)
     {
-        _mostVertices = mostVertices;
-        _mostFaces = 2 * mostVertices;
         _noise = _level = 0;
-        _vertexCount = _faceCount = _freeCount = _cutCount = 0;
+        _vertexCount = _faceCount = _cutCount = 0;
         _isOpen = false;
-        _vertices = (PolytopeVertex*)memory;
-        memory += DoublesPerVertex * mostVertices;
-        _faces = (PolytopeFace*)memory;
-        memory += DoublesPerFace * _mostFaces;
-        _heights = memory;
-        _cuts = (Vector3D*)(memory + _mostFaces);
+        _faces = (PolytopeFace*)(((ulong)memory + Alignment - 1) / Alignment * Alignment);
+        _vertices = (PolytopeVertex*)(_faces + MostFaces);
+        _keys = (double*)(_vertices + Room);
+        _cuts = (Vector3D*)(_keys + MostFaces);
         _stack = (ushort*)(_cuts + MostCuts);
-        _free = _stack + _mostFaces;
-        _rim = _free + _mostFaces;
-        _sameFan = _rim + _mostFaces + RimSpare;
-        _fan = _sameFan + _mostFaces;
-        for (int i = 0; i < mostVertices + MostCuts; i++) _fan[i] = None;
-    }
-
-    /// <summary>How much memory a polytope of so many vertices needs.</summary>
-    public static int Doubles(int mostVertices)
-    {
-        int numbers = 2 * 4 * mostVertices + RimSpare + mostVertices + MostCuts;
-        return (DoublesPerVertex + 2 * (DoublesPerFace + 1)) * mostVertices + DoublesPerCut * MostCuts
-            + (numbers + 3) / 4;
+        _rim = _stack + MostEdges;
     }
 
     /// <summary>How many faces there are or have been; some may be gone.</summary>
     public readonly int FaceCount => _faceCount;
 
+    /// <summary>How many vertices were taken; not all need be on the surface.</summary>
+    public readonly int VertexCount => _vertexCount;
+
     /// <summary>False after an expansion that found no room: nothing is proved by the faces then.</summary>
     public readonly bool IsClosed => !_isOpen;
 
     /// <summary>Whether there is room for another vertex.</summary>
-    public readonly bool HasRoom => _vertexCount + _cutCount < _mostVertices;
+    public readonly bool HasRoom => _vertexCount + _cutCount < Room;
 
     public readonly ref PolytopeVertex Vertex(int index) => ref _vertices[index];
 
     public readonly ref PolytopeFace Face(int index) => ref _faces[index];
 
     /// <summary>Whether the face is part of the surface.</summary>
-    public readonly bool IsThere(int face) => _heights[face] < Gone;
+    public readonly bool IsThere(int face) => _keys[face] < Gone;
+
+    /// <summary>A place for a vertex, and its index.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public PolytopeVertex* Add(out int index)
+    {
+        index = _vertexCount++;
+        return _vertices + index;
+    }
 
     /// <summary>Takes a vertex of a simplex; returns its index.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -131,117 +131,151 @@ internal unsafe partial struct Polytope
     {
         _noise = noise;
         _level = level;
-        int a = 0, b = 1, c = 2, d = 3;
-        Vector3D origin = _vertices[a].W;
+        int b = 1, c = 2;
+        Vector3D origin = _vertices[0].W;
         Vector3D normal = Vector3D.Cross(_vertices[b].W - origin, _vertices[c].W - origin);
-        if (Vector3D.Dot(normal, _vertices[d].W - origin) > 0) (b, c) = (c, b);
+        if (Vector3D.Dot(normal, _vertices[3].W - origin) > 0) (b, c) = (c, b);
         _faceCount = 4;
-        SetFace(0, a, b, c, default);
-        SetFace(1, a, c, d, default);
-        SetFace(2, a, d, b, default);
-        SetFace(3, b, d, c, default);
+        _faces[0].Name(0, b, c);
+        _faces[1].Name(0, c, 3);
+        _faces[2].Name(0, 3, b);
+        _faces[3].Name(b, 3, c);
         Join(0, 0, 2, 2);
         Join(0, 1, 3, 2);
         Join(0, 2, 1, 0);
         Join(1, 1, 3, 1);
         Join(1, 2, 2, 0);
         Join(2, 1, 3, 0);
-        return _faces[0].Normal != default && _faces[1].Normal != default
-            && _faces[2].Normal != default && _faces[3].Normal != default;
-    }
-
-    /// <summary>The face of least height.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly int Lowest(out double height)
-    {
-        int lowest = 0;
-        height = _heights[0];
-        for (int i = 1; i < _faceCount; i++)
-        {
-            if (!(_heights[i] < height)) continue;
-            height = _heights[i];
-            lowest = i;
-        }
-
-        return lowest;
+        return TrySetFaces(0, 4, double.NegativeInfinity);
     }
 
     /// <summary>Puts a vertex above a face onto the surface.</summary>
     /// <param name="face">A face that the vertex lies above.</param>
     /// <param name="vertex">The vertex.</param>
-    /// <param name="lowest">The least height of all faces.</param>
+    /// <param name="lowest">The least key of all faces where it is above 0; less where new faces may be lower.</param>
     /// <returns>False when there is no room; the surface is then no longer closed.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryExpand(int face, int vertex, double lowest)
     {
-        int rim = TakeAway(face, vertex);
-        _isOpen = rim - _freeCount > _mostFaces - _faceCount;
+        int rim = IsDirection(vertex) ? TakeAwayBeyond(face, vertex) : TakeAway(face, _vertices[vertex].W);
+        _isOpen = rim < 3 || (_faceCount + rim + 3 > MostFaces && !TryMakeRoom(rim));
         if (_isOpen) return false;
-        ushort* added = _stack;
-        for (int i = 0; i < rim; i++)
+        int first = _faceCount, last = first + rim - 1;
+        bool isCycle = true;
+        for (int i = 0, made = first; i < rim; i++, made++)
         {
-            int twin = _rim[i], outer = twin >> 2, edge = twin & 3, made = NewFace();
-            int from = _faces[outer].Vertices[Next(edge)], to = _faces[outer].Vertices[edge];
-            SetFace(made, from, to, vertex, _faces[outer].Normal);
-            Join(made, 0, outer, edge);
-            _sameFan[made] = _fan[from];
-            _fan[from] = added[i] = (ushort)made;
-            if (_heights[made] < lowest && lowest > 0) Raise(made);
+            int twin = _rim[i], edge = twin & 3;
+            PolytopeFace* outer = _faces + (twin >> 2), added = _faces + made;
+            int from = outer->Vertices[Next(edge)], to = outer->Vertices[edge];
+            isCycle &= i == 0 || added[-1].Vertices[1] == from;
+            added->Name(from, to, vertex);
+            outer->Twins[edge] = (ushort)(made << 2);
+            added->Twins[0] = (ushort)twin;
+            added->Twins[1] = (ushort)((made == last ? first : made + 1) << 2 | 2);
+            added->Twins[2] = (ushort)((made == first ? last : made - 1) << 2 | 1);
         }
 
-        for (int i = 0; i < rim; i++)
-        {
-            int to = _faces[added[i]].Vertices[1], next = _fan[to];
-            _isOpen = next == None;
-            if (_isOpen) return false;
-            _fan[to] = _sameFan[next];
-            Join(added[i], 1, next, 2);
-        }
-
+        isCycle &= _faces[last].Vertices[1] == _faces[first].Vertices[0];
+        _isOpen = !isCycle && !TryPair(first, rim);
+        if (_isOpen) return false;
+        _faceCount += (rim + 3) & ~3;
+        TrySetFaces(first, rim, lowest);
         return true;
     }
 
-    /// <summary>
-    /// Takes away the face and all that can be reached from it across edges and that the point lies above too.
-    /// </summary>
+    /// <summary>Takes away the face, and all that can be reached from it across edges and that a point is above too.</summary>
     /// <returns>How many edges the rim has.</returns>
-    private int TakeAway(int face, int vertex)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int TakeAway(int face, in Vector3D point)
     {
-        int height = 0, rim = 0;
-        bool isDirection = IsDirection(vertex);
-        Vector3D point = isDirection ? _cuts[vertex - _mostVertices] : _vertices[vertex].W;
-        double noise = isDirection ? CutNoise : _noise;
-        _stack[height++] = (ushort)face;
-        _heights[face] = Gone;
+        int height = BeginRim(face), rim = 0;
         while (height > 0)
         {
-            int taken = _stack[--height];
-            _free[_freeCount++] = (ushort)taken;
-            for (int k = 0; k < 3; k++)
-            {
-                ushort twin = _faces[taken].Twins[k];
-                int other = twin >> 2;
-                double otherHeight = _heights[other];
-                if (otherHeight == Gone) continue;
-                if (Vector3D.Dot(_faces[other].Normal, point) - (isDirection ? 0 : otherHeight) > noise)
-                {
-                    _heights[other] = Gone;
-                    _stack[height++] = (ushort)other;
-                }
-                else
-                {
-                    _rim[rim++] = twin;
-                }
-            }
+            int twin = _stack[--height], other = twin >> 2;
+            if (_keys[other] == Gone) continue;
+            PolytopeFace* next = _faces + other;
+            if (Vector3D.Dot(next->Normal, point) > next->Limit) height = Cross(twin, height);
+            else _rim[rim++] = (ushort)twin;
         }
 
         return rim;
     }
 
+    /// <summary>Takes a face away, and puts its edges onto the stack, the first on top.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int NewFace() => _freeCount > 0 ? _free[--_freeCount] : _faceCount++;
+    private readonly int BeginRim(int face)
+    {
+        _keys[face] = Gone;
+        _stack[0] = _faces[face].Twins[2];
+        _stack[1] = _faces[face].Twins[1];
+        _stack[2] = _faces[face].Twins[0];
+        return 3;
+    }
+
+    /// <summary>Takes the face across an edge away, and puts its two other edges onto the stack, the next on top.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly int Cross(int twin, int height)
+    {
+        PolytopeFace* face = _faces + (twin >> 2);
+        int next = Next(twin & 3);
+        _keys[twin >> 2] = Gone;
+        _stack[height] = face->Twins[Next(next)];
+        _stack[height + 1] = face->Twins[next];
+        return height + 2;
+    }
+
+    /// <summary>Joins the new faces of a rim that is no cycle, each to one that begins where it ends.</summary>
+    /// <returns>False where there is none left.</returns>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private readonly bool TryPair(int first, int rim)
+    {
+        int end = first + rim;
+        for (int i = first; i < end; i++) _stack[i - first] = 0;
+        for (int i = first; i < end; i++)
+        {
+            int next = first;
+            while (next < end && (_stack[next - first] != 0 || _faces[next].Vertices[0] != _faces[i].Vertices[1])) next++;
+            if (next == end) return false;
+            _stack[next - first] = 1;
+            Join(i, 1, next, 2);
+        }
+
+        return true;
+    }
+
+    /// <summary>Moves the faces that are there to the front, and the rim's edges with them.</summary>
+    /// <returns>False when there still is no room for the faces of the rim.</returns>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool TryMakeRoom(int rim)
+    {
+        ushort* moved = _stack;
+        int count = 0;
+        for (int i = 0; i < _faceCount; i++)
+        {
+            if (!IsThere(i)) continue;
+            moved[i] = (ushort)count;
+            if (i != count) _faces[count] = _faces[i];
+            _keys[count] = KeyOf(_keys[i], count);
+            count++;
+        }
+
+        for (int i = 0; i < rim; i++) _rim[i] = (ushort)(moved[_rim[i] >> 2] << 2 | (_rim[i] & 3));
+        for (int i = 0; i < count; i++)
+        {
+            for (int k = 0; k < 3; k++)
+            {
+                ref ushort twin = ref _faces[i].Twins[k];
+                twin = (ushort)(moved[twin >> 2] << 2 | (twin & 3));
+            }
+        }
+
+        while ((count & 3) != 0) _keys[count++] = Gone;
+        _faceCount = count;
+        return count + rim + 3 <= MostFaces;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int Next(int edge) => edge == 2 ? 0 : edge + 1;
+    private static int Next(int edge) => 9 >> (2 * edge) & 3;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly void Join(int face, int edge, int other, int otherEdge)

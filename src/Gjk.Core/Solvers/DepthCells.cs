@@ -55,8 +55,8 @@ internal static unsafe class DepthCells
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        double* memory = stackalloc double[Polytope.Doubles(GjkDepth.Room)];
-        var polytope = new Polytope(memory, GjkDepth.Room);
+        double* memory = stackalloc double[Polytope.Doubles];
+        var polytope = new Polytope(memory);
         DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
         return verdict == DepthVerdict.Undecided
             ? Walk(ref a, ref b, frame, ref state, ref polytope, ref depth)
@@ -73,7 +73,8 @@ internal static unsafe class DepthCells
         while (true)
         {
             double noise = CellNoise(state), proved = depth.Above - noise;
-            int face = polytope.Lowest(out double lowest);
+            int face = polytope.Lowest(out _);
+            double lowest = polytope.Face(face).Height;
             if (lowest >= proved)
             {
                 int cut = polytope.CutCount - 1;
@@ -93,14 +94,14 @@ internal static unsafe class DepthCells
             }
 
             if (state.Iterations >= limit) return DepthVerdict.Undecided;
-            Vector3D normal = polytope.Face(face).Normal;
+            Vector3D normal = polytope.Face(face).UnitNormal;
             int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
             depth.See(normal, height);
             if (depth.IsApart(state)) return DepthVerdict.Apart;
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
             if (gap <= noise) polytope.DropLast();
-            else if (!polytope.TryExpand(face, vertex, 0)) return DepthVerdict.Undecided;
+            else if (!polytope.TryExpand(face, vertex, double.NegativeInfinity)) return DepthVerdict.Undecided;
         }
     }
 

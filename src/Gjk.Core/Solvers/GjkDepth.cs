@@ -33,9 +33,6 @@ namespace Gjk.Core;
 /// </remarks>
 internal static unsafe class GjkDepth
 {
-    /// <summary>Count: vertices that there is room for; 40 kilobytes of stack. Pinned by StackTests.</summary>
-    public const int Room = 208;
-
     /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
     /// <remarks>Its stack is given back when it returns.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -45,8 +42,8 @@ internal static unsafe class GjkDepth
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        double* memory = stackalloc double[Polytope.Doubles(Room)];
-        var polytope = new Polytope(memory, Room);
+        double* memory = stackalloc double[Polytope.Doubles];
+        var polytope = new Polytope(memory);
         return Expand(ref a, ref b, frame, ref state, ref polytope, ref trace);
     }
 
@@ -68,12 +65,13 @@ internal static unsafe class GjkDepth
         int face = 0;
         while (polytope.HasRoom)
         {
-            face = polytope.Lowest(out double lowest);
-            depth.Below = Math.Max(depth.Below, lowest);
+            face = polytope.Lowest(out double key);
             Vector3D normal = polytope.Face(face).Normal;
+            double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared), lowest = polytope.Face(face).Offset * scale;
+            depth.Below = Math.Max(depth.Below, lowest);
             int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
-            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
-            depth.See(normal, height);
+            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;
+            if (height < depth.Above) depth.Settle(normal * scale, height);
             if (depth.IsApart(state))
             {
                 Tell(PolytopeOutcome.Apart, frame, polytope, face, depth, ref trace);
@@ -91,13 +89,13 @@ internal static unsafe class GjkDepth
             if (hasMet || (depth.Above - depth.Below <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex)))
             {
                 Tell(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
-                if (hasMet) depth.Settle(normal, height);
+                if (hasMet) depth.Settle(normal * scale, height);
                 Settle(ref state, polytope, face, depth, depth.Above);
                 return DepthVerdict.Enclosed;
             }
 
             Tell(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);
-            if (!polytope.TryExpand(face, vertex, lowest)) break;
+            if (!polytope.TryExpand(face, vertex, lowest > 0 ? key : double.NegativeInfinity)) break;
         }
 
         Tell(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);

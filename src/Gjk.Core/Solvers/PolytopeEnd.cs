@@ -4,10 +4,10 @@ namespace Gjk.Core;
 internal static class PolytopeEnd
 {
     /// <summary>
-    /// Cosine: faces of one facet may be turned against each other by this much, some degrees: enough for needles among
-    /// them. Others are only looked at in vain.
+    /// Squared cosine: faces of one facet may be turned against each other by this much, some degrees: enough for
+    /// needles among them. Others are only looked at in vain.
     /// </summary>
-    private const double Level = 0.99;
+    private const double Level = 0.98;
 
     /// <summary>
     /// The face that holds a point of the surface: where the way out ends. Of a facet of many triangles it is the one
@@ -24,7 +24,8 @@ internal static class PolytopeEnd
         double least = DistanceSquared(polytope, best, point);
         for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
         {
-            if (!polytope.IsThere(i) || !(Vector3D.Dot(polytope.Face(i).Normal, normal) > Level)) continue;
+            double along = Vector3D.Dot(polytope.Face(i).Normal, normal);
+            if (!polytope.IsThere(i) || !(along > 0 && along * along > Level * polytope.Face(i).NormalSquared)) continue;
             double squared = DistanceSquared(polytope, i, point);
             if (!(squared < least)) continue;
             least = squared;

@@ -11,7 +11,7 @@ namespace Gjk.Core;
 /// Each point is looked for on both sides of what there is, the side of the origin first. Where A - B has less extent
 /// than rounding leaves certain, it is flat, and the cheapest direction seen on the way is across it.
 /// </remarks>
-internal static class PolytopeStart
+internal static unsafe class PolytopeStart
 {
     /// <summary>Makes the surface a tetrahedron, and notes what the directions cost.</summary>
     /// <returns>Undecided, Flat, Apart or Contradiction.</returns>
@@ -62,8 +62,15 @@ internal static class PolytopeStart
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref state.Simplex, 0, out int ids);
         state.Iterations++;
+#if NET
+        if (MinkowskiDifference.HaveLanes<TA, TB>())
+        {
+            MinkowskiDifference.SupportInLanes(ref a, ref b, frame, direction, polytope.Add(out int added));
+            return added;
+        }
+#endif
+        MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref state.Simplex, 0, out int ids);
         if (state.Matters<TA, TB>(ids)) state.See(frame, state.Simplex, 0);
         return polytope.Add(state.Simplex, 0);
     }

@@ -191,7 +191,7 @@ public class PolytopeTraceTests
                 }
 
                 if (!(Math.Abs(face.Normal.Length - 1) < 1e-12)) return "a normal that is no unit";
-                if (face.Height < lowest) return "a face lower than the lowest";
+                if (face.Height < lowest - Math.Abs(lowest) / (1L << 43)) return "a face lower than the lowest";
             }
 
             if (edges.Values.Any(twice => twice != 0)) return "an edge without a twin";

@@ -27,7 +27,7 @@ public readonly ref struct PolytopeStep
         Support = lowest < 0
             ? default
             : new TracedSupport(
-                frame, -polytope.Face(lowest).Normal, polytope.Vertex(polytope.VertexCount - 1));
+                frame, -polytope.Face(lowest).UnitNormal, polytope.Vertex(polytope.VertexCount - 1));
     }
 
     /// <summary>What the step led to; all but <see cref="PolytopeOutcome.Grows"/> end a search.</summary>
@@ -37,7 +37,15 @@ public readonly ref struct PolytopeStep
     /// How many faces the surface has; 0 where there is none to tell, because the search ended before it had four
     /// points or after it ran out of room.
     /// </summary>
-    public int FaceCount => LowestFace < 0 ? 0 : _polytope.FacesThere;
+    public int FaceCount
+    {
+        get
+        {
+            int count = 0;
+            for (int face = NextFace(-1); face >= 0; face = NextFace(face)) count++;
+            return count;
+        }
+    }
 
     /// <summary>The number of the face nearest the origin, or -1 without a surface.</summary>
     public int LowestFace { get; }
@@ -49,7 +57,7 @@ public readonly ref struct PolytopeStep
     public int VertexCount => _polytope.VertexCount;
 
     /// <summary>How many points the search has room for.</summary>
-    public int Room => _polytope.Room;
+    public int Room => Polytope.Room;
 
     /// <summary>
     /// The support call beyond the lowest face. Its normal is the face's, turned inward. Zeros without a surface.
@@ -69,8 +77,8 @@ public readonly ref struct PolytopeStep
 
     /// <summary>The number of the next face of the surface, or -1 after the last one.</summary>
     /// <param name="face">
-    /// A face's number; -1 for the first. A face keeps its number until a point is found beyond it; another face may
-    /// get the number then.
+    /// A face's number; -1 for the first. A face keeps its number until a point is found beyond it, or the numbers run
+    /// out and all that are left are dealt anew.
     /// </param>
     public int NextFace(int face)
     {
@@ -84,8 +92,8 @@ public readonly ref struct PolytopeStep
     /// <param name="face">Its number, as <see cref="NextFace"/> gives it.</param>
     /// <exception cref="ArgumentOutOfRangeException">The surface has no such face.</exception>
     public TracedFace Face(int face) =>
-        face >= 0 && FaceCount > 0 && face < _polytope.FaceCount && _polytope.IsThere(face)
-            ? new TracedFace(_polytope.Face(face), _polytope.Height(face) * _unit)
+        face >= 0 && LowestFace >= 0 && face < _polytope.FaceCount && _polytope.IsThere(face)
+            ? new TracedFace(_polytope.Face(face), _unit)
             : throw new ArgumentOutOfRangeException(nameof(face), face, "There is no such face.");
 
     /// <summary>A point of A - B, in A's axes.</summary>

@@ -5,13 +5,13 @@ namespace Gjk.Core;
 /// </summary>
 public readonly struct TracedFace
 {
-    internal unsafe TracedFace(in PolytopeFace face, double height)
+    internal unsafe TracedFace(in PolytopeFace face, double unit)
     {
         A = face.Vertices[0];
         B = face.Vertices[1];
         C = face.Vertices[2];
-        Normal = face.Normal;
-        Height = height;
+        Normal = face.UnitNormal;
+        Height = face.Height * unit;
     }
 
     /// <summary>The first corner: the number of a vertex.</summary>
