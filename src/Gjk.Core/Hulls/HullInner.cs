@@ -15,14 +15,13 @@ internal static class HullInner
     public static double Radius(ConvexHull hull)
     {
         if (hull.Dimension < 3) return 0;
-        double least = hull.BoundingRadius;
+        double least = hull.BoundingRadius, unit = 1 / PowerOfTwo.AtMost(least);
         for (int i = 0; i < hull.TriangleCount; i++)
         {
             hull.GetTriangle(i, out int a, out int b, out int c);
             hull.GetVertex(a, out Vector3D origin);
             hull.GetVertex(b, out Vector3D second);
             hull.GetVertex(c, out Vector3D third);
-            double unit = 1 / PowerOfTwo.AtMost(hull.BoundingRadius);
             VectorDD ab = (VectorDD)(second * unit) - origin * unit, ac = (VectorDD)(third * unit) - origin * unit;
             var normal = (Vector3D)VectorDD.Cross(ab, ac);
             least = Math.Min(least, Vector3D.Dot(normal, origin - hull.Center) / normal.Length);

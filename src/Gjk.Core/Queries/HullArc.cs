@@ -67,11 +67,15 @@ internal struct HullArc
             int next = FindChange(ref b, form.B, onB, ref turn);
             Go(turn, ref end);
             if (!search.TryLook(ref a, ref b, frame, _normal, _height - Vector3D.Dot(onB, _normalInB))) return false;
-            if (next < 0 || (_height > 0 && _height >= search.Limit - search.InnerB)) return true;
+            if (next < 0 || IsHigh(end, search.Limit - search.InnerB)) return true;
             _id = next;
             b.TryGetVertex(_id, out onB);
         }
     }
+
+    /// <summary>Whether all that is left of the arc is high: between its ends it is as high as the lower one.</summary>
+    private readonly bool IsHigh(in HullTurn end, double height) =>
+        _height > 0 && Math.Min(_height, end.Of(_height, _slope)) >= Math.Max(height, 0);
 
     /// <summary>How far to turn until another corner of A is as far as the edge.</summary>
     private readonly HullTurn FindEnd<TA>(in HullFacet facet, ref TA a, in BodyForm form, out bool isCertain)

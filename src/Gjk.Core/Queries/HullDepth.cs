@@ -16,7 +16,7 @@ namespace Gjk.Core;
 /// <para>
 /// Most facets need no support: with a ball in the other hull, no way near a facet is shorter than the facet's height
 /// and that ball's radius. Along an arc the height is no less than at one of its ends; so an arc is walked from its
-/// lower end only, and only where that is low.
+/// lower end only, until what is left of it has two high ends.
 /// </para>
 /// <para>
 /// It terminates because looks are counted. Verdicts: Enclosed when every facet and arc was proved to be no cheaper

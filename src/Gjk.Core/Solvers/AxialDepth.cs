@@ -62,7 +62,7 @@ internal static unsafe class AxialDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Ask(ref a, ref b, frame, way, 0, 1, 0, ref state, ref depth);
+        Ask(ref a, ref b, frame, way, 1, 0, ref state, ref depth);
         return !(depth.Above <= double.MaxValue) ? DepthVerdict.Contradiction
             : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Enclosed;
     }
@@ -92,8 +92,12 @@ internal static unsafe class AxialDepth
         return verdict;
     }
 
-    /// <summary>Proves that no way out in a plane is shorter than the shortest that was found and some more.</summary>
-    /// <returns>Flat where there is one.</returns>
+    /// <summary>
+    /// Proves that every way out in a plane is longer than the shortest that was found, by as much as those in the
+    /// planes beside it may be shorter: whatever the direction, since a body that leans is moved as a whole when it is
+    /// turned about the other's axis.
+    /// </summary>
+    /// <returns>Flat where one is not.</returns>
     private static DepthVerdict Walk<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double less, int limit, ref SolverState state,
         ref DepthBounds depth)
@@ -101,9 +105,9 @@ internal static unsafe class AxialDepth
         where TB : struct, ISupportMap
     {
         Side* waiting = stackalloc Side[MostWaiting];
-        Side begin = Ask(ref a, ref b, frame, plane, less, 0, -1, ref state, ref depth);
-        waiting[1] = Ask(ref a, ref b, frame, plane, less, 1, 0, ref state, ref depth);
-        waiting[0] = Ask(ref a, ref b, frame, plane, less, 0, 1, ref state, ref depth);
+        Side begin = Ask(ref a, ref b, frame, plane, 0, -1, ref state, ref depth);
+        waiting[1] = Ask(ref a, ref b, frame, plane, 1, 0, ref state, ref depth);
+        waiting[0] = Ask(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
         if (!(depth.Above <= double.MaxValue)) return DepthVerdict.Contradiction;
         int count = 2;
         double noise = Noise * state.Size.Value, contradiction = GjkTolerances.Contradiction * state.Size.Value;
@@ -111,13 +115,13 @@ internal static unsafe class AxialDepth
         while (count > 0)
         {
             if (depth.IsApart(state)) return DepthVerdict.Apart;
-            double proved = depth.Above - noise;
+            double proved = depth.Above + less - noise;
             if (least < proved) return DepthVerdict.Flat;
             Side end = waiting[count - 1];
             if (begin.TryGetChord(end, out double x, out double y, out double height) && height < proved)
             {
                 if (count == MostWaiting || state.Iterations >= limit) return DepthVerdict.Undecided;
-                Side between = Ask(ref a, ref b, frame, plane, less, x, y, ref state, ref depth);
+                Side between = Ask(ref a, ref b, frame, plane, x, y, ref state, ref depth);
                 least = Math.Min(least, between.Height);
                 if (!(between.Height - height >= -contradiction)) return DepthVerdict.Contradiction;
                 if (between.Height - height > noise)
@@ -135,8 +139,8 @@ internal static unsafe class AxialDepth
     }
 
     private static Side Ask<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double less, double across,
-        double along, ref SolverState state, ref DepthBounds depth)
+        ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double across, double along, ref SolverState state,
+        ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -146,7 +150,7 @@ internal static unsafe class AxialDepth
         state.Iterations++;
         if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, 0);
         depth.See(normal, Vector3D.Dot(normal, w));
-        return new Side(across, along, Vector3D.Dot(plane.Across, w) - less, Vector3D.Dot(plane.Axis, w));
+        return new Side(across, along, Vector3D.Dot(plane.Across, w), Vector3D.Dot(plane.Axis, w));
     }
 
     /// <summary>A direction and the furthest point in it, both in the plane.</summary>

@@ -19,6 +19,6 @@ public static class GoldenHashes
         ["rays"] = "986d5510c045beb9",
         ["shapes"] = "cf7c99aa0c7f883a",
         ["batches"] = "f50047053320661e",
-        ["scenes"] = "d6079d0fecb9f022",
+        ["scenes"] = "e02277cd6d229e0e",
     };
 }

@@ -86,7 +86,7 @@ public sealed class ViewTests
     public void APairWithoutRoomForItsDepthIntersects()
     {
         using var directory = new TempDirectory();
-        const string Round = "{\"shape\":{\"type\":\"ellipsoid\",\"radii\":[1,1,1]}}";
+        const string Round = "{\"shape\":{\"type\":\"ellipsoid\",\"radii\":[1,0.999,0.998]}}";
         string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{Round},{Round}]}}");
         string html = directory.File("a.html"), picture = directory.File("a.svg");
         DemoProcess.Run("view", scene, "--out", html, "--svg", picture).AssertDone();
