@@ -1,7 +1,7 @@
 # Two bounds of a depth that count as met differ by less than the promise, 1e-14 of the scale, with what rounding does
 # to either.
 # constant: GjkTolerances.DepthNoise = 16 * 2^-53
-# code: src/Gjk.Core/Solvers/GjkDepth.cs, Expand; Simplex/Polytope.cs, SetFace and Heights
+# code: src/Gjk.Core/Solvers/GjkDepth.cs, Expand; Simplex/Polytope.Faces.cs, TrySetFace and Offsets
 # assumed: the vertices as given; the pair's size is 1, since nothing here knows a scale. Shapes that overlap have
 #   centres a size apart at most, so the vertices are no further from the origin than 2, and the depth is 1 at most
 # control: c = 64b-53;
@@ -22,8 +22,9 @@ k = 30001e-4 * u;
 # The promise, 1e-14 of the scale, in pair sizes: a size is at most 1.74 times the scale (GjkTolerances).
 promise = 1e-14 / 174e-2;
 
-# The normal is of unit length but for 6 roundings (n): 3 in the squared length count half, then a root, a quotient and
-# a product. It is as much in either bound as the depth is long; the gap is rounded once (g).
+# A product with the normal n, of any length, is divided by |n|, which leaves 6 roundings (n): 3 in the squared length
+# count half, then a root, a quotient and a product. So a length of 1 stands for it here. It is as much in either bound
+# as the depth is long; the gap is rounded once (g).
 reach = 2;
 length = 1 + 5 * n;
 gap = c * (1 + g) + (k * reach + k * reach) * length + (length - 1) * 1;

@@ -31,7 +31,7 @@ internal unsafe partial struct Polytope
     /// </summary>
     private const double CutNoise = 64 * RoundOff.Unit;
 
-    /// <summary>The key of a face between three rays, which no direction sees: above all others, and below none.</summary>
+    /// <summary>The key of a face between three rays, which no direction sees: above all others.</summary>
     private const double AtInfinity = 1e300;
 
     /// <summary>Vertices that a cell begins with: those of the tetrahedron, which stay where they are.</summary>

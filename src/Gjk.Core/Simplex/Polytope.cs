@@ -14,10 +14,10 @@ namespace Gjk.Core;
 /// surface need not be convex, and rounding may leave it dented.
 /// </para>
 /// <para>
-/// Closed is a matter of bookkeeping alone: each edge is run through once in each direction. A search of the faces that
-/// go, depth first and edge by edge in turn, comes to their rim's edges in their own order, so each new face lies beside
-/// the next. Where they have an island or more between them it does not; then edges are paired by their vertices, and
-/// any pairing keeps the surface closed.
+/// Closed is a matter of bookkeeping alone: each edge is run through once in each direction. A search of the faces
+/// that go, depth first and edge by edge in turn, comes to their rim's edges in their own order, so each new face lies
+/// beside the next. Where they have an island or more between them it does not; then edges are paired by their
+/// vertices, and any pairing keeps the surface closed.
 /// </para>
 /// <para>
 /// New faces are made four at a time, in slots behind all others, since four normals cost hardly more than one where
@@ -50,7 +50,7 @@ internal unsafe partial struct Polytope
 
     private readonly Vector3D* _cuts;
 
-    /// <summary>Edges still to be looked across, and the rim's outer edges: a face's number times 4, and the edge's.</summary>
+    /// <summary>Edges to look across, and the rim's outer edges: a face's number times 4 plus the edge's.</summary>
     private readonly ushort* _stack, _rim;
 
     private double _noise, _level;
@@ -183,7 +183,7 @@ internal unsafe partial struct Polytope
         return true;
     }
 
-    /// <summary>Takes away the face, and all that can be reached from it across edges and that a point is above too.</summary>
+    /// <summary>Takes the face away, and all that is reached from it across edges and that a point is above.</summary>
     /// <returns>How many edges the rim has.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int TakeAway(int face, in Vector3D point)
@@ -212,7 +212,7 @@ internal unsafe partial struct Polytope
         return 3;
     }
 
-    /// <summary>Takes the face across an edge away, and puts its two other edges onto the stack, the next on top.</summary>
+    /// <summary>Takes the face across an edge away, and puts its other edges onto the stack, the next on top.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly int Cross(int twin, int height)
     {
@@ -233,8 +233,8 @@ internal unsafe partial struct Polytope
         for (int i = first; i < end; i++) _stack[i - first] = 0;
         for (int i = first; i < end; i++)
         {
-            int next = first;
-            while (next < end && (_stack[next - first] != 0 || _faces[next].Vertices[0] != _faces[i].Vertices[1])) next++;
+            int next = first, begin = _faces[i].Vertices[1];
+            while (next < end && (_stack[next - first] != 0 || _faces[next].Vertices[0] != begin)) next++;
             if (next == end) return false;
             _stack[next - first] = 1;
             Join(i, 1, next, 2);

@@ -67,7 +67,8 @@ internal static unsafe class GjkDepth
         {
             face = polytope.Lowest(out double key);
             Vector3D normal = polytope.Face(face).Normal;
-            double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared), lowest = polytope.Face(face).Offset * scale;
+            double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared);
+            double lowest = polytope.Face(face).Offset * scale;
             depth.Below = Math.Max(depth.Below, lowest);
             int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;

@@ -24,8 +24,9 @@ internal static class PolytopeEnd
         double least = DistanceSquared(polytope, best, point);
         for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
         {
+            if (!polytope.IsThere(i)) continue;
             double along = Vector3D.Dot(polytope.Face(i).Normal, normal);
-            if (!polytope.IsThere(i) || !(along > 0 && along * along > Level * polytope.Face(i).NormalSquared)) continue;
+            if (!(along > 0 && along * along > Level * polytope.Face(i).NormalSquared)) continue;
             double squared = DistanceSquared(polytope, i, point);
             if (!(squared < least)) continue;
             least = squared;

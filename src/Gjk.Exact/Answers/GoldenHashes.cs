@@ -12,13 +12,13 @@ public static class GoldenHashes
     public static readonly IReadOnlyDictionary<string, string> All = new Dictionary<string, string>
     {
         ["distances"] = "533df80e35cd6025",
-        ["depths"] = "ae978d1d82c9e9c6",
-        ["contacts"] = "d3209a82f5a753f5",
-        ["casts"] = "0439b074989db937",
-        ["impacts"] = "644f83534344b4ba",
-        ["rays"] = "986d5510c045beb9",
-        ["shapes"] = "cf7c99aa0c7f883a",
+        ["depths"] = "9dc7d9ad23e41f09",
+        ["contacts"] = "77bc86d2e995d7db",
+        ["casts"] = "a41d9714908af600",
+        ["impacts"] = "bf9ee8665b2b9305",
+        ["rays"] = "f97003a7a9720186",
+        ["shapes"] = "6b5cbdba5996ec32",
         ["batches"] = "f50047053320661e",
-        ["scenes"] = "e02277cd6d229e0e",
+        ["scenes"] = "f5158606d28464ca",
     };
 }
