@@ -28,7 +28,7 @@ internal readonly struct ContactPlane
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         Frame = frame;
         Normal = state.Feature.Normal * -scale;
-        OnA = state.Simplex.PointOnA(state.Weights);
+        OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
         CoreDistance = state.Feature.Height * scale;
         Size = state.Size.Value;
     }

@@ -71,6 +71,12 @@ internal struct RotationD
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         set => value.StoreUnsafe(ref M02);
     }
+#else
+    public readonly Vector3D Column0 => new(M00, M10, M20);
+
+    public readonly Vector3D Column1 => new(M01, M11, M21);
+
+    public readonly Vector3D Column2 => new(M02, M12, M22);
 #endif
 
     public readonly RotationD Transposed

@@ -108,7 +108,7 @@ internal static class CastSolver
             {
                 warmStart.Keep(state);
                 if (cast.Outcome == Verdict.Apart) return;
-                cast.OnA = state.Simplex.PointOnA(state.Weights);
+                cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
                 if (cast.Fraction == 0) cast.OnA += ToCommon(state, frame);
                 else if (state.IsCurved) CastNormal.Sharpen(ref a, ref b, ref frame, line, ref state, ref cast);
                 return;
@@ -143,7 +143,7 @@ internal static class CastSolver
         Vector3D before = frame.Translation;
         frame.Translation = line.Nearest;
         cast.Outcome = CastPortal.Solve(ref a, ref b, frame, line, most, ref cast, ref state);
-        if (cast.Outcome == Verdict.Enclosed) cast.OnA = state.Simplex.PointOnA(state.Weights);
+        if (cast.Outcome == Verdict.Enclosed) cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
         if (cast.Outcome != Verdict.Undecided) return true;
         frame.Translation = before;
         cast.Fraction = 0;

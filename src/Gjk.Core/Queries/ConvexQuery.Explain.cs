@@ -54,7 +54,9 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        WarmStart unused = default;
-        return AskSigned(a, poseA, b, poseB, ref unused, false, false, ref trace, out _);
+        var question = new SignedQuestion<TTrace>(default, isWarm: false) { Trace = trace };
+        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
+        trace = question.Trace;
+        return result;
     }
 }

@@ -36,10 +36,10 @@ public static partial class ConvexQuery
                 state.Simplex.PointOnB(state.Weights));
         }
 
-        Vector3D onA = state.Simplex.PointOnA(state.Weights), onB = state.Simplex.PointOnB(state.Weights);
+        Xyz onA = state.Simplex.PointOnA(state.Weights), onB = state.Simplex.PointOnB(state.Weights);
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
-        Vector3D toA = state.Feature.Normal * scale;
-        Vector3D toAInB = frame.MarginB > 0 ? frame.Rotation.InverseRotate(toA) : default;
+        Xyz toA = state.Feature.Normal.ToXyz() * scale;
+        Xyz toAInB = frame.MarginB > 0 ? frame.Inverse.Rotate(toA) : default;
         bool isTouching = Proofs.IsTouching(state, distance);
         if (isTouching && !isSigned)
         {
@@ -53,13 +53,14 @@ public static partial class ConvexQuery
         distance = gap * frame.Unit;
         if ((float)distance > Math.Max(maxDistance, 0)) return Beyond(state, frame);
 
-        Vector3D localA = (onA - toA * frame.MarginA + frame.CenterA) * frame.Unit;
-        Vector3D localB = (onB + toAInB * frame.MarginB + frame.CenterB) * frame.Unit;
-        Vector3D normal = -frame.RotationA.Rotate(toA), worldA = frame.RotationA.Rotate(localA) + poseA.Position;
-        Vector3D worldB = worldA + normal * distance;
+        Xyz localA = (onA - toA * frame.MarginA + frame.CenterA.ToXyz()) * frame.Unit;
+        Xyz localB = (onB + toAInB * frame.MarginB + frame.CenterB.ToXyz()) * frame.Unit;
+        Xyz normal = -frame.RotationA.Rotate(toA);
+        Xyz worldA = frame.RotationA.Rotate(localA) + ((Vector3D)poseA.Position).ToXyz();
+        Xyz worldB = worldA + normal * distance;
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
         {
-            worldB = ToWorld(poseB, localB);
+            worldB = ToWorld(poseB, localB.ToVector3D()).ToXyz();
             if (!IsFarApart(gap, frame.RadiusA, frame.CenterA)) worldA = worldB - normal * distance;
         }
 
@@ -75,8 +76,8 @@ public static partial class ConvexQuery
         // What counts as touching may be apart by less than that counts, and yet no bound is above the distance.
         if (isTouching) bound = Math.Min(bound, 0);
         return new DistanceResult(
-            status, (float)distance, bound, (Vector3)worldA, (Vector3)worldB, (Vector3)normal, (Vector3)localA,
-            (Vector3)localB, state.Iterations);
+            status, (float)distance, bound, worldA.ToSingle(), worldB.ToSingle(), normal.ToSingle(),
+            localA.ToSingle(), localB.ToSingle(), state.Iterations);
     }
 
     /// <summary>The signed gap between the shapes: that of the cores less the margins, in solver units.</summary>
@@ -114,15 +115,14 @@ public static partial class ConvexQuery
     /// A common point, given on both cores, and placed from the pose that the two points of shapes apart would be.
     /// </summary>
     private static DistanceResult Common(
-        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, in Vector3D onA,
-        in Vector3D onB)
+        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, Xyz onA, Xyz onB)
     {
-        Vector3D localA = (onA + frame.CenterA) * frame.Unit, localB = (onB + frame.CenterB) * frame.Unit;
+        Xyz localA = (onA + frame.CenterA.ToXyz()) * frame.Unit, localB = (onB + frame.CenterB.ToXyz()) * frame.Unit;
         var world = (Vector3)(IsMuchSmallerB(state, frame)
-            ? ToWorld(poseB, localB)
-            : frame.RotationA.Rotate(localA) + poseA.Position);
+            ? ToWorld(poseB, localB.ToVector3D())
+            : frame.RotationA.Rotate(localA.ToVector3D()) + poseA.Position);
         return new DistanceResult(
-            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)localA, (Vector3)localB,
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, localA.ToSingle(), localB.ToSingle(),
             state.Iterations);
     }
 

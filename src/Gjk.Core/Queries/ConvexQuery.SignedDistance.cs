@@ -31,9 +31,8 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        WarmStart unused = default;
-        NoPolytopeTrace trace = default;
-        return AskSigned(a, poseA, b, poseB, ref unused, false, false, ref trace, out _);
+        var question = new SignedQuestion<NoPolytopeTrace>(default, isWarm: false);
+        return AskSigned(a, poseA, b, poseB, ref question);
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -53,9 +52,10 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        WarmStart unused = default;
-        NoPolytopeTrace trace = default;
-        return AskSigned(a, poseA, b, poseB, ref unused, false, true, ref trace, out simplex);
+        var question = new SignedQuestion<NoPolytopeTrace>(default, isWarm: false, wantsSimplex: true);
+        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
+        simplex = question.Simplex;
+        return result;
     }
 
     /// <summary>
@@ -77,14 +77,15 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        NoPolytopeTrace trace = default;
-        return AskSigned(a, poseA, b, poseB, ref warmStart, true, false, ref trace, out _);
+        var question = new SignedQuestion<NoPolytopeTrace>(warmStart, isWarm: true);
+        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
+        warmStart = question.WarmStart;
+        return result;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static DistanceResult AskSigned<TA, TB, TTrace>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart, bool isWarm,
-        bool wantsSimplex, ref TTrace trace, out FinalSimplex simplex)
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref SignedQuestion<TTrace> question)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
@@ -93,11 +94,7 @@ public static partial class ConvexQuery
         TB copyB = default;
         ref TA shapeA = ref Inward(a, ref copyA);
         ref TB shapeB = ref Inward(b, ref copyB);
-        var question = new SignedQuestion<TTrace>(warmStart, isWarm, wantsSimplex) { Trace = trace };
         Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
-        trace = question.Trace;
-        if (isWarm) warmStart = question.WarmStart;
-        simplex = question.Simplex;
         return question.Result;
     }
 
@@ -135,13 +132,19 @@ public static partial class ConvexQuery
 
         private readonly bool _isWarm, _wantsSimplex, _wantsPlane, _wantsTouch;
 
+        /// <summary>What is not wanted is not cleared where the runtime lets it be: it is half a kilobyte.</summary>
         public SignedQuestion(
-            in WarmStart warmStart, bool isWarm, bool wantsSimplex, bool wantsPlane = false, bool wantsTouch = false)
+            in WarmStart warmStart, bool isWarm, bool wantsSimplex = false, bool wantsPlane = false,
+            bool wantsTouch = false)
         {
+#if NET
+            Unsafe.SkipInit(out this);
+#else
+            this = default;
+#endif
             WarmStart = warmStart;
-            Simplex = default;
-            Result = default;
-            Plane = default;
+            if (wantsSimplex) Simplex = default;
+            if (wantsPlane) Plane = default;
             Trace = default;
             _isWarm = isWarm;
             _wantsSimplex = wantsSimplex;

@@ -252,7 +252,7 @@ public static partial class ConvexQuery
                 ? frame.Translation * (1 / frame.Translation.Length)
                 : impact.Normal;
             var outward = (Vector3)frame.RotationA.Rotate(normal);
-            Vector3D onA = state.Simplex.PointOnA(state.Weights) + normal * frame.MarginA + frame.CenterA;
+            Vector3D onA = state.Simplex.PointOnA(state.Weights).ToVector3D() + normal * frame.MarginA + frame.CenterA;
             motion.MoveTo(fraction, ref frame);
             Vector3D position = (Vector3D)_motionA.Pose.Position + (Vector3D)_motionA.Velocity * fraction;
             return new CastResult(

@@ -60,7 +60,7 @@ internal static class CurvedTouch
             touch.Normal = apart.Plane.Normal * -planeScale;
             double gap = apart.Plane.Value * planeScale - frame.Margins - Vector3D.Dot(touch.Normal, way);
             if (!(gap >= -GjkTolerances.TouchCurved * size)) continue;
-            touch.OnA = apart.Simplex.PointOnA(apart.Weights);
+            touch.OnA = apart.Simplex.PointOnA(apart.Weights).ToVector3D();
             CastLine outward = default;
             outward.Axis = -touch.Normal;
             moved.Translation = frame.Translation;

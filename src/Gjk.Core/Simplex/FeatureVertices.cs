@@ -29,6 +29,14 @@ internal struct FeatureVertices
         vertices.Winding = 1;
     }
 
+    /// <summary>Winds a face the other way, so that it points away from the origin.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void TurnOver()
+    {
+        (B, C) = (C, B);
+        Winding = -Winding;
+    }
+
     /// <summary>A slot that none of the three holds.</summary>
     public readonly int FreeSlot
     {

@@ -189,7 +189,9 @@ internal unsafe partial struct Polytope
         }
 
         Put(index, normal, least);
-        if (normal == default) _keys[index] = KeyOf(AtInfinity, index);
+        if (normal != default) return;
+        face->Offset = double.PositiveInfinity;
+        _keys[index] = KeyOf(AtInfinity, index);
     }
 
     /// <summary>From a point to a vertex, or along a ray.</summary>

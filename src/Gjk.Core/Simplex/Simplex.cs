@@ -158,23 +158,40 @@ internal unsafe struct Simplex
 
     /// <summary>The weighted sum of A's support points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D PointOnA(in Weights w)
+    public readonly Xyz PointOnA(in Weights w)
     {
-        Vector3D point = OnA(A) * w.A;
-        if (Count > 1) point += OnA(B) * w.B;
-        if (Count > 2) point += OnA(C) * w.C;
-        if (Count > 3) point += OnA(D) * w.D;
+        Xyz point = XyzOnA(A) * w.A;
+        if (Count > 1) point += XyzOnA(B) * w.B;
+        if (Count > 2) point += XyzOnA(C) * w.C;
+        if (Count > 3) point += XyzOnA(D) * w.D;
         return point;
     }
 
     /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D PointOnB(in Weights w)
+    public readonly Xyz PointOnB(in Weights w)
     {
-        Vector3D point = OnB(A) * w.A;
-        if (Count > 1) point += OnB(B) * w.B;
-        if (Count > 2) point += OnB(C) * w.C;
-        if (Count > 3) point += OnB(D) * w.D;
+        Xyz point = XyzOnB(A) * w.A;
+        if (Count > 1) point += XyzOnB(B) * w.B;
+        if (Count > 2) point += XyzOnB(C) * w.C;
+        if (Count > 3) point += XyzOnB(D) * w.D;
         return point;
     }
+
+#if NET
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly Xyz XyzOnA(int slot) => Load(_onA[0], slot);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly Xyz XyzOnB(int slot) => Load(_onB[0], slot);
+
+    /// <summary>A last lane that no writer has cleared may hold a denormal number, whose products are slow.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Xyz Load(in double points, int slot) =>
+        Vector256.LoadUnsafe(in points, (nuint)(4 * slot)) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
+#else
+    private readonly Xyz XyzOnA(int slot) => OnA(slot);
+
+    private readonly Xyz XyzOnB(int slot) => OnB(slot);
+#endif
 }

@@ -15,16 +15,16 @@ namespace Gjk.Core;
 /// parallel to the last bit have no axis.
 /// </para>
 /// <para>
-/// Two things differ from the source. Edges are compared without a root: the square of the cost with the squared length
-/// of the axis. And faces come first: an edge pair is taken only where it is cheaper by more than rounding, so that a
-/// resting box keeps its face. Of equal faces the first is taken, A's before B's, x before y before z; where the
-/// centres are level along an axis, its positive direction.
+/// Two things differ from the source. Edges are compared without a root: the square of the cost, with its sign, and the
+/// squared length of the axis. And faces come first: an edge pair is taken only where it is cheaper by more than
+/// rounding, so that a resting box keeps its face. Of equal faces the first is taken, A's before B's, x before y before
+/// z; where the centres are level along an axis, its positive direction.
 /// </para>
 /// <para>
 /// Verdicts: Enclosed, or Apart when an axis separates the boxes by more than rounding could.
 /// </para>
 /// </remarks>
-internal static class BoxDepth
+internal static unsafe class BoxDepth
 {
     /// <summary>Finds the depth; the state gets the deepest points as a simplex of one vertex without ids.</summary>
     /// <param name="halfA">Half of A's sides.</param>
@@ -34,36 +34,37 @@ internal static class BoxDepth
     public static DepthVerdict Solve(
         in Vector3D halfA, in Vector3D halfB, in PairFrame frame, ref SolverState state)
     {
-        var pair = new BoxPair(halfA, halfB, frame);
-        DepthBounds depth = DepthBounds.None;
-        double noise = GjkTolerances.Noise * state.Size.Value, cost;
-        int axis = 0;
-        for (int i = 0; i < BoxPair.Faces; i++)
+        double* costs = stackalloc double[BoxAxes.Lanes], squares = stackalloc double[BoxAxes.Lanes];
+        BoxAxes.Find(halfA, halfB, frame, costs, squares);
+        double noise = GjkTolerances.Noise * state.Size.Value, above = double.PositiveInfinity, limit = above;
+        double scale = 1;
+        int best = 0;
+        for (int i = 0; i < BoxAxes.Edges; i++)
         {
-            Vector3D face = pair.FaceAxis(i);
-            cost = pair.Cost(face);
-            if (!(cost < depth.Above - noise)) continue;
-            depth.Settle(pair.Outward(face), cost);
-            axis = i;
+            if (!(BoxAxes.IsAxis(i) && costs[i] < limit)) continue;
+            above = costs[i];
+            limit = above - noise;
+            best = i;
         }
 
-        for (int i = BoxPair.Faces; i < BoxPair.Axes; i++)
+        double limitSquared = limit * Math.Abs(limit);
+        for (int i = BoxAxes.Edges; i < BoxAxes.Lanes; i++)
         {
-            Vector3D edges = pair.EdgeAxis(i);
-            double squared = edges.LengthSquared, limit = depth.Above - noise;
-            cost = pair.Cost(edges);
-            if (!(cost < 0 ? limit > 0 || cost * cost > limit * limit * squared
-                : limit > 0 && cost * cost < limit * limit * squared)) continue;
-            double scale = 1 / Math.Sqrt(squared);
-            depth.Settle(pair.Outward(edges) * scale, cost * scale);
-            axis = i;
+            if (!(BoxAxes.IsAxis(i) && costs[i] * Math.Abs(costs[i]) < limitSquared * squares[i])) continue;
+            scale = 1 / Math.Sqrt(squares[i]);
+            above = costs[i] * scale;
+            limit = above - noise;
+            limitSquared = limit * Math.Abs(limit);
+            best = i;
         }
 
-        depth.Store(ref state, depth.Above);
+        var pair = new BoxPair(halfA, halfB, frame, BoxAxes.AxisOf(best));
+        DepthBounds depth = default;
+        depth.Settle(pair.Outward * scale, above);
+        depth.Store(ref state, above);
         if (depth.IsApart(state)) return DepthVerdict.Apart;
-        BoxDepthPoints.Find(pair, axis, depth, state.Size.Value, out Vector3D onA, out Vector3D onB);
-        Vector3D inB = frame.Rotation.InverseRotate(onB - pair.Between);
-        state.Simplex.Fill(0, depth.Normal * depth.Above, onA, inB, -1, -1);
+        BoxDepthPoints.Find(pair, depth, state.Size.Value, out Vector3D onA, out Vector3D inB);
+        state.Simplex.Fill(0, depth.Normal * above, onA, inB, -1, -1);
         state.Simplex.Select(1, 0, 0, 0, 0);
         return DepthVerdict.Enclosed;
     }

@@ -27,29 +27,56 @@ internal static class BoxDepthPoints
     /// </summary>
     private const double Slack = 1e-12;
 
-    /// <summary>Finds both points in A's frame, from A's centre.</summary>
-    public static void Find(
-        in BoxPair pair, int axis, in DepthBounds depth, double size, out Vector3D onA, out Vector3D onB)
+    /// <summary>Finds both points, from the boxes' centres and in their frames.</summary>
+    public static void Find(in BoxPair pair, in DepthBounds depth, double size, out Vector3D onA, out Vector3D inB)
     {
         Vector3D way = depth.Normal * depth.Above;
-        if (axis >= BoxPair.Faces)
+        if (pair.Axis >= BoxPair.Faces)
         {
-            onA = OnEdge(pair, axis, depth);
-            onB = onA - way;
+            onA = OnEdge(pair, depth);
+            inB = InB(pair, onA - way);
         }
-        else if (axis >= 3)
+        else if (pair.Axis >= 3)
         {
             // Seen from B, whose face it is.
-            onA = Opposite(
-                default, SidesOfA(pair), pair.Between, SidesOfB(pair), axis - 3, -depth.Normal, size);
-            onB = onA - way;
+            if (!TryCorner(pair.HalfA, depth.Normal, size, out onA))
+            {
+                onA = Opposite(
+                    default, SidesOfA(pair), pair.Between, SidesOfB(pair), pair.Axis - 3, -depth.Normal, size);
+            }
+
+            inB = InB(pair, onA - way);
         }
         else
         {
-            onB = Opposite(
-                pair.Between, SidesOfB(pair), default, SidesOfA(pair), axis, depth.Normal, size);
+            Vector3D axis = pair.AxisOfAInB(pair.Axis), normal = depth.Normal;
+            bool isTurned = normal.X + normal.Y + normal.Z < 0;
+            if (TryCorner(pair.HalfB, isTurned ? axis : -axis, size, out inB))
+            {
+                onA = pair.Between + pair.X * inB.X + pair.Y * inB.Y + pair.Z * inB.Z + way;
+                return;
+            }
+
+            Vector3D onB = Opposite(
+                pair.Between, SidesOfB(pair), default, SidesOfA(pair), pair.Axis, normal, size);
             onA = onB + way;
+            inB = InB(pair, onB);
         }
+    }
+
+    /// <summary>The corner of a box that is furthest in a direction, where no side is level across it.</summary>
+    private static bool TryCorner(in Vector3D half, in Vector3D direction, double size, out Vector3D corner)
+    {
+        double level = LevelSide * size, x = direction.X * half.X, y = direction.Y * half.Y, z = direction.Z * half.Z;
+        corner = new Vector3D(x < 0 ? -half.X : half.X, y < 0 ? -half.Y : half.Y, z < 0 ? -half.Z : half.Z);
+        return Math.Abs(x) > level & Math.Abs(y) > level & Math.Abs(z) > level;
+    }
+
+    /// <summary>A point of A's frame, from B's centre in B's.</summary>
+    private static Vector3D InB(in BoxPair pair, in Vector3D point)
+    {
+        Vector3D from = point - pair.Between;
+        return new Vector3D(Vector3D.Dot(pair.X, from), Vector3D.Dot(pair.Y, from), Vector3D.Dot(pair.Z, from));
     }
 
     /// <summary>The point of a box that lies deepest behind a face of another, and opposite the face.</summary>
@@ -83,9 +110,9 @@ internal static class BoxDepthPoints
     }
 
     /// <summary>The point of A's edge where B's passes it.</summary>
-    private static Vector3D OnEdge(in BoxPair pair, int axis, in DepthBounds depth)
+    private static Vector3D OnEdge(in BoxPair pair, in DepthBounds depth)
     {
-        int i = BoxPair.EdgeOfA(axis), j = BoxPair.EdgeOfB(axis);
+        int i = pair.EdgeOfA, j = pair.EdgeOfB;
         Vector3D normal = depth.Normal, along = BoxPair.Unit(i), alongB = pair.AxisOfB(j);
         Vector3D a = default, b = pair.Between;
         Sides sidesA = SidesOfA(pair), sidesB = SidesOfB(pair);

@@ -1,12 +1,10 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>Two boxes in A's frame, from A's centre, and the axes that can separate them.</summary>
+/// <summary>Two boxes in A's frame, from A's centre, and the axis across which they are nearest to apart.</summary>
 internal readonly struct BoxPair
 {
-    /// <summary>Count of the axes across faces, A's and then B's, and of all with those across edges.</summary>
-    public const int Faces = 6, Axes = 15;
+    /// <summary>Count of the axes across faces, A's and then B's.</summary>
+    public const int Faces = 6;
 
     /// <summary>Half the side lengths.</summary>
     public readonly Vector3D HalfA, HalfB;
@@ -17,7 +15,12 @@ internal readonly struct BoxPair
     /// <summary>B's centre.</summary>
     public readonly Vector3D Between;
 
-    public BoxPair(in Vector3D halfA, in Vector3D halfB, in PairFrame frame)
+    /// <summary>
+    /// The axis's number: across A's faces, across B's, and then across A's first edge and each of B's.
+    /// </summary>
+    public readonly int Axis;
+
+    public BoxPair(in Vector3D halfA, in Vector3D halfB, in PairFrame frame, int axis)
     {
         HalfA = halfA;
         HalfB = halfB;
@@ -25,44 +28,45 @@ internal readonly struct BoxPair
         Y = new Vector3D(frame.Rotation.M01, frame.Rotation.M11, frame.Rotation.M21);
         Z = new Vector3D(frame.Rotation.M02, frame.Rotation.M12, frame.Rotation.M22);
         Between = frame.Translation;
+        Axis = axis;
     }
 
     /// <summary>One of B's axes.</summary>
     public Vector3D AxisOfB(int index) => index == 0 ? X : index == 1 ? Y : Z;
 
-    /// <summary>The axis across a face, of unit length.</summary>
-    public Vector3D FaceAxis(int index) => index >= 3 ? AxisOfB(index - 3) : Unit(index);
+    /// <summary>One of A's axes as B has it.</summary>
+    public Vector3D AxisOfAInB(int index) => index == 0 ? new Vector3D(X.X, Y.X, Z.X)
+        : index == 1 ? new Vector3D(X.Y, Y.Y, Z.Y) : new Vector3D(X.Z, Y.Z, Z.Z);
 
-    /// <summary>
-    /// The axis across an edge of A and one of B, of any length, and perpendicular to A's without rounding.
-    /// </summary>
-    public Vector3D EdgeAxis(int index)
+    /// <summary>Along which of A's axes the edge of the axis lies.</summary>
+    public int EdgeOfA => (Axis - Faces) / 3;
+
+    /// <summary>Along which of B's axes the edge of the axis lies.</summary>
+    public int EdgeOfB => (Axis - Faces) % 3;
+
+    /// <summary>The axis, turned to the side of B; of unit length across a face, and of any across edges.</summary>
+    public Vector3D Outward
     {
-        Vector3D b = AxisOfB(EdgeOfB(index));
-        return EdgeOfA(index) switch
+        get
         {
-            0 => new Vector3D(0, -b.Z, b.Y),
-            1 => new Vector3D(b.Z, 0, -b.X),
-            _ => new Vector3D(-b.Y, b.X, 0),
-        };
+            Vector3D axis = Axis < 3 ? Unit(Axis) : Axis < Faces ? AxisOfB(Axis - 3) : AcrossEdges;
+            return Vector3D.Dot(axis, Between) < 0 ? -axis : axis;
+        }
     }
 
-    /// <summary>Along which of A's axes the edge of an axis lies.</summary>
-    public static int EdgeOfA(int index) => (index - Faces) / 3;
-
-    /// <summary>Along which of B's axes the edge of an axis lies.</summary>
-    public static int EdgeOfB(int index) => (index - Faces) % 3;
-
-    /// <summary>An axis, turned to the side of B.</summary>
-    public Vector3D Outward(in Vector3D axis) => Vector3D.Dot(axis, Between) < 0 ? -axis : axis;
-
-    /// <summary>How far B must move along an axis, on its side, to leave A behind, times the axis's length.</summary>
-    public double Cost(in Vector3D axis)
+    /// <summary>Perpendicular to A's edge without rounding.</summary>
+    private Vector3D AcrossEdges
     {
-        double a = Math.Abs(axis.X) * HalfA.X + Math.Abs(axis.Y) * HalfA.Y + Math.Abs(axis.Z) * HalfA.Z;
-        double b = Math.Abs(Vector3D.Dot(axis, X)) * HalfB.X + Math.Abs(Vector3D.Dot(axis, Y)) * HalfB.Y
-            + Math.Abs(Vector3D.Dot(axis, Z)) * HalfB.Z;
-        return a + b - Math.Abs(Vector3D.Dot(axis, Between));
+        get
+        {
+            Vector3D b = AxisOfB(EdgeOfB);
+            return EdgeOfA switch
+            {
+                0 => new Vector3D(0, -b.Z, b.Y),
+                1 => new Vector3D(b.Z, 0, -b.X),
+                _ => new Vector3D(-b.Y, b.X, 0),
+            };
+        }
     }
 
     /// <summary>One of A's axes.</summary>

@@ -48,7 +48,7 @@ internal static class CastNormal
         Vector3D normal = feature.Normal * (-1 / length);
         state.Simplex.Select(
             vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
-        Vector3D onA = state.Simplex.PointOnA(ClosestPointWeights.Of(state.Simplex));
+        Vector3D onA = state.Simplex.PointOnA(ClosestPointWeights.Of(state.Simplex)).ToVector3D();
         frame.Translation = contact;
         double slope = -Vector3D.Dot(normal, line.Axis);
         double gap = GapAlong(ref a, ref b, frame, normal, ref state.Simplex, ref cast);

@@ -62,11 +62,30 @@ internal static class GjkDistance
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        if (state.Simplex.Count != 0 && !TryBegin(ref state)) return;
         Load(state, out FeatureVertices vertices, out ClosestFeature feature);
-        double distanceSquared = vertices.Count == 0 ? double.PositiveInfinity : feature.DistanceSquared;
-        double touchSquared = state.TouchSquared, noise = state.Noise, reachSquared = maxDistance * maxDistance;
+        double distanceSquared = double.PositiveInfinity, touchSquared = state.TouchSquared, noise = state.Noise;
+        double reachSquared = maxDistance * maxDistance;
         bool separated = false;
+        if (vertices.Count != 0)
+        {
+            if (vertices.Count == 4 || !NextSimplex.TryKeepAll(ref vertices, ref feature))
+            {
+                if (!TryReselect(ref state)) return;
+                Load(state, out vertices, out feature);
+            }
+            else if (vertices.Winding < 0)
+            {
+                vertices.TurnOver();
+            }
+
+            distanceSquared = feature.DistanceSquared;
+            if (!(distanceSquared > touchSquared))
+            {
+                Stop(ref state, vertices, feature, distanceSquared, touchSquared);
+                return;
+            }
+        }
+
         for (int rounds = 1; ; rounds++)
         {
             int slot = vertices.FreeSlot;
@@ -221,31 +240,22 @@ internal static class GjkDistance
     }
 
     /// <summary>
-    /// Reduces a warm start's simplex; false when that settles the query already, or leaves it undecided.
+    /// Finds the nearest feature of a warm start's simplex, of which not all vertices are part; false when that settles
+    /// the query already.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static bool TryBegin(ref SolverState state)
+    private static bool TryReselect(ref SolverState state)
     {
-        double touchSquared = state.TouchSquared;
         if (state.Simplex.Count == 4 && Proofs.TryEncloseClearly(ref state)) return false;
-        Load(state, out FeatureVertices vertices, out ClosestFeature feature);
-        if (vertices.Count == 4 || !NextSimplex.TryKeepAll(ref vertices, ref feature))
+        if (!ClosestPointWeights.TrySelect(ref state.Simplex))
         {
-            // The pair has moved so far that another feature of the simplex is the nearest.
-            if (!ClosestPointWeights.TrySelect(ref state.Simplex))
-            {
-                Proofs.Enclose(ref state, touchSquared);
-                return false;
-            }
-
-            Load(state, out vertices, out feature);
-            NextSimplex.Reduce(ref vertices, ref feature);
+            Proofs.Enclose(ref state, state.TouchSquared);
+            return false;
         }
 
-        double distanceSquared = feature.DistanceSquared;
+        Load(state, out FeatureVertices vertices, out ClosestFeature feature);
+        NextSimplex.Reduce(ref vertices, ref feature);
         Store(ref state, vertices, feature);
-        if (distanceSquared > touchSquared) return true;
-        Proofs.Touch(ref state, distanceSquared, touchSquared);
-        return false;
+        return true;
     }
 }

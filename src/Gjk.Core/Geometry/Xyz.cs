@@ -1,0 +1,65 @@
+#if NET
+global using Xyz = System.Runtime.Intrinsics.Vector256<double>;
+#else
+global using Xyz = Gjk.Core.Vector3D;
+#endif
+using System.Numerics;
+#if NET
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Three doubles to compute with: a register whose last lane is nobody's where there are such, or a
+/// <see cref="Vector3D"/>. What is written with either has the same bits.
+/// </summary>
+internal static class XyzExtensions
+{
+#if NET
+    /// <summary>The first three lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3D ToVector3D(this Xyz v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
+
+    /// <summary>Rounded to float.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 ToSingle(this Xyz v) => Vector128.Narrow(v.GetLower(), v.GetUpper()).AsVector3();
+
+    /// <summary>The vector with a 0 behind it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Xyz ToXyz(this in Vector3D v) => Vector256.Create(v.X, v.Y, v.Z, 0);
+
+    /// <summary>The magnitudes of the components.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Xyz Abs(this Xyz v) => Vector256.Abs(v);
+
+    /// <summary>The products of the components.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Xyz Times(this Xyz v, Xyz w) => v * w;
+
+    /// <summary>Writes the components, and one double more.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void StoreAt(this Xyz v, double* to) => Vector256.Store(v, to);
+
+    /// <summary><see cref="RotationD.Rotate"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Xyz Rotate(this in RotationD matrix, Xyz v) =>
+        matrix.Column0 * Vector256.Shuffle(v, Vector256.Create(0L))
+            + matrix.Column1 * Vector256.Shuffle(v, Vector256.Create(1L))
+            + matrix.Column2 * Vector256.Shuffle(v, Vector256.Create(2L));
+#else
+    public static Vector3D ToVector3D(this Vector3D v) => v;
+
+    public static Vector3 ToSingle(this in Vector3D v) => (Vector3)v;
+
+    public static Vector3D ToXyz(this in Vector3D v) => v;
+
+    public static Vector3D Abs(this in Vector3D v) =>
+        new(System.Math.Abs(v.X), System.Math.Abs(v.Y), System.Math.Abs(v.Z));
+
+    public static Vector3D Times(this in Vector3D v, in Vector3D w) => new(v.X * w.X, v.Y * w.Y, v.Z * w.Z);
+
+    public static unsafe void StoreAt(this in Vector3D v, double* to) => (to[0], to[1], to[2]) = (v.X, v.Y, v.Z);
+#endif
+}
