@@ -9,8 +9,11 @@ public sealed partial class CollisionScene
     /// <summary>The pairs that are worth a search for depth or contacts.</summary>
     private readonly List<ObjectPair> _touching = [];
 
-    private DistanceResult[] _depths = [];
-    private ContactManifold[] _manifolds = [];
+    private readonly PairAnswers<PairDistance> _depths = new();
+    private readonly PairAnswers<PairContacts> _contacts = new();
+
+    /// <summary>The gap that the contacts are for.</summary>
+    private float _contactGap;
 
     /// <summary>
     /// The pairs that overlap, touching included, and how deep: with the bits of <c>ConvexQuery.SignedDistance</c>.
@@ -25,7 +28,7 @@ public sealed partial class CollisionScene
         Guard.NotNull(results, nameof(results));
         MeasureDepths(workers);
         results.Clear();
-        for (int i = 0; i < _touching.Count; i++) results.Add(new PairDistance(IdsOf(_touching[i]), _depths[i]));
+        for (int i = 0; i < _depths.Count; i++) results.Add(_depths[i]);
     }
 
     /// <summary>
@@ -47,7 +50,7 @@ public sealed partial class CollisionScene
         _visiting = true;
         try
         {
-            for (int i = 0; i < _touching.Count; i++) visitor.Visit(IdsOf(_touching[i]), _depths[i]);
+            for (int i = 0; i < _depths.Count; i++) visitor.Visit(_depths[i].Pair, _depths[i].Result);
         }
         finally
         {
@@ -72,11 +75,8 @@ public sealed partial class CollisionScene
         CheckDistance(maxGap, nameof(maxGap));
         MakeContacts(maxGap, workers);
         results.Clear();
-        for (int i = 0; i < _touching.Count; i++)
-        {
-            if (_manifolds[i].Count > 0)
-                results.Add(new PairContacts(IdsOf(_touching[i]), _depths[i], _manifolds[i]));
-        }
+        for (int i = 0; i < _contacts.Count; i++)
+            if (_contacts[i].Manifold.Count > 0) results.Add(_contacts[i]);
     }
 
     /// <summary>Shows the contact points to a visitor, pair by pair, sorted by id; as the other otherwise.</summary>
@@ -99,8 +99,11 @@ public sealed partial class CollisionScene
         _visiting = true;
         try
         {
-            for (int i = 0; i < _touching.Count; i++)
-                if (_manifolds[i].Count > 0) visitor.Visit(IdsOf(_touching[i]), _depths[i], _manifolds[i]);
+            for (int i = 0; i < _contacts.Count; i++)
+            {
+                ref PairContacts contacts = ref _contacts[i];
+                if (contacts.Manifold.Count > 0) visitor.Visit(contacts.Pair, contacts.Result, contacts.Manifold);
+            }
         }
         finally
         {
@@ -111,19 +114,23 @@ public sealed partial class CollisionScene
     private void MeasureDepths(Workers? workers)
     {
         CollectTouching(0, workers);
+        _depths.Begin(_touching, _objects.Ids, ref _calls);
         Workers.Run(
             workers, new SceneDepthJob(_objects, _touching, _depths), _touching.Count, PairBatch.PartLength,
             CancellationToken.None);
+        _depths.Complete();
     }
 
     private void MakeContacts(float maxGap, Workers? workers)
     {
         CollectTouching(maxGap, workers);
-        if (_manifolds.Length < _touching.Count)
-            _manifolds = new ContactManifold[BoundsTable.Grown(_manifolds.Length, _touching.Count)];
+        if (maxGap != _contactGap) _contacts.Forget();
+        _contactGap = maxGap;
+        _contacts.Begin(_touching, _objects.Ids, ref _calls);
         Workers.Run(
-            workers, new SceneContactJob(_objects, _touching, _depths, _manifolds, maxGap), _touching.Count,
+            workers, new SceneContactJob(_objects, _touching, _contacts, maxGap), _touching.Count,
             PairBatch.PartLength, CancellationToken.None);
+        _contacts.Complete();
     }
 
     /// <summary>The fast queries leave only the pairs that are close enough.</summary>
@@ -135,8 +142,6 @@ public sealed partial class CollisionScene
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
             if (_overlaps[i]) _touching.Add(_candidates[i]);
-        if (_depths.Length < _touching.Count)
-            _depths = new DistanceResult[BoundsTable.Grown(_depths.Length, _touching.Count)];
     }
 
     private void DecideWithin(float maxGap, Workers? workers)

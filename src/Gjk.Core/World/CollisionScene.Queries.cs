@@ -35,7 +35,7 @@ public sealed partial class CollisionScene
         CheckDistance(distance, nameof(distance));
         CollectSlots(distance, candidates);
         if (_objects.IsDirect) return;
-        for (int i = 0; i < candidates.Count; i++) candidates[i] = IdsOf(candidates[i]);
+        for (int i = 0; i < candidates.Count; i++) candidates[i] = _objects.IdsOf(candidates[i]);
     }
 
     /// <summary>The narrow phase alone: those pairs that do overlap.</summary>
@@ -104,7 +104,7 @@ public sealed partial class CollisionScene
         try
         {
             for (int i = 0; i < _candidates.Count; i++)
-                if (_overlaps[i]) visitor.Visit(IdsOf(_candidates[i]));
+                if (_overlaps[i]) visitor.Visit(_objects.IdsOf(_candidates[i]));
         }
         finally
         {
@@ -137,7 +137,7 @@ public sealed partial class CollisionScene
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
             if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
-                results.Add(new PairDistance(IdsOf(_candidates[i]), _pairWarmStarts.Results[i]));
+                results.Add(new PairDistance(_objects.IdsOf(_candidates[i]), _pairWarmStarts.Results[i]));
     }
 
     /// <summary>
@@ -164,7 +164,7 @@ public sealed partial class CollisionScene
         {
             for (int i = 0; i < _candidates.Count; i++)
                 if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
-                    visitor.Visit(IdsOf(_candidates[i]), _pairWarmStarts.Results[i]);
+                    visitor.Visit(_objects.IdsOf(_candidates[i]), _pairWarmStarts.Results[i]);
         }
         finally
         {
@@ -199,8 +199,6 @@ public sealed partial class CollisionScene
         if (!(distance >= 0)) throw new ArgumentOutOfRangeException(name, distance, "Must not be negative or NaN.");
     }
 
-    private ObjectPair IdsOf(ObjectPair slots) => new(_objects.Ids[slots.A], _objects.Ids[slots.B]);
-
     private void DecideOverlaps(Workers? workers)
     {
         ReserveOverlaps();
@@ -219,17 +217,16 @@ public sealed partial class CollisionScene
     {
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_overlaps[i]) results.Add(IdsOf(_candidates[i]));
+            if (_overlaps[i]) results.Add(_objects.IdsOf(_candidates[i]));
     }
 
     private void FindDistances(float distance, Workers? workers)
     {
         Workers.Check(workers);
         CollectSlots(distance, _candidates);
-        _pairWarmStarts.Begin(_candidates, _objects.Ids);
-        long lastCall = _distanceCalls++;
+        _pairWarmStarts.Begin(_candidates, _objects.Ids, ref _calls);
         Workers.Run(
-            workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance, lastCall),
+            workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance),
             _candidates.Count, PairBatch.PartLength, CancellationToken.None);
         _pairWarmStarts.Complete();
     }

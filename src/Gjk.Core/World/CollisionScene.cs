@@ -29,8 +29,8 @@ public sealed partial class CollisionScene
 
     private bool _asked;
 
-    /// <summary>Counts the calls of the distance finder.</summary>
-    private long _distanceCalls;
+    /// <summary>Counts the calls of the finders whose answers pairs at rest keep.</summary>
+    private long _calls;
 
     /// <summary>Makes an empty scene.</summary>
     /// <param name="broadPhase">How pairs are found; changes the speed only.</param>
@@ -105,7 +105,7 @@ public sealed partial class CollisionScene
         if (Bound == BoundKind.Ball && _centers.Length < _objects.Ids.Length)
             Array.Resize(ref _centers, _objects.Ids.Length);
         _phase.Add(slot, PlaceBound(slot, bounds, pose));
-        _objects.Add(shape, pose, bounds, settings, _distanceCalls);
+        _objects.Add(shape, pose, bounds, settings, _calls);
         NoteChange();
         return _objects.Ids[slot];
     }
@@ -123,7 +123,7 @@ public sealed partial class CollisionScene
         NoteChange();
         if (_objects.Poses[slot] == pose) return;
         _objects.Poses[slot] = pose;
-        _objects.MovedAfter[slot] = _distanceCalls;
+        _objects.MovedAfter[slot] = _calls;
         _phase.Move(slot, PlaceBound(slot, _objects.Bounds[slot], pose));
     }
 

@@ -1,12 +1,9 @@
-using System;
 using System.Collections.Generic;
 
 namespace Gjk.Core;
 
 /// <summary>
-/// What a frame leaves to the next one about each of its pairs: the warm start, and whether the pair was reported. The
-/// pairs are sorted: the next frame's pairs find theirs by walking both lists at once, and those of pairs that are gone
-/// are left behind.
+/// What a frame leaves to the next one about each of its pairs: the warm start, and whether the pair was reported.
 /// </summary>
 /// <remarks>
 /// Which pairs a frame looks at depends on their bounds, which pairs it reports does not. So only the warm start of a
@@ -14,11 +11,15 @@ namespace Gjk.Core;
 /// </remarks>
 internal sealed class PairWarmStarts
 {
+    private readonly PairFrames _frames = new();
     private Frame _now = new();
     private Frame _last = new();
 
-    /// <summary>How many pairs the last frame had.</summary>
-    public int Count => _now.Count;
+    /// <inheritdoc cref="PairFrames.Count"/>
+    public int Count => _frames.Count;
+
+    /// <inheritdoc cref="PairFrames.LastCall"/>
+    public long LastCall => _frames.LastCall;
 
     /// <summary>The answers of the frame, one for each pair.</summary>
     public DistanceResult[] Results => _now.Results;
@@ -26,28 +27,19 @@ internal sealed class PairWarmStarts
     /// <summary>The warm starts of the frame, one for each pair.</summary>
     public WarmStart[] Starts => _now.Starts;
 
-    /// <summary>A new frame with these pairs of slots; their ids ascend as they do.</summary>
-    public void Begin(List<ObjectPair> pairs, int[] ids)
+    /// <inheritdoc cref="PairFrames.Begin"/>
+    public void Begin(List<ObjectPair> pairs, int[] ids, ref long calls)
     {
         _last.Reserve(pairs.Count);
+        _frames.Begin(pairs, ids, ref calls);
         (_now, _last) = (_last, _now);
-        _now.Count = pairs.Count;
-        _now.IsComplete = false;
-
-        // What an interrupted frame left is not all its own.
-        if (!_last.IsComplete) _last.Count = 0;
-        for (int i = 0; i < _now.Count; i++) _now.Keys[i] = PairKeys.Key(ids[pairs[i].A], ids[pairs[i].B]);
     }
 
-    /// <summary>All pairs of the frame have their answers.</summary>
-    public void Complete() => _now.IsComplete = true;
+    /// <inheritdoc cref="PairFrames.Complete"/>
+    public void Complete() => _frames.Complete();
 
-    /// <summary>Where among the last frame's pairs to look for the i-th and those after it.</summary>
-    public int Seek(int i)
-    {
-        int found = Array.BinarySearch(_last.Keys, 0, _last.Count, _now.Keys[i]);
-        return found >= 0 ? found : ~found;
-    }
+    /// <inheritdoc cref="PairFrames.Seek"/>
+    public int Seek(int i) => _frames.Seek(i);
 
     /// <summary>Whether each pair keeps the answer that it had in the last frame.</summary>
     public bool[] Kept => _now.Kept;
@@ -61,9 +53,7 @@ internal sealed class PairWarmStarts
     /// <returns>The state.</returns>
     public PairState Resume(int i, ref int last)
     {
-        ulong key = _now.Keys[i];
-        while (last < _last.Count && _last.Keys[last] < key) last++;
-        bool isKnown = last < _last.Count && _last.Keys[last] == key;
+        bool isKnown = _frames.IsKnown(i, ref last);
         _now.Starts[i] = isKnown ? _last.Starts[last] : default;
         return _now.States[i] = isKnown ? _last.States[last] : PairState.Unknown;
     }
@@ -73,25 +63,21 @@ internal sealed class PairWarmStarts
 
     private sealed class Frame
     {
-        public ulong[] Keys = [];
         public WarmStart[] Starts = [];
         public PairState[] States = [];
         public bool[] Kept = [];
         public DistanceResult[] Results = [];
-        public int Count;
-        public bool IsComplete;
 
         /// <summary>Nothing changes if there is no memory for it.</summary>
         public void Reserve(int count)
         {
-            if (Keys.Length >= count) return;
-            int capacity = BoundsTable.Grown(Keys.Length, count);
+            if (Starts.Length >= count) return;
+            int capacity = BoundsTable.Grown(Starts.Length, count);
             var starts = new WarmStart[capacity];
             var states = new PairState[capacity];
             bool[] kept = new bool[capacity];
-            ulong[] keys = new ulong[capacity];
             var results = new DistanceResult[capacity];
-            (Keys, Starts, States, Kept, Results) = (keys, starts, states, kept, results);
+            (Starts, States, Kept, Results) = (starts, states, kept, results);
         }
     }
 }

@@ -36,34 +36,40 @@ internal readonly struct SceneWithinJob(
     }
 }
 
-/// <summary>How deep a scene's pairs overlap.</summary>
-internal readonly struct SceneDepthJob(SceneObjects objects, List<ObjectPair> pairs, DistanceResult[] depths)
-    : IPartJob
+/// <summary>How deep a scene's pairs overlap. Pairs at rest keep their answers: what they would get.</summary>
+internal readonly struct SceneDepthJob(
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairDistance> answers) : IPartJob
 {
     public void Run(int begin, int end)
     {
+        int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            depths[i] = ConvexQuery.SignedDistance(
+            if (objects.Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last)) continue;
+            DistanceResult depth = ConvexQuery.SignedDistance(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B]);
+            answers[i] = new PairDistance(objects.IdsOf(pair), depth);
         }
     }
 }
 
-/// <summary>Where a scene's pairs touch.</summary>
+/// <summary>Where a scene's pairs touch. Pairs at rest keep their answers, which are what they would get.</summary>
 internal readonly struct SceneContactJob(
-    SceneObjects objects, List<ObjectPair> pairs, DistanceResult[] depths, ContactManifold[] manifolds, float maxGap)
-    : IPartJob
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, float maxGap) : IPartJob
 {
     public void Run(int begin, int end)
     {
+        int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            depths[i] = ConvexQuery.Contacts(
+            if (objects.Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last)) continue;
+            ContactManifold manifold = default;
+            DistanceResult depth = ConvexQuery.Contacts(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B], maxGap,
-                ref manifolds[i]);
+                ref manifold);
+            answers[i] = new PairContacts(objects.IdsOf(pair), depth, manifold);
         }
     }
 }

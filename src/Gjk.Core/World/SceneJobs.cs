@@ -47,7 +47,7 @@ internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> 
 /// begins cold. A pair that was reported and whose objects have not moved since keeps its answer.
 /// </remarks>
 internal readonly struct SceneDistanceJob(
-    SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance, long lastCall)
+    SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance)
     : IPartJob
 {
     /// <summary>
@@ -63,7 +63,7 @@ internal readonly struct SceneDistanceJob(
         for (int i = begin; i < end; i++)
         {
             PairState state = warmStarts.Resume(i, ref last);
-            bool keeps = state == PairState.Reported && Rests(pairs[i])
+            bool keeps = state == PairState.Reported && objects.Rest(pairs[i], warmStarts.LastCall)
                 && warmStarts.LastResult(last).Distance <= maxDistance;
             warmStarts.Kept[i] = keeps;
             if (keeps) warmStarts.Results[i] = warmStarts.LastResult(last);
@@ -108,10 +108,6 @@ internal readonly struct SceneDistanceJob(
         warmStarts.Results[i] = ConvexQuery.Distance(
             shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref warmStarts.Starts[i], maxDistance);
     }
-
-    /// <summary>Neither object has moved since the last call.</summary>
-    private bool Rests(ObjectPair pair) =>
-        objects.MovedAfter[pair.A] < lastCall && objects.MovedAfter[pair.B] < lastCall;
 
     private bool IsClearlyBeyond(ObjectPair pair, in DistanceResult result)
     {

@@ -21,7 +21,7 @@ internal sealed class SceneObjects
     /// <inheritdoc cref="Shapes"/>
     public ObjectSettings[] Settings = [];
 
-    /// <summary>The call of the distance finder that was the last before the object was added or moved.</summary>
+    /// <summary>How many calls had been made when the object was added or moved.</summary>
     public long[] MovedAfter = [];
 
     /// <summary>Whether all settings are the default ones, so that no pair need be looked at for them.</summary>
@@ -82,6 +82,12 @@ internal sealed class SceneObjects
 
     /// <summary>Whether the objects in two slots are tested against each other.</summary>
     public bool AreTested(int a, int b) => AreAllTested || ObjectSettings.AreTested(Settings[a], Settings[b]);
+
+    /// <summary>The ids of a pair of slots.</summary>
+    public ObjectPair IdsOf(ObjectPair slots) => new(Ids[slots.A], Ids[slots.B]);
+
+    /// <summary>Whether neither object of a pair has moved since a call.</summary>
+    public bool Rest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
 
     /// <summary>Whether a question sees the object in a slot.</summary>
     public bool IsSeen(int slot, in QueryFilter filter) => filter.Sees(Ids[slot], Settings[slot]);

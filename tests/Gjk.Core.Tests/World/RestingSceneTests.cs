@@ -50,6 +50,72 @@ public class RestingSceneTests
         }
     }
 
+    [Theory]
+    [InlineData(BroadPhaseKind.AllPairs, 0)]
+    [InlineData(BroadPhaseKind.DynamicTree, 2)]
+    public void KeptDepthsAndContactsAreThoseOfAskingAnew(BroadPhaseKind phase, int threads)
+    {
+        using Workers? workers = threads > 0 ? new Workers(threads) : null;
+        var rng = new Rng(14);
+        CollisionScene scene = Made(rng, phase);
+        List<PairDistance> depths = [];
+        List<PairContacts> contacts = [];
+        int next = Objects, oldest = 0;
+        for (int frame = 0; frame < 30; frame++)
+        {
+            for (int k = rng.Below(4); k > 0; k--)
+                scene.Move(oldest + rng.Below(next - oldest), Generators.Pose(rng, rng.Vector(-1.5, 1.5)));
+            if (frame % 4 == 3)
+            {
+                scene.Remove(oldest++);
+                next = 1 + scene.Add(Generators.Shape(rng, "hull").Shape, Generators.Pose(rng, rng.Vector(-1.5, 1.5)));
+            }
+
+            float gap = frame % 5 == 4 ? 0 : 0.05f;
+            if (frame % 3 != 2) scene.FindDepths(depths, workers);
+            scene.FindContacts(gap, contacts, workers);
+            if (frame % 3 != 2) foreach (PairDistance p in depths) CheckDepth(scene, p);
+            foreach (PairContacts p in contacts) CheckContacts(scene, p, gap);
+        }
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void AnswersAreKeptFromACompleteFrame(bool isComplete)
+    {
+        var answers = new PairAnswers<int>();
+        int[] ids = [3, 5, 9];
+        long calls = 4;
+        answers.Begin([new(0, 1), new(0, 2), new(1, 2)], ids, ref calls);
+        Assert.Equal((5, 0), (calls, answers.LastCall));
+        for (int i = 0; i < 3; i++) answers[i] = 10 + i;
+        if (isComplete) answers.Complete();
+        calls = 7;
+        answers.Begin([new(0, 2), new(1, 2)], ids, ref calls);
+        Assert.Equal((8, 5), (calls, answers.LastCall));
+        int last = answers.Seek(1);
+        Assert.Equal(isComplete, answers.TryKeep(1, ref last));
+        if (isComplete) Assert.Equal(12, answers[1]);
+        Assert.Equal(2, answers.Count);
+    }
+
+    private static void CheckDepth(CollisionScene scene, in PairDistance p) =>
+        Assert.True(ResultBits.AreSame(
+            p.Result,
+            ConvexQuery.SignedDistance(
+                scene.GetShape(p.Pair.A), scene.GetPose(p.Pair.A), scene.GetShape(p.Pair.B), scene.GetPose(p.Pair.B))));
+
+    private static void CheckContacts(CollisionScene scene, in PairContacts p, float gap)
+    {
+        ContactManifold manifold = default;
+        DistanceResult alone = ConvexQuery.Contacts(
+            scene.GetShape(p.Pair.A), scene.GetPose(p.Pair.A), scene.GetShape(p.Pair.B), scene.GetPose(p.Pair.B), gap,
+            ref manifold);
+        Assert.True(ResultBits.AreSame(p.Result, alone));
+        Assert.Equal(manifold, p.Manifold);
+    }
+
     private static void Check(
         CollisionScene scene, List<PairDistance> before, List<PairDistance> now, HashSet<int> moved, float reach)
     {
