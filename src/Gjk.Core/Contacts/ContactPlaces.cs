@@ -25,7 +25,8 @@ internal unsafe ref struct ContactPlaces
     public const double Slack = 4e-7;
 
     /// <summary>
-    /// Ratio: the slack is at most this part of the smaller feature. Four times more or less is as good.
+    /// Ratio: the slack is at most this part of the smaller feature, and what is shared with a round side is no more
+    /// than a point where it is a smaller part. Four times more or less is as good.
     /// </summary>
     private const double LeastPart = 1e-3;
 
@@ -45,7 +46,7 @@ internal unsafe ref struct ContactPlaces
     private const double Parallel = 0.05;
 
     private readonly ContactPlace* _places;
-    private readonly double _slack;
+    private readonly double _slack, _least;
     private double _reach;
 
     /// <param name="memory">Room for <see cref="Capacity"/> places.</param>
@@ -55,7 +56,8 @@ internal unsafe ref struct ContactPlaces
     public ContactPlaces(ContactPlace* memory, in FlatFeature a, in FlatFeature b, double size)
     {
         _places = memory;
-        _slack = Math.Min(Slack * size, LeastPart * Math.Min(a.Width(), b.Width()));
+        _least = LeastPart * Math.Min(a.Width(), b.Width());
+        _slack = Math.Min(Slack * size, _least);
         _reach = 0;
         Count = 0;
         a.JoinCorners(2 * _slack);
@@ -86,12 +88,15 @@ internal unsafe ref struct ContactPlaces
         OverlapCorner* memory = stackalloc OverlapCorner[2 * FeatureOverlap.Capacity];
         var overlap = new FeatureOverlap(memory, _slack);
         bool areFaces = a.Count > 2 && b.Count > 2, isACut = areFaces ? a.Count >= b.Count : a.Count == 2;
+        bool isSide = a.IsOnSide || b.IsOnSide;
+        double width;
         do
         {
             if (isACut) overlap.Find(ref a, ref b);
             else overlap.Find(ref b, ref a);
         }
-        while (IsLittleOf(Measure(overlap, areFaces), ref a, ref b));
+        while (IsLittleOf(width = Measure(overlap, areFaces), ref a, ref b));
+        if (isSide && width <= _least) return;
         for (int i = 0; i < overlap.Count; i++)
         {
             ref OverlapCorner corner = ref overlap[i];
@@ -230,7 +235,7 @@ internal unsafe ref struct ContactPlaces
     {
         var shared = new SharedLength(a, b, _slack);
         _reach = Math.Max(Reach * shared.Length, 2 * _slack);
-        if (!shared.IsThere) return;
+        if (!shared.IsThere || ((a.IsOnSide || b.IsOnSide) && shared.Length <= _least)) return;
         AddEnd(shared, shared.Begin, ref a, ref b);
         if (shared.Length > 2 * _reach) AddEnd(shared, shared.End, ref a, ref b);
     }

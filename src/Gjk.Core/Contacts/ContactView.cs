@@ -36,8 +36,7 @@ internal readonly ref struct ContactView
     public unsafe FlatFeature SeeA(in FaceCorners corners, FlatCorner* memory)
     {
         for (int i = 0; i < corners.Count; i++) memory[i] = See(OfA(corners[i]), 1, corners.IdOf(i));
-        return new FlatFeature(
-            memory, corners.Count, Plane.Frame.MarginA, corners.SideRadius * _factor, corners.IsDisc, Plane.Size);
+        return new FlatFeature(memory, corners, Plane.Frame.MarginA, _factor, Plane.Size);
     }
 
     /// <summary>The face or edge that B shows, which reaches against the normal.</summary>
@@ -46,8 +45,7 @@ internal readonly ref struct ContactView
     public unsafe FlatFeature SeeB(in FaceCorners corners, FlatCorner* memory)
     {
         for (int i = 0; i < corners.Count; i++) memory[i] = See(OfB(corners[i]), -1, corners.IdOf(i));
-        return new FlatFeature(
-            memory, corners.Count, Plane.Frame.MarginB, corners.SideRadius * _factor, corners.IsDisc, Plane.Size);
+        return new FlatFeature(memory, corners, Plane.Frame.MarginB, _factor, Plane.Size);
     }
 
     private FlatCorner See(in Vector3D p, double sign, int id) => new()

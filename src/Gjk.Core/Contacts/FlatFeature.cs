@@ -22,8 +22,10 @@ internal unsafe struct FlatFeature
     /// <summary>What the core is widened by.</summary>
     public readonly double Margin;
 
-    /// <summary>The radius of the round side that an edge is a line of; 0 for a sharp edge, and for faces.</summary>
-    public readonly double SideRadius;
+    /// <summary>How far the axis of the round side that an edge is a line of is from its ends; 0 for sharp edges.</summary>
+    private readonly double _firstRadius, _lastRadius;
+
+    private readonly RoundSide _side;
 
     private readonly FlatCorner* _corners;
 
@@ -36,17 +38,19 @@ internal unsafe struct FlatFeature
     private double _riseU, _riseV;
 
     /// <param name="memory">The corners; what they know of their edges is filled in.</param>
-    /// <param name="count">How many there are; at least 2.</param>
+    /// <param name="corners">What they are corners of; at least 2.</param>
     /// <param name="margin">What the core is widened by.</param>
-    /// <param name="sideRadius">Of an edge on a round side, else 0.</param>
-    /// <param name="isDisc">Whether the corners are those of a disc.</param>
+    /// <param name="factor">The pair's unit as a multiple of the shape's.</param>
     /// <param name="size">Of the pair.</param>
-    public FlatFeature(FlatCorner* memory, int count, double margin, double sideRadius, bool isDisc, double size)
+    public FlatFeature(FlatCorner* memory, in FaceCorners corners, double margin, double factor, double size)
     {
+        int count = corners.Count;
         _corners = memory;
         Count = count;
         Margin = margin;
-        SideRadius = sideRadius;
+        _side = corners.Side;
+        _firstRadius = corners.FirstRadius * factor;
+        _lastRadius = corners.SideRadius * factor;
         _length = 0;
         _riseU = 0;
         _riseV = 0;
@@ -58,7 +62,7 @@ internal unsafe struct FlatFeature
             Count = 2;
         }
 
-        _isDisc = isDisc && Count > 2;
+        _isDisc = corners.IsDisc && Count > 2;
         MeasureEdges(area < 0 ? -1 : 1);
         if (Count == 2) TiltEdge();
         Secant = Math.Sqrt(1 + _riseU * _riseU + _riseV * _riseV);
@@ -73,8 +77,11 @@ internal unsafe struct FlatFeature
     /// <summary>One over the cosine of its tilt: how much longer a margin is along the contact normal.</summary>
     public readonly double Secant;
 
-    /// <summary>How far a surface round an edge reaches to its sides: margin and round side together.</summary>
-    public readonly double Roundness => Margin + SideRadius;
+    /// <summary>Whether it is a line of a round side.</summary>
+    public readonly bool IsOnSide => _side != RoundSide.None;
+
+    /// <summary>How far a surface round an end of an edge reaches to its sides: margin and round side together.</summary>
+    public readonly double RoundnessAt(int end) => Margin + (end == 0 ? _firstRadius : _lastRadius);
 
     /// <summary>A corner.</summary>
     public readonly ref FlatCorner this[int index] => ref _corners[index];
@@ -150,7 +157,8 @@ internal unsafe struct FlatFeature
     public readonly SurfacePoint SurfaceAt(double u, double v, int corner)
     {
         ref FlatCorner p = ref _corners[Math.Max(corner, 0)];
-        if (Count == 2) return SurfacePoint.OfEdge(_corners[0], _corners[1], u, v, Margin, SideRadius);
+        if (Count == 2) return SurfacePoint.OfEdge(
+            _corners[0], _corners[1], u, v, Margin, _firstRadius, _lastRadius);
         var surface = new SurfacePoint(
             p.Height + _riseU * (u - p.U) + _riseV * (v - p.V) + Margin * Secant, -_riseU / Secant, -_riseV / Secant,
             1 / Secant);
@@ -162,7 +170,7 @@ internal unsafe struct FlatFeature
         for (int i = 0; i < Count; i++)
         {
             if (Inside(i, footU, footV) >= 0) continue;
-            var rim = SurfacePoint.OfEdge(_corners[i], After(i), u, v, Margin, 0);
+            var rim = SurfacePoint.OfEdge(_corners[i], After(i), u, v, Margin, 0, 0);
             if (!(rim.Height > height)) continue;
             height = rim.Height;
             surface = rim;
@@ -175,7 +183,7 @@ internal unsafe struct FlatFeature
     /// Whether its surface is known to within a length without asking the shape: without margin it is the core's own.
     /// </summary>
     public readonly bool IsSureWithin(double length) =>
-        Margin * (Secant - 1) <= length && (Count > 2 || SideRadius == 0);
+        Margin * (Secant - 1) <= length && (Count > 2 || !IsOnSide);
 
     /// <summary>Where the face's own part of the surface begins that belongs to a place of the core.</summary>
     public readonly void ToFlatPart(ref double u, ref double v)

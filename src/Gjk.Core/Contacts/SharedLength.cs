@@ -26,8 +26,8 @@ internal readonly unsafe struct SharedLength
     /// <summary>The tangent of half the angle between the edges.</summary>
     private readonly double _tangent;
 
-    /// <summary>How far the edges may part, and A's part of the way between them.</summary>
-    private readonly double _mostApart, _part;
+    /// <summary>Length: how far sharp edges may part.</summary>
+    private readonly double _slack;
 
     /// <param name="a">A's edge.</param>
     /// <param name="b">B's edge.</param>
@@ -48,9 +48,7 @@ internal readonly unsafe struct SharedLength
         _v = v / length;
         _a = new Line(a, _u, _v);
         _b = new Line(b, _u, _v);
-        double roundness = a.Roundness + b.Roundness;
-        _part = roundness > 0 ? a.Roundness / roundness : 0.5;
-        _mostApart = Math.Max(FaceTilt.MostSine * roundness, slack);
+        _slack = slack;
         Begin = Math.Max(_a.Least, _b.Least);
         End = Math.Min(_a.Most, _b.Most);
         IsThere = Math.Abs(sine) <= FaceTilt.MostSine && End >= Begin - slack;
@@ -67,9 +65,9 @@ internal readonly unsafe struct SharedLength
         // Beside a slanted edge its end is passed sooner.
         double inward = Math.Min(Math.Abs(apart) * _tangent, Math.Max(0, End - Begin) / 2);
         along += along == Begin ? inward : -inward;
-        double across = _a.AcrossAt(along);
+        double across = _a.AcrossAt(along), ofA = _a.RoundnessAt(along), roundness = ofA + _b.RoundnessAt(along);
         apart = _b.AcrossAt(along) - across;
-        across += apart * _part;
+        across += apart * (roundness > 0 ? ofA / roundness : 0.5);
         place = new ContactPlace
         {
             U = _u * along - _v * across,
@@ -78,7 +76,7 @@ internal readonly unsafe struct SharedLength
             CornerB = -1,
             Count = 1,
         };
-        return Math.Abs(apart) <= _mostApart;
+        return Math.Abs(apart) <= Math.Max(FaceTilt.MostSine * roundness, _slack);
     }
 
     /// <summary>The end of A's edge that is within reach of where the shared length ends; -1 where none is.</summary>
@@ -92,7 +90,7 @@ internal readonly unsafe struct SharedLength
     {
         public readonly double Least, Most;
 
-        private readonly double _across, _slope;
+        private readonly double _across, _slope, _roundness, _taper;
         private readonly int _first;
 
         public Line(in FlatFeature edge, double u, double v)
@@ -104,9 +102,13 @@ internal readonly unsafe struct SharedLength
             Most = Math.Max(from, to);
             _slope = (u * (q.V - p.V) - v * (q.U - p.U)) / (to - from);
             _across = u * p.V - v * p.U + _slope * (Least - from);
+            _roundness = edge.RoundnessAt(_first);
+            _taper = (edge.RoundnessAt(1 - _first) - _roundness) / (Most - Least);
         }
 
         public double AcrossAt(double along) => _across + _slope * (along - Least);
+
+        public double RoundnessAt(double along) => _roundness + _taper * (along - Least);
 
         public int EndAt(double along, double reach)
         {

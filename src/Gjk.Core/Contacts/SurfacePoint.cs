@@ -29,33 +29,57 @@ internal readonly struct SurfacePoint
 
     /// <summary>
     /// Over a place near an edge of the core: part of a cylinder of the margin's radius about it, or of a ball at an
-    /// end. Where the edge is a line of a round side, that side's axis takes its place.
+    /// end. Where the edge is a line of a round side, that side takes its place: as a cylinder or a cone about its axis,
+    /// it is met where a line along the contact normal meets it.
     /// </summary>
+    /// <param name="p">The edge's first end.</param>
+    /// <param name="q">Its other end.</param>
+    /// <param name="u">The place.</param>
+    /// <param name="v">Its other coordinate.</param>
+    /// <param name="margin">What the core is widened by.</param>
+    /// <param name="radiusP">How far the side's axis is from the first end, across the side; 0 for sharp edges.</param>
+    /// <param name="radiusQ">The same of the other end.</param>
     /// <returns>A height that is NaN where the place lies too far beside the edge.</returns>
     public static SurfacePoint OfEdge(
-        in FlatCorner p, in FlatCorner q, double u, double v, double margin, double sideRadius)
+        in FlatCorner p, in FlatCorner q, double u, double v, double margin, double radiusP, double radiusQ)
     {
         double edgeU = q.U - p.U, edgeV = q.V - p.V, length = Math.Sqrt(edgeU * edgeU + edgeV * edgeV);
         double alongU = edgeU / length, alongV = edgeV / length;
         double along = alongU * (u - p.U) + alongV * (v - p.V), across = alongU * (v - p.V) - alongV * (u - p.U);
-        double rise = (q.Height - p.Height) / length, secant = Math.Sqrt(1 + rise * rise), radius = margin + sideRadius;
+        double rise = (q.Height - p.Height) / length, secant = Math.Sqrt(1 + rise * rise);
 
-        // How the surface's normal leans: to the side, and of the rest by the edge's rise against its direction.
-        double side = radius > 0 ? across / radius : 0, upright = Math.Sqrt(1 - side * side);
-        double lean = -rise / secant, foot = along - (margin * upright + sideRadius * (upright - 1)) * lean;
-        if ((foot >= 0 && foot <= length) || margin == 0)
+        // In the frame of the widened edge: along it, across it, and up. The contact normal is (lean, 0, upright) there.
+        double upright = 1 / secant, lean = rise * upright, edgeLength = length * secant;
+        double taper = (radiusQ - radiusP) / edgeLength, foot = along * secant + margin * rise;
+        double radius = radiusP + taper * foot + margin, drop = 0;
+        if (!(radius > 0)) across = 0;
+        if (across != 0)
         {
+            double straight = radius * upright, bend = upright * (upright * (taper * taper - 1) - 2 * taper * lean);
+            drop = across * across / (straight + Math.Sqrt(straight * straight + bend * across * across));
+        }
+
+        double up = -drop * upright, normalUp = radius - taper * drop * lean + up * (1 - taper * taper);
+        foot -= drop * lean + up * taper;
+        if (!(foot < 0 || foot > edgeLength) || margin == 0)
+        {
+            double normalFoot = taper * up;
+            double size = 1 / Math.Sqrt(normalFoot * normalFoot + across * across + normalUp * normalUp);
+            if (!(radius > 0)) (normalUp, size) = (1, 1);
             return Make(
-                p.Height + rise * along + (margin * upright + sideRadius * (upright - 1)) * secant, lean * upright,
-                upright / secant);
+                p.Height + rise * along + margin * secant - drop, (normalFoot * upright - normalUp * lean) * size,
+                across * size, (normalFoot * lean + normalUp * upright) * size);
         }
 
         // Over an end it is that of a ball, at the end's own place in its middle.
-        double beyond = foot < 0 ? along : along - length, back = beyond / margin, drop = sideRadius * (upright - 1);
-        double up = Math.Sqrt(1 - side * side - back * back);
-        return Make((foot < 0 ? p.Height : q.Height) + margin * up + drop * secant, back, up);
+        double sideRadius = foot < 0 ? radiusP : radiusQ, side = across / (margin + sideRadius);
+        double back = (foot < 0 ? along : along - length) / margin, sunk = sideRadius * (Math.Sqrt(1 - side * side) - 1);
+        double height = Math.Sqrt(1 - side * side - back * back);
+        return Make((foot < 0 ? p.Height : q.Height) + margin * height + sunk * secant, back, side, height);
 
-        SurfacePoint Make(double height, double normalAlong, double normalHeight) =>
-            new(height, alongU * normalAlong - alongV * side, alongV * normalAlong + alongU * side, normalHeight);
+        SurfacePoint Make(double heightHere, double normalAlong, double normalSide, double normalHeight) =>
+            new(
+                heightHere, alongU * normalAlong - alongV * normalSide, alongV * normalAlong + alongU * normalSide,
+                normalHeight);
     }
 }

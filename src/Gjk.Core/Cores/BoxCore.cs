@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// Any of the library's shapes that is a box, with or without a margin: a box, or a mesh whose vertices are the eight
 /// corners of its bounds.
 /// </summary>
-internal struct BoxCore : ISupportMap, ITightBounds
+internal struct BoxCore : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>Half the side lengths: in double, since a scale may have been multiplied into them.</summary>
     public LaneVector Half;
@@ -45,4 +45,8 @@ internal struct BoxCore : ISupportMap, ITightBounds
         BoxSupport.TryGetVertex(Half.Xyz, Corners.Signs(id & 7), out point);
         return (uint)id < 8u;
     }
+
+    /// <summary>The face in a direction; its corners are numbered by their signs.</summary>
+    public readonly void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        PrimitiveFaces.Box(Half.Xyz, direction, ref corners);
 }

@@ -7,7 +7,7 @@ using System.Runtime.Intrinsics;
 namespace Gjk.Core;
 
 /// <summary>Any of the library's shapes that is a mesh, unscaled, with or without a margin.</summary>
-internal readonly struct HullCore : ISupportMap, ITightBounds
+internal readonly struct HullCore : ISupportMap, ISupportFace, ITightBounds
 {
     private readonly ConvexHull _hull;
     private readonly double _margin, _radius;
@@ -42,6 +42,9 @@ internal readonly struct HullCore : ISupportMap, ITightBounds
         point -= _hull.Center;
         return found;
     }
+
+    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        new ConvexMesh(_hull).GetFace(direction, ref corners);
 
 #if NET
     /// <summary>The furthest vertex, measured from the centre, and a 0.</summary>

@@ -8,7 +8,7 @@ namespace Gjk.Core;
 /// <summary>
 /// Any of the library's shapes whose core is a segment or a point: a segment, a capsule, a point or a sphere.
 /// </summary>
-internal struct SegmentCore : ISupportMap, ITightBounds
+internal struct SegmentCore : ISupportMap, ISupportFace, ITightBounds
 {
     /// <summary>The ends, measured from the centre.</summary>
     private LaneVector _first, _second;
@@ -47,6 +47,12 @@ internal struct SegmentCore : ISupportMap, ITightBounds
     public readonly double Margin => _margin;
 
     public readonly double BoundingRadius => _radius;
+
+    public readonly void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+        if (_count == 2) PrimitiveFaces.Segment(_first.Xyz, _second.Xyz, direction, ref corners);
+        else corners.Add(_first.Xyz, 0);
+    }
 
     public readonly int Support(in Vector3D direction, out Vector3D point)
     {

@@ -26,17 +26,23 @@ public unsafe ref struct FaceCorners
         _corners = memory;
         Count = 0;
         SideRadius = 0;
+        Side = RoundSide.None;
         IsDisc = false;
     }
 
     /// <summary>How many corners there are: none, a corner, an edge's two ends, or a face's.</summary>
     public int Count { get; private set; }
 
+    /// <summary>The round side of the core that a single edge lies on.</summary>
+    internal RoundSide Side { get; set; }
+
     /// <summary>
-    /// The radius of the round side of the core that a single edge lies on, as a cylinder's; 0 for an edge that is
-    /// sharp, or round in a way that is not known.
+    /// The distance of that side's axis from the last corner, across the side; 0 where there is none or it is not known.
     /// </summary>
     internal double SideRadius { get; set; }
+
+    /// <summary>The same from the first corner, which is a cone's tip.</summary>
+    internal readonly double FirstRadius => Side == RoundSide.Cylinder ? SideRadius : 0;
 
     /// <summary>Whether the corners are those of a disc, or of what scaling has made of one.</summary>
     internal bool IsDisc { get; set; }
@@ -75,4 +81,20 @@ internal struct FaceCorner
         Point = point;
         Id = id;
     }
+}
+
+/// <summary>What an edge that a shape shows is a line of.</summary>
+internal enum RoundSide : byte
+{
+    /// <summary>The edge is sharp.</summary>
+    None,
+
+    /// <summary>A cylinder's side.</summary>
+    Cylinder,
+
+    /// <summary>A cone's side; the first corner is its tip.</summary>
+    Cone,
+
+    /// <summary>One that scaling has made of those.</summary>
+    Unknown,
 }

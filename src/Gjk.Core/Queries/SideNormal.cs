@@ -4,23 +4,23 @@ using System.Runtime.CompilerServices;
 namespace Gjk.Core;
 
 /// <summary>
-/// The normal of a round side along which another body touches: of two parallel cylinders it is the direction from the
-/// one's axis to the other's. The searches for curved cores end within a part of a length, which leaves the angle round
-/// such a side open by its root, up to 1e-3, and puts the deepest points on different lines.
+/// The normal along which another body touches a round side: of two parallel cylinders it is the direction from the
+/// one's axis to the other's, of an edge beside a cylinder that from the axis to the edge. The searches for curved cores
+/// end within a part of a length, which leaves the angle round such a side open by its root, up to 1e-3: it would be
+/// another one for each begin of a search, and the contacts of a body at rest would change with every frame.
 /// </summary>
 /// <remarks>
-/// The shape tells of its axis by the edge that it shows (<see cref="FaceCorners.SideRadius"/>); the axis of the other
-/// body goes through its centre, or the direction is not the shortest way. So nothing is assumed: the direction is
-/// taken if a support proves that it separates the bodies at least as far as the plane that is known, and if their
-/// furthest points in it, which supports a little to both sides give, are opposite each other.
+/// What both shapes show tells of the sides' axes, of the edges and the faces (<see cref="BestNormal"/>). Nothing of it
+/// is assumed: the direction is taken if a support proves that it separates the bodies at least as far as the plane
+/// that is known, and if there are points along it, which supports a little to both sides give, or the known ones.
 /// </remarks>
 internal static class SideNormal
 {
     /// <summary>
-    /// Length: bodies that are further apart than this need no sharp normal. More than a solver's frames move a body at
-    /// rest. Pinned by ParallelContactTests.
+    /// Length: bodies that are further apart than this need no sharp normal. As far as a maximal gap usually reaches;
+    /// more costs time. Pinned by RestingSideTests.
     /// </summary>
-    private const double Near = 1e-2;
+    private const double Near = 0.1;
 
     /// <summary>
     /// Ratio: how far the supports at both ends lean, small against the slope of any end and large against rounding.
@@ -40,6 +40,12 @@ internal static class SideNormal
     /// of a short body's ends may be off. Pinned by PointPlacementTests.
     /// </summary>
     private const double Beside = 1.0 / (1 << 23);
+
+    /// <summary>
+    /// Length: how far a point may be moved round a side; its square, over the side's radius, is what it leaves the
+    /// surface by. Four times more or less changes nothing but how many are moved.
+    /// </summary>
+    private const double Aside = 1e-5;
 
     /// <summary>Cosine: a search is never off by more.</summary>
     private const double LeastCosine = 0.99;
@@ -61,7 +67,7 @@ internal static class SideNormal
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SharpenNear<TA, TB, TTrace>(
+    private static unsafe void SharpenNear<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -70,51 +76,79 @@ internal static class SideNormal
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         Vector3D known = state.Feature.Normal * -scale;
         if (!(state.Feature.Height * scale - frame.Margins <= Near * state.Size.Value)) return;
-        bool isOfA = TryGetAxis(ref a, known, out Vector3D axis);
-        if (!isOfA)
-        {
-            if (!TryGetAxis(ref b, frame.Rotation.InverseRotate(-known), out axis)) return;
-            axis = frame.Rotation.Rotate(axis);
-        }
-
-        // Axes that only rounding has turned against each other: the direction is across that of the body whose side
-        // is touched, by the other one's end.
-        if (TryTake(ref a, ref b, frame, axis, known, ref state, ref trace, out Simplex ends)) return;
-        axis = isOfA ? frame.Rotation.Rotate(ends.OnB(1) - ends.OnB(0)) : ends.OnA(1) - ends.OnA(0);
-        if (!(axis.LengthSquared > 0)) return;
-        TryTake(ref a, ref b, frame, axis * (1 / axis.Length), known, ref state, ref trace, out ends);
+        FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
+        var cornersA = new FaceCorners(memory);
+        var cornersB = new FaceCorners(memory + FaceCorners.Capacity);
+        FaceOf<TA>.Get(a, known, ref cornersA);
+        FaceOf<TB>.Get(b, frame.Rotation.InverseRotate(-known), ref cornersB);
+        bool isOfA = cornersA.SideRadius > 0;
+        if (!isOfA && !(cornersB.SideRadius > 0)) return;
+        for (int i = 0; i < cornersB.Count; i++)
+            cornersB[i] = frame.Rotation.Rotate(cornersB[i]) + frame.Translation;
+        BestNormal best = isOfA
+            ? new BestNormal(cornersA, cornersB, frame.Translation, known, state.Size.Value)
+            : new BestNormal(cornersB, cornersA, default, -known, state.Size.Value);
+        Vector3D normal = isOfA ? best.Normal : -best.Normal;
+        Take(ref a, ref b, frame, normal, best.Axis, isOfA, known, ref state, ref trace);
     }
 
-    /// <summary>Takes the direction across an axis, if it is as good as the one that is known.</summary>
-    /// <returns>False where it is not; the first two vertices are the furthest points of both bodies then.</returns>
-    private static bool TryTake<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D axis, in Vector3D known, ref SolverState state,
-        ref TTrace trace, out Simplex ends)
+    /// <summary>Takes the normal, if it is as good as the one that is known.</summary>
+    private static void Take<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, in Vector3D axis, bool isOfA, in Vector3D known,
+        ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        Vector3D normal = frame.Translation - axis * Vector3D.Dot(axis, frame.Translation);
-        normal *= 1 / normal.Length;
-        Simplex.Begin(out ends);
+        Simplex.Begin(out Simplex ends);
         Vector3D p = Ask(ref a, ref b, frame, axis * Lean - normal, ref state, ref trace, ref ends, 0);
         Vector3D q = Ask(ref a, ref b, frame, axis * -Lean - normal, ref state, ref trace, ref ends, 1);
         Vector3D w = Ask(ref a, ref b, frame, -normal, ref state, ref trace, ref ends, 2);
         double gap = -Vector3D.Dot(normal, w), level = Level * state.Size.Value;
+        if (!(gap >= state.Plane.Distance && Vector3D.Dot(normal, known) >= LeastCosine)) return;
         bool isLevel = -Vector3D.Dot(normal, p) - gap <= level && -Vector3D.Dot(normal, q) - gap <= level;
         bool isOpposite = Vector3D.Dot(axis, p) <= 0 && Vector3D.Dot(axis, q) >= 0;
-        bool isAsGood = gap >= state.Plane.Distance && Vector3D.Dot(normal, known) >= LeastCosine;
-        if (!(isLevel && isOpposite && isAsGood)) return false;
         ends.Select(2, 0, 1, 0, 0);
         Weights weights = ClosestPointWeights.Of(ends);
-        if (!((ends.PointOf(weights) + normal * gap).Length <= Beside * state.Size.Value)) return false;
+        if (isLevel && isOpposite && (ends.PointOf(weights) + normal * gap).Length <= Beside * state.Size.Value)
+        {
+            state.Simplex = ends;
+            state.Weights = weights;
+        }
+        else if (!TryMove(frame, normal, gap, isOfA, ref state))
+        {
+            return;
+        }
+
         double distance = state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared);
-        state.Simplex = ends;
-        state.Weights = weights;
         state.Feature.Normal = -normal;
         state.Feature.NormalSquared = 1;
         state.Feature.Height = distance > 0 ? distance : Math.Min(gap, 0);
         state.Plane.Set(state.Feature, Math.Min(gap, state.Feature.Height));
+    }
+
+    /// <summary>
+    /// Brings the points that are known onto one line along the normal: the one on the round side moves, by so little
+    /// that it stays on its surface.
+    /// </summary>
+    /// <returns>False where they are too far from such a line, or are not the furthest along it.</returns>
+    private static bool TryMove(
+        in PairFrame frame, in Vector3D normal, double gap, bool isOfA, ref SolverState state)
+    {
+        Vector3D onA = state.Simplex.PointOnA(state.Weights), between = -state.Simplex.PointOf(state.Weights);
+        double along = Vector3D.Dot(normal, between), size = state.Size.Value;
+        if (!(along - gap <= Beside * size && (between - normal * along).Length <= Aside * size)) return false;
+        Vector3D other = onA + normal * gap;
+        if (isOfA)
+        {
+            other = onA + between;
+            onA = other - normal * gap;
+        }
+
+        state.Simplex.Clear();
+        state.Simplex.Push(
+            normal * -gap, onA, frame.Rotation.InverseRotate(other - frame.Translation), -1, -1);
+        state.Weights = ClosestPointWeights.Of(state.Simplex);
         return true;
     }
 
@@ -129,19 +163,5 @@ internal static class SideNormal
         state.Iterations++;
         if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, ends, slot, false));
         return w;
-    }
-
-    /// <summary>The axis of the round side that a shape shows in a direction, as a unit vector.</summary>
-    private static unsafe bool TryGetAxis<T>(ref T shape, in Vector3D direction, out Vector3D axis)
-        where T : struct, ISupportMap
-    {
-        FaceCorner* memory = stackalloc FaceCorner[FaceCorners.Capacity];
-        var corners = new FaceCorners(memory);
-        FaceOf<T>.Get(shape, direction, ref corners);
-        axis = default;
-        if (corners.Count != 2 || !(corners.SideRadius > 0)) return false;
-        axis = corners[0] - corners[1];
-        axis *= 1 / axis.Length;
-        return true;
     }
 }

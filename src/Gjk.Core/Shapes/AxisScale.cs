@@ -22,27 +22,31 @@ internal readonly struct AxisScale
 
     public double Margin(double innerMargin) => KeepsBalls ? innerMargin * Math.Abs(Factors.X) : 0;
 
-    /// <summary>
-    /// The radius of a round side after the scale; 0, not known, where the side is no cylinder any more.
-    /// </summary>
-    /// <param name="radius">Before the scale.</param>
-    /// <param name="line">Along the side, before the scale.</param>
-    public double SideRadius(double radius, in Vector3D line)
-    {
-        double x = Math.Abs(Factors.X), y = Math.Abs(Factors.Y), z = Math.Abs(Factors.Z);
-        if (radius == 0 || KeepsBalls) return radius * x;
-        if (x == z && line.X == 0 && line.Z == 0) return radius * x;
-        if (y == z && line.Y == 0 && line.Z == 0) return radius * y;
-        return x == y && line.X == 0 && line.Y == 0 ? radius * x : 0;
-    }
-
     /// <summary>Scales the corners of a face outward.</summary>
     /// <param name="corners">The corners, measured from the centre.</param>
     /// <param name="centerError">What is added to each.</param>
     public void Outward(ref FaceCorners corners, in Vector3D centerError)
     {
-        if (corners.Count == 2) corners.SideRadius = SideRadius(corners.SideRadius, corners[1] - corners[0]);
+        if (corners.Side != RoundSide.None) ScaleSide(ref corners);
         for (int i = 0; i < corners.Count; i++) corners[i] = Outward(corners[i]) + centerError;
+    }
+
+    /// <summary>
+    /// The radius of a round side after the scale, which is known where the side is still round: the axis is the one
+    /// that a cylinder's line lies along, or that has the tip of a cone on it.
+    /// </summary>
+    private void ScaleSide(ref FaceCorners corners)
+    {
+        double x = Math.Abs(Factors.X), y = Math.Abs(Factors.Y), z = Math.Abs(Factors.Z);
+        Vector3D line = corners[1] - corners[0], on = corners.Side == RoundSide.Cone ? corners[0] : line;
+        double along = x == z && on.X == 0 && on.Z == 0 ? y
+            : y == z && on.Y == 0 && on.Z == 0 ? x
+            : x == y && on.X == 0 && on.Y == 0 ? z : 0;
+        if (KeepsBalls) along = x;
+        if (along == 0) corners.Side = RoundSide.Unknown;
+        corners.SideRadius *= along == 0 ? 0 : x == z || x == y ? x : y;
+        if (corners.Side == RoundSide.Cone)
+            corners.SideRadius *= Outward(line).Length / (line.Length * along);
     }
 
     /// <summary>Scales a shape's centre; what rounding takes from it is to be added to each support.</summary>

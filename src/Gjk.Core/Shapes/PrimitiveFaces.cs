@@ -77,6 +77,7 @@ internal static class PrimitiveFaces
         corners.Add(new Vector3D(x, halfHeight, z), UpperEnd);
         if (halfHeight == 0) return;
         corners.Add(new Vector3D(x, -halfHeight, z), LowerEnd);
+        corners.Side = RoundSide.Cylinder;
         corners.SideRadius = radius;
     }
 
@@ -103,7 +104,10 @@ internal static class PrimitiveFaces
         corners.Add(new Vector3D(0, halfHeight, 0), UpperEnd);
         if (radial * slant < FaceTilt.LeastCosine * height) return;
         var rim = new Vector3D(radius * d.X / radial, -halfHeight, radius * d.Z / radial);
-        if (FaceTilt.IsLevelEdge(new Vector3D(rim.X, -height, rim.Z), d)) corners.Add(rim, LowerEnd);
+        if (!FaceTilt.IsLevelEdge(new Vector3D(rim.X, -height, rim.Z), d)) return;
+        corners.Add(rim, LowerEnd);
+        corners.Side = RoundSide.Cone;
+        corners.SideRadius = radius * slant / height;
     }
 
     /// <summary>
