@@ -14,9 +14,9 @@ namespace Gjk.Core;
 internal static class BoxDepthPoints
 {
     /// <summary>
-    /// Length, as a fraction of the size: a side that rises by less along the way out is level. An edge that is tilted
-    /// by more decides which corner is the deepest without doubt; one that is tilted by less moves the points by less
-    /// than they are promised. Pinned by DepthToleranceTests.ASideThatHardlyRisesIsLevel.
+    /// Length, as a fraction of the size: a side that rises by less along the way out is level; and the same of its own
+    /// length. An edge that is tilted by more decides which corner is the deepest without doubt; one that is tilted by
+    /// less moves the points by less than they are promised. Pinned by DepthToleranceTests.ASideThatHardlyRisesIsLevel.
     /// </summary>
     private const double LevelSide = 3e-8;
 
@@ -32,6 +32,7 @@ internal static class BoxDepthPoints
         in BoxPair pair, int axis, in DepthBounds depth, double size, out Vector3D onA, out Vector3D onB)
     {
         Vector3D way = depth.Normal * depth.Above;
+        axis = FaceOf(pair, axis, depth.Normal);
         if (axis >= BoxPair.Faces)
         {
             onA = OnEdge(pair, axis, depth);
@@ -80,6 +81,25 @@ internal static class BoxDepthPoints
         return FaceClip.Middle(
             point, first, second, faceCenter, faceSides.Axis(u), faceSides.Half(u) + Slack * size, faceSides.Axis(v),
             faceSides.Half(v) + Slack * size);
+    }
+
+    /// <summary>
+    /// The face that is level with the axis across two edges, so that rounding alone has preferred them to it; the axis
+    /// itself where there is none. An axis that costs no more than another but for rounding is not opposite its own
+    /// edges by that rounding over the angle between both, and which of the parallel edges it is may be rounding, too.
+    /// </summary>
+    private static int FaceOf(in BoxPair pair, int axis, in Vector3D normal)
+    {
+        if (axis < BoxPair.Faces) return axis;
+        int i = BoxPair.EdgeOfA(axis), j = BoxPair.EdgeOfB(axis);
+        for (int k = 1; k < 3; k++)
+        {
+            int beside = (i + k) % 3, besideB = (j + k) % 3;
+            if (Math.Abs(Vector3D.Dot(BoxPair.Unit(beside), normal)) <= LevelSide) return 3 - i - beside;
+            if (Math.Abs(Vector3D.Dot(pair.AxisOfB(besideB), normal)) <= LevelSide) return 6 - j - besideB;
+        }
+
+        return axis;
     }
 
     /// <summary>The point of A's edge where B's passes it.</summary>
