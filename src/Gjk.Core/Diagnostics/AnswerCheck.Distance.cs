@@ -88,7 +88,12 @@ public static partial class AnswerCheck
         if (answer.IsOverlapping && !isSigned)
             claims.Add(answer.Distance == 0 && answer.LowerBound == 0 && answer.Normal == default);
         else
-            claims.Add(answer.LowerBound <= walk.Lower + allowed, answer.LowerBound > walk.Upper);
+        {
+            // No distance is negative, so of shapes that are said to be apart 0 says nothing more.
+            double upper = isSigned && !isSeparated ? walk.Upper : Math.Max(walk.Upper, 0);
+            claims.Add(answer.LowerBound <= walk.Lower + allowed, answer.LowerBound > upper);
+        }
+
         AddNormal(ref claims, pair, answer, walk.HintGap, allowed);
         if (isSeparated || answer.IsOverlapping) AddPoints(ref claims, ref a, poseA, ref b, poseB, pair, answer);
         CheckStatus status = claims.Status;

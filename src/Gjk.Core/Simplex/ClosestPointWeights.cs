@@ -80,8 +80,9 @@ internal static class ClosestPointWeights
 
     /// <summary>
     /// The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to
-    /// rounding the same as <see cref="Of"/>. Where the feature is far away or a needle, rounding may put the point
-    /// beside the feature; then the nearest weights that are not negative are given.
+    /// rounding the same as <see cref="Of"/>. Where the feature is far away, rounding may put the point a little beside
+    /// it; then the weights that are negative become 0. Beside a needle that would move the point far along it, so the
+    /// nearest point is looked for.
     /// </summary>
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
@@ -96,7 +97,7 @@ internal static class ClosestPointWeights
 
         Vector3D ac = s.WC - a, inPlane = Vector3D.Cross(feature.Normal, a);
         if (!(feature.NormalSquared > Needle * (ab.LengthSquared * ac.LengthSquared)))
-            return FaceWeightsExtended(a, s.WB, s.WC).Clamped;
+            return Triangle(a, s.WB, s.WC);
         double scale = 1 / feature.NormalSquared;
         double b = -Vector3D.Dot(ac, inPlane) * scale, c = Vector3D.Dot(ab, inPlane) * scale;
         var weights = new Weights(1 - b - c, b, c, 0);

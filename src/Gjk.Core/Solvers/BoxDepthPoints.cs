@@ -14,9 +14,9 @@ namespace Gjk.Core;
 internal static class BoxDepthPoints
 {
     /// <summary>
-    /// Length, as a fraction of the size: a side that rises by less along the way out is level. An edge that is tilted
-    /// by more decides which corner is the deepest without doubt; one that is tilted by less moves the points by less
-    /// than they are promised. Pinned by DepthToleranceTests.ASideThatHardlyRisesIsLevel.
+    /// Length, as a fraction of the size: a side that rises by less along the way out is level; and the same of its own
+    /// length. An edge that is tilted by more decides which corner is the deepest without doubt; one that is tilted by
+    /// less moves the points by less than they are promised. Pinned by DepthToleranceTests.ASideThatHardlyRisesIsLevel.
     /// </summary>
     private const double LevelSide = 3e-8;
 
@@ -31,25 +31,26 @@ internal static class BoxDepthPoints
     public static void Find(in BoxPair pair, in DepthBounds depth, double size, out Vector3D onA, out Vector3D inB)
     {
         Vector3D way = depth.Normal * depth.Above;
-        if (pair.Axis >= BoxPair.Faces)
+        int face = FaceOf(pair, depth.Normal);
+        if (face >= BoxPair.Faces)
         {
             onA = OnEdge(pair, depth);
             inB = InB(pair, onA - way);
         }
-        else if (pair.Axis >= 3)
+        else if (face >= 3)
         {
             // Seen from B, whose face it is.
             if (!TryCorner(pair.HalfA, depth.Normal, size, out onA))
             {
                 onA = Opposite(
-                    default, SidesOfA(pair), pair.Between, SidesOfB(pair), pair.Axis - 3, -depth.Normal, size);
+                    default, SidesOfA(pair), pair.Between, SidesOfB(pair), face - 3, -depth.Normal, size);
             }
 
             inB = InB(pair, onA - way);
         }
         else
         {
-            Vector3D axis = pair.AxisOfAInB(pair.Axis), normal = depth.Normal;
+            Vector3D axis = pair.AxisOfAInB(face), normal = depth.Normal;
             bool isTurned = normal.X + normal.Y + normal.Z < 0;
             if (TryCorner(pair.HalfB, isTurned ? axis : -axis, size, out inB))
             {
@@ -58,7 +59,7 @@ internal static class BoxDepthPoints
             }
 
             Vector3D onB = Opposite(
-                pair.Between, SidesOfB(pair), default, SidesOfA(pair), pair.Axis, normal, size);
+                pair.Between, SidesOfB(pair), default, SidesOfA(pair), face, normal, size);
             onA = onB + way;
             inB = InB(pair, onB);
         }
@@ -107,6 +108,25 @@ internal static class BoxDepthPoints
         return FaceClip.Middle(
             point, first, second, faceCenter, faceSides.Axis(u), faceSides.Half(u) + Slack * size, faceSides.Axis(v),
             faceSides.Half(v) + Slack * size);
+    }
+
+    /// <summary>
+    /// The face that is level with the axis across two edges, so that rounding alone has preferred them to it; the axis
+    /// itself where there is none. An axis that costs no more than another but for rounding is not opposite its own
+    /// edges by that rounding over the angle between both, and which of the parallel edges it is may be rounding, too.
+    /// </summary>
+    private static int FaceOf(in BoxPair pair, in Vector3D normal)
+    {
+        if (pair.Axis < BoxPair.Faces) return pair.Axis;
+        int i = pair.EdgeOfA, j = pair.EdgeOfB;
+        for (int k = 1; k < 3; k++)
+        {
+            int beside = (i + k) % 3, besideB = (j + k) % 3;
+            if (Math.Abs(Vector3D.Dot(BoxPair.Unit(beside), normal)) <= LevelSide) return 3 - i - beside;
+            if (Math.Abs(Vector3D.Dot(pair.AxisOfB(besideB), normal)) <= LevelSide) return 6 - j - besideB;
+        }
+
+        return pair.Axis;
     }
 
     /// <summary>The point of A's edge where B's passes it.</summary>

@@ -45,7 +45,7 @@ internal static unsafe class PolytopeStart
         }
 
         Vector3D corner = polytope.Vertex(0).W;
-        Vector3D normal = Vector3D.Cross(polytope.Vertex(1).W - corner, polytope.Vertex(2).W - corner);
+        Vector3D normal = Normal(corner, polytope.Vertex(1).W, polytope.Vertex(2).W, state);
         if (Vector3D.Dot(normal, corner) > 0) normal = -normal;
         if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth)) return End(state, depth);
         if (depth.IsApart(state)) return DepthVerdict.Apart;
@@ -144,6 +144,19 @@ internal static unsafe class PolytopeStart
         Vector3D axis = x <= y && x <= z ? new Vector3D(1, 0, 0)
             : y <= z ? new Vector3D(0, 1, 0) : new Vector3D(0, 0, 1);
         return Vector3D.Cross(along, axis);
+    }
+
+    /// <summary>
+    /// The normal of a triangle; of a needle, which double would lean along its length, in 106 bits. Leaning, it would
+    /// find the needle's own far corner above the triangle, and call its height the depth of what is flat.
+    /// </summary>
+    private static Vector3D Normal(in Vector3D p, in Vector3D q, in Vector3D r, in SolverState state)
+    {
+        Vector3D e = q - p, f = r - p, normal = Vector3D.Cross(e, f);
+        double level = GjkTolerances.DepthLevel * state.Size.Value * normal.Length;
+        bool isLevel = Math.Abs(Vector3D.Dot(normal, e)) <= level && Math.Abs(Vector3D.Dot(normal, f)) <= level;
+        VectorDD origin = p;
+        return isLevel ? normal : (Vector3D)VectorDD.Cross((VectorDD)q - origin, (VectorDD)r - origin);
     }
 
     /// <summary>Length: what is thinner is flat.</summary>

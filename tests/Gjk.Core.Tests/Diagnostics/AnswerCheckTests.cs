@@ -56,6 +56,21 @@ public class AnswerCheckTests
         return isRight && Holds(check, c) ? null : $"{check}, expected {expected}, {r}";
     });
 
+    /// <summary>Curved shapes that overlap by 7e-11 may be said to be apart, and their least distance is 0.</summary>
+    [Fact]
+    public void ALowerBoundOfZeroOfADistanceIsProved()
+    {
+        const string Record = "gjk1 ellipsoid 1 1 1 + 0.67936742305755615 @ 0.732981205 -0.581961095 -0.0399343371 "
+            + "0.349950045 3.03989331E-08 2.42104523E-08 1.2366117E-08 segment -0 -0.0049385676453951423 -0 -0 "
+            + "0.0049385676453951423 -0 2.035767464359358 @ 0.732981205 -0.581961095 -0.0399343371 0.349950045 "
+            + "2.225384 2.96443796 -0.289813071";
+        QueryRecord p = QueryRecord.Parse(Record);
+        DistanceResult r = p.Distance();
+        Assert.Equal((GjkStatus.Separated, 0f), (r.Status, r.LowerBound));
+        CheckedAnswer check = AnswerCheck.Distance(p.A, p.PoseA, p.B, p.PoseB, r);
+        Assert.True(check.Status == CheckStatus.Proved && check.UpperBound < 0, $"{check}: {r}");
+    }
+
     [Theory]
     [MemberData(nameof(Casts))]
     public void HardCastsAreProved(string family)
