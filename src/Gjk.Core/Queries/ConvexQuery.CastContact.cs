@@ -34,7 +34,9 @@ public static partial class ConvexQuery
             Normal = found.Normal;
         }
 
-        /// <summary>Asks how deep the shapes overlap at the start.</summary>
+        /// <summary>
+        /// Asks how deep the shapes overlap at the start. Where they only touch, a normal that is known stays.
+        /// </summary>
         /// <returns>Whether they do by more than touching.</returns>
         public bool LookAtStart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
@@ -44,17 +46,13 @@ public static partial class ConvexQuery
             Ask(ref a, poseA, ref b, poseB, ref question);
             DistanceResult start = question.Result;
             Iterations = start.Iterations;
-            Normal = start.Normal;
-            if (question.IsTouch)
-            {
-                (Point, Normal) = (question.TouchPoint, question.TouchNormal);
-                return false;
-            }
-
-            bool isLimit = start.Status == GjkStatus.IterationLimit;
-            Depth = Math.Max(isLimit ? -start.LowerBound : -start.Distance, 0);
+            bool isLimit = start.Status == GjkStatus.IterationLimit, isKnown = Normal != default;
+            if (question.IsTouch) Point = question.TouchPoint;
+            else Depth = Math.Max(isLimit ? -start.LowerBound : -start.Distance, 0);
             if (start.Status == GjkStatus.InvalidShape) Status = CastStatus.InvalidShape;
-            return isLimit || Depth > 0;
+            bool isDeep = !question.IsTouch && (isLimit || Depth > 0);
+            if (isDeep || !isKnown) Normal = question.IsTouch ? question.TouchNormal : start.Normal;
+            return isDeep;
         }
 
         /// <summary>A cast that found this contact.</summary>

@@ -60,7 +60,7 @@ public static partial class ConvexQuery
                 CastStatus.Hit, (float)fraction, (Vector3)(hit.Point + (Vector3D)translation * fraction),
                 (Vector3)hit.Normal, 0),
             CastStatus.Miss => CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0),
-            _ => new CastResult(hit.Status, 0, line.Origin, Vector3.Zero, 0),
+            _ => new CastResult(hit.Status, 0, line.Origin, (Vector3)hit.Normal, 0),
         };
         return true;
     }

@@ -20,12 +20,12 @@ internal static class CurvedTouch
     /// </summary>
     private const double Retreat = 1e-3;
 
-    /// <summary>Count: looks. Pinned by TouchingStartTests.</summary>
+    /// <summary>Count: looks. One is too few: pinned by RayStartTests. More are only slower.</summary>
     private const int MaxLooks = 2;
 
     /// <summary>
-    /// Ratio to the size: what is deeper is deep, whatever the search leaves open, and is not looked at. Pinned by
-    /// TouchingStartTests.
+    /// Ratio to the size: what is deeper is deep, whatever the search leaves open (5e-7 where it has to divide its
+    /// surface), and is not looked at. A larger one is only slower; a quarter would do where nothing is divided.
     /// </summary>
     private const double Shallow = 4 * GjkTolerances.DepthNoiseCurved;
 
@@ -41,33 +41,49 @@ internal static class CurvedTouch
         where TB : struct, ISupportMap
     {
         touch = default;
+        return TryLook(ref a, ref b, frame, state, ref touch, out double gap)
+            && gap >= -GjkTolerances.TouchCurved * state.Size.Value;
+    }
+
+    /// <summary>Looks at shapes that overlap by less than the search for a depth can tell.</summary>
+    /// <param name="a">The first core.</param>
+    /// <param name="b">The second one.</param>
+    /// <param name="frame">The pair.</param>
+    /// <param name="state">Its signed distance.</param>
+    /// <param name="touch">Gets normal and point, as sharp as those of a cast; the iterations are added.</param>
+    /// <param name="gap">
+    /// The gap between the planes across the normal, in solver units: at most the signed distance, and sharp where the
+    /// normal is that of the shortest way out.
+    /// </param>
+    /// <returns>False where they are deeper.</returns>
+    public static bool TryLook<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in SolverState state, ref CastFinding touch, out double gap)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        gap = double.NegativeInfinity;
         double size = state.Size.Value, scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         if (frame.Margins - state.Feature.Height * scale > Shallow * size) return false;
         touch.Normal = state.Feature.Normal * -scale;
         PairFrame moved = frame;
         NoTrace trace = default;
         WarmStart unused = default;
-        for (int look = 0; look < MaxLooks; look++)
+        for (int look = 0; look < MaxLooks && !(gap >= -GjkTolerances.TouchCurved * size); look++)
         {
-            Vector3D way = touch.Normal * (Retreat * size);
-            moved.Translation = frame.Translation + way;
+            moved.Translation = frame.Translation + touch.Normal * (Retreat * size);
             SolverState.Begin<TA, TB>(moved, out SolverState apart);
             ConvexQuery.SolveCores(
                 ref a, ref b, moved, float.PositiveInfinity, ref unused, false, ref apart, ref trace);
             touch.Iterations += apart.Iterations;
             if (apart.Verdict != Verdict.Apart) return false;
-            double planeScale = 1 / Math.Sqrt(apart.Plane.NormalSquared);
-            touch.Normal = apart.Plane.Normal * -planeScale;
-            double gap = apart.Plane.Value * planeScale - frame.Margins - Vector3D.Dot(touch.Normal, way);
-            if (!(gap >= -GjkTolerances.TouchCurved * size)) continue;
+            touch.Normal = apart.Plane.Normal * (-1 / Math.Sqrt(apart.Plane.NormalSquared));
             touch.OnA = apart.Simplex.PointOnA(apart.Weights).ToVector3D();
             CastLine outward = default;
             outward.Axis = -touch.Normal;
             moved.Translation = frame.Translation;
-            CastNormal.Sharpen(ref a, ref b, ref moved, outward, ref apart, ref touch);
-            return true;
+            gap = CastNormal.Sharpen(ref a, ref b, ref moved, outward, ref apart, ref touch);
         }
 
-        return false;
+        return true;
     }
 }

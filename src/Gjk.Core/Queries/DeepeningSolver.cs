@@ -54,7 +54,9 @@ internal static class DeepeningSolver
         // A fraction that is no float stands for where the bounding balls meet.
         if (float.IsInfinity((float)part.From)) begin = -line.HalfChord;
         if (part.From > 0) frame.Translation = line.At(begin);
-        if (!TryLook(ref a, ref b, frame, line.Axis, ref iterations, out DepthLook look)) return Verdict.Contradiction;
+        bool isSharp = part.Slope == 0;
+        if (!TryLook(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out DepthLook look))
+            return Verdict.Contradiction;
         double limit = look.Touch + look.Noise + line.Error + Math.Max(part.Allowed, part.From > 0 ? 0 : -look.Most);
         var left = new DepthCut(begin, look.Least, look.Slope + part.Slope);
         if (look.Most < -limit) return Verdict.Enclosed;
@@ -71,7 +73,8 @@ internal static class DeepeningSolver
             }
 
             frame.Translation = line.At(along);
-            if (!TryLook(ref a, ref b, frame, line.Axis, ref iterations, out look)) return Verdict.Contradiction;
+            if (!TryLook(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out look))
+                return Verdict.Contradiction;
             double added = part.Slope * (along - begin);
             if (look.Most + added < -limit - look.Noise) return Verdict.Enclosed;
             var cut = new DepthCut(along, look.Least + added, look.Slope + part.Slope);
@@ -95,7 +98,8 @@ internal static class DeepeningSolver
 
     /// <summary>The signed distance where B is now, and the plane that bounds it.</summary>
     private static bool TryLook<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D axis, ref int iterations, out DepthLook look)
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D axis, bool isSharp, ref int iterations,
+        out DepthLook look)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -123,7 +127,32 @@ internal static class DeepeningSolver
 
         // A depth that was searched without room enough may be as much as it is at most.
         if (state.Verdict == Verdict.Undecided) look.Most = look.Least;
+        if (isSharp && state.IsCurved && state.Verdict == Verdict.Apart)
+            Sharpen(ref a, ref b, frame, axis, state, ref iterations, ref look);
         return true;
+    }
+
+    /// <summary>
+    /// Of curved cores: a distance leaves less open than a depth does, and a depth that is hardly more than touching is
+    /// looked at from outside. Where a slope is allowed, it is more than all that.
+    /// </summary>
+    private static void Sharpen<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D axis, in SolverState state, ref int iterations,
+        ref DepthLook look)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        CastFinding touch = default;
+        bool isSharp = look.Most > look.Touch;
+        if (!isSharp && CurvedTouch.TryLook(ref a, ref b, frame, state, ref touch, out double gap))
+        {
+            look.Most = look.Least = Math.Max(gap, look.Least);
+            look.Slope = Vector3D.Dot(touch.Normal, axis);
+            isSharp = true;
+        }
+
+        if (isSharp) look.Noise = GjkTolerances.NoiseCurved * state.Size.Value;
+        iterations += touch.Iterations;
     }
 
     /// <summary>What was seen at a place of the line.</summary>

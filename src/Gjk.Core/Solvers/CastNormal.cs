@@ -33,7 +33,8 @@ internal static class CastNormal
     private const int MaxRounds = 64;
 
     /// <summary>Makes normal and point sharper; the simplex in the state is used up.</summary>
-    public static void Sharpen<TA, TB>(
+    /// <returns>The gap between the shapes along the normal, negative where they reach past each other.</returns>
+    public static double Sharpen<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in CastLine line, ref SolverState state, ref CastFinding cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -44,7 +45,7 @@ internal static class CastNormal
         FeatureVertices.Begin(out FeatureVertices vertices);
         ClosestFeature feature = Walk(ref a, ref b, frame, ref vertices, ref state.Simplex, ref cast);
         double length = Math.Sqrt(feature.NormalSquared);
-        if (!(length > 0)) return;
+        if (!(length > 0)) return known;
         Vector3D normal = feature.Normal * (-1 / length);
         state.Simplex.Select(
             vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
@@ -54,7 +55,9 @@ internal static class CastNormal
         double gap = GapAlong(ref a, ref b, frame, normal, ref state.Simplex, ref cast);
 
         // Of all planes the one in which they touch leaves the widest gap.
-        if (gap >= known && slope > 0) (cast.Normal, cast.OnA) = (normal, onA);
+        if (!(gap >= known && slope > 0)) return known;
+        (cast.Normal, cast.OnA) = (normal, onA);
+        return gap;
     }
 
     /// <summary>The gap between the shapes along a normal, negative where they reach past each other.</summary>

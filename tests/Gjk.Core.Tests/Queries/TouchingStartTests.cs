@@ -158,6 +158,34 @@ public class TouchingStartTests
             ConvexQuery.Cast(floor, Here, default, body, new RigidPose(at), motion);
     }
 
+    /// <summary>
+    /// Round bodies that stand on a wide floor: a slope of some 1e-8 takes them in by more than counts as touching, and
+    /// one of 0 does not.
+    /// </summary>
+    [Theory]
+    [MemberData(nameof(Bodies))]
+    public void ASlightSlopeGoesIn(string kind)
+    {
+        ConvexShape floor = ConvexShape.Box(new Vector3(64, 1, 64)), body = Standing(kind);
+        ConvexShape round = ConvexShape.Cylinder(64, 1);
+        var at = new RigidPose(new Vector3(0, 2, 0.5f));
+        foreach (ConvexShape below in new[] { floor, round })
+        {
+            foreach (float slope in new[] { 1e-6f, 3e-7f, 1e-7f, 1e-8f })
+            {
+                CastResult r = ConvexQuery.Cast(below, Here, default, body, at, new Vector3(9, -9 * slope, 3));
+                Assert.True((r.Status, r.Fraction) == (CastStatus.Hit, 0), $"{kind}, {slope}: {r}");
+                Assert.True((r.Normal - Vector3.UnitY).Length() < 1e-6f, $"{kind}, {slope}: {r}");
+            }
+
+            foreach (float slope in new[] { 0, -1e-9f, -1e-6f })
+            {
+                CastResult r = ConvexQuery.Cast(below, Here, default, body, at, new Vector3(9, -9 * slope, 3));
+                Assert.True(r.Status == CastStatus.Miss, $"{kind}, {slope}: {r}");
+            }
+        }
+    }
+
     /// <summary>A ray from a surface hits at 0 if it goes in; from inside the way out is told.</summary>
     [Theory]
     [MemberData(nameof(Bodies))]

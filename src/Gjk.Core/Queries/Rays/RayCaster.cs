@@ -30,10 +30,10 @@ internal static class RayCaster
     private const double SurfaceBand = 1e-9;
 
     /// <summary>
-    /// Length, as a fraction of the radius: the same along a ray that enters at a grazing angle: the root of twice the
-    /// band, doubled. Pinned by TheStartIsWhatContainsSays in RayCastTests.
+    /// Length, as a fraction of the radius: a surface that is no further along the ray is at its start, if the origin
+    /// touches it; half of what is promised. Pinned by RayStartTests.
     /// </summary>
-    private const double GrazingBand = 1e-4;
+    private const double StartBand = 5e-8;
 
     /// <summary>
     /// Ratio to the distance and the radius: a hit that is beyond the reach by less is at its end: more than rounding
@@ -76,7 +76,6 @@ internal static class RayCaster
         bool isNear = LocalRay.TryMake(
             local, rotation.InverseRotate(line.Direction), line.Length, radius, out LocalRay ray)
             && offset <= PairFrame.FarCenter * radius;
-        bool mayHold = local.LengthSquared <= radius * radius * (1 + SurfaceBand);
         double reach = radius + FootError * (between.SumOfMagnitudes + offset);
         if (ray.Foot.LengthSquared > reach * reach || ray.Shift < -reach || ray.Shift - reach > line.Reach)
         {
@@ -101,7 +100,7 @@ internal static class RayCaster
         }
 
         if (finding == RayFinding.Unfit) return false;
-        Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, mayHold, ref hit);
+        Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, ref hit);
         if (hit.Status != CastStatus.Hit) return true;
         Vector3D normal = rotation.Rotate(span.Normal);
         hit.Normal = normal * (1 / normal.Length);
@@ -137,8 +136,7 @@ internal static class RayCaster
             found = RayBall.TryFind(ray, radius, out span);
         }
 
-        bool mayHold = between.LengthSquared <= radius * radius * (1 + SurfaceBand);
-        Judge(found, span, ray.Shift, radius, line.Reach, mayHold, ref hit);
+        Judge(found, span, ray.Shift, radius, line.Reach, ref hit);
         if (hit.Status != CastStatus.Hit) return true;
         hit.Normal = span.Normal * (1 / radius);
         hit.Point = span.Normal + pose.Position;
@@ -148,13 +146,12 @@ internal static class RayCaster
     /// <summary>What the interval says of the ray.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Judge(
-        bool isFound, in RaySpan span, double shift, double radius, double reach, bool mayHold, ref RayMeeting hit)
+        bool isFound, in RaySpan span, double shift, double radius, double reach, ref RayMeeting hit)
     {
         double enter = span.Enter + shift, exit = span.Exit + shift, band = SurfaceBand * radius;
         hit.Status = CastStatus.Miss;
-        hit.IsAtSurface = mayHold;
         if (!isFound || exit < -band) return;
-        hit.IsAtSurface = enter <= GrazingBand * radius && (enter >= -band || exit <= band);
+        hit.IsAtSurface = enter <= StartBand * radius && (enter >= -band || exit <= band);
         if (!hit.IsAtSurface && enter <= 0)
         {
             hit.Status = CastStatus.OverlappingAtStart;
