@@ -135,7 +135,8 @@ internal static class SideNormal
     private static bool TryMove(
         in PairFrame frame, in Vector3D normal, double gap, bool isOfA, ref SolverState state)
     {
-        Vector3D onA = state.Simplex.PointOnA(state.Weights), between = -state.Simplex.PointOf(state.Weights);
+        Vector3D onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+        Vector3D between = -state.Simplex.PointOf(state.Weights);
         double along = Vector3D.Dot(normal, between), size = state.Size.Value;
         if (!(along - gap <= Beside * size && (between - normal * along).Length <= Aside * size)) return false;
         Vector3D other = onA + normal * gap;
