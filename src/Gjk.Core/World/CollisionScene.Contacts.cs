@@ -16,7 +16,8 @@ public sealed partial class CollisionScene
     private float _contactGap;
 
     /// <summary>
-    /// The pairs that overlap, touching included, and how deep: with the bits of <c>ConvexQuery.SignedDistance</c>.
+    /// The pairs that overlap, touching included, and how deep: with the bits of <c>ConvexQuery.SignedDistance</c>. A
+    /// pair whose objects have not moved since the last call keeps its answer, which costs next to nothing.
     /// </summary>
     /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
@@ -60,7 +61,8 @@ public sealed partial class CollisionScene
 
     /// <summary>
     /// The contact points of all pairs that overlap or are no further apart than a gap: with the bits of
-    /// <c>ConvexQuery.Contacts</c>.
+    /// <c>ConvexQuery.Contacts</c>. A pair whose objects have not moved since the last call with the same gap keeps its
+    /// answer, which costs next to nothing.
     /// </summary>
     /// <param name="maxGap">At least 0: points, and pairs, further apart are left out.</param>
     /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
