@@ -15,7 +15,7 @@ internal static unsafe class QuarterNames
     /// <summary>
     /// Ratio: how far beyond its corner, towards the next one, a quarter begins. Points that lie half way between two
     /// corners, as the shapes' symmetry has it, belong to the first of them then, and not to either by a last bit.
-    /// Pinned by NameTests.
+    /// Four times more or less is as good.
     /// </summary>
     private const double Beyond = 0.35;
 
