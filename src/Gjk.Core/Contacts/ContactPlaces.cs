@@ -85,8 +85,9 @@ internal unsafe ref struct ContactPlaces
             return;
         }
 
-        OverlapCorner* memory = stackalloc OverlapCorner[2 * FeatureOverlap.Capacity];
-        var overlap = new FeatureOverlap(memory, _slack);
+        OverlapCorner* memory = stackalloc OverlapCorner[FeatureOverlap.Capacity];
+        CutCorner* cuts = stackalloc CutCorner[2 * FeatureOverlap.Capacity];
+        var overlap = new FeatureOverlap(memory, cuts, _slack);
         bool areFaces = a.Count > 2 && b.Count > 2, isACut = areFaces ? a.Count >= b.Count : a.Count == 2;
         bool isSide = a.IsOnSide || b.IsOnSide;
         double width;
@@ -123,7 +124,7 @@ internal unsafe ref struct ContactPlaces
     {
         if (!disc.CanBeRefined) return false;
         bool isFirst = disc.Count == FaceCorners.Capacity / FaceCorners.DiscStep;
-        return width < (isFirst ? LittleOfDisc : LeastOfDisc) * disc.Width();
+        return !(width >= (isFirst ? LittleOfDisc : LeastOfDisc) * disc.Width());
     }
 
     /// <summary>How wide the overlap is, from its area and length: what the reach is a part of.</summary>
@@ -192,8 +193,9 @@ internal unsafe ref struct ContactPlaces
         double least = _reach * _reach;
         for (int i = 0; i < feature.Count; i++)
         {
-            double squared = feature[i].SquaredTo(u, v);
-            if (!(squared <= least)) continue;
+            ref FlatCorner corner = ref feature[i];
+            double apartU = corner.U - u, apartV = corner.V - v, squared = apartU * apartU;
+            if (squared > least || !((squared += apartV * apartV) <= least)) continue;
             least = squared;
             nearest = i;
         }

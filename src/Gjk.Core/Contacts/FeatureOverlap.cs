@@ -20,14 +20,17 @@ internal unsafe ref struct FeatureOverlap
     private const int Cutter = FaceCorners.Capacity;
 
     private readonly double _slack;
-    private OverlapCorner* _corners, _other;
+    private readonly OverlapCorner* _found;
+    private CutCorner* _corners, _other;
 
-    /// <param name="memory">Room for twice <see cref="Capacity"/> corners.</param>
+    /// <param name="memory">Room for <see cref="Capacity"/> corners.</param>
+    /// <param name="cuts">Room for twice as many.</param>
     /// <param name="slack">Length: what lies beside an edge by less is not cut off.</param>
-    public FeatureOverlap(OverlapCorner* memory, double slack)
+    public FeatureOverlap(OverlapCorner* memory, CutCorner* cuts, double slack)
     {
-        _corners = memory;
-        _other = memory + Capacity;
+        _found = memory;
+        _corners = cuts;
+        _other = cuts + Capacity;
         _slack = slack;
         Count = 0;
     }
@@ -36,20 +39,21 @@ internal unsafe ref struct FeatureOverlap
     public int Count { get; private set; }
 
     /// <summary>A corner.</summary>
-    public readonly ref OverlapCorner this[int index] => ref _corners[index];
+    public readonly ref OverlapCorner this[int index] => ref _found[index];
 
     /// <summary>Cuts the one feature by the edges of a face.</summary>
     public void Find(ref FlatFeature cut, ref FlatFeature cutter)
     {
         Count = cut.Count;
-        for (int i = 0; i < Count; i++) _corners[i] = new OverlapCorner { U = cut[i].U, V = cut[i].V, Side = i };
+        for (int i = 0; i < Count; i++) _corners[i] = new CutCorner { U = cut[i].U, V = cut[i].V, Side = i };
         for (int i = 0; i < cutter.Count && Count > 0; i++) CutBy(ref cutter, i);
-        for (int i = 0; i < Count; i++) _other[i].Side = _corners[i > 0 ? i - 1 : Count - 1].Side;
         int count = 0;
         for (int i = 0; i < Count; i++)
         {
-            OverlapCorner corner = _corners[i];
-            int before = _other[i].Side, after = corner.Side;
+            int before = _corners[i > 0 ? i - 1 : Count - 1].Side, after = _corners[i].Side;
+            ref OverlapCorner corner = ref _found[count];
+            corner.U = _corners[i].U;
+            corner.V = _corners[i].V;
             corner.Cut = before < Cutter && after < Cutter ? after : -1;
             corner.Cutter = before >= Cutter && after >= Cutter ? Between(before, after, cutter.Count) : -1;
             corner.CutEdge = before < Cutter ? before : after < Cutter ? after : -1;
@@ -60,13 +64,28 @@ internal unsafe ref struct FeatureOverlap
                 corner.V = cutter[corner.Cutter].V;
             }
 
-            // Beyond a tip two edges are nearer than the slack to each other, and what they cross there is not shared.
+            // Beyond a tip two edges are nearer than the slack to each other, and what they cross there is not shared,
+            // but the tip may be.
             bool isCrossing = corner.CutEdge >= 0 && corner.CutterEdge >= 0;
-            if (!isCrossing || cutter.IsBeside(corner.CutterEdge, corner.U, corner.V, _slack))
-                _corners[count++] = corner;
+            bool isShared = !isCrossing || cutter.IsBeside(corner.CutterEdge, corner.U, corner.V, _slack);
+            if (isShared || TryMoveToTip(ref corner, ref cut, ref cutter)) count++;
         }
 
         Count = count;
+    }
+
+    /// <summary>Moves a corner to the nearer end of the cutter's edge; false where that is not shared.</summary>
+    private readonly bool TryMoveToTip(ref OverlapCorner corner, ref FlatFeature cut, ref FlatFeature cutter)
+    {
+        int from = corner.CutterEdge, to = from + 1 < cutter.Count ? from + 1 : 0;
+        double u = corner.U, v = corner.V;
+        int tip = cutter[from].SquaredTo(u, v) <= cutter[to].SquaredTo(u, v) ? from : to;
+        corner.U = cutter[tip].U;
+        corner.V = cutter[tip].V;
+        corner.Cutter = tip;
+        corner.CutterEdge = tip;
+        corner.CutEdge = -1;
+        return cut.Holds(corner.U, corner.V, _slack);
     }
 
     /// <summary>The corner between two edges of the cutter, either way round.</summary>
@@ -79,33 +98,47 @@ internal unsafe ref struct FeatureOverlap
     private void CutBy(ref FlatFeature cutter, int edge)
     {
         double* inside = stackalloc double[Capacity];
-        bool isWhole = true;
-        for (int i = 0; i < Count; i++)
+        ref FlatCorner line = ref cutter[edge];
+        double lineU = line.U, lineV = line.V, inwardU = line.InwardU, inwardV = line.InwardV, least = 0;
+        CutCorner* corner = _corners;
+        int count = Count;
+        for (int i = 0; i < count; i++, corner++)
         {
-            inside[i] = cutter.Inside(edge, _corners[i].U, _corners[i].V);
-            isWhole &= inside[i] >= -_slack;
+            double depth = inwardU * (corner->U - lineU) + inwardV * (corner->V - lineV);
+            inside[i] = depth;
+            if (depth < least) least = depth;
         }
 
-        if (isWhole) return;
-        int count = 0;
+        if (least >= -_slack) return;
+        count = 0;
         for (int i = 0; i < Count && count + 2 <= Capacity; i++)
         {
             int next = i + 1 < Count ? i + 1 : 0;
             bool isIn = inside[i] >= -_slack;
             if (isIn) _other[count++] = _corners[i];
             if (isIn == inside[next] >= -_slack) continue;
-            ref OverlapCorner p = ref _corners[i], q = ref _corners[next], cut = ref _other[count++];
+            ref CutCorner p = ref _corners[i], q = ref _corners[next], cut = ref _other[count++];
             double part = Math.Max(0, Math.Min(1, inside[i] / (inside[i] - inside[next])));
             cut.U = p.U + (q.U - p.U) * part;
             cut.V = p.V + (q.V - p.V) * part;
             cut.Side = isIn ? Cutter + edge : p.Side;
         }
 
-        OverlapCorner* before = _corners;
+        CutCorner* before = _corners;
         _corners = _other;
         _other = before;
         Count = count;
     }
+}
+
+/// <summary>A corner while one feature is cut by the other.</summary>
+internal struct CutCorner
+{
+    /// <summary>In the plane across the normal.</summary>
+    public double U, V;
+
+    /// <summary>The edge that the side beginning here lies on: one of what is cut, or of the cutter.</summary>
+    public int Side;
 }
 
 /// <summary>A corner of what two features share.</summary>
@@ -113,9 +146,6 @@ internal struct OverlapCorner
 {
     /// <summary>In the plane across the normal.</summary>
     public double U, V;
-
-    /// <summary>The edge that the side beginning here lies on: one of what is cut, or of the cutter.</summary>
-    public int Side;
 
     /// <summary>The corner of the one or of the other that this is; -1 where it is none.</summary>
     public int Cut, Cutter;

@@ -22,7 +22,7 @@ internal unsafe struct FlatFeature
     /// <summary>What the core is widened by.</summary>
     public readonly double Margin;
 
-    /// <summary>How far the axis of the round side that an edge is a line of is from its ends; 0 for sharp edges.</summary>
+    /// <summary>How far the axis of an edge's round side is from the edge's ends; 0 for sharp edges.</summary>
     private readonly double _firstRadius, _lastRadius;
 
     private readonly RoundSide _side;
@@ -80,7 +80,7 @@ internal unsafe struct FlatFeature
     /// <summary>Whether it is a line of a round side.</summary>
     public readonly bool IsOnSide => _side != RoundSide.None;
 
-    /// <summary>How far a surface round an end of an edge reaches to its sides: margin and round side together.</summary>
+    /// <summary>How far a surface round an end of an edge reaches to its sides, with margin and round side.</summary>
     public readonly double RoundnessAt(int end) => Margin + (end == 0 ? _firstRadius : _lastRadius);
 
     /// <summary>A corner.</summary>

@@ -6,8 +6,9 @@ namespace Gjk.Core;
 /// <remarks>
 /// <para>
 /// Four corners are two triangles on both sides of a diagonal. While the diagonal's other end goes round, the best
-/// corner on either side moves on and never back, so all four that hold a given corner are seen in as many steps as
-/// there are corners, and all there are in the square of that (Shamos 1978, by rotating calipers).
+/// corner on either side moves on and never back (Shamos 1978, by rotating calipers). The area is at most the
+/// diagonal's length times the polygon's width, so diagonals that are too short for a large one are left out: of a
+/// disc's all but the few across the middle.
 /// </para>
 /// <para>
 /// Of those that are as good the one with the first name is taken, corner by corner: a regular outline has many that
@@ -25,6 +26,12 @@ internal readonly unsafe ref struct LargestFour
 
     /// <summary>Ratio of areas: a gap that a resting body's unrest hardly crosses. Pinned by NameTests.</summary>
     private const double Gap = 0.004;
+
+    /// <summary>
+    /// The cosine of an eighth of a turn, and one over that of a sixteenth: what an extent along one of eight
+    /// directions may miss.
+    /// </summary>
+    private const double HalfRoot = 0.70710678118654752, Slanted = 1.0823922002923938;
 
     /// <summary>Ratio of an area to the length's square: below it the corners are on a line.</summary>
     private const double Flat = 1e-9;
@@ -77,24 +84,34 @@ internal readonly unsafe ref struct LargestFour
 
     private int Choose(int held, double* areas, int* chosen)
     {
-        double length = 0, most = 0;
-        for (int i = 0; i < _count; i++)
+        int from = held < 0 ? Furthest(0) : held, to = Furthest(from);
+        double most = 0, width = Width();
+        for (int i = 0; i < _count; i++) areas[i] = 0;
+        if (from != to) Across(from, to, areas, ref most);
+        if (held < 0)
         {
-            double u = _u[i] - _u[0], v = _v[i] - _v[0];
-            length = Math.Max(length, u * u + v * v);
-            areas[i] = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                int last = Math.Min(_count - 1, i + _count - 2);
+                Through(i, i + 2, last, LeastGood * most / width, areas, ref most);
+            }
+        }
+        else
+        {
+            Through(held, held + 2, held + _count - 2, LeastGood * most / width, areas, ref most);
         }
 
-        int end = held < 0 ? _count : held + 1;
-        for (int i = Math.Max(held, 0); i < end; i++) Through(i, held >= 0, areas);
-        for (int i = 0; i < _count; i++) most = Math.Max(most, areas[i]);
-        if (!(most > Flat * length)) return Ends(held < 0 ? Furthest(0) : held, chosen);
-        int first = held < 0 ? First(areas, most) : held;
-        for (int i = 0; i < _count; i++) areas[i] = 0;
-        Through(first, true, areas);
+        if (!(most > Flat * width * width)) return Ends(from, to, chosen);
+        int first = held < 0 ? First(areas, 0, _count, 0, most) : held;
+        if (held < 0)
+        {
+            for (int i = 0; i < _count; i++) areas[i] = 0;
+            Through(first, first + 2, first + _count - 2, LeastGood * most / width, areas, ref most);
+        }
+
         areas[first] = 0;
-        int across = First(areas, most), next = across < first ? across + _count : across;
-        Complete(first, next, areas[across], most, areas, chosen);
+        int across = First(areas, 0, _count, 0, most), next = across < first ? across + _count : across;
+        Complete(first, next, most, areas, chosen);
         chosen[0] = Number(first);
         chosen[2] = Number(across);
         for (int i = 1; i < ContactManifold.Capacity; i++)
@@ -104,32 +121,35 @@ internal readonly unsafe ref struct LargestFour
     }
 
     /// <summary>Chooses the corners on both sides of a diagonal, the one with the first name first.</summary>
-    private void Complete(int from, int to, double whole, double most, double* areas, int* chosen)
+    private void Complete(int from, int to, double most, double* areas, int* chosen)
     {
         int end = from + _count;
         double most1 = FillBetween(from, to, areas), most2 = FillBetween(to, end, areas);
-        int left = FirstBetween(from, to, whole - most1, most, areas);
-        int right = FirstBetween(to, end, whole - most2, most, areas);
-        if (IsBefore(Wrapped(left), Wrapped(right))) right = FirstBetween(to, end, Area(from, left, to), most, areas);
-        else left = FirstBetween(from, to, Area(to, right, end), most, areas);
+        int left = First(areas, from + 1, to, most2, most), right = First(areas, to + 1, end, most1, most);
+        if (IsBefore(Wrapped(left), Wrapped(right))) right = First(areas, to + 1, end, Area(from, left, to), most);
+        else left = First(areas, from + 1, to, Area(to, right, end), most);
         chosen[1] = Number(Wrapped(left));
         chosen[3] = Number(Wrapped(right));
     }
 
     /// <summary>
-    /// Finds for each corner across one the largest area of four that hold both, and takes note of it at the other.
+    /// Finds for each corner across one the largest area of four that hold both, and takes note of it at both.
     /// </summary>
     /// <param name="first">The corner.</param>
-    /// <param name="isAll">Whether corners before it are looked at too; else the diagonal was seen from there.</param>
-    /// <param name="areas">The largest area that is known of each corner; those of both ends may grow.</param>
-    private void Through(int first, bool isAll, double* areas)
+    /// <param name="from">The corner across where it begins.</param>
+    /// <param name="last">The last one.</param>
+    /// <param name="length">Shorter diagonals are left out.</param>
+    /// <param name="areas">The largest area that is known of each corner.</param>
+    /// <param name="most">The largest of all.</param>
+    private void Through(int first, int from, int last, double length, double* areas, ref double most)
     {
         int left = first + 1, right = first + 3, end = first + _count;
-        int last = isAll ? end - 2 : Math.Min(_count - 1, end - 2);
-        for (int k = first + 2; k <= last; k++)
+        double squared = length * length;
+        for (int k = from; k <= last; k++)
         {
             // Both triangles have the diagonal as their base, so their heights over it are all that matters.
             double u = _u[k] - _u[first], v = _v[k] - _v[first];
+            if (u * u + v * v < squared) continue;
             double least = u * _v[left] - v * _u[left];
             while (left + 1 < k)
             {
@@ -140,78 +160,105 @@ internal readonly unsafe ref struct LargestFour
             }
 
             right = Math.Max(right, k + 1);
-            double most = u * _v[right] - v * _u[right];
+            double highest = u * _v[right] - v * _u[right];
             while (right + 1 < end)
             {
                 double next = u * _v[right + 1] - v * _u[right + 1];
-                if (!(next >= most)) break;
-                most = next;
+                if (!(next >= highest)) break;
+                highest = next;
                 right++;
             }
 
-            double area = most - least;
+            double area = highest - least;
+            if (area > most) most = area;
             if (area > areas[first]) areas[first] = area;
             int across = Wrapped(k);
             if (area > areas[across]) areas[across] = area;
         }
     }
 
-    /// <summary>The first by name of those whose areas are as good as the largest.</summary>
-    private int First(double* areas, double most)
+    /// <summary>Takes note of the largest area of four that hold two corners.</summary>
+    private void Across(int from, int to, double* areas, ref double most)
     {
-        double enough = Enough(areas, most);
+        int first = Math.Min(from, to), across = Math.Max(from, to);
+        if (across - first >= 2 && across - first <= _count - 2)
+            Through(first, across, across, 0, areas, ref most);
+    }
+
+    /// <summary>A length that no two corners are further apart than, by the extents along eight directions.</summary>
+    private double Width()
+    {
+        double leastU = _u[0], mostU = leastU, leastV = _v[0], mostV = leastV;
+        double leastSum = leastU + leastV, mostSum = leastSum, leastDifference = leastU - leastV;
+        double mostDifference = leastDifference;
+        for (int i = 1; i < _count; i++)
+        {
+            double u = _u[i], v = _v[i];
+            leastU = Math.Min(leastU, u);
+            mostU = Math.Max(mostU, u);
+            leastV = Math.Min(leastV, v);
+            mostV = Math.Max(mostV, v);
+            leastSum = Math.Min(leastSum, u + v);
+            mostSum = Math.Max(mostSum, u + v);
+            leastDifference = Math.Min(leastDifference, u - v);
+            mostDifference = Math.Max(mostDifference, u - v);
+        }
+
+        double straight = Math.Max(mostU - leastU, mostV - leastV);
+        double slanted = Math.Max(mostSum - leastSum, mostDifference - leastDifference) * HalfRoot;
+        return Math.Max(straight, slanted) * Slanted;
+    }
+
+    /// <summary>The first by name of those whose areas, with another's, are as good as the largest.</summary>
+    private int First(double* areas, int from, int end, double other, double most)
+    {
+        if (end - from == 1) return from;
+        double enough = Enough(areas, from, end, other, most);
         int first = -1;
-        for (int i = 0; i < _count; i++)
-            if (areas[i] >= enough && (first < 0 || IsBefore(i, first))) first = i;
+        for (int i = from; i < end; i++)
+            if (areas[Wrapped(i)] + other >= enough && (first < 0 || IsBefore(Wrapped(i), Wrapped(first)))) first = i;
         return first;
     }
 
     /// <summary>Where what is as good ends: in the first gap between two areas that is wide enough.</summary>
-    private double Enough(double* areas, double most)
+    private double Enough(double* areas, int begin, int end, double other, double most)
     {
         double from = 0;
-        for (int i = 0; i < _count; i++) from = Math.Max(from, areas[i]);
+        for (int i = begin; i < end; i++) from = Math.Max(from, areas[Wrapped(i)] + other);
         from = Math.Min(from, AsGood * most);
         double least = Math.Min(from, LeastGood * most);
         while (true)
         {
             double next = least;
-            for (int i = 0; i < _count; i++)
-                if (areas[i] < from) next = Math.Max(next, areas[i]);
+            for (int i = begin; i < end; i++)
+            {
+                double area = areas[Wrapped(i)] + other;
+                if (area < from && area > next) next = area;
+            }
+
             if (from - next >= Gap * most || !(next > least)) return (from + next) / 2;
             from = next;
         }
     }
 
-    /// <summary>Writes the areas of the triangles over a diagonal, and 0 for all other corners.</summary>
+    /// <summary>Writes the areas of the triangles over a diagonal.</summary>
     /// <returns>The largest.</returns>
     private double FillBetween(int from, int to, double* areas)
     {
         double most = 0;
-        for (int i = 0; i < _count; i++) areas[i] = 0;
         for (int i = from + 1; i < to; i++)
         {
             double area = Area(from, i, to);
             areas[Wrapped(i)] = area;
-            most = Math.Max(most, area);
+            if (area > most) most = area;
         }
 
         return most;
     }
 
-    /// <summary>The corner over a diagonal with the first name of those that make the four large enough.</summary>
-    private int FirstBetween(int from, int to, double other, double most, double* areas)
-    {
-        FillBetween(from, to, areas);
-        for (int i = from + 1; i < to; i++) areas[Wrapped(i)] += other;
-        int first = First(areas, most);
-        return first <= from ? first + _count : first;
-    }
-
     /// <summary>One end of what lies on a line, or one that must stay, and the one that is furthest from it.</summary>
-    private int Ends(int from, int* chosen)
+    private int Ends(int from, int to, int* chosen)
     {
-        int to = Furthest(from);
         chosen[0] = Math.Min(Number(from), Number(to));
         chosen[1] = Math.Max(Number(from), Number(to));
         return from == to ? 1 : 2;

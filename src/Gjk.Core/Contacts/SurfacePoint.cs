@@ -29,8 +29,8 @@ internal readonly struct SurfacePoint
 
     /// <summary>
     /// Over a place near an edge of the core: part of a cylinder of the margin's radius about it, or of a ball at an
-    /// end. Where the edge is a line of a round side, that side takes its place: as a cylinder or a cone about its axis,
-    /// it is met where a line along the contact normal meets it.
+    /// end. Where the edge is a line of a round side, that side takes its place: as a cylinder or a cone about its
+    /// axis, it is met where a line along the contact normal meets it.
     /// </summary>
     /// <param name="p">The edge's first end.</param>
     /// <param name="q">Its other end.</param>
@@ -48,7 +48,7 @@ internal readonly struct SurfacePoint
         double along = alongU * (u - p.U) + alongV * (v - p.V), across = alongU * (v - p.V) - alongV * (u - p.U);
         double rise = (q.Height - p.Height) / length, secant = Math.Sqrt(1 + rise * rise);
 
-        // In the frame of the widened edge: along it, across it, and up. The contact normal is (lean, 0, upright) there.
+        // In the frame of the widened edge, along it, across it and up, the contact normal is (lean, 0, upright).
         double upright = 1 / secant, lean = rise * upright, edgeLength = length * secant;
         double taper = (radiusQ - radiusP) / edgeLength, foot = along * secant + margin * rise;
         double radius = radiusP + taper * foot + margin, drop = 0;
@@ -73,7 +73,8 @@ internal readonly struct SurfacePoint
 
         // Over an end it is that of a ball, at the end's own place in its middle.
         double sideRadius = foot < 0 ? radiusP : radiusQ, side = across / (margin + sideRadius);
-        double back = (foot < 0 ? along : along - length) / margin, sunk = sideRadius * (Math.Sqrt(1 - side * side) - 1);
+        double back = (foot < 0 ? along : along - length) / margin;
+        double sunk = sideRadius * (Math.Sqrt(1 - side * side) - 1);
         double height = Math.Sqrt(1 - side * side - back * back);
         return Make((foot < 0 ? p.Height : q.Height) + margin * height + sunk * secant, back, side, height);
 

@@ -48,5 +48,5 @@ internal struct BoxCore : ISupportMap, ISupportFace, ITightBounds
 
     /// <summary>The face in a direction; its corners are numbered by their signs.</summary>
     public readonly void GetFace(in Vector3D direction, ref FaceCorners corners) =>
-        PrimitiveFaces.Box(Half.Xyz, direction, ref corners);
+        BoxSupport.Face(Half.Xyz, direction, ref corners);
 }

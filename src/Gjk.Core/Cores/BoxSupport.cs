@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -24,5 +25,28 @@ internal static class BoxSupport
             BranchFree.NegatedBy(half.X, signs & 1), BranchFree.NegatedBy(half.Y, signs >> 1 & 1),
             BranchFree.NegatedBy(half.Z, signs >> 2 & 1));
         return (uint)signs < 8u;
+    }
+
+    /// <summary>A box's face, its corners by their signs as in <see cref="TryGetVertex"/>.</summary>
+    public static void Face(in Vector3D half, in Vector3D direction, ref FaceCorners corners)
+    {
+        double x = Math.Abs(direction.X), y = Math.Abs(direction.Y), z = Math.Abs(direction.Z);
+        int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+        double along = axis == 0 ? direction.X : axis == 1 ? direction.Y : direction.Z;
+        int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+        int first = along < 0 ? 1 << axis : 0;
+        bool hasU = HalfOf(half, u) > 0, hasV = HalfOf(half, v) > 0;
+        AddBoxCorner(half, first, ref corners);
+        if (hasU) AddBoxCorner(half, first | u, ref corners);
+        if (hasU && hasV) AddBoxCorner(half, first | u | v, ref corners);
+        if (hasV) AddBoxCorner(half, first | v, ref corners);
+    }
+
+    private static double HalfOf(in Vector3D half, int bit) => bit == 1 ? half.X : bit == 2 ? half.Y : half.Z;
+
+    private static void AddBoxCorner(in Vector3D half, int signs, ref FaceCorners corners)
+    {
+        TryGetVertex(half, signs, out Vector3D point);
+        corners.Add(point, signs);
     }
 }

@@ -44,7 +44,7 @@ internal readonly struct HullCore : ISupportMap, ISupportFace, ITightBounds
     }
 
     public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
-        new ConvexMesh(_hull).GetFace(direction, ref corners);
+        _hull.Faces.Get(HullSupport.Find(_hull.Cells, direction, out _), direction, ref corners);
 
 #if NET
     /// <summary>The furthest vertex, measured from the centre, and a 0.</summary>

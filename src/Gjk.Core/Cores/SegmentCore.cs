@@ -48,10 +48,11 @@ internal struct SegmentCore : ISupportMap, ISupportFace, ITightBounds
 
     public readonly double BoundingRadius => _radius;
 
+    /// <summary>Both ends, or the point, whichever the direction.</summary>
     public readonly void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
-        if (_count == 2) PrimitiveFaces.Segment(_first.Xyz, _second.Xyz, direction, ref corners);
-        else corners.Add(_first.Xyz, 0);
+        corners.Add(_first.Xyz, 0);
+        if (_count == 2) corners.Add(_second.Xyz, 1);
     }
 
     public readonly int Support(in Vector3D direction, out Vector3D point)

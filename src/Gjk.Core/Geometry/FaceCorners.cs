@@ -37,7 +37,8 @@ public unsafe ref struct FaceCorners
     internal RoundSide Side { get; set; }
 
     /// <summary>
-    /// The distance of that side's axis from the last corner, across the side; 0 where there is none or it is not known.
+    /// The distance of that side's axis from the last corner, across the side; 0 where there is none, or an unknown
+    /// one.
     /// </summary>
     internal double SideRadius { get; set; }
 

@@ -20,11 +20,11 @@ public static partial class ConvexQuery
     /// </param>
     /// <param name="manifold">
     /// Emptied and filled: no points when the shapes are further apart than <paramref name="maxGap"/> or invalid. A
-    /// face on a face has up to four, an edge on a face two, as have parallel cylinders, a corner one. The four span at
-    /// least 95 % of the largest area that four can; a face of more than 64 corners takes part by 64 of them, and there
-    /// it can be less. Shapes whose face, edge or corner there is unknown or round (spheres, ellipsoids, those without
-    /// <see cref="ISupportFace"/>) have the one pair of deepest points. Every pair of points lies along the manifold's
-    /// normal.
+    /// face on a face has up to four, an edge on a face two, as have parallel cylinders, a corner one. Of all fours
+    /// that hold a point as deep as the deepest, to within 1e-6 of the size, they span at least 95 % of the largest
+    /// area; a face of more than 64 corners takes part by 64 of them, and there it can be less. Shapes whose face, edge
+    /// or corner there is unknown or round (spheres, ellipsoids, those without <see cref="ISupportFace"/>) have the one
+    /// pair of deepest points. Every pair of points lies along the manifold's normal.
     /// </param>
     /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
     public static DistanceResult Contacts<TA, TB>(

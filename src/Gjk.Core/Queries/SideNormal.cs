@@ -5,9 +5,9 @@ namespace Gjk.Core;
 
 /// <summary>
 /// The normal along which another body touches a round side: of two parallel cylinders it is the direction from the
-/// one's axis to the other's, of an edge beside a cylinder that from the axis to the edge. The searches for curved cores
-/// end within a part of a length, which leaves the angle round such a side open by its root, up to 1e-3: it would be
-/// another one for each begin of a search, and the contacts of a body at rest would change with every frame.
+/// one's axis to the other's, of an edge beside a cylinder that from the axis to the edge. The searches for curved
+/// cores end within a part of a length, which leaves the angle round such a side open by its root, up to 1e-3: it would
+/// be another one for each begin of a search, and the contacts of a body at rest would change with every frame.
 /// </summary>
 /// <remarks>
 /// What both shapes show tells of the sides' axes, of the edges and the faces (<see cref="BestNormal"/>). Nothing of it

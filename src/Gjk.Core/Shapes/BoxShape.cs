@@ -37,7 +37,7 @@ public readonly struct BoxShape : ISupportMap, ISupportFace, IRayTarget, ITightB
 
     /// <inheritdoc/>
     public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
-        PrimitiveFaces.Box(HalfExtents, direction, ref corners);
+        BoxSupport.Face(HalfExtents, direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point) => BoxSupport.TryGetVertex(HalfExtents, id, out point);

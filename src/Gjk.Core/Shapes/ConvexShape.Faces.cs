@@ -27,7 +27,7 @@ public readonly partial struct ConvexShape
                 new ConvexMesh(_parts.Hull!).GetFace(direction, ref corners);
                 break;
             case ShapeKind.Box:
-                PrimitiveFaces.Box(_parts.A, direction, ref corners);
+                BoxSupport.Face(_parts.A, direction, ref corners);
                 break;
             case ShapeKind.Segment or ShapeKind.Capsule:
                 PrimitiveFaces.Segment(a, b, direction, ref corners);

@@ -14,21 +14,6 @@ internal static class PrimitiveFaces
     /// <summary>The ids, after the disc's, of the ends of a line on a round side.</summary>
     private const int UpperEnd = FaceCorners.Capacity, LowerEnd = UpperEnd + 1;
 
-    /// <summary>A box's face, its corners by their signs as in <see cref="BoxSupport"/>.</summary>
-    public static void Box(in Vector3D half, in Vector3D direction, ref FaceCorners corners)
-    {
-        double x = Math.Abs(direction.X), y = Math.Abs(direction.Y), z = Math.Abs(direction.Z);
-        int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        double along = axis == 0 ? direction.X : axis == 1 ? direction.Y : direction.Z;
-        int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-        int first = along < 0 ? 1 << axis : 0;
-        bool hasU = HalfOf(half, u) > 0, hasV = HalfOf(half, v) > 0;
-        AddBoxCorner(half, first, ref corners);
-        if (hasU) AddBoxCorner(half, first | u, ref corners);
-        if (hasU && hasV) AddBoxCorner(half, first | u | v, ref corners);
-        if (hasV) AddBoxCorner(half, first | v, ref corners);
-    }
-
     /// <summary>A segment, or the end of it that lies further.</summary>
     public static void Segment(in Vector3D a, in Vector3D b, in Vector3D direction, ref FaceCorners corners)
     {
@@ -140,13 +125,5 @@ internal static class PrimitiveFaces
         corners.Add(from * a + to * c + middle, (first + 1) * FaceCorners.DiscStep);
         corners.Add(from * b + to * b + middle, (first + 2) * FaceCorners.DiscStep);
         corners.Add(from * c + to * a + middle, (first + 3) * FaceCorners.DiscStep);
-    }
-
-    private static double HalfOf(in Vector3D half, int bit) => bit == 1 ? half.X : bit == 2 ? half.Y : half.Z;
-
-    private static void AddBoxCorner(in Vector3D half, int signs, ref FaceCorners corners)
-    {
-        BoxSupport.TryGetVertex(half, signs, out Vector3D point);
-        corners.Add(point, signs);
     }
 }

@@ -50,6 +50,51 @@ public class ContactAreaTests
         Assert.InRange(count, 300, int.MaxValue);
     }
 
+    /// <summary>
+    /// A corner where the edges of both, moved by more than the slack, cross beyond the end of one was left out, though
+    /// the other's corner is shared there.
+    /// </summary>
+    [Fact]
+    public void AStackOfEqualTrianglesKeepsItsCorners()
+    {
+        var rng = new Rng(21);
+        for (int i = 0; i < Budget.Count(4000); i++)
+        {
+            Vector3 At() => new(rng.Float(-2, 2), 0, rng.Float(-2, 2));
+            Vector3 a = At(), b = At(), c = At(), shift = new(rng.Float(-1e-5, 1e-5), 0, rng.Float(-1e-5, 1e-5));
+            if (i == 0)
+            {
+                a = new Vector3(0.41097903f, 0, 0.39053097f);
+                b = new Vector3(-1.3553146f, 0, 1.9364531f);
+                c = new Vector3(-0.1687033f, 0, -1.4224898f);
+                shift = new Vector3(2.9319588e-7f, 0, 5.7509537e-6f);
+            }
+
+            float whole = Vector3.Cross(b - a, c - a).Length() / 2;
+            if (whole < 0.05f) continue;
+            var triangle = ConvexShape.Triangle(a, b, c);
+            ContactManifold m = Ask(triangle, RigidPose.Identity, triangle, new RigidPose(shift));
+            Assert.True(m.Count == 3, $"{i}: {m.Count} points of {a}, {b}, {c} moved by {shift}");
+            Assert.InRange(Area(m), 0.95f * whole, 1.05f * whole);
+        }
+    }
+
+    /// <summary>Where the polygon that a disc is shown by shares nothing, one with more corners may.</summary>
+    [Fact]
+    public void ASmallFaceNearARimHasItsFourCorners()
+    {
+        ConvexShape disc = ConvexShape.Cylinder(1, 0.5f), box = ConvexShape.Box(new Vector3(0.005f, 0.1f, 0.005f));
+        for (int i = 0; i < 64; i++)
+        {
+            float angle = i == 0 ? MathF.Atan2(0.0975f, 0.9891f) : i * (2 * MathF.PI / 64);
+            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, i == 0 ? 0 : -angle);
+            var pose = new RigidPose(turn, new Vector3(0.9937f * MathF.Cos(angle), 0.6f, 0.9937f * MathF.Sin(angle)));
+            ContactManifold m = Ask(disc, RigidPose.Identity, box, pose);
+            Assert.True(m.Count == 4, $"{i}: {m.Count} points");
+            Assert.InRange(Area(m), 0.95e-4f, 1.01e-4f);
+        }
+    }
+
     private static (ConvexShape Shape, List<Vector2> Face) Face(int kind, Rng rng)
     {
         float radius = rng.Float(0.1, 1);

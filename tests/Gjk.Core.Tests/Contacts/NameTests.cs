@@ -112,6 +112,35 @@ public class NameTests
         }
     }
 
+    /// <summary>
+    /// A can on a plank touches it half way between the beginnings of its quarters: which of two quarters a point
+    /// belongs to was a last bit, and the names turned with the exchange.
+    /// </summary>
+    [Fact]
+    public void QuartersAreThoseOfTheExchangedPair()
+    {
+        var rng = new Rng(9);
+        for (int i = 0; i < 200; i++)
+        {
+            ConvexShape plank = ConvexShape.Box(new Vector3(rng.Float(0.3, 0.9), 1, rng.Float(2, 4)));
+            ConvexShape can = ConvexShape.Cylinder(1, rng.Float(0.3, 1)).Rounded(i % 2 * 0.002f);
+            var standing = new RigidPose(
+                Quaternion.CreateFromAxisAngle(Vector3.UnitY, i % 4 * (MathF.PI / 2)),
+                new Vector3(0, 1 + (float)Height(can, Quaternion.Identity) + 1e-3f, 0));
+            Quaternion turn = Quaternion.Normalize(rng.Rotation());
+            Vector3 offset = rng.Vector(-9, 9);
+            RigidPose a = new(turn, offset);
+            RigidPose b = new(Quaternion.Normalize(turn * standing.Rotation), a.TransformPoint(standing.Position));
+            ContactManifold m = Ask(plank, a, can, b), swapped = Ask(can, b, plank, a).Swapped;
+            Assert.Equal(4, m.Count);
+            foreach (ContactPoint p in Points(m))
+            {
+                ContactPoint same = Points(swapped).Single(q => q.FeatureId == p.FeatureId);
+                Assert.True((same.PointA - p.PointA).Length() < 0.1f, $"{i}: {new QueryRecord(plank, a, can, b)}");
+            }
+        }
+    }
+
     private static long[] Names(ContactManifold m) => [.. Points(m).Select(p => p.FeatureId)];
 
     private static ConvexShape Shape(string name) => name switch
