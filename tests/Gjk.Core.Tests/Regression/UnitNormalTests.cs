@@ -10,6 +10,18 @@ namespace Gjk.Core.Tests.Regression;
 /// </summary>
 public class UnitNormalTests
 {
+    private const string Record =
+        "gjk1 segment 0 -58.871982574462891 0 0 58.871982574462891 0 0 @ 0 0 0 1 0 0 0 cone 0.15560492873191833 "
+        + "0.76048433780670166 0 @ 0 0 0 1 -2.2136625E-14 0.396743715 1.81051971E-14";
+
+    [Fact]
+    public void ALongSegmentBesideAnAxis()
+    {
+        QueryRecord p = QueryRecord.Parse(Record);
+        DistanceResult r = ConvexQuery.SignedDistance(p.A, p.PoseA, p.B, p.PoseB);
+        Assert.Equal(1, ((Vector3D)r.Normal).Length, 1e-7);
+    }
+
     [Fact]
     public void NormalsBesideTheAxisAreOfUnitLength()
     {
