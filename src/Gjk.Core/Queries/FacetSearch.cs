@@ -14,7 +14,9 @@ internal struct FacetSearch
     /// <summary>Balls of these radii about their centres are inside the shapes.</summary>
     public readonly double InnerA, InnerB;
 
-    private readonly double _noise;
+    /// <summary>Length: what rounding does to a height.</summary>
+    public readonly double Noise;
+
     private int _looks;
 
     public FacetSearch(in PairForm form, in SolverState state, int looks)
@@ -23,12 +25,15 @@ internal struct FacetSearch
         InnerB = form.B.InnerRadius;
         Depth = DepthBounds.Of(state);
         Supports = 0;
-        _noise = state.DepthNoise;
+        Noise = state.DepthNoise;
         _looks = looks;
     }
 
+    /// <summary>Whether nothing may be looked at any more.</summary>
+    public readonly bool AreSpent => _looks < 0;
+
     /// <summary>What is as high is no cheaper than the cheapest way out, but for rounding.</summary>
-    public readonly double Limit => Depth.Above - _noise;
+    public readonly double Limit => Depth.Above - Noise;
 
     /// <summary>
     /// Takes note of a direction whose way out costs at least so much. Where that seems to be the least, supports of

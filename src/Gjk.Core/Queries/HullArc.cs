@@ -11,7 +11,9 @@ namespace Gjk.Core;
 /// across an edge of B: there the support's neighbours are as far as it, and the next one is the first to be. Between
 /// two changes the way out is the product of a fixed point and a direction that turns, least at one of the two. So the
 /// arc is proved by its ends and its changes; whichever points the walk holds, they are points of A and of B, and what
-/// it calls the cost of a way out is never more than it is.
+/// it calls the cost of a way out is never more than it is. Where that seems to be the least and supports say that it
+/// is more, rounding among level corners has missed a change, and the piece is walked again with the corner that the
+/// support gives; or it has missed the arc's end, whose way out is that of a facet.
 /// </remarks>
 internal struct HullArc
 {
@@ -65,13 +67,36 @@ internal struct HullArc
             if (atEnd >= search.Limit) return true;
             HullTurn turn = end;
             int next = FindChange(ref b, form.B, onB, ref turn);
+            HullArc before = this;
+            HullTurn left = end;
             Go(turn, ref end);
-            if (!search.TryLook(ref a, ref b, frame, _normal, _height - Vector3D.Dot(onB, _normalInB))) return false;
+            while (!search.TryLook(ref a, ref b, frame, _normal, _height - Vector3D.Dot(onB, _normalInB)))
+            {
+                if (IsBeyond(ref a, frame, search.Noise)) return true;
+                next = b.Support(-_normalInB, out Vector3D further);
+                this = before;
+                end = left;
+                if (search.AreSpent || !TryShorten(further - onB, ref turn)) return false;
+                turn.Normalize();
+                Go(turn, ref end);
+            }
+
             if (next < 0 || IsHigh(end, search.Limit - search.InnerB)) return true;
             _id = next;
             b.TryGetVertex(_id, out onB);
         }
     }
+
+    /// <summary>Whether the walk has passed the arc's end: a corner of A is further than the edge.</summary>
+    private readonly bool IsBeyond<TA>(ref TA a, in PairFrame frame, double noise)
+        where TA : struct, ISupportMap
+    {
+        a.Support(_normal, out Vector3D onA);
+        return Vector3D.Dot(_normal, onA - frame.Translation) - _height > noise;
+    }
+
+    private readonly bool TryShorten(in Vector3D fromB, ref HullTurn turn) =>
+        turn.TryShorten(Vector3D.Dot(fromB, _normalInB), Vector3D.Dot(fromB, _aheadInB));
 
     /// <summary>Whether all that is left of the arc is high: between its ends it is as high as the lower one.</summary>
     private readonly bool IsHigh(in HullTurn end, double height) =>
@@ -108,8 +133,7 @@ internal struct HullArc
         {
             b.TryGetVertex(neighbors[k], out Vector3D corner);
             Vector3D fromB = corner - onB;
-            if (turn.TryShorten(Vector3D.Dot(fromB, _normalInB), Vector3D.Dot(fromB, _aheadInB)))
-                next = neighbors[k];
+            if (TryShorten(fromB, ref turn)) next = neighbors[k];
         }
 
         turn.Normalize();

@@ -24,6 +24,9 @@ internal struct HullFacet
     /// <summary>The corners' ids.</summary>
     public int IdP, IdQ, IdR;
 
+    /// <summary>Whether it is no facet: rounded to float, corners of a mesh may coincide in a shape.</summary>
+    public readonly bool HasNoArea => !(Normal.LengthSquared > 0);
+
     /// <summary>Reads a triangle of a shape that is a hull.</summary>
     public static void Get<T>(ref T shape, in BodyForm form, int index, out HullFacet facet)
         where T : struct, ISupportMap

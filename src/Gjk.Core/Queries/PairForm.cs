@@ -19,10 +19,10 @@ internal readonly struct PairForm
 
     /// <summary>
     /// Length, as a fraction of the size: bodies are nearly coaxial when that and the gap between their axes are less.
-    /// The planes that have to be searched grow with it; beyond, the general search is faster. Pinned by
-    /// CoaxialDepthTests.
+    /// Beyond, the general search has room for the valley of ways out around the axis; four times less leaves pairs
+    /// that it has no room for, and four times more only takes longer. Pinned by LeaningDepthTests.
     /// </summary>
-    private const double NearlyCoaxial = 5e-5;
+    private const double NearlyCoaxial = 4e-2;
 
     /// <summary>Whether the pair was looked at; else nothing is known.</summary>
     public readonly bool IsKnown;
@@ -86,16 +86,15 @@ internal readonly struct PairForm
         Vector3D axisA = Unit(a.Axis), axisB = frame.Rotation.Rotate(Unit(b.Axis));
         Vector3D axis = axisA == default || (axisB != default && radiusB > radiusA) ? axisB : axisA;
         if (axis == default) axis = new Vector3D(0, 1, 0);
-        double moved = 0;
-        if (axisA != default && axisB != default)
-        {
-            Vector3D turned = Vector3D.Dot(axisA, axisB) < 0 ? axisA + axisB : axisA - axisB;
-            moved = turned.Length * Math.Min(radiusA, radiusB);
-        }
-
-        if (moved <= Parallel * frame.Radius) return WayOut.Along(axis, frame.Translation, 0);
+        if (Vector3D.Dot(axisA, axis) < 0) axisA = -axisA;
+        if (Vector3D.Dot(axisB, axis) < 0) axisB = -axisB;
+        Vector3D leanA = axisA == default ? default : axisA - axis, leanB = axisB == default ? default : axisB - axis;
+        double moved = Math.Max(leanA.Length, leanB.Length) * Math.Min(radiusA, radiusB);
+        if (moved <= Parallel * frame.Radius) return WayOut.Along(axis, frame.Translation, 0, default, default);
         double slope = moved + Vector3D.Cross(axis, frame.Translation).Length;
-        return slope <= NearlyCoaxial * frame.Radius ? WayOut.Along(axis, frame.Translation, slope) : default;
+        return slope <= NearlyCoaxial * frame.Radius
+            ? WayOut.Along(axis, frame.Translation, slope, leanA, leanB)
+            : default;
     }
 
     private static Vector3D Unit(in Vector3D axis)

@@ -79,21 +79,15 @@ internal struct BodyForm
             case RayForm.Hull when !body.IsPlaced:
                 SetHull(body.Hull!, (body.IsScaled ? body.Factors : new Vector3D(1, 1, 1)) * (1 / unit));
                 break;
-            case RayForm.Ball:
-                IsRound = true;
-                break;
-            case RayForm.Capsule:
-                IsRound = !body.IsScaled;
-                Axis = Turned(body.A - body.B);
-                break;
-            case RayForm.Cylinder or RayForm.Cone:
-                IsRound = !body.IsScaled || body.Factors.X * body.Factors.X == body.Factors.Z * body.Factors.Z;
-                IsCurved = true;
-                Axis = Turned(new Vector3D(0, 1, 0));
+            case RayForm.Ball or RayForm.Capsule or RayForm.Cylinder or RayForm.Cone or RayForm.Swollen:
+                IsRound = body.TryGetAxis(out Vector3D axis);
+                IsCurved = body.IsScaled || (body.Form != RayForm.Ball && body.Form != RayForm.Capsule);
+                Axis = new RotationD(Turn).Rotate(axis);
                 break;
             case RayForm.Ellipsoid:
                 IsRound = IsCurved = true;
-                SetEllipsoid(body.A * (1 / unit));
+                if (body.TryGetAxis(out axis)) Axis = new RotationD(Turn).Rotate(axis);
+                else Radii = body.A * (1 / unit);
                 break;
         }
     }
@@ -106,13 +100,4 @@ internal struct BodyForm
         IsMirrored = (factors.X < 0) ^ (factors.Y < 0) ^ (factors.Z < 0);
         InnerRadius = inner * (inner > 0 ? Math.Min(Math.Min(x, y), z) : Math.Max(Math.Max(x, y), z));
     }
-
-    private void SetEllipsoid(in Vector3D radii)
-    {
-        bool xy = radii.X == radii.Y, yz = radii.Y == radii.Z, zx = radii.Z == radii.X;
-        if (!(xy || yz || zx)) Radii = radii;
-        else if (!(xy && yz)) Axis = Turned(new Vector3D(yz ? 1 : 0, zx ? 1 : 0, xy ? 1 : 0));
-    }
-
-    private readonly Vector3D Turned(in Vector3D axis) => new RotationD(Turn).Rotate(axis);
 }

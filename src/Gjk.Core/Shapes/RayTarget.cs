@@ -56,7 +56,8 @@ internal struct RayTarget
     /// <returns>False where that leaves no body of these forms.</returns>
     public bool Scale(in AxisScale scale)
     {
-        if (IsPlaced || (IsRounded && !scale.KeepsBalls)) return false;
+        if (IsPlaced) return false;
+        if (IsRounded && !scale.KeepsBalls) return TrySwell(scale.Factors);
         Vector3D size = new(Math.Abs(scale.Factors.X), Math.Abs(scale.Factors.Y), Math.Abs(scale.Factors.Z));
         switch (Form)
         {
@@ -80,6 +81,45 @@ internal struct RayTarget
                 Radius = scale.Margin(Radius);
                 return true;
         }
+    }
+
+    /// <summary>
+    /// Whether it is a body of revolution, its margin apart, and about which line through its centre; 0 where about
+    /// any. Of any length, before the turn.
+    /// </summary>
+    public readonly bool TryGetAxis(out Vector3D axis)
+    {
+        axis = Form switch
+        {
+            RayForm.Cylinder or RayForm.Cone => new Vector3D(0, 1, 0),
+            RayForm.Capsule => A - B,
+            RayForm.Swollen => A,
+            _ => default,
+        };
+        if (Form == RayForm.Ellipsoid) return Keeps(A, ref axis);
+        bool isRound = axis != default || Form is RayForm.Ball or RayForm.Capsule;
+        return isRound && (!IsScaled || Keeps(Factors, ref axis));
+    }
+
+    /// <summary>A margin that is scaled unevenly belongs to the body, which may stay one of revolution.</summary>
+    private bool TrySwell(in Vector3D factors)
+    {
+        if (!TryGetAxis(out Vector3D axis) || !Keeps(factors, ref axis)) return false;
+        Form = RayForm.Swollen;
+        A = axis;
+        IsScaled = false;
+        return true;
+    }
+
+    /// <summary>Whether factors leave a body of revolution one, and about which axis where it was about any.</summary>
+    private static bool Keeps(in Vector3D factors, ref Vector3D axis)
+    {
+        double x = factors.X * factors.X, y = factors.Y * factors.Y, z = factors.Z * factors.Z;
+        bool isX = y == z && axis.Y == 0 && axis.Z == 0, isY = z == x && axis.Z == 0 && axis.X == 0;
+        bool isZ = x == y && axis.X == 0 && axis.Y == 0;
+        if (x == y && y == z) return true;
+        if (isX || isY || isZ) axis = new Vector3D(isX ? 1 : 0, isY ? 1 : 0, isZ ? 1 : 0);
+        return isX || isY || isZ;
     }
 
     /// <summary>Widens the body.</summary>

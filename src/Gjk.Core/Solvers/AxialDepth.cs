@@ -14,6 +14,12 @@ namespace Gjk.Core;
 /// The halves are walked from one end of the half circle to the other, those still to come on a stack.
 /// </para>
 /// <para>
+/// Where the axes lean against each other, all planes through one of them are searched, each for those beside it, too:
+/// turned about its own axis, a body is the same, so a point of A - B is followed from plane to plane, and what is left
+/// of its movement is small. The chords of the points that follow give the bound; a leaning body's way out is never
+/// taken to be in a known plane.
+/// </para>
+/// <para>
 /// The general search (<see cref="GjkDepth"/>) proves the same with a surface of triangles. About a common axis it
 /// needs thousands of them, since all directions around it are equally good.
 /// </para>
@@ -34,6 +40,12 @@ internal static unsafe class AxialDepth
 
     /// <summary>Count: supports at most; balls about one centre need half of it. Pinned by CoaxialDepthTests.</summary>
     private const int MostSupports = 8192;
+
+    /// <summary>
+    /// Pure numbers: how far a shorter way out is looked for at first and at last. Only how many supports it takes
+    /// depends on them.
+    /// </summary>
+    private const double FirstStep = 0.25, LastStep = 1e-4;
 
     /// <summary>Count: pieces still to be walked; each is far shorter than the one under it.</summary>
     private const int MostWaiting = 64;
@@ -69,7 +81,7 @@ internal static unsafe class AxialDepth
 
     /// <summary>
     /// Searches the plane, or where the bodies are only nearly coaxial one plane after the other all around the axis:
-    /// each proves those beside it as far as the slope lets it.
+    /// each proves those beside it as far as the slope lets it, and how ways out change where it is.
     /// </summary>
     private static DepthVerdict Turn<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
@@ -78,11 +90,13 @@ internal static unsafe class AxialDepth
     {
         int limit = state.Iterations + MostSupports;
         DepthVerdict verdict = Walk(ref a, ref b, frame, way, 0, limit, ref state, ref depth);
-        double angle = 0, half = Math.PI / 4;
+        double angle = 0, half = Math.PI / 4, known = double.PositiveInfinity, noise = Noise * state.Size.Value;
         while (way.Slope > 0 && angle < 2 * Math.PI && verdict == DepthVerdict.Enclosed)
         {
+            if (depth.Above < known - noise) Descend(ref a, ref b, frame, way, ref state, ref depth);
+            known = depth.Above;
             WayOut plane = way.Turned(angle + half);
-            verdict = Walk(ref a, ref b, frame, plane, half * way.Slope, limit, ref state, ref depth);
+            verdict = Walk(ref a, ref b, frame, plane, half, limit, ref state, ref depth);
             bool isTooWide = verdict == DepthVerdict.Flat;
             if (isTooWide) verdict = DepthVerdict.Enclosed;
             else angle += 2 * half;
@@ -93,88 +107,108 @@ internal static unsafe class AxialDepth
     }
 
     /// <summary>
+    /// Looks for a shorter way out beside the shortest, around the axis and along it, in ever smaller steps: against
+    /// one that is longer than it need be, only narrow planes could be proved.
+    /// </summary>
+    private static void Descend<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        for (double step = FirstStep; step > LastStep; step *= 0.5)
+        {
+            Vector3D best = depth.Normal, around = Vector3D.Cross(way.Axis, best);
+            Vector3D along = Vector3D.Cross(best, around);
+            for (int i = 0; i < 4; i++)
+            {
+                Vector3D normal = best + (i < 2 ? around : along) * ((i & 1) == 0 ? step : -step);
+                normal *= 1 / normal.Length;
+                Simplex.Begin(out Simplex simplex);
+                depth.See(normal, Vector3D.Dot(normal, Ask(ref a, ref b, frame, normal, ref state, ref simplex)));
+            }
+        }
+    }
+
+    /// <summary>
     /// Proves that every way out in a plane is longer than the shortest that was found, by as much as those in the
-    /// planes beside it may be shorter: whatever the direction, since a body that leans is moved as a whole when it is
-    /// turned about the other's axis.
+    /// planes beside it may be shorter.
     /// </summary>
     /// <returns>Flat where one is not.</returns>
     private static DepthVerdict Walk<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double less, int limit, ref SolverState state,
+        ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double half, int limit, ref SolverState state,
         ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Side* waiting = stackalloc Side[MostWaiting];
-        Side begin = Ask(ref a, ref b, frame, plane, 0, -1, ref state, ref depth);
+        AxialSide* waiting = stackalloc AxialSide[MostWaiting];
+        AxialSide begin = Ask(ref a, ref b, frame, plane, 0, -1, ref state, ref depth), south = begin;
         waiting[1] = Ask(ref a, ref b, frame, plane, 1, 0, ref state, ref depth);
         waiting[0] = Ask(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
         if (!(depth.Above <= double.MaxValue)) return DepthVerdict.Contradiction;
         int count = 2;
         double noise = Noise * state.Size.Value, contradiction = GjkTolerances.Contradiction * state.Size.Value;
-        double least = Math.Min(Math.Min(begin.Height, waiting[1].Height), waiting[0].Height);
         while (count > 0)
         {
             if (depth.IsApart(state)) return DepthVerdict.Apart;
-            double proved = depth.Above + less - noise;
-            if (least < proved) return DepthVerdict.Flat;
-            Side end = waiting[count - 1];
-            if (begin.TryGetChord(end, out double x, out double y, out double height) && height < proved)
+            AxialSide end = waiting[count - 1];
+            bool isChord = begin.TryGetChord(end, out double x, out double y, out double height);
+            bool isProved = half > 0
+                ? begin.IsProved(end, half, plane.Slope, depth.Above - noise)
+                : !isChord || height >= depth.Above - noise;
+            if (!isProved)
             {
                 if (count == MostWaiting || state.Iterations >= limit) return DepthVerdict.Undecided;
-                Side between = Ask(ref a, ref b, frame, plane, x, y, ref state, ref depth);
-                least = Math.Min(least, between.Height);
-                if (!(between.Height - height >= -contradiction)) return DepthVerdict.Contradiction;
-                if (between.Height - height > noise)
+                if (isChord)
                 {
-                    waiting[count++] = between;
-                    continue;
+                    AxialSide between = Ask(ref a, ref b, frame, plane, x, y, ref state, ref depth);
+                    if (!(between.Height - height >= -contradiction)) return DepthVerdict.Contradiction;
+                    if (between.Height - height > noise)
+                    {
+                        waiting[count++] = between;
+                        continue;
+                    }
                 }
+
+                if (half > 0 && !begin.IsProved(end, half, plane.Slope, depth.Above - 2 * noise))
+                    return DepthVerdict.Flat;
             }
 
             begin = end;
             count--;
         }
 
-        return DepthVerdict.Enclosed;
+        bool isAlong = south.IsHigh(half, plane.Slope, depth.Above - noise)
+            && begin.IsHigh(half, plane.Slope, depth.Above - noise);
+        return isAlong ? DepthVerdict.Enclosed : DepthVerdict.Flat;
     }
 
-    private static Side Ask<TA, TB>(
+    private static AxialSide Ask<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double across, double along, ref SolverState state,
         ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         Simplex.Begin(out Simplex simplex);
-        Vector3D normal = plane.At(across, along);
+        Vector3D normal = plane.At(across, along), w = Ask(ref a, ref b, frame, normal, ref state, ref simplex);
+        depth.See(normal, Vector3D.Dot(normal, w));
+        Vector3D moved = default, bent = default;
+        if (plane.Slope > 0)
+        {
+            plane.Follow(
+                simplex.OnA(0), frame.Rotation.Rotate(simplex.OnB(0)), frame.Translation, out moved, out bent);
+        }
+
+        return new AxialSide(plane, across, along, w, moved, bent);
+    }
+
+    private static Vector3D Ask<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref SolverState state, ref Simplex simplex)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
         Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out int ids);
         state.Iterations++;
         if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, 0);
-        depth.See(normal, Vector3D.Dot(normal, w));
-        return new Side(across, along, Vector3D.Dot(plane.Across, w), Vector3D.Dot(plane.Axis, w));
-    }
-
-    /// <summary>A direction and the furthest point in it, both in the plane.</summary>
-    private readonly struct Side(double x, double y, double pointX, double pointY)
-    {
-        /// <summary>Of unit length.</summary>
-        public readonly double X = x, Y = y;
-
-        public readonly double PointX = pointX, PointY = pointY;
-
-        /// <summary>What the way out in the direction costs.</summary>
-        public double Height => X * PointX + Y * PointY;
-
-        /// <summary>The direction across the chord to the next side's point, and the chord's height along it.</summary>
-        /// <returns>False where that is not between the two: no direction there is better than both.</returns>
-        public bool TryGetChord(in Side next, out double x, out double y, out double height)
-        {
-            x = next.PointY - PointY;
-            y = PointX - next.PointX;
-            double squared = x * x + y * y, scale = squared > 0 ? 1 / Math.Sqrt(squared) : 0;
-            x *= scale;
-            y *= scale;
-            height = Math.Min(x * PointX + y * PointY, x * next.PointX + y * next.PointY);
-            return X * y - Y * x > 0 && x * next.Y - y * next.X > 0;
-        }
+        return w;
     }
 }

@@ -24,11 +24,16 @@ internal readonly struct WayOut
     /// </summary>
     public readonly double Slope;
 
-    private WayOut(in Vector3D across, in Vector3D axis, double slope)
+    /// <summary>Both bodies' unit axes, less the plane's.</summary>
+    private readonly Vector3D _leanA, _leanB;
+
+    private WayOut(in Vector3D across, in Vector3D axis, double slope, in Vector3D leanA, in Vector3D leanB)
     {
         Across = across;
         Axis = axis;
         Slope = slope;
+        _leanA = leanA;
+        _leanB = leanB;
     }
 
     /// <summary>Whether anything is known.</summary>
@@ -41,26 +46,53 @@ internal readonly struct WayOut
     public Vector3D At(double across, double along) => Across * across + Axis * along;
 
     /// <summary>The direction is known.</summary>
-    public static WayOut In(in Vector3D direction) => new(direction, default, 0);
+    public static WayOut In(in Vector3D direction) => new(direction, default, 0, default, default);
 
     /// <summary>The way out is in a plane along an axis: the one towards B where the slope is 0, else in any.</summary>
     /// <param name="axis">Of unit length.</param>
     /// <param name="offset">From A's centre to B's.</param>
     /// <param name="slope">See <see cref="Slope"/>.</param>
-    public static WayOut Along(in Vector3D axis, in Vector3D offset, double slope)
+    /// <param name="leanA">A's unit axis, less the plane's.</param>
+    /// <param name="leanB">The same of B.</param>
+    public static WayOut Along(
+        in Vector3D axis, in Vector3D offset, double slope, in Vector3D leanA, in Vector3D leanB)
     {
         Vector3D across = offset - axis * Vector3D.Dot(axis, offset);
+        bool isAcross = across.LengthSquared > Coaxial * offset.LengthSquared;
+
+        // Of a short rest of a long offset rounding leaves something along the axis.
+        if (isAcross) across *= 1 / across.Length;
+        across -= axis * Vector3D.Dot(axis, across);
         return new WayOut(
-            across.LengthSquared > Coaxial * offset.LengthSquared
-                ? across * (1 / across.Length)
-                : new PlaneBasis(axis).U,
-            axis, slope);
+            isAcross ? across * (1 / across.Length) : new PlaneBasis(axis).U, axis, slope, leanA, leanB);
     }
 
     /// <summary>The same plane, turned about its axis.</summary>
     public WayOut Turned(double angle)
     {
         SineCosine.Of(angle, out double sine, out double cosine);
-        return new WayOut(Across * cosine + Vector3D.Cross(Axis, Across) * sine, Axis, Slope);
+        return new WayOut(
+            Across * cosine + Vector3D.Cross(Axis, Across) * sine, Axis, Slope, _leanA, _leanB);
+    }
+
+    /// <summary>
+    /// How a point of A - B moves against the plane as the plane turns, when each body turns about its own axis by as
+    /// much, which changes neither. What is left of a Taylor series behind its first, second and third term is at most
+    /// the slope times the angle, its square, and two thirds of its cube.
+    /// </summary>
+    /// <param name="onA">The point of A, from its centre.</param>
+    /// <param name="onB">The point of B, from its own, in A's axes.</param>
+    /// <param name="offset">From A's centre to B's.</param>
+    /// <param name="moved">Its first derivative.</param>
+    /// <param name="bent">Its second one.</param>
+    public void Follow(
+        in Vector3D onA, in Vector3D onB, in Vector3D offset, out Vector3D moved, out Vector3D bent)
+    {
+        Vector3D movedA = Vector3D.Cross(_leanA, onA), movedB = Vector3D.Cross(_leanB, onB);
+        Vector3D movedOffset = Vector3D.Cross(Axis, offset);
+        moved = movedA - movedB + movedOffset;
+        bent = Vector3D.Cross(_leanA, Vector3D.Cross(Axis + _leanA, onA))
+            - Vector3D.Cross(_leanB, Vector3D.Cross(Axis + _leanB, onB))
+            - Vector3D.Cross(Axis, moved);
     }
 }
