@@ -33,7 +33,7 @@ public class AnswerMutationTests
                 DistanceResult right = isSigned ? p.SignedDistance() : p.Distance(most);
                 Assert.True(Check(right) is CheckStatus.Proved or CheckStatus.ProvedAtMost, $"{right}, {p}");
                 foreach ((string what, DistanceResult wrong) in Wrong(right, size))
-                    Assert.True(Check(wrong) != CheckStatus.Proved, $"{what}, signed {isSigned}: {right}\n{wrong}\n{p}");
+                    Assert.True(Check(wrong) != CheckStatus.Proved, $"{what}, {isSigned}: {right}\n{wrong}\n{p}");
             }
 
             CheckStatus Check(in DistanceResult r) => isSigned
