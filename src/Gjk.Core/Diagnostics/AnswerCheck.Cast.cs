@@ -35,8 +35,10 @@ public static partial class AnswerCheck
     /// <param name="answer">What was said.</param>
     /// <returns>
     /// Bounds of the fraction of the first touch, 0 and +infinity where nothing is proved. A hit is proved by a plane
-    /// that the motion has not crossed before it, and by a common point; a miss by a plane that it never crosses. A hit
-    /// that hardly closes in is open where rounding could have turned it.
+    /// that the motion has not crossed before it, and by a common point; a miss by a plane that it never crosses up to
+    /// the fraction that it tells. A hit that hardly closes in is open where rounding could have turned it. Normal and
+    /// depth of shapes that overlap at the start are held to what is said of a signed distance. The number of
+    /// iterations, and that their limit was reached, is not judged.
     /// </returns>
     public static CheckedAnswer Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
@@ -82,7 +84,7 @@ public static partial class AnswerCheck
         RigidPose begin = Guard.IsFinite(origin) ? new RigidPose(origin) : default;
         PosedPair.Of(ref copy, pose, ref point, begin, out PosedPair pair);
         PosedPair.TryUnit(direction, out Vector3D unit);
-        var cast = new CastResult(answer.Status, answer.Distance, answer.Point, answer.Normal, 0);
+        var cast = new CastResult(answer.Status, answer.Distance, answer.Point, answer.Normal, 0, answer.Depth);
         AnswerClaims claims = default;
         CheckedAnswer times = CheckTimes(ref claims, ref copy, ref point, pair, unit, cast);
         if (answer.IsHit && claims.AreAny)
@@ -112,12 +114,15 @@ public static partial class AnswerCheck
         }
 
         bool isAtStart = answer.Status == CastStatus.OverlappingAtStart;
-        claims.Add(fraction >= 0 && (!isAtStart || fraction == 0));
+        claims.Add(fraction >= 0 && (!isAtStart || fraction == 0) && (isAtStart || answer.Depth == 0));
+        claims.Add(answer.IsHit ? Guard.IsFinite(answer.Point) : IsNothing(answer.Point) && IsNothing(answer.Normal));
         if (answer.Status == CastStatus.Hit) return CheckHit(ref claims, ref a, ref b, pair, motion, answer);
         if (isAtStart)
         {
-            WitnessWalk walk = WitnessWalk.Of(ref a, ref b, pair, default, double.NegativeInfinity, touch);
-            claims.Add(walk.Upper <= touch, walk.Lower > touch);
+            var depth = new DistanceResult(
+                GjkStatus.Overlapping, -answer.Depth, float.NegativeInfinity, default, default, answer.Normal, default,
+                default, 0);
+            WitnessWalk walk = AddNumbers(ref claims, ref a, ref b, pair, depth, double.NaN, true);
             return new CheckedAnswer(default, 0, walk.Upper <= touch ? 0 : double.PositiveInfinity);
         }
 

@@ -23,8 +23,9 @@ public static partial class AnswerCheck
     /// curved cores 2e-6 of the larger of size and distance. The size is the sum of the bounding radii.
     /// </param>
     /// <returns>
-    /// Bounds of the signed distance. A result that overlaps, or that ended beyond a largest distance, is held to that;
-    /// one that ended at the iteration limit to its bounds; one of invalid input is open.
+    /// Bounds of the signed distance. A result that overlaps is held to that; one that ended beyond a largest distance,
+    /// or at the iteration limit, to its bounds and its normal, whatever its points are; one of invalid input is open.
+    /// That an iteration limit was reached, and the number of iterations, is not judged.
     /// </returns>
     public static CheckedAnswer Distance<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
@@ -70,35 +71,58 @@ public static partial class AnswerCheck
         where TB : struct, ISupportMap
     {
         PosedPair.Of(ref a, poseA, ref b, poseB, out PosedPair pair);
+        AnswerClaims claims = default;
+        WitnessWalk walk = AddNumbers(ref claims, ref a, ref b, pair, answer, tolerance, isSigned);
+        if (claims.AreAny && (answer.IsOverlapping || answer.Status == GjkStatus.Separated))
+            AddPoints(ref claims, ref a, poseA, ref b, poseB, pair, answer);
+        return new CheckedAnswer(claims.Status, walk.Lower, walk.Upper);
+    }
+
+    /// <summary>The status, the distance or depth, the lower bound and the normal.</summary>
+    private static WitnessWalk AddNumbers<TA, TB>(
+        ref AnswerClaims claims, ref TA a, ref TB b, in PosedPair pair, in DistanceResult answer, double tolerance,
+        bool isSigned)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
         bool isSeparated = answer.Status == GjkStatus.Separated, isDepth = answer.IsOverlapping && isSigned;
         bool isBeyond = answer.Status == GjkStatus.BeyondMaxDistance;
         double allowed = !double.IsNaN(tolerance) ? tolerance
             : Allowed(pair, isBeyond ? answer.LowerBound : answer.Distance);
-        double least = (isSeparated || isDepth ? answer.Distance : answer.LowerBound) - allowed;
-        double most = answer.Distance + allowed;
-        if (answer.IsOverlapping && !isSigned) (least, most) = (double.NegativeInfinity, Touch(pair));
+
+        // No distance is below 0, so that a bound which is not above says nothing.
+        bool isIdle = !isSigned && !isSeparated && !isBeyond && answer.LowerBound <= 0;
+        double bound = isIdle ? double.NegativeInfinity : answer.LowerBound;
+        double least = (isSeparated || isDepth ? answer.Distance : bound) - allowed;
+        double most = answer.IsOverlapping && !isSigned ? Touch(pair) : answer.Distance + allowed;
         WitnessWalk walk = WitnessWalk.Of(ref a, ref b, pair, answer.Normal, least, most);
         if (!pair.IsValid || !(answer.IsOverlapping || HasBounds(answer.Status)))
-            return new CheckedAnswer(CheckStatus.Open, walk.Lower, walk.Upper);
-        if (isDepth) walk.Lower = Math.Max(walk.Lower, Leaving(ref a, ref b, pair, answer, allowed));
-        bool isAtMost = isDepth && walk.Upper > most;
-        AnswerClaims claims = default;
-        claims.Add(
-            walk.IsWithin(least, isDepth ? Math.Max(most, Touch(pair)) : most), walk.IsBeyond(least, most));
-        if (answer.IsOverlapping && !isSigned)
-            claims.Add(answer.Distance == 0 && answer.LowerBound == 0 && answer.Normal == default);
-        else
         {
-            // No distance is negative, so of shapes that are said to be apart 0 says nothing more.
-            double upper = isSigned && !isSeparated ? walk.Upper : Math.Max(walk.Upper, 0);
-            claims.Add(answer.LowerBound <= walk.Lower + allowed, answer.LowerBound > upper);
+            claims.Add(false, false);
+            return walk;
         }
 
-        AddNormal(ref claims, pair, answer, walk.HintGap, allowed);
-        if (isSeparated || answer.IsOverlapping) AddPoints(ref claims, ref a, poseA, ref b, poseB, pair, answer);
-        CheckStatus status = claims.Status;
-        if (status == CheckStatus.Proved && isAtMost) status = CheckStatus.ProvedAtMost;
-        return new CheckedAnswer(status, walk.Lower, walk.Upper);
+        if (isDepth) walk.Lower = Math.Max(walk.Lower, Leaving(ref a, ref b, pair, answer, allowed));
+        claims.IsAtMost = isDepth && walk.Upper > most;
+        claims.Add(IsOfStatus(answer, isSigned));
+        claims.Add(
+            walk.IsWithin(least, isDepth ? Math.Max(most, Touch(pair)) : most), walk.IsBeyond(least, most));
+
+        // Of shapes that are said to be apart 0 says nothing more.
+        double upper = isSigned && !isSeparated ? walk.Upper : Math.Max(walk.Upper, 0);
+        claims.Add(bound <= walk.Lower + allowed, !(bound <= upper));
+        AddNormal(ref claims, pair, answer, isSigned, bound, walk.HintGap, allowed);
+        return walk;
+    }
+
+    /// <summary>Whether a distance is one that goes with the status.</summary>
+    private static bool IsOfStatus(in DistanceResult answer, bool isSigned)
+    {
+        float d = answer.Distance;
+        if (answer.Status == GjkStatus.BeyondMaxDistance) return float.IsPositiveInfinity(d);
+        bool isOfSign = answer.Status == GjkStatus.Separated ? d >= 0
+            : !answer.IsOverlapping || (isSigned ? d <= 0 : d == 0);
+        return isOfSign && Math.Abs(d) <= float.MaxValue;
     }
 
     /// <summary>Whether the answer is a distance, or bounds of one.</summary>
@@ -126,18 +150,19 @@ public static partial class AnswerCheck
     /// <param name="claims">Told.</param>
     /// <param name="pair">The pair.</param>
     /// <param name="answer">What was said.</param>
+    /// <param name="isSigned">Whether it is a depth where they overlap.</param>
+    /// <param name="bound">The lower bound, as far as it says anything.</param>
     /// <param name="gap">Between the planes across the normal.</param>
     /// <param name="allowed">How much a distance may be off.</param>
     private static void AddNormal(
-        ref AnswerClaims claims, in PosedPair pair, in DistanceResult answer, double gap, double allowed)
+        ref AnswerClaims claims, in PosedPair pair, in DistanceResult answer, bool isSigned, double bound, double gap,
+        double allowed)
     {
-        double d = answer.IsOverlapping || answer.Status == GjkStatus.Separated ? answer.Distance : answer.LowerBound;
-        if (answer.IsOverlapping && answer.Normal == default) claims.Add(d == 0);
-        else
-        {
-            double least = d - allowed - pair.Noise - TiltRatio * (pair.Size + Math.Abs(d));
-            claims.Add(IsUnit(answer.Normal) && gap >= least);
-        }
+        double d = answer.IsOverlapping || answer.Status == GjkStatus.Separated ? answer.Distance : bound;
+        bool isNone = answer.Normal == default;
+        double least = d - allowed - pair.Noise - TiltRatio * (pair.Size + Math.Abs(d));
+        if (answer.IsOverlapping && (isNone || !isSigned)) claims.Add(isNone && d == 0);
+        else claims.Add(IsUnit(answer.Normal) && gap >= least);
     }
 
     /// <summary>The points lie on their shapes, are the same in both frames, and differ by the distance.</summary>
@@ -150,6 +175,8 @@ public static partial class AnswerCheck
         Vector3D localA = answer.LocalPointA, localB = answer.LocalPointB;
         double d = answer.Distance, slack = PointSlack(pair, d), slackA = slack + FloatRatio * localA.Length;
         double slackB = slack + FloatRatio * localB.Length;
+        claims.Add(Guard.IsFinite(answer.PointA) && Guard.IsFinite(answer.PointB));
+        claims.Add(localA.IsFinite && localB.IsFinite);
         AddPoint(ref claims, ref a, localA, slackA);
         AddPoint(ref claims, ref b, localB, slackB);
         double offA = (pair.WorldOfA(localA, poseA) - answer.PointA).Length;

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 
 namespace Gjk.Core;
 
@@ -93,8 +94,8 @@ public static partial class AnswerCheck
     /// <param name="poseB">Where it is.</param>
     /// <param name="answer">What was said.</param>
     /// <returns>
-    /// Bounds of the signed distance. Shapes that touch within 1e-13 of their size (curved: 2e-9) overlap as far as the
-    /// check can tell; that they do not is open then.
+    /// Bounds of the signed distance. Shapes that are nearer than 1e-13 of their size (curved: 2e-9) may be said to
+    /// overlap: that is open where a plane proves them apart, and else proved; that they do not is open then.
     /// </returns>
     public static CheckedAnswer Overlaps<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, bool answer)
@@ -107,7 +108,7 @@ public static partial class AnswerCheck
         double touch = Touch(pair);
         WitnessWalk walk = WitnessWalk.Of(ref shapeA, ref shapeB, pair, default, double.NegativeInfinity, touch);
         var claims = default(AnswerClaims);
-        if (answer) claims.Add(walk.Upper <= touch, walk.Lower > touch);
+        if (answer) claims.Add(walk.Upper <= touch && walk.Lower <= 0, walk.Lower > touch);
         else claims.Add(walk.Lower > 0, IsDeep(ref shapeA, ref shapeB, pair, walk));
         return new CheckedAnswer(claims.Status, walk.Lower, walk.Upper);
     }
@@ -158,6 +159,9 @@ public static partial class AnswerCheck
         where TB : struct, ISupportMap =>
         WitnessWalk.Of(
             ref a, ref b, pair.Moved(by, pair.Sweep), default, double.NegativeInfinity, touch).Upper <= touch;
+
+    /// <summary>Whether a vector is there where there is nothing to tell.</summary>
+    private static bool IsNothing(Vector3 v) => float.IsNaN(v.X) && float.IsNaN(v.Y) && float.IsNaN(v.Z);
 
     /// <summary>A normal is of unit length.</summary>
     private static bool IsUnit(in Vector3D normal) => Math.Abs(normal.Length - 1) <= UnitLength;

@@ -5,9 +5,12 @@ internal struct AnswerClaims
 {
     private bool _isOpen, _isRefuted, _areAny;
 
+    /// <summary>Whether a depth among them is only proved not to be larger.</summary>
+    public bool IsAtMost;
+
     /// <summary>All of them together.</summary>
-    public readonly CheckStatus Status =>
-        _isRefuted ? CheckStatus.Refuted : _isOpen ? CheckStatus.Open : CheckStatus.Proved;
+    public readonly CheckStatus Status => _isRefuted ? CheckStatus.Refuted : _isOpen ? CheckStatus.Open
+        : IsAtMost ? CheckStatus.ProvedAtMost : CheckStatus.Proved;
 
     /// <summary>Whether anything is known.</summary>
     public readonly bool AreAny => _areAny;

@@ -28,7 +28,8 @@ public static partial class ConvexQuery
     /// curved cores (cylinder, cone, ellipsoid) shapes touch when they are within 1e-9 of the size. Shapes that overlap
     /// at the start give <see cref="CastStatus.OverlappingAtStart"/> with normal and depth, those of
     /// <c>SignedDistance</c>. Shapes that only touch there, whose signed distance is 0, are a hit at 0 if the motion
-    /// takes them into each other, and a miss if they slide or part.
+    /// takes them into each other (curved cores by more than counts as touching), and a miss if they slide or part. A
+    /// point that is cast is a ray, with what <c>RayCast</c> says of those that pass the surface closely.
     /// </returns>
     public static CastResult Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,

@@ -20,9 +20,10 @@ public static partial class ConvexQuery
     /// The first point of the ray that is in the closed shape, or <see cref="CastStatus.Miss"/>, or
     /// <see cref="CastStatus.OverlappingAtStart"/> where the origin is inside. The distance is the true one, rounded to
     /// float: within 1e-7 of the size or the way, whichever is larger, however far away the ray begins; the normal is
-    /// within 1e-6 of the true one where there is only one. Hit or miss is what exact geometry says, but for rays that
-    /// pass the surface within 1e-9 of the size. From an origin on the surface, where the signed distance is 0, a ray
-    /// that goes in hits at 0, and one that slides or leaves misses.
+    /// within 1e-6 of the true one where there is only one, of cylinders and cones with thin margins within 1e-5. Hit
+    /// or miss is what exact geometry says, but for rays that pass the surface within 1e-9 of the size; one that is so
+    /// near all along, as in the plane of a hull that is as flat as that, may meet it anywhere there. From an origin on
+    /// the surface, where the signed distance is 0, a ray that goes in hits at 0, and one that slides or leaves misses.
     /// </returns>
     /// <remarks>
     /// Spheres, capsules, boxes, cylinders, cones, ellipsoids, triangles, and hulls of up to some 250 corners have

@@ -24,8 +24,8 @@ internal static class RayCaster
 {
     /// <summary>
     /// Length, as a fraction of the radius: an origin whose ray crosses the surface nearer than this may be on either
-    /// side. Above what the queries count as touching (<see cref="GjkTolerances.TouchCurved"/>). Pinned by
-    /// TheStartIsWhatContainsSays in RayCastTests.
+    /// side. Above what the queries count as touching (<see cref="GjkTolerances.TouchCurved"/>). The overlap decides
+    /// within it, so four times more or less only changes how often it is asked.
     /// </summary>
     private const double SurfaceBand = 1e-9;
 

@@ -13,7 +13,9 @@ public class RayStartTests
 {
     private static readonly RigidPose Here = RigidPose.Identity;
 
-    /// <summary>Beside the rim of a cap the line goes in by no more than the rim is near; a point that is cast, too.</summary>
+    /// <summary>
+    /// Beside the rim of a cap the line goes in by no more than the rim is near; a point that is cast, too.
+    /// </summary>
     [Theory]
     [InlineData(20)]
     [InlineData(21)]
