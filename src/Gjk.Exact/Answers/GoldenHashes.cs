@@ -13,12 +13,12 @@ public static class GoldenHashes
     {
         ["distances"] = "533df80e35cd6025",
         ["depths"] = "9dc7d9ad23e41f09",
-        ["contacts"] = "77bc86d2e995d7db",
+        ["contacts"] = "0adf34bb4342bf36",
         ["casts"] = "a41d9714908af600",
-        ["impacts"] = "bf9ee8665b2b9305",
+        ["impacts"] = "97fefd12e0317273",
         ["rays"] = "f97003a7a9720186",
-        ["shapes"] = "6b5cbdba5996ec32",
-        ["batches"] = "f50047053320661e",
-        ["scenes"] = "f5158606d28464ca",
+        ["shapes"] = "95955f374c9e71e8",
+        ["batches"] = "0fdd3d398e4264c1",
+        ["scenes"] = "3f4f2c51c8abb33b",
     };
 }
