@@ -171,7 +171,7 @@ public static partial class ConvexQuery
             }
             else if (frame.IsOrdinary)
             {
-                Solve(ref a, ref b, frame, default, poseA, ref state);
+                Solve(ref a, ref b, frame, PairForm.Unknown, poseA, ref state);
             }
             else
             {

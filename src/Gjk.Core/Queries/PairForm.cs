@@ -24,6 +24,9 @@ internal readonly struct PairForm
     /// </summary>
     private const double NearlyCoaxial = 4e-2;
 
+    /// <summary>Of a pair that was not looked at; passed by reference, since it is half a kilobyte.</summary>
+    public static readonly PairForm Unknown;
+
     /// <summary>Whether the pair was looked at; else nothing is known.</summary>
     public readonly bool IsKnown;
 

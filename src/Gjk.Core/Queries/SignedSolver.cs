@@ -105,7 +105,7 @@ internal static class SignedSolver
     /// where the depth is known.
     /// </summary>
     private static DepthVerdict SolveDepth<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, PairForm form, ref SolverState state, ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
@@ -119,13 +119,8 @@ internal static class SignedSolver
         }
         else if (MayBeRound<TA>() && MayBeRound<TB>())
         {
-            if (!form.IsKnown) PairForm.Look(ref a, ref b, frame, out form);
-            if (form.Way.IsKnown)
-            {
-                if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
-                verdict = AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state);
-                if (verdict != DepthVerdict.Undecided) return verdict;
-            }
+            verdict = SolveRound(ref a, ref b, frame, form, ref state, ref trace);
+            if (verdict != DepthVerdict.Undecided) return verdict;
         }
 
         if (verdict == DepthVerdict.Undecided) verdict = GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
@@ -134,14 +129,38 @@ internal static class SignedSolver
         return verdict;
     }
 
+    /// <summary>Round bodies with a known way out, or a plane that it lies in; Undecided for all others.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static DepthVerdict SolveRound<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
+    {
+        if (!form.IsKnown)
+        {
+            PairForm.Look(ref a, ref b, frame, out PairForm known);
+            return SolveRound(ref a, ref b, frame, known, ref state, ref trace);
+        }
+
+        if (!form.Way.IsKnown) return DepthVerdict.Undecided;
+        if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
+        return AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state);
+    }
+
     /// <summary>What the general search has no room for.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static DepthVerdict SolveLarge<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, PairForm form, ref SolverState state)
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (!form.IsKnown) PairForm.Look(ref a, ref b, frame, out form);
+        if (!form.IsKnown)
+        {
+            PairForm.Look(ref a, ref b, frame, out PairForm known);
+            return SolveLarge(ref a, ref b, frame, known, ref state);
+        }
+
         return form.AreFaceted
             ? HullDepth.Solve(ref a, ref b, frame, form, ref state)
             : DepthCells.Solve(ref a, ref b, frame, ref state);

@@ -1,3 +1,6 @@
+using System;
+using System.Runtime.CompilerServices;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -11,10 +14,35 @@ internal static unsafe class BoxAxes
 
     private const int Group = 4;
 
-    public static bool IsAxis(int lane) => lane % Group != Group - 1;
+    /// <summary>The lanes of edges, a bit for each.</summary>
+    private const int EdgeBits = 0x77700;
 
     /// <summary>The axis's number, from 0 to 14.</summary>
     public static int AxisOf(int lane) => lane / Group * 3 + lane % Group;
+
+    /// <summary>The first face that costs no more than the cheapest, but for the noise.</summary>
+    public static int LeastFace(double* costs, double noise)
+    {
+        double ofA = Math.Min(Math.Min(costs[0], costs[1]), costs[2]);
+        double ofB = Math.Min(Math.Min(costs[Group], costs[Group + 1]), costs[Group + 2]);
+        double limit = Math.Min(ofA, ofB) + noise;
+        return costs[0] <= limit ? 0 : costs[1] <= limit ? 1 : costs[2] <= limit ? 2
+            : costs[Group] <= limit ? Group : costs[Group + 1] <= limit ? Group + 1 : Group + 2;
+    }
+
+    /// <summary>The lanes of the edges that cost less than a limit; without a branch, since most do not.</summary>
+    public static int EdgesBelow(double* costs, double* squares, double limit)
+    {
+        int below = 0;
+        double squared = limit * Math.Abs(limit);
+        for (int i = Edges; i < Lanes; i++) below |= (IsBelow(costs[i], squares[i], squared) ? 1 : 0) << i;
+        return below & EdgeBits;
+    }
+
+    /// <summary>Whether a cost over its axis's length is below a limit: the signed squares are compared.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsBelow(double cost, double square, double limitSquared) =>
+        cost * Math.Abs(cost) < limitSquared * square;
 
     /// <summary>
     /// How far B must move along each axis, on its side, to leave A behind, times the axis's length; and the squared

@@ -36,25 +36,16 @@ internal static unsafe class BoxDepth
     {
         double* costs = stackalloc double[BoxAxes.Lanes], squares = stackalloc double[BoxAxes.Lanes];
         BoxAxes.Find(halfA, halfB, frame, costs, squares);
-        double noise = GjkTolerances.Noise * state.Size.Value, above = double.PositiveInfinity, limit = above;
-        double scale = 1;
-        int best = 0;
-        for (int i = 0; i < BoxAxes.Edges; i++)
+        double noise = GjkTolerances.Noise * state.Size.Value, scale = 1;
+        int best = BoxAxes.LeastFace(costs, noise);
+        double above = costs[best];
+        int below = BoxAxes.EdgesBelow(costs, squares, above - noise);
+        for (int i = BoxAxes.Edges; below >> i != 0; i++)
         {
-            if (!(BoxAxes.IsAxis(i) && costs[i] < limit)) continue;
-            above = costs[i];
-            limit = above - noise;
-            best = i;
-        }
-
-        double limitSquared = limit * Math.Abs(limit);
-        for (int i = BoxAxes.Edges; i < BoxAxes.Lanes; i++)
-        {
-            if (!(BoxAxes.IsAxis(i) && costs[i] * Math.Abs(costs[i]) < limitSquared * squares[i])) continue;
+            double limit = above - noise;
+            if ((below >> i & 1) == 0 || !BoxAxes.IsBelow(costs[i], squares[i], limit * Math.Abs(limit))) continue;
             scale = 1 / Math.Sqrt(squares[i]);
             above = costs[i] * scale;
-            limit = above - noise;
-            limitSquared = limit * Math.Abs(limit);
             best = i;
         }
 

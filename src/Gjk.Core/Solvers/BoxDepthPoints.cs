@@ -74,11 +74,7 @@ internal static class BoxDepthPoints
     }
 
     /// <summary>A point of A's frame, from B's centre in B's.</summary>
-    private static Vector3D InB(in BoxPair pair, in Vector3D point)
-    {
-        Vector3D from = point - pair.Between;
-        return new Vector3D(Vector3D.Dot(pair.X, from), Vector3D.Dot(pair.Y, from), Vector3D.Dot(pair.Z, from));
-    }
+    private static Vector3D InB(in BoxPair pair, in Vector3D point) => pair.ToB(point - pair.Between);
 
     /// <summary>The point of a box that lies deepest behind a face of another, and opposite the face.</summary>
     /// <param name="center">The centre of the box.</param>
@@ -134,22 +130,25 @@ internal static class BoxDepthPoints
     {
         int i = pair.EdgeOfA, j = pair.EdgeOfB;
         Vector3D normal = depth.Normal, along = BoxPair.Unit(i), alongB = pair.AxisOfB(j);
-        Vector3D a = default, b = pair.Between;
-        Sides sidesA = SidesOfA(pair), sidesB = SidesOfB(pair);
-        for (int k = 0; k < 3; k++)
-        {
-            if (k != i) a += sidesA[k] * Math.Sign(Vector3D.Dot(sidesA[k], normal));
-            if (k != j) b -= sidesB[k] * Math.Sign(Vector3D.Dot(sidesB[k], normal));
-        }
+        Vector3D a = MiddleOfEdge(pair.HalfA, normal, i), inB = MiddleOfEdge(pair.HalfB, -pair.ToB(normal), j);
+        Vector3D b = pair.Between + pair.X * inB.X + pair.Y * inB.Y + pair.Z * inB.Z;
 
         // a + s along = b + normal depth + r alongB; the cross product with alongB leaves s, the dot product with along
         // says where B's edge lies beside A's. Of nearly parallel edges rounding moves s far, but not out of both.
         Vector3D across = Vector3D.Cross(along, alongB), between = b + normal * depth.Above - a;
-        double half = sidesA.Half(i), s = Vector3D.Dot(Vector3D.Cross(between, alongB), across) / across.LengthSquared;
-        double middle = Vector3D.Dot(between, along), reach = sidesB.Half(j) * Math.Abs(Vector3D.Dot(along, alongB));
+        double half = Along(pair.HalfA, i), reach = Along(pair.HalfB, j) * Math.Abs(Vector3D.Dot(along, alongB));
+        double s = Vector3D.Dot(Vector3D.Cross(between, alongB), across) / across.LengthSquared;
+        double middle = Vector3D.Dot(between, along);
         double first = Math.Max(-half, middle - reach), last = Math.Min(half, middle + reach);
         return a + along * Math.Max(first, Math.Min(last, s));
     }
+
+    /// <summary>The middle of a box's edge that is furthest in a direction.</summary>
+    private static Vector3D MiddleOfEdge(in Vector3D half, in Vector3D direction, int edge) => new(
+        edge == 0 ? 0 : half.X * Math.Sign(direction.X), edge == 1 ? 0 : half.Y * Math.Sign(direction.Y),
+        edge == 2 ? 0 : half.Z * Math.Sign(direction.Z));
+
+    private static double Along(in Vector3D half, int axis) => axis == 0 ? half.X : axis == 1 ? half.Y : half.Z;
 
     private static Sides SidesOfA(in BoxPair pair) =>
         new(BoxPair.Unit(0), BoxPair.Unit(1), BoxPair.Unit(2), pair.HalfA);
@@ -173,6 +172,6 @@ internal static class BoxDepthPoints
 
         public Vector3D Axis(int index) => index == 0 ? _x : index == 1 ? _y : _z;
 
-        public double Half(int index) => index == 0 ? _half.X : index == 1 ? _half.Y : _half.Z;
+        public double Half(int index) => Along(_half, index);
     }
 }
