@@ -21,8 +21,9 @@ public struct ContactManifold
     public Vector3 Normal { get; private set; }
 
     /// <summary>
-    /// A point. They are in the order of their <see cref="ContactPoint.FeatureId"/>s, which stays from frame to frame;
-    /// one of them is the deepest, or as deep to within 1e-6 of the size.
+    /// A point. They are in an order of their <see cref="ContactPoint.FeatureId"/>s, by the lesser half and then by the
+    /// greater one, so that it stays from frame to frame and hardly changes when A and B are exchanged. One of them is
+    /// the deepest, or as deep to within 1e-6 of the size.
     /// </summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>

@@ -68,11 +68,8 @@ internal static class CastSolver
         where TB : struct, ISupportMap
     {
         double beyond = most * (1 + GjkTolerances.FloatBand);
-        Find(ref a, ref b, ref frame, motion, beyond, ref warmStart, out cast, out CastLine line);
-
-        // Exactly at the end, a slanted face is met within the line's error, of either sign.
-        double end = most + line.Error / line.Speed;
-        if (cast.Outcome == Verdict.Enclosed && IsBeyond(cast.Fraction, end)) cast.Outcome = Verdict.Apart;
+        Find(ref a, ref b, ref frame, motion, beyond, ref warmStart, out cast);
+        if (cast.Outcome == Verdict.Enclosed && IsBeyond(cast.Fraction, most)) cast.Outcome = Verdict.Apart;
     }
 
     /// <summary>Whether a fraction is larger than the most, by more than rounding in double does.</summary>
@@ -80,12 +77,12 @@ internal static class CastSolver
 
     private static void Find<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
-        out CastFinding cast, out CastLine line)
+        out CastFinding cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         cast = default;
-        if (CastLine.Make(frame, motion, out line) == Verdict.Apart || line.FractionAt(-line.HalfChord) > most)
+        if (CastLine.Make(frame, motion, out CastLine line) == Verdict.Apart || line.FractionAt(-line.HalfChord) > most)
         {
             cast.Outcome = Verdict.Apart;
             return;

@@ -67,7 +67,10 @@ public readonly struct DistanceResult
         Iterations = iterations;
     }
 
-    /// <summary>True when the shapes share a point, touching included.</summary>
+    /// <summary>
+    /// True when the status says that the shapes share a point, touching included. Where a query ended at its limit,
+    /// they do if the distance is below 0.
+    /// </summary>
     public bool IsOverlapping => Status == GjkStatus.Overlapping;
 
     /// <summary>The same answer with A and B exchanged.</summary>

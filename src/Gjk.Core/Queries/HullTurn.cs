@@ -25,7 +25,9 @@ internal struct HullTurn
     public bool TryShorten(double here, double ahead)
     {
         double sine = Math.Max(here, 0);
-        if (!(ahead < 0 && -ahead * Sine > Cosine * sine)) return false;
+
+        // What is 0 here and grows falls to 0 again after half a turn only; what is above 0 falls before that.
+        if (!((ahead < 0 || sine > 0) && -ahead * Sine > Cosine * sine)) return false;
         Cosine = -ahead;
         Sine = sine;
         return true;

@@ -21,6 +21,12 @@ internal static class BoxDepthPoints
     private const double LevelSide = 3e-8;
 
     /// <summary>
+    /// The cosine between a side and the way out above which it is not level, even if it is too short to rise. One of
+    /// the three is at least 0.57, so anything below that and well above <see cref="LevelSide"/> will do.
+    /// </summary>
+    private const double Steep = 0.5;
+
+    /// <summary>
     /// Length, as a fraction of the size: how far beside a face a point still counts as opposite, so that rounding
     /// leaves something of what lies along its rim. Anything well above rounding, 1e-15, and well below float's
     /// will do.
@@ -50,16 +56,14 @@ internal static class BoxDepthPoints
         }
         else
         {
-            Vector3D axis = pair.AxisOfAInB(face), normal = depth.Normal;
-            bool isTurned = normal.X + normal.Y + normal.Z < 0;
-            if (TryCorner(pair.HalfB, isTurned ? axis : -axis, size, out inB))
+            if (TryCorner(pair.HalfB, -pair.ToB(depth.Normal), size, out inB))
             {
                 onA = pair.Between + pair.X * inB.X + pair.Y * inB.Y + pair.Z * inB.Z + way;
                 return;
             }
 
             Vector3D onB = Opposite(
-                pair.Between, SidesOfB(pair), default, SidesOfA(pair), face, normal, size);
+                pair.Between, SidesOfB(pair), default, SidesOfA(pair), face, depth.Normal, size);
             onA = onB + way;
             inB = InB(pair, onB);
         }
@@ -68,10 +72,14 @@ internal static class BoxDepthPoints
     /// <summary>The corner of a box that is furthest in a direction, where no side is level across it.</summary>
     private static bool TryCorner(in Vector3D half, in Vector3D direction, double size, out Vector3D corner)
     {
-        double level = LevelSide * size, x = direction.X * half.X, y = direction.Y * half.Y, z = direction.Z * half.Z;
+        double x = direction.X * half.X, y = direction.Y * half.Y, z = direction.Z * half.Z;
         corner = new Vector3D(x < 0 ? -half.X : half.X, y < 0 ? -half.Y : half.Y, z < 0 ? -half.Z : half.Z);
-        return Math.Abs(x) > level & Math.Abs(y) > level & Math.Abs(z) > level;
+        return !(IsLevel(x, half.X, size) | IsLevel(y, half.Y, size) | IsLevel(z, half.Z, size));
     }
+
+    /// <summary>Whether half a side hardly rises: of a box's three at most two, however thin it is.</summary>
+    private static bool IsLevel(double rise, double half, double size) =>
+        Math.Abs(rise) <= LevelSide * size & Math.Abs(rise) <= Steep * half;
 
     /// <summary>A point of A's frame, from B's centre in B's.</summary>
     private static Vector3D InB(in BoxPair pair, in Vector3D point) => pair.ToB(point - pair.Between);
@@ -94,7 +102,7 @@ internal static class BoxDepthPoints
             Vector3D side = sides[i];
             double rise = Vector3D.Dot(side, outward);
             if (sides.Half(i) == 0) continue;
-            if (Math.Abs(rise) > LevelSide * size) point -= side * Math.Sign(rise);
+            if (!IsLevel(rise, sides.Half(i), size)) point -= side * Math.Sign(rise);
             else if (first == default) first = side;
             else second = side;
         }

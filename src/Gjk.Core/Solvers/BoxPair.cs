@@ -34,10 +34,6 @@ internal readonly struct BoxPair
     /// <summary>One of B's axes.</summary>
     public Vector3D AxisOfB(int index) => index == 0 ? X : index == 1 ? Y : Z;
 
-    /// <summary>One of A's axes as B has it.</summary>
-    public Vector3D AxisOfAInB(int index) => index == 0 ? new Vector3D(X.X, Y.X, Z.X)
-        : index == 1 ? new Vector3D(X.Y, Y.Y, Z.Y) : new Vector3D(X.Z, Y.Z, Z.Z);
-
     /// <summary>A direction in B's axes.</summary>
     public Vector3D ToB(in Vector3D v) => new(Vector3D.Dot(X, v), Vector3D.Dot(Y, v), Vector3D.Dot(Z, v));
 

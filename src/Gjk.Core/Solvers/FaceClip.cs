@@ -9,7 +9,10 @@ internal static unsafe class FaceClip
     /// <summary>Count: four corners, and one more for each side that clips them; one to spare.</summary>
     private const int MostCorners = 9;
 
-    /// <summary>The mean of the corners of what is left; the middle of the whole where nothing is.</summary>
+    /// <summary>
+    /// The mean of the corners of what is left. A side beyond which all of it lies, as it may by rounding, cuts nothing
+    /// off.
+    /// </summary>
     /// <param name="middle">The middle of what is clipped.</param>
     /// <param name="first">Half of its one side.</param>
     /// <param name="second">Half of its other side; 0 for a segment.</param>
@@ -28,19 +31,18 @@ internal static unsafe class FaceClip
         corners[2] = middle - first - second;
         corners[3] = middle - first + second;
         int count = 4;
-        count = Clip(corners, count, clipped, center, u, halfU);
-        count = Clip(clipped, count, corners, center, -u, halfU);
-        count = Clip(corners, count, clipped, center, v, halfV);
-        count = Clip(clipped, count, corners, center, -v, halfV);
-        if (count == 0) return middle;
+        Clip(ref corners, ref count, ref clipped, center, u, halfU);
+        Clip(ref corners, ref count, ref clipped, center, -u, halfU);
+        Clip(ref corners, ref count, ref clipped, center, v, halfV);
+        Clip(ref corners, ref count, ref clipped, center, -v, halfV);
         Vector3D sum = default;
         for (int i = 0; i < count; i++) sum += corners[i];
         return sum * (1.0 / count);
     }
 
-    /// <summary>What lies no further from the centre along a direction than a reach.</summary>
-    private static int Clip(
-        Vector3D* from, int count, Vector3D* to, in Vector3D center, in Vector3D direction, double reach)
+    /// <summary>Leaves what lies no further from the centre along a direction than a reach, if anything does.</summary>
+    private static void Clip(
+        ref Vector3D* from, ref int count, ref Vector3D* to, in Vector3D center, in Vector3D direction, double reach)
     {
         int kept = 0;
         for (int i = 0; i < count && kept + 2 <= MostCorners; i++)
@@ -52,6 +54,10 @@ internal static unsafe class FaceClip
             if (above < 0 && next > 0 || above > 0 && next < 0) to[kept++] = p + (q - p) * (above / (above - next));
         }
 
-        return kept;
+        if (kept == 0) return;
+        Vector3D* left = to;
+        to = from;
+        from = left;
+        count = kept;
     }
 }

@@ -48,6 +48,9 @@ public readonly struct ObjectSettings : IEquatable<ObjectSettings>
     /// <summary>A number of your own.</summary>
     public long Tag { get; }
 
+    /// <summary>Whether it is tested against all others of which this is true: those of the default group.</summary>
+    internal bool AreUsual => (Groups & Mask & DefaultGroup) != 0 && !IsStatic;
+
     /// <summary>Whether objects with these settings are tested against each other; the order does not matter.</summary>
     public static bool AreTested(in ObjectSettings a, in ObjectSettings b) =>
         (a.Groups & b.Mask) != 0 && (b.Groups & a.Mask) != 0 && !(a.IsStatic && b.IsStatic);

@@ -77,7 +77,7 @@ internal sealed class SceneObjects
     public void SetSettings(int slot, in ObjectSettings settings)
     {
         Settings[slot] = settings;
-        AreAllTested &= ObjectSettings.AreTested(settings, default) && !settings.IsStatic;
+        AreAllTested &= settings.AreUsual;
     }
 
     /// <summary>Whether the objects in two slots are tested against each other.</summary>

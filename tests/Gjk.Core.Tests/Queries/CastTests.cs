@@ -26,30 +26,6 @@ public class CastTests
         Assert.Equal((CastStatus.Hit, -Vector3.UnitY), (r.Swapped.Status, r.Swapped.Normal));
     }
 
-    /// <summary>Lattice polytopes that a plane holds apart up to the end of the motion, and no longer.</summary>
-    [Fact]
-    public void WhatFirstTouchesAtTheEndIsAHit()
-    {
-        int asked = 0;
-        for (int i = 0; i < Budget.Count(3000); i++)
-        {
-            TestPair p = TouchingPairs.Make((ulong)i, out Vector3 across);
-            Vector3 motion = TouchingPairs.Motion(new Rng((ulong)(7000 + i)));
-            float closing = Vector3.Dot(motion, across);
-            bool isPoint = p.A.Vertices!.Length == 1 || p.B.Vertices!.Length == 1;
-            if (closing == 0 || isPoint) continue;
-            asked++;
-            if (closing > 0) motion = -motion;
-            var start = new RigidPose(p.PoseB.Rotation, p.PoseB.Position - motion);
-            CastResult r = ConvexQuery.Cast(p.A.Shape, p.PoseA, default, p.B.Shape, start, motion);
-            CastResult swapped = ConvexQuery.Cast(p.B.Shape, start, motion, p.A.Shape, p.PoseA, default);
-            foreach (CastResult c in new[] { r, swapped })
-                Assert.True(c.Status == CastStatus.Hit && c.Fraction > 0.99999f, $"{p}, {motion}: {r}, {swapped}");
-        }
-
-        Assert.True(asked > 1000, $"{asked} pairs");
-    }
-
     /// <summary>A cube that slides along a face, however close, does not hit it; nor one that leaves.</summary>
     [Theory]
     [InlineData(2.0000002f)]

@@ -17,15 +17,12 @@ internal static class TouchingPairs
         new(0.5f, 0.5f, 0.5f, 0.5f),
     ];
 
-    public static TestPair Make(ulong seed) => Make(seed, out _);
-
-    /// <summary>The pair, and a direction from A to B across which a plane separates them.</summary>
-    public static TestPair Make(ulong seed, out Vector3 direction)
+    public static TestPair Make(ulong seed)
     {
         var rng = new Rng(seed);
         TestShape a = Shape(rng), b = Shape(rng);
         Quaternion turnA = Quarters[rng.Below(4)], turnB = Quarters[rng.Below(4)];
-        direction = Lattice(rng, 1);
+        Vector3 direction = Lattice(rng, 1);
         if (direction == Vector3.Zero) direction = Vector3.UnitY;
         Vector3 onA = Furthest(a, turnA, direction), onB = Furthest(b, turnB, -direction);
         Vector3 at = Lattice(rng, 9);

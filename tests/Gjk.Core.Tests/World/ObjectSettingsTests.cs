@@ -74,6 +74,21 @@ public class ObjectSettingsTests
         }
     }
 
+    /// <summary>Each is tested against the default object, but not against the other.</summary>
+    [Fact]
+    public void TwoOfAGroupThatTheirMasksLeaveOutAreNotTested()
+    {
+        var limb = new ObjectSettings(groups: 2, mask: 1);
+        Assert.False(ObjectSettings.AreTested(limb, limb));
+        var scene = new CollisionScene();
+        scene.Add(ConvexShape.Sphere(1), RigidPose.Identity);
+        scene.Add(ConvexShape.Sphere(1), RigidPose.Identity, limb);
+        scene.Add(ConvexShape.Sphere(1), RigidPose.Identity, limb);
+        List<ObjectPair> found = [];
+        scene.FindOverlaps(found);
+        Assert.Equal([new ObjectPair(0, 1), new ObjectPair(0, 2)], found);
+    }
+
     [Fact]
     public void WithNobodyToTestThereIsNoNearest()
     {

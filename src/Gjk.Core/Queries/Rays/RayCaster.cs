@@ -103,7 +103,10 @@ internal static class RayCaster
         Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, ref hit);
         if (hit.Status != CastStatus.Hit) return true;
         Vector3D normal = rotation.Rotate(span.Normal);
-        hit.Normal = normal * (1 / normal.Length);
+        double length = normal.Length;
+
+        // Of a body that is thinner than rounding the closed form has none; it is met head on.
+        hit.Normal = length > 0 ? normal * (1 / length) : line.Direction * (-1 / line.Length);
         hit.Point = isNear
             ? line.At(hit.Distance)
             : rotation.Rotate(ray.At(span.Enter) + target.Center) + pose.Position;

@@ -61,6 +61,10 @@ internal static class RayCone
         }
 
         span.Normal = new Vector3D(f.X + d.X * span.Enter, k * (f.Y + d.Y * span.Enter), f.Z + d.Z * span.Enter);
+
+        // At the apex, where all directions of a cone are normals, one that is.
+        double apex = RoundOff.Unit * radius;
+        if (!(span.Normal.LengthSquared > apex * apex)) span.Normal = new Vector3D(0, 1, 0);
         double middle = radius * 0.5;
         bool isLeft = span.Clip(middle, middle - f.Y, -d.Y, new Vector3D(0, 1, 0));
         span.Enter += shift;
