@@ -29,6 +29,13 @@ internal readonly struct VectorDD
     public static VectorDD Cross(in VectorDD a, in VectorDD b) =>
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 
+    /// <summary>(q - p) × (r - p), the normal of a triangle, in 106 bits; of a needle, double's would lean.</summary>
+    public static Vector3D Normal(in Vector3D p, in Vector3D q, in Vector3D r)
+    {
+        VectorDD origin = p;
+        return (Vector3D)Cross(q - origin, r - origin);
+    }
+
     /// <summary>A local point in the world.</summary>
     public static VectorDD Place(in RigidPose pose, in Vector3D v) =>
         (VectorDD)(Vector3D)pose.Position + Rotate(pose.Rotation, v);

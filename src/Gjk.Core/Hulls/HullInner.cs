@@ -22,8 +22,7 @@ internal static class HullInner
             hull.GetVertex(a, out Vector3D origin);
             hull.GetVertex(b, out Vector3D second);
             hull.GetVertex(c, out Vector3D third);
-            VectorDD ab = (VectorDD)(second * unit) - origin * unit, ac = (VectorDD)(third * unit) - origin * unit;
-            var normal = (Vector3D)VectorDD.Cross(ab, ac);
+            Vector3D normal = VectorDD.Normal(origin * unit, second * unit, third * unit);
             least = Math.Min(least, Vector3D.Dot(normal, origin - hull.Center) / normal.Length);
         }
 

@@ -100,8 +100,7 @@ internal sealed class HullPlanes
         hull.GetVertex(b, out Vector3D second);
         hull.GetVertex(c, out Vector3D third);
         double unit = 1 / PowerOfTwo.AtMost(hull.BoundingRadius);
-        VectorDD ab = (VectorDD)(second * unit) - origin * unit, ac = (VectorDD)(third * unit) - origin * unit;
-        normal = (Vector3D)VectorDD.Cross(ab, ac);
+        normal = VectorDD.Normal(origin * unit, second * unit, third * unit);
         normal *= 1 / normal.Length;
         double own = Vector3D.Dot(normal, origin - hull.Center);
         offset = own;

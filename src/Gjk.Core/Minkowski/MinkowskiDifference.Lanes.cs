@@ -12,9 +12,6 @@ namespace Gjk.Core;
 /// </remarks>
 internal static partial class MinkowskiDifference
 {
-    /// <summary>Permutations that fill a register with one of its lanes.</summary>
-    private const byte AllX = 0b00_00_00_00, AllY = 0b01_01_01_01, AllZ = 0b10_10_10_10;
-
     private const int XyzBits = 7;
 
     private static Vector256<double> SignBits
@@ -34,12 +31,9 @@ internal static partial class MinkowskiDifference
     private static Vector3D SupportInLanes<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref Simplex simplex, int slot, out int ids)
     {
-        Vector256<double> x = Vector256.Create(normal.X), y = Vector256.Create(normal.Y);
-        Vector256<double> inB = frame.Inverse.Column0 * x + frame.Inverse.Column1 * y
-            + frame.Inverse.Column2 * Vector256.Create(normal.Z);
-        Vector256<double> opposite = Vector256.Create(-normal.X, -normal.Y, -normal.Z, 0);
-        Vector256<double> onA = Furthest(ref a, opposite, out int idA), onB = Furthest(ref b, inB, out int idB);
-        Vector256<double> w = VertexOf(frame, onA, onB);
+        Vector256<double> w = SupportInLanes(
+            ref a, ref b, frame, -normal,
+            out Vector256<double> onA, out Vector256<double> onB, out int idA, out int idB);
         simplex.Fill(slot, w, onA, onB, idA, idB);
         ids = idA | idB;
         return Xyz(w);
@@ -50,16 +44,29 @@ internal static partial class MinkowskiDifference
     public static unsafe void SupportInLanes<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, PolytopeVertex* vertex)
     {
-        Vector256<double> x = Vector256.Create(direction.X), y = Vector256.Create(direction.Y);
-        Vector256<double> inB = frame.Inverse.Column0 * x + frame.Inverse.Column1 * y
-            + frame.Inverse.Column2 * Vector256.Create(direction.Z);
-        Vector256<double> inA = Vector256.Create(direction.X, direction.Y, direction.Z, 0);
-        Vector256<double> onA = Furthest(ref a, inA, out int idA), onB = Furthest(ref b, -inB, out int idB);
-        VertexOf(frame, onA, onB).Store((double*)vertex);
+        Vector256<double> w = SupportInLanes(
+            ref a, ref b, frame, direction,
+            out Vector256<double> onA, out Vector256<double> onB, out int idA, out int idB);
+
+        // In this order: the fourth lane of each covers what follows it.
+        w.Store((double*)vertex);
         onA.Store((double*)&vertex->OnA);
         onB.Store((double*)&vertex->OnB);
         vertex->IdA = idA;
         vertex->IdB = idB;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> SupportInLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction,
+        out Vector256<double> onA, out Vector256<double> onB, out int idA, out int idB)
+    {
+        Vector256<double> x = Vector256.Create(direction.X), y = Vector256.Create(direction.Y);
+        Vector256<double> inB = frame.Inverse.Column0 * x + frame.Inverse.Column1 * y
+            + frame.Inverse.Column2 * Vector256.Create(direction.Z);
+        onA = Furthest(ref a, Vector256.Create(direction.X, direction.Y, direction.Z, 0), out idA);
+        onB = Furthest(ref b, -inB, out idB);
+        return VertexOf(frame, onA, onB);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -123,9 +130,7 @@ internal static partial class MinkowskiDifference
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<double> VertexOf(in PairFrame frame, Vector256<double> onA, Vector256<double> onB) =>
-        onA - (frame.Rotation.Column0 * Avx2.Permute4x64(onB, AllX)
-            + frame.Rotation.Column1 * Avx2.Permute4x64(onB, AllY)
-            + frame.Rotation.Column2 * Avx2.Permute4x64(onB, AllZ) + frame.TranslationLanes);
+        onA - (frame.Rotation.Rotate(onB) + frame.TranslationLanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3D Xyz(Vector256<double> v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));

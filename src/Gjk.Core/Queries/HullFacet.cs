@@ -41,8 +41,7 @@ internal struct HullFacet
         Vector3D e = facet.Q - facet.P, f = facet.R - facet.P;
         facet.Normal = Vector3D.Cross(e, f);
         if (facet.Normal.LengthSquared > Thin * (e.LengthSquared * f.LengthSquared)) return;
-        VectorDD origin = facet.P;
-        facet.Normal = (Vector3D)VectorDD.Cross((VectorDD)facet.Q - origin, (VectorDD)facet.R - origin);
+        facet.Normal = VectorDD.Normal(facet.P, facet.Q, facet.R);
     }
 
     /// <summary>Whether its plane is certainly as high as that, measured from a point along the normal.</summary>

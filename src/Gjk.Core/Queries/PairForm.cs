@@ -20,7 +20,7 @@ internal readonly struct PairForm
     /// <summary>
     /// Length, as a fraction of the size: bodies are nearly coaxial when that and the gap between their axes are less.
     /// Beyond, the general search has room for the valley of ways out around the axis; four times less leaves pairs
-    /// that it has no room for, and four times more only takes longer. Pinned by LeaningDepthTests.
+    /// that it has no room for, and four times more holds, too. Pinned by LeaningDepthTests.
     /// </summary>
     private const double NearlyCoaxial = 4e-2;
 

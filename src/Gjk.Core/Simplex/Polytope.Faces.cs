@@ -100,8 +100,7 @@ internal unsafe partial struct Polytope
         double least = Offsets(normal, p, q, r, out double most);
         if (!(most - least <= normal.SumOfMagnitudes * _level && face->NormalSquared > 0))
         {
-            VectorDD origin = p;
-            var cross = (Vector3D)VectorDD.Cross((VectorDD)q - origin, (VectorDD)r - origin);
+            Vector3D cross = VectorDD.Normal(p, q, r);
             double length = cross.Length;
             if (!(length > 0) && index < 4) return false;
             normal = length > 0 ? cross * (1 / length) : _faces[face->Twins[0] >> 2].UnitNormal;

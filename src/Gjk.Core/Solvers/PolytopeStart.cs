@@ -155,8 +155,7 @@ internal static unsafe class PolytopeStart
         Vector3D e = q - p, f = r - p, normal = Vector3D.Cross(e, f);
         double level = GjkTolerances.DepthLevel * state.Size.Value * normal.Length;
         bool isLevel = Math.Abs(Vector3D.Dot(normal, e)) <= level && Math.Abs(Vector3D.Dot(normal, f)) <= level;
-        VectorDD origin = p;
-        return isLevel ? normal : (Vector3D)VectorDD.Cross((VectorDD)q - origin, (VectorDD)r - origin);
+        return isLevel ? normal : VectorDD.Normal(p, q, r);
     }
 
     /// <summary>Length: what is thinner is flat.</summary>

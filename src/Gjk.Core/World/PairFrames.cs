@@ -5,9 +5,10 @@ namespace Gjk.Core;
 
 /// <summary>
 /// The pairs that a frame asks about and those of the frame before, both sorted: a pair finds its place in the last
-/// frame by a walk along both lists at once, and pairs that are gone are left behind.
+/// frame by a walk along both lists at once, and pairs that are gone are left behind. What is known of a pair is in the
+/// tables of those that inherit this.
 /// </summary>
-internal sealed class PairFrames
+internal abstract class PairFrames
 {
     private ulong[] _now = [], _last = [];
     private int _lastCount;
@@ -27,6 +28,7 @@ internal sealed class PairFrames
     public void Begin(List<ObjectPair> pairs, int[] ids, ref long calls)
     {
         if (_last.Length < pairs.Count) _last = new ulong[BoundsTable.Grown(_last.Length, pairs.Count)];
+        Turn(pairs.Count);
         (_now, _last) = (_last, _now);
 
         // What an interrupted frame left is not all its own.
@@ -54,10 +56,13 @@ internal sealed class PairFrames
     /// <summary>Whether the last frame had the i-th pair.</summary>
     /// <param name="i">The pair.</param>
     /// <param name="last">From <see cref="Seek"/>, or as the call for a pair before left it; the pair's place.</param>
-    public bool IsKnown(int i, ref int last)
+    protected bool IsKnown(int i, ref int last)
     {
         ulong key = _now[i];
         while (last < _lastCount && _last[last] < key) last++;
         return last < _lastCount && _last[last] == key;
     }
+
+    /// <summary>The frame's tables become the last ones, and those before the frame's, with that much room.</summary>
+    protected abstract void Turn(int count);
 }

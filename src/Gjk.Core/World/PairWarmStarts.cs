@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
 /// <summary>
@@ -9,37 +7,16 @@ namespace Gjk.Core;
 /// Which pairs a frame looks at depends on their bounds, which pairs it reports does not. So only the warm start of a
 /// pair that was reported may be seen in a result; see <see cref="SceneDistanceJob"/>.
 /// </remarks>
-internal sealed class PairWarmStarts
+internal sealed class PairWarmStarts : PairFrames
 {
-    private readonly PairFrames _frames = new();
     private Frame _now = new();
     private Frame _last = new();
-
-    /// <inheritdoc cref="PairFrames.Count"/>
-    public int Count => _frames.Count;
-
-    /// <inheritdoc cref="PairFrames.LastCall"/>
-    public long LastCall => _frames.LastCall;
 
     /// <summary>The answers of the frame, one for each pair.</summary>
     public DistanceResult[] Results => _now.Results;
 
     /// <summary>The warm starts of the frame, one for each pair.</summary>
     public WarmStart[] Starts => _now.Starts;
-
-    /// <inheritdoc cref="PairFrames.Begin"/>
-    public void Begin(List<ObjectPair> pairs, int[] ids, ref long calls)
-    {
-        _last.Reserve(pairs.Count);
-        _frames.Begin(pairs, ids, ref calls);
-        (_now, _last) = (_last, _now);
-    }
-
-    /// <inheritdoc cref="PairFrames.Complete"/>
-    public void Complete() => _frames.Complete();
-
-    /// <inheritdoc cref="PairFrames.Seek"/>
-    public int Seek(int i) => _frames.Seek(i);
 
     /// <summary>Whether each pair keeps the answer that it had in the last frame.</summary>
     public bool[] Kept => _now.Kept;
@@ -49,17 +26,24 @@ internal sealed class PairWarmStarts
 
     /// <summary>Gives the i-th pair the warm start and the state that the last frame left.</summary>
     /// <param name="i">The pair.</param>
-    /// <param name="last">From <see cref="Seek"/>, or as the call for the pair before left it.</param>
+    /// <param name="last">From <see cref="PairFrames.Seek"/>, or as the call for the pair before left it.</param>
     /// <returns>The state.</returns>
     public PairState Resume(int i, ref int last)
     {
-        bool isKnown = _frames.IsKnown(i, ref last);
+        bool isKnown = IsKnown(i, ref last);
         _now.Starts[i] = isKnown ? _last.Starts[last] : default;
         return _now.States[i] = isKnown ? _last.States[last] : PairState.Unknown;
     }
 
     /// <summary>The answer that the pair had in the last frame; for the value of last that found it.</summary>
     public ref readonly DistanceResult LastResult(int last) => ref _last.Results[last];
+
+    /// <inheritdoc/>
+    protected override void Turn(int count)
+    {
+        _last.Reserve(count);
+        (_now, _last) = (_last, _now);
+    }
 
     private sealed class Frame
     {
