@@ -102,23 +102,25 @@ internal struct HullArc
     private readonly bool IsHigh(in HullTurn end, double height) =>
         _height > 0 && Math.Min(_height, end.Of(_height, _slope)) >= Math.Max(height, 0);
 
-    /// <summary>How far to turn until another corner of A is as far as the edge.</summary>
+    /// <summary>How far to turn until another corner of A, that is not on the edge's line, is as far.</summary>
     private readonly HullTurn FindEnd<TA>(in HullFacet facet, ref TA a, in BodyForm form, out bool isCertain)
         where TA : struct, ISupportMap
     {
         int[] starts = form.Hull!.NeighborStart, neighbors = form.Hull.Neighbors;
         HullTurn end = HullTurn.Half;
-        double squared = 0;
+        double squared = 0, onLine = facet.LineSquared;
+        bool isClear = true;
         for (int k = starts[facet.IdP]; k < starts[facet.IdP + 1]; k++)
         {
             if (neighbors[k] == facet.IdQ) continue;
             a.TryGetVertex(neighbors[k], out Vector3D corner);
             Vector3D toEdge = facet.P - corner;
-            if (end.TryShorten(Vector3D.Dot(toEdge, _normal), Vector3D.Dot(toEdge, _ahead)))
-                squared = toEdge.LengthSquared;
+            double here = Vector3D.Dot(toEdge, _normal), ahead = Vector3D.Dot(toEdge, _ahead);
+            if (here * here + ahead * ahead <= onLine) isClear = false;
+            else if (end.TryShorten(here, ahead)) squared = toEdge.LengthSquared;
         }
 
-        isCertain = end.SizeSquared > NearEdge * squared;
+        isCertain = isClear && end.SizeSquared > NearEdge * squared;
         end.Normalize();
         return end;
     }

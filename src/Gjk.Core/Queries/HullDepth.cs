@@ -19,6 +19,11 @@ namespace Gjk.Core;
 /// lower end only, until what is left of it has two high ends.
 /// </para>
 /// <para>
+/// The poles of a sphere from sine and cosine are copies 1e-17 apart, and facets between them have no normal but
+/// rounding. Facets so thin that the depth is the same without them are left out, and so are corners on the line of an
+/// edge, which is walked from both sides then.
+/// </para>
+/// <para>
 /// It terminates because looks are counted. Verdicts: Enclosed when every facet and arc was proved to be no cheaper
 /// than the cheapest way out, which a support of both hulls has confirmed; Apart as those of the general search;
 /// Undecided when the looks are spent, or rounding has led a walk astray.
@@ -64,12 +69,13 @@ internal static class HullDepth
         where TB : struct, ISupportMap
     {
         Vector3D offset = frame.Rotation.InverseRotate(frame.Translation);
-        int count = form.B.TriangleCount;
+        int count = form.B.TriangleCount, lines = 0;
         for (int i = 0; i < count; i++)
         {
             // Not worth to begin: the looks will not do for all of B's facets and as many at A's.
             if (i == count / Sample && search.Supports * Sample * 2 > MostLooks * 5 / 8) return false;
             HullFacet.Get(ref b, form.B, i, out HullFacet facet);
+            if (facet.HasNoArea) lines++;
             if (facet.HasNoArea || facet.IsAbove(-offset, search.Limit - search.InnerA)) continue;
             Vector3D outward = facet.Normal * (1 / facet.Normal.Length), normal = frame.Rotation.Rotate(-outward);
             a.Support(normal, out Vector3D onA);
@@ -77,7 +83,7 @@ internal static class HullDepth
             if (!search.TryLook(ref a, ref b, frame, normal, height)) return false;
         }
 
-        return true;
+        return IsLeft(count, lines);
     }
 
     private static bool TryFacetsOfA<TA, TB>(
@@ -85,9 +91,11 @@ internal static class HullDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        for (int i = 0; i < form.A.TriangleCount; i++)
+        int count = form.A.TriangleCount, lines = 0;
+        for (int i = 0; i < count; i++)
         {
             HullFacet.Get(ref a, form.A, i, out HullFacet facet);
+            if (facet.HasNoArea) lines++;
             if (facet.HasNoArea || facet.IsAbove(frame.Translation, search.Limit - search.InnerB)) continue;
             Vector3D normal = facet.Normal * (1 / facet.Normal.Length), inB = frame.Rotation.InverseRotate(normal);
             int id = b.Support(-inB, out Vector3D onB);
@@ -101,6 +109,9 @@ internal static class HullDepth
             }
         }
 
-        return true;
+        return IsLeft(count, lines);
     }
+
+    /// <summary>Whether facets are left; a hull whose facets are all lines is none without them.</summary>
+    private static bool IsLeft(int count, int lines) => lines < count || count == 0;
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core.Tests.Support;
@@ -69,6 +70,35 @@ public class HullDepthTests
             Assert.Equal(FacetDepth.Of(baked, pose, Ico642, turned), -r.Distance, 1e-6);
         }
     }
+
+    /// <summary>
+    /// Circles of sines and cosines cross in copies 1e-45 to 1e-16 apart; the facets between them have no normal but
+    /// rounding. The first of the two hulls with every such crossing made one corner is the same but for rounding.
+    /// </summary>
+    [Fact]
+    public void CornersInManyCopies()
+    {
+        string file = Path.Combine(ProjectFolder.Root, "tests", "Cases", "pole_copies.records.txt");
+        foreach (string line in File.ReadLines(file))
+        {
+            QueryRecord p = QueryRecord.Parse(line);
+            DistanceResult r = ConvexQuery.SignedDistance(p.A, p.PoseA, p.B, p.PoseB);
+            double truth = FacetDepth.Of(WithoutCopies(p.A), p.PoseA, WithoutCopies(p.B), p.PoseB);
+            Assert.Equal(GjkStatus.Overlapping, r.Status);
+            Assert.Equal(truth, -r.Distance, 3e-7 * truth);
+        }
+    }
+
+    private static ConvexHull WithoutCopies(in ConvexShape shape)
+    {
+        float scale = shape.Scale.X;
+        return new(
+            [.. Points(shape.Hull!).Select(p => (X: Near(p.X), Y: Near(p.Y), Z: Near(p.Z))).Distinct()
+                .Select(p => new Vector3(p.X, p.Y, p.Z) * scale)]);
+    }
+
+    /// <summary>As far as the copies agree.</summary>
+    private static float Near(float x) => Math.Abs(x) < 1e-12f ? 0 : x is > 0.99999f or < -0.99999f ? Math.Sign(x) : x;
 
     /// <summary>
     /// Where not one facet is as high as another, too many must be looked at: the first of them tell, and both bounds
