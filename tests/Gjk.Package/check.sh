@@ -17,7 +17,7 @@ package=$(ls "$work"/feed/*.nupkg)
 unpack "$package" "$work/package"
 unpack "${package%.nupkg}.snupkg" "$work/symbols"
 
-for target in netstandard2.0 netstandard2.1 net8.0 net10.0; do
+for target in netstandard2.0 netstandard2.1 net10.0; do
   for file in package/lib/$target/Gjk.Core.{dll,xml} symbols/lib/$target/Gjk.Core.pdb; do
     [ -s "$work/$file" ] || fail "$file is missing"
   done

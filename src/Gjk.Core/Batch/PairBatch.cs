@@ -1,5 +1,5 @@
 using System;
-#if NET9_0_OR_GREATER
+#if NET
 using System.Runtime.CompilerServices;
 #endif
 using System.Threading;
@@ -170,7 +170,7 @@ public static partial class PairBatch
     {
         public void Run(int begin, int end)
         {
-#if NET9_0_OR_GREATER
+#if NET
             if (WideBatch.IsSupported)
             {
                 var question = new WideOverlaps(ref results[begin]);
@@ -192,7 +192,7 @@ public static partial class PairBatch
     {
         public void Run(int begin, int end)
         {
-#if NET9_0_OR_GREATER
+#if NET
             if (WideBatch.IsSupported)
             {
                 var question = new WideDistances(ref results[begin], maxDistance);
@@ -214,7 +214,7 @@ public static partial class PairBatch
     {
         public void Run(int begin, int end)
         {
-#if NET9_0_OR_GREATER
+#if NET
             if (WideBatch.IsSupported)
             {
                 var question = new WideWarmDistances(

@@ -1,4 +1,4 @@
-#if NET9_0_OR_GREATER
+#if NET
 using System.Runtime.Intrinsics;
 #endif
 
@@ -92,7 +92,7 @@ public struct WarmStart
         (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));
     }
 
-#if NET9_0_OR_GREATER
+#if NET
     /// <summary>How many vertices there seem to be: a warm start can hold anything.</summary>
     internal readonly int Count => _count;
 

@@ -1,4 +1,4 @@
-#if NET9_0_OR_GREATER
+#if NET
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;

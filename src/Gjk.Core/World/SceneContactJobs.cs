@@ -1,8 +1,8 @@
-#if NET9_0_OR_GREATER
+#if NET
 using System;
 #endif
 using System.Collections.Generic;
-#if NET9_0_OR_GREATER
+#if NET
 using System.Runtime.InteropServices;
 #endif
 
@@ -14,7 +14,7 @@ internal readonly struct SceneWithinJob(
 {
     public void Run(int begin, int end)
     {
-#if NET9_0_OR_GREATER
+#if NET
         if (WideBatch.IsSupported)
         {
             Span<DistanceResult> results = stackalloc DistanceResult[end - begin];

@@ -1,8 +1,8 @@
-#if NET9_0_OR_GREATER
+#if NET
 using System;
 #endif
 using System.Collections.Generic;
-#if NET9_0_OR_GREATER
+#if NET
 using System.Runtime.InteropServices;
 #endif
 
@@ -15,7 +15,7 @@ internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> 
     {
         ConvexShape[] shapes = objects.Shapes;
         RigidPose[] poses = objects.Poses;
-#if NET9_0_OR_GREATER
+#if NET
         if (WideBatch.IsSupported)
         {
             Span<GjkStatus> statuses = stackalloc GjkStatus[end - begin];
@@ -87,7 +87,7 @@ internal readonly struct SceneDistanceJob(
     /// <summary>Asks about the pairs that keep no answer, each from its warm start.</summary>
     private void Ask(int begin, int end)
     {
-#if NET9_0_OR_GREATER
+#if NET
         if (WideBatch.IsSupported)
         {
             var question = new WideWarmDistances(

@@ -1,6 +1,6 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-#if NET9_0_OR_GREATER
+#if NET
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 #endif
@@ -44,7 +44,7 @@ internal readonly struct BoxCorners
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Signs(int id) => (int)(_signs >> (BitsEach * id)) & Mask;
 
-#if NET9_0_OR_GREATER
+#if NET
     /// <summary>Both tables, for a lane.</summary>
     public ulong Packed => (ulong)_signs << 32 | _ids;
 

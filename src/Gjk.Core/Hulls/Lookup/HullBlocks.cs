@@ -101,7 +101,7 @@ internal static class HullBlocks
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
-#if NET9_0_OR_GREATER
+#if NET
         Vector256.MaxNative(a, b);
 #else
         Vector256.Max(a, b);

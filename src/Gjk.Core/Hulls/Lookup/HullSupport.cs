@@ -154,7 +154,7 @@ internal static class HullSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Index(double position, int side)
     {
-#if NET9_0_OR_GREATER
+#if NET
         // A cast would also care for positions that are no int.
         int index = double.ConvertToIntegerNative<int>(position);
 #else
