@@ -22,7 +22,7 @@ public class WorldScale
     [Params(20, 200, 2_000, 20_000, 100_000)]
     public int Objects { get; set; }
 
-    [Params(BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree)]
+    [Params(BroadPhaseKind.SortAndSweep, BroadPhaseKind.DynamicTree)]
     public BroadPhaseKind Phase { get; set; }
 
     [Params(false, true)]

@@ -18,7 +18,7 @@ internal sealed class ReportSceneClock
     /// </summary>
     private static readonly Vector3 Step = new(0.01f, 0, 0.01f);
 
-    private readonly CollisionScene _scene = new(BroadPhaseKind.AllPairs);
+    private readonly CollisionScene _scene = new(BroadPhaseKind.SortAndSweep);
     private readonly RigidPose[][] _frames;
     private readonly List<ObjectPair> _pairs = [];
     private readonly bool _isMoving;
@@ -38,7 +38,7 @@ internal sealed class ReportSceneClock
     {
         BenchScene objects = ReportScenes.Create(name);
         FrameFigures figures = new ReportSceneClock(objects, question, isMoving).Measure(seconds);
-        return new ScaleRow(name, question, objects.Shapes.Length, isMoving, BroadPhaseKind.AllPairs, 1, figures);
+        return new ScaleRow(name, question, objects.Shapes.Length, isMoving, BroadPhaseKind.SortAndSweep, 1, figures);
     }
 
     private FrameFigures Measure(double seconds)

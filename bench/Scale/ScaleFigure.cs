@@ -13,8 +13,7 @@ internal static class ScaleFigure
 
     private static readonly (BroadPhaseKind Phase, string Colour)[] Phases =
     [
-        (BroadPhaseKind.AllPairs, "#6e7781"), (BroadPhaseKind.SortAndSweep, "#8250df"),
-        (BroadPhaseKind.SweepAndPrune, "#1a7f37"), (BroadPhaseKind.DynamicTree, "#0969da"),
+        (BroadPhaseKind.SortAndSweep, "#8250df"), (BroadPhaseKind.DynamicTree, "#0969da"),
     ];
 
     public static string Draw(IReadOnlyCollection<ScaleRow> rows, string machine)

@@ -89,9 +89,7 @@ internal static class ScaleReport
 
     public static string PhaseName(Core.BroadPhaseKind phase) => phase switch
     {
-        Core.BroadPhaseKind.AllPairs => "all pairs",
         Core.BroadPhaseKind.SortAndSweep => "sort and sweep",
-        Core.BroadPhaseKind.SweepAndPrune => "sweep and prune",
         Core.BroadPhaseKind.DynamicTree => "dynamic tree",
         _ => throw new ArgumentOutOfRangeException(nameof(phase)),
     };

@@ -19,17 +19,9 @@ internal static class ScaleRun
     /// <summary>How many seconds a row is measured. With this value the whole run takes about four minutes.</summary>
     public const double DefaultSeconds = 1;
 
-    /// <summary>
-    /// Objects. Above this number, comparing all pairs takes several seconds per frame and shows nothing new.
-    /// </summary>
-    private const int MostForAllPairs = 20_000;
-
     private static readonly int[] Sizes = [20, 200, 2_000, 20_000, 100_000];
 
-    private static readonly BroadPhaseKind[] Phases =
-    [
-        BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree,
-    ];
+    private static readonly BroadPhaseKind[] Phases = [BroadPhaseKind.SortAndSweep, BroadPhaseKind.DynamicTree];
 
     /// <param name="progress">Receives a line per size.</param>
     /// <param name="seconds">How many seconds to measure a row, after a warm-up of one second.</param>
@@ -74,8 +66,7 @@ internal static class ScaleRun
             progress.WriteLine(FormattableString.Invariant($"{count} objects"));
             foreach (bool isMoving in new[] { false, true })
             {
-                bool comparesAll = count <= MostForAllPairs;
-                foreach (BroadPhaseKind phase in Phases.Where(p => p != BroadPhaseKind.AllPairs || comparesAll))
+                foreach (BroadPhaseKind phase in Phases)
                 {
                     yield return Row(count, isMoving, phase, null, seconds);
                     if (workers.ThreadCount > 1) yield return Row(count, isMoving, phase, workers, seconds);

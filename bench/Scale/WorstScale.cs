@@ -26,10 +26,7 @@ internal static class WorstScale
 
         """;
 
-    private static readonly BroadPhaseKind[] Phases =
-    [
-        BroadPhaseKind.AllPairs, BroadPhaseKind.SortAndSweep, BroadPhaseKind.SweepAndPrune, BroadPhaseKind.DynamicTree,
-    ];
+    private static readonly BroadPhaseKind[] Phases = [BroadPhaseKind.SortAndSweep, BroadPhaseKind.DynamicTree];
 
     /// <param name="output">Receives a table in Markdown.</param>
     /// <param name="seconds">How many seconds to measure a row at rest, and as many again while it moves.</param>
@@ -95,11 +92,6 @@ internal static class WorstScale
         return FrameLoop.Milliseconds(Stopwatch.GetTimestamp() - start);
     }
 
-    private static IBroadPhase Create(BroadPhaseKind kind) => kind switch
-    {
-        BroadPhaseKind.AllPairs => new AllPairs(),
-        BroadPhaseKind.SortAndSweep => new SortAndSweep(),
-        BroadPhaseKind.SweepAndPrune => new SweepAndPrune(),
-        _ => new DynamicAabbTree(),
-    };
+    private static IBroadPhase Create(BroadPhaseKind kind) =>
+        kind == BroadPhaseKind.SortAndSweep ? new SortAndSweep() : new DynamicAabbTree();
 }

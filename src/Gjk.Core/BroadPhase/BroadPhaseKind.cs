@@ -5,14 +5,8 @@ namespace Gjk.Core;
 /// </summary>
 public enum BroadPhaseKind
 {
-    /// <summary>Every pair of bounds is compared: the fastest for a few dozen objects.</summary>
-    AllPairs = 0,
-
     /// <summary>Sorted anew along one axis each time: simple and steady, up to some thousands.</summary>
-    SortAndSweep,
-
-    /// <summary>Sorted along all three axes, kept between frames: for objects that move little.</summary>
-    SweepAndPrune,
+    SortAndSweep = 0,
 
     /// <summary>A tree of boxes, kept between frames: the one that grows best.</summary>
     DynamicTree,

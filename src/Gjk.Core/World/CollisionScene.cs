@@ -40,9 +40,7 @@ public sealed partial class CollisionScene
     {
         _phase = broadPhase switch
         {
-            BroadPhaseKind.AllPairs => new AllPairs(),
             BroadPhaseKind.SortAndSweep => new SortAndSweep(),
-            BroadPhaseKind.SweepAndPrune => new SweepAndPrune(),
             BroadPhaseKind.DynamicTree => new DynamicAabbTree(),
             _ => throw new ArgumentOutOfRangeException(nameof(broadPhase), broadPhase, "There is no such broad phase."),
         };

@@ -12,12 +12,6 @@ internal sealed class WorldOptions
     /// <summary>Objects. The names, poses and bounds of this many take a gigabyte.</summary>
     private const int MostObjects = 1_000_000;
 
-    /// <summary>
-    /// Objects. With more of them, comparing every pair takes longer per frame than a user would wait, and a frame
-    /// cannot be cancelled halfway.
-    /// </summary>
-    private const int MostForAllPairs = 100_000;
-
     /// <summary>Threads. A larger value is most likely a typing error.</summary>
     private const int MostThreads = 256;
 
@@ -34,9 +28,8 @@ internal sealed class WorldOptions
     {
         _broad = new("--broad")
         {
-            Description = "Find the intersecting pairs of every frame instead of the report's 190 distances. The broad "
-                + "phase compares all pairs of bounds, or uses sort and sweep, sweep and prune, or a dynamic tree (the "
-                + "default with the options below).",
+            Description = "Find the intersecting pairs of every frame instead of the report's 190 distances, by sort and "
+                + "sweep or a dynamic tree (the default with the options below).",
             HelpName = string.Join('|', WorldSettings.BroadPhaseNames),
             CustomParser = BroadPhase,
         };
@@ -65,7 +58,6 @@ internal sealed class WorldOptions
         command.Options.Add(_motion);
         command.Options.Add(_objects);
         command.Options.Add(_threads);
-        command.Validators.Add(Check);
     }
 
     /// <summary>Null if none of the options was given.</summary>
@@ -82,19 +74,6 @@ internal sealed class WorldOptions
             Objects = objects,
             Threads = threads ?? 1,
         };
-    }
-
-    /// <summary>Checks the words as they were given, because an option that is refused has no value.</summary>
-    private void Check(CommandResult command)
-    {
-        bool isAll = command.GetResult(_broad) is { Tokens: [{ Value: "all" }] };
-        if (isAll
-            && command.GetResult(_objects) is { Tokens: [var number] }
-            && int.TryParse(number.Value, out int objects)
-            && objects > MostForAllPairs)
-        {
-            command.AddError($"--broad all compares every pair and takes at most {MostForAllPairs} objects.");
-        }
     }
 
     private static BroadPhaseKind? BroadPhase(ArgumentResult result)

@@ -17,7 +17,7 @@ internal sealed class WorldSettings
     public int Threads { get; init; } = 1;
 
     /// <summary>The words on the command line, in the order of <see cref="BroadPhaseKind"/>.</summary>
-    public static string[] BroadPhaseNames { get; } = ["all", "sort", "sweep", "tree"];
+    public static string[] BroadPhaseNames { get; } = ["sort", "tree"];
 
     public string BroadPhaseName => BroadPhaseNames[(int)BroadPhase];
 }

@@ -21,7 +21,7 @@ internal static class SceneRun
     {
         var hash = new BitHash();
         Run(BuiltInScenes.Cubes(WorldObjects), null, BroadPhaseKind.DynamicTree, ref hash);
-        Run(BuiltInScenes.Spheres(), null, BroadPhaseKind.SweepAndPrune, ref hash);
+        Run(BuiltInScenes.Spheres(), null, BroadPhaseKind.DynamicTree, ref hash);
         Run(BuiltInScenes.Cubes(WorldObjects), new FuzzRandom(4), BroadPhaseKind.SortAndSweep, ref hash);
         return hash;
     }

@@ -116,9 +116,7 @@ public class BroadPhaseTests
 
     internal static IBroadPhase Create(BroadPhaseKind kind) => kind switch
     {
-        BroadPhaseKind.AllPairs => new AllPairs(),
         BroadPhaseKind.SortAndSweep => new SortAndSweep(),
-        BroadPhaseKind.SweepAndPrune => new SweepAndPrune(),
         BroadPhaseKind.DynamicTree => new DynamicAabbTree(),
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "There is no class for this kind here."),
     };

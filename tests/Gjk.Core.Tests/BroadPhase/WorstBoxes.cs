@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core.Tests.Support;
 
@@ -40,6 +41,14 @@ internal sealed class WorstBoxes
     public int Count => _centers.Length;
 
     public Aabb Box(int i) => new(_centers[i] - _halves[i], _centers[i] + _halves[i]);
+
+    /// <summary>The pairs that are near each other, one by one.</summary>
+    public IEnumerable<ObjectPair> Pairs(float margin)
+    {
+        for (int i = 0; i < Count; i++)
+            for (int j = i + 1; j < Count; j++)
+                if (BoundsTable.Near(Box(i), Box(j), margin)) yield return new ObjectPair(i, j);
+    }
 
     /// <summary>Moves all boxes one step; to and fro, so that they stay what they are.</summary>
     public void Step(int frame)

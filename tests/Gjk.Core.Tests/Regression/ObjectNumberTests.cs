@@ -34,7 +34,7 @@ public class ObjectNumberTests
     public void TheLargestNumberCanBeUsed()
     {
         int id = Support.Budget.Count(1) > 1 ? (1 << 24) - 1 : 1 << 18;
-        foreach (BroadPhaseKind kind in new[] { BroadPhaseKind.DynamicTree, BroadPhaseKind.SweepAndPrune })
+        foreach (BroadPhaseKind kind in new[] { BroadPhaseKind.DynamicTree, BroadPhaseKind.SortAndSweep })
         {
             IBroadPhase phase = BroadPhaseTests.Create(kind);
             phase.Add(0, Unit);

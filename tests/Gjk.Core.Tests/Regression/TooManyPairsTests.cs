@@ -57,14 +57,8 @@ public class TooManyPairsTests
         IBroadPhase phase = BroadPhaseTests.Create(kind);
         switch (phase)
         {
-            case AllPairs all:
-                all.PairLimit = Limit;
-                break;
             case SortAndSweep sweep:
                 sweep.PairLimit = Limit;
-                break;
-            case SweepAndPrune prune:
-                prune.PairLimit = Limit;
                 break;
             case DynamicAabbTree tree:
                 tree.Pairs.PairLimit = Limit;

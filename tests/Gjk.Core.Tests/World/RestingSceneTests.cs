@@ -12,7 +12,7 @@ public class RestingSceneTests
     private const float Reach = 0.3f;
 
     [Theory]
-    [InlineData(BroadPhaseKind.AllPairs, 0)]
+    [InlineData(BroadPhaseKind.SortAndSweep, 0)]
     [InlineData(BroadPhaseKind.DynamicTree, 0)]
     [InlineData(BroadPhaseKind.DynamicTree, 2)]
     public void RestingPairsKeepTheirBitsAndMovedOnesAreAsked(BroadPhaseKind phase, int threads)
@@ -38,7 +38,7 @@ public class RestingSceneTests
     [Fact]
     public void NothingIsAskedOfAPairThatRests()
     {
-        CollisionScene scene = Made(new Rng(9), BroadPhaseKind.AllPairs);
+        CollisionScene scene = Made(new Rng(9), BroadPhaseKind.SortAndSweep);
         List<PairDistance> before = [], now = [];
         scene.FindPairsWithin(float.PositiveInfinity, before);
         Assert.Equal(Objects * (Objects - 1) / 2, before.Count);
@@ -51,7 +51,7 @@ public class RestingSceneTests
     }
 
     [Theory]
-    [InlineData(BroadPhaseKind.AllPairs, 0)]
+    [InlineData(BroadPhaseKind.SortAndSweep, 0)]
     [InlineData(BroadPhaseKind.DynamicTree, 2)]
     public void KeptDepthsAndContactsAreThoseOfAskingAnew(BroadPhaseKind phase, int threads)
     {

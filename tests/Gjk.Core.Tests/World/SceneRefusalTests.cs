@@ -74,7 +74,7 @@ public class SceneRefusalTests
         Assert.Equal(
             "bound",
             Assert.Throws<ArgumentOutOfRangeException>(
-                () => new CollisionScene(BroadPhaseKind.AllPairs, (BoundKind)2)).ParamName);
+                () => new CollisionScene(BroadPhaseKind.SortAndSweep, (BoundKind)2)).ParamName);
     }
 
     private static void RefusesIds(CollisionScene scene)

@@ -31,12 +31,8 @@ public sealed class WorldReplayTests
 
     /// <summary>The test computes the hashes from every pair, without a broad phase or a scene.</summary>
     [Theory]
-    [InlineData("--broad", "all", "--threads", "1")]
-    [InlineData("--broad", "all", "--threads", "2")]
     [InlineData("--broad", "sort", "--threads", "1")]
     [InlineData("--broad", "sort", "--threads", "2")]
-    [InlineData("--broad", "sweep", "--threads", "1")]
-    [InlineData("--broad", "sweep", "--threads", "2")]
     [InlineData("--broad", "tree", "--threads", "1")]
     [InlineData("--broad", "tree", "--threads", "2")]
     [InlineData]
@@ -134,14 +130,10 @@ public sealed class WorldReplayTests
     [InlineData("--broad")]
     [InlineData("--motion")]
     [InlineData("--objects --frames 1")]
-    [InlineData("--broad tree --broad all")]
+    [InlineData("--broad tree --broad sort")]
     [InlineData("--threads 1 --threads 2")]
     public void AnOptionWithoutOneValueIsOneLine(string options) =>
         DemoProcess.Run([.. options.Split(' ')]).AssertRefused(options.Split(' ')[0]);
-
-    [Fact]
-    public void TooManyObjectsForAllPairsAreRefused() =>
-        DemoProcess.Run("--broad", "all", "--objects", "100001").AssertRefused("--broad all", "at most 100000");
 
     [Fact]
     public void HelpNamesTheOptions()
