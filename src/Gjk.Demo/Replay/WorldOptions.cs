@@ -28,8 +28,8 @@ internal sealed class WorldOptions
     {
         _broad = new("--broad")
         {
-            Description = "Find the intersecting pairs of every frame instead of the report's 190 distances, by sort and "
-                + "sweep or a dynamic tree (the default with the options below).",
+            Description = "Find the intersecting pairs of every frame instead of the report's 190 distances, by sort "
+                + "and sweep or a dynamic tree (the default with the options below).",
             HelpName = string.Join('|', WorldSettings.BroadPhaseNames),
             CustomParser = BroadPhase,
         };
