@@ -9,6 +9,7 @@ cd "$(dirname "$0")"
 command -v npm > /dev/null || { echo "build.sh: Node.js is missing" >&2; exit 2; }
 [ -d node_modules/vitepress ] || npm ci --silent
 dotnet build -c Release -v quiet --nologo ../src/Gjk.Demo/Gjk.Demo.csproj
+dotnet build -c Release -v quiet --nologo ../src/Gjk.Web/Gjk.Web.csproj
 mkdir -p public
 cp ../src/Gjk.Core/Package/icon.svg example.scene.json scene.schema.json public/
 dotnet ../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll play --out public/play.html

@@ -9,6 +9,7 @@ source ./tools.sh
 command -v firefox-esr firefox > /dev/null || install_packages firefox-esr || true
 
 dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj
+dotnet build -c Release -v quiet ../../src/Gjk.Web/Gjk.Web.csproj
 demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 
 rm -rf TestResults

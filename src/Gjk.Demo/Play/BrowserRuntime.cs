@@ -4,7 +4,6 @@ using System.IO;
 using System.IO.Compression;
 using System.Linq;
 using System.Net;
-using System.Reflection;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Gjk.Demo.View;
@@ -13,12 +12,11 @@ namespace Gjk.Demo.Play;
 
 /// <summary>
 /// The library for a page: the runtime's scripts, which a page must hold in line, and its DLLs and WebAssembly as
-/// compressed text. All are embedded in the demo when it is built.
+/// compressed text. The project Gjk.Web puts all of them into a folder beside the demo when it is built.
 /// </summary>
 internal static partial class BrowserRuntime
 {
-    /// <summary>The folder that the names of the resources begin with.</summary>
-    private const string Folder = "browser/";
+    private static readonly string Folder = Path.Combine(AppContext.BaseDirectory, "browser");
 
     private static readonly (string Name, string File)[] Modules =
     [
@@ -81,8 +79,8 @@ internal static partial class BrowserRuntime
         return $"{words[^1]}:{words[0]}";
     }
 
-    private static IEnumerable<string> Names() => Assembly.GetExecutingAssembly().GetManifestResourceNames()
-        .Where(n => n.StartsWith(Folder)).Select(n => n[Folder.Length..]).Order(StringComparer.Ordinal);
+    private static IEnumerable<string> Names() =>
+        Directory.EnumerateFiles(Folder).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal);
 
     private static byte[] Zipped(string name)
     {
@@ -96,11 +94,21 @@ internal static partial class BrowserRuntime
         return bytes.ToArray();
     }
 
-    private static string Text(string name) => PageText.Asset(Folder + name);
+    private static string Text(string name)
+    {
+        using var reader = new StreamReader(Open(name));
+        return reader.ReadToEnd();
+    }
 
-    private static Stream Open(string name) =>
-        Assembly.GetExecutingAssembly().GetManifestResourceStream(Folder + name)
-        ?? throw new InvalidOperationException($"The demo was built without {name}.");
+    private static FileStream Open(string name)
+    {
+        string file = Path.Combine(Folder, name);
+        return File.Exists(file)
+            ? File.OpenRead(file)
+            : throw new RefusedException(
+                "this page runs the library, which was not built for browsers: "
+                + "dotnet build -c Release src/Gjk.Web builds it, and the whole solution does");
+    }
 
     [GeneratedRegex(@"^//# sourceMappingURL=.*$", RegexOptions.Multiline)]
     private static partial Regex SourceMap();
