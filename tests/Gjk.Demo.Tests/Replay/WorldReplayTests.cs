@@ -62,7 +62,7 @@ public sealed class WorldReplayTests
     [InlineData("spheres", 515, 515)]
     public void TheReportsSceneSavesMostCalls(string name, int vertices, int hullVertices)
     {
-        using JsonDocument written = Replay(["--broad", "sweep", "--frames", "3"]);
+        using JsonDocument written = Replay(["--broad", "sort", "--frames", "3"]);
         JsonElement scene = Scene(written, name);
         Assert.Equal(Fields, scene.EnumerateObject().Select(p => p.Name));
         Assert.Equal(
@@ -102,7 +102,7 @@ public sealed class WorldReplayTests
     }
 
     [Theory]
-    [InlineData("--broad", "quadtree", "--broad quadtree: must be one of all, sort, sweep, tree")]
+    [InlineData("--broad", "quadtree", "--broad quadtree: must be one of sort, tree")]
     [InlineData("--broad", "All", "--broad All")]
     [InlineData("--motion", "-0.01", "--motion -0.01: must be a number, at least 0")]
     [InlineData("--motion", "NaN", "--motion NaN: must be a number")]
@@ -140,7 +140,7 @@ public sealed class WorldReplayTests
     {
         DemoRun run = DemoProcess.Run("replay", "--help");
         run.AssertDone();
-        string[] words = ["--broad <all|sort|sweep|tree>", "--motion <SPEED>", "--objects <N>", "--threads <N>"];
+        string[] words = ["--broad <sort|tree>", "--motion <SPEED>", "--objects <N>", "--threads <N>"];
         foreach (string word in words) Assert.Contains(word, run.Out);
     }
 

@@ -48,6 +48,19 @@ public sealed class PlayTests
         Assert.Equal(3, directory.Files.Count());
     }
 
+    /// <summary>The demo alone, as its own project builds it, has no files for browsers beside it.</summary>
+    [UnixFact]
+    public void WithoutTheFilesForBrowsersItSaysHowToBuildThem()
+    {
+        using var directory = new TempDirectory();
+        const string script = """
+            cp "$(dirname "$GJK_DEMO")"/*.* "$1"
+            "$GJK_HOST" "$1/gjk-demo.dll" play --out "$1/page.html"
+            """;
+        DemoProcess.Shell(script, directory.Path).AssertRefused("not built for browsers", "src/Gjk.Web");
+        Assert.False(File.Exists(directory.File("page.html")));
+    }
+
     [Fact]
     public void ThePageAllowsItsOwnScriptsOnly()
     {
