@@ -66,7 +66,7 @@ public sealed class WorldReplayTests
         JsonElement scene = Scene(written, name);
         Assert.Equal(Fields, scene.EnumerateObject().Select(p => p.Name));
         Assert.Equal(
-            (20, vertices, hullVertices, "sweep", 0.0, 1, 190),
+            (20, vertices, hullVertices, "sort", 0.0, 1, 190),
             (Number(scene, "objects"), Number(scene, "vertices_per_object"), Number(scene, "hull_vertices"),
                 Text(scene, "broad"), scene.GetProperty("motion").GetDouble(),
                 Number(scene, "threads"), Number(scene, "pairs_per_frame")));
