@@ -35,7 +35,7 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Triangle(A, B, C, Center);
+        RayTarget.Triangle(A, B, C, Center, out target);
         return true;
     }
 
