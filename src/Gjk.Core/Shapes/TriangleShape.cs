@@ -33,6 +33,13 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
     /// <inheritdoc/>
     public double BoundingRadius => RadiusAbout(Center, A, B, C);
 
+    /// <summary>This, as queries ask it.</summary>
+    internal void Get(out TriangleCore triangle)
+    {
+        Vector3D center = Center;
+        TriangleCore.Make(A, B, C, center, RadiusAbout(center, A, B, C), 0, out triangle);
+    }
+
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
         RayTarget.Triangle(A, B, C, Center, out target);
@@ -51,7 +58,7 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
     public void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
         Vector3D center = Center;
-        PrimitiveFaces.Triangle(A - center, B - center, C - center, direction, ref corners);
+        TriangleCore.Face(A - center, B - center, C - center, direction, ref corners);
     }
 
     /// <inheritdoc/>
