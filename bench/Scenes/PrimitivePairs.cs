@@ -18,6 +18,11 @@ public sealed class PrimitivePairs
             var half = new Vector3(prng.Range(0.15f, 0.5f), prng.Range(0.15f, 0.5f), prng.Range(0.15f, 0.5f));
             return (new BoxShape(half), MeshVertices.Box(half));
         });
+        Triangles = new(25, prng =>
+        {
+            Vector3 a = prng.Direction() * 0.5f, b = prng.Direction() * 0.5f, c = prng.Direction() * 0.5f;
+            return (new TriangleShape(a, b, c), new[] { a, b, c });
+        });
     }
 
     public TypedPairs<SphereShape> Spheres { get; }
@@ -29,4 +34,6 @@ public sealed class PrimitivePairs
 
     /// <summary>Boxes with random sides.</summary>
     public TypedPairs<BoxShape> Boxes { get; }
+
+    public TypedPairs<TriangleShape> Triangles { get; }
 }

@@ -72,6 +72,7 @@ internal sealed class TableSet
         yield return OfTyped("capsule-capsule", pairs.Capsules);
         yield return OfTyped("box-box cubes", pairs.Cubes);
         yield return OfTyped("box-box random", pairs.Boxes);
+        yield return OfTyped("triangle-triangle", pairs.Triangles);
     }
 
     /// <summary>Overlapping pairs. The baseline does not know how deep they are.</summary>

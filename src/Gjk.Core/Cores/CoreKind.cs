@@ -14,4 +14,7 @@ internal enum CoreKind : byte
 
     /// <summary><see cref="SegmentCore"/>.</summary>
     Segment,
+
+    /// <summary><see cref="TriangleCore"/>.</summary>
+    Triangle,
 }

@@ -57,7 +57,7 @@ internal struct SegmentCore : ISupportMap, ISupportFace, ITightBounds
 
     public readonly int Support(in Vector3D direction, out Vector3D point)
     {
-        int id = FurthestEnd(_toFirst, direction);
+        int id = SupportId(direction);
         point = (id == 0 ? _first : _second).Xyz;
         return id;
     }
@@ -94,13 +94,19 @@ internal struct SegmentCore : ISupportMap, ISupportFace, ITightBounds
     private static double UnitDot(Vector3D toFirst, Vector3D direction) =>
         Vector3D.Dot(DirectionRange.ToUnit(direction), toFirst);
 
+    /// <summary>The id of the furthest end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly int SupportId(in Vector3D direction)
+    {
+        double dot = Vector3D.Dot(direction, _toFirst);
+        return DirectionRange.IsSafe(dot) ? BranchFree.IsNegative(dot)
+            : _count == 1 ? 0
+            : BranchFree.IsNegative(UnitDot(_toFirst, direction));
+    }
+
 #if NET
     /// <summary>From the second end to the first, and a 0.</summary>
     public readonly Vector256<double> ToFirst => Vector256.Create(_toFirst.X, _toFirst.Y, _toFirst.Z, 0);
-
-    /// <summary>The id of the furthest end.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly int SupportId(in Vector3D direction) => FurthestEnd(_toFirst, direction);
 
     /// <summary>An end, measured from the centre, and a 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

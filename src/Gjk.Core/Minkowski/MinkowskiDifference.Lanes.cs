@@ -25,7 +25,8 @@ internal static partial class MinkowskiDifference
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool HasLanes<T>() =>
-        typeof(T) == typeof(BoxCore) || typeof(T) == typeof(HullCore) || typeof(T) == typeof(SegmentCore);
+        typeof(T) == typeof(BoxCore) || typeof(T) == typeof(HullCore) || typeof(T) == typeof(SegmentCore)
+        || typeof(T) == typeof(TriangleCore);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3D SupportInLanes<TA, TB>(
@@ -93,6 +94,13 @@ internal static partial class MinkowskiDifference
             return segment.Lanes(id);
         }
 
+        if (typeof(T) == typeof(TriangleCore))
+        {
+            ref TriangleCore triangle = ref Unsafe.As<T, TriangleCore>(ref shape);
+            id = triangle.SupportId(Xyz(direction));
+            return triangle.Lanes(id);
+        }
+
         // A zero of either sign counts as positive.
         ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
         Vector256<double> negative = Vector256.LessThan(direction, Vector256<double>.Zero);
@@ -115,6 +123,12 @@ internal static partial class MinkowskiDifference
             ref SegmentCore segment = ref Unsafe.As<T, SegmentCore>(ref shape);
             vertex = segment.Lanes(id);
             return segment.Has(id);
+        }
+
+        if (typeof(T) == typeof(TriangleCore))
+        {
+            vertex = Unsafe.As<T, TriangleCore>(ref shape).Lanes(id);
+            return TriangleCore.Has(id);
         }
 
         ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);

@@ -44,8 +44,7 @@ public static partial class ConvexQuery
         double reach = Math.Max(maxFraction, 0) * length * (1 + GjkTolerances.FloatBand);
         var line = new WorldRay(point.Position, motion, length, reach);
         if (!IsRay(pose, turn, line) || !point.IsValid || !Guard.IsFinite(translation)
-            || !RayTargetOf<T>.TryGet(ref shape, out RayTarget target)
-            || !RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out RayMeeting hit))
+            || !TryClosedForm(ref shape, pose, turn, line, out RayMeeting hit))
         {
             return false;
         }

@@ -20,39 +20,41 @@ public static partial class ConvexQuery
         // Two capsules of that type have a cheaper support than segments: a sign.
         if (typeof(TA) == typeof(CapsuleShape) && typeof(TB) == typeof(CapsuleShape))
             return AskCores(ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-        switch ((PairDispatch.KindOf(ref a), PairDispatch.KindOf(ref b)))
+        return PairDispatch.KindOf(ref a) switch
         {
-            case (CoreKind.Box, CoreKind.Box):
-                return AskAs<TA, TB, BoxCore, BoxCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Box, CoreKind.Hull):
-                return AskAs<TA, TB, BoxCore, HullCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Box, CoreKind.Segment):
-                return AskAs<TA, TB, BoxCore, SegmentCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Hull, CoreKind.Box):
-                return AskAs<TA, TB, HullCore, BoxCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Hull, CoreKind.Hull):
-                return AskAs<TA, TB, HullCore, HullCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Hull, CoreKind.Segment):
-                return AskAs<TA, TB, HullCore, SegmentCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Segment, CoreKind.Box):
-                return AskAs<TA, TB, SegmentCore, BoxCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Segment, CoreKind.Hull):
-                return AskAs<TA, TB, SegmentCore, HullCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            case (CoreKind.Segment, CoreKind.Segment):
-                return AskAs<TA, TB, SegmentCore, SegmentCore, TTrace>(
-                    ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-            default:
-                return AskCores(ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace);
-        }
+            CoreKind.Box => AskByKind<TA, TB, BoxCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            CoreKind.Hull => AskByKind<TA, TB, HullCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            CoreKind.Segment => AskByKind<TA, TB, SegmentCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            CoreKind.Triangle => AskByKind<TA, TB, TriangleCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            _ => AskCores(ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+        };
     }
+
+    /// <summary>The same where the first core is known.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static DistanceResult AskByKind<TA, TB, TCoreA, TTrace>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, ref WarmStart warmStart,
+        bool isWarm, ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TCoreA : struct, ISupportMap
+        where TTrace : struct, IGjkTrace =>
+        PairDispatch.KindOf(ref b) switch
+        {
+            CoreKind.Box => AskAs<TA, TB, TCoreA, BoxCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            CoreKind.Hull => AskAs<TA, TB, TCoreA, HullCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            CoreKind.Segment => AskAs<TA, TB, TCoreA, SegmentCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            CoreKind.Triangle => AskAs<TA, TB, TCoreA, TriangleCore, TTrace>(
+                ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+            _ => AskCores(ref a, poseA, ref b, poseB, maxDistance, ref warmStart, isWarm, ref trace),
+        };
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static DistanceResult AskAs<TA, TB, TCoreA, TCoreB, TTrace>(
@@ -72,32 +74,30 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static GjkStatus StatusByKind<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        switch ((PairDispatch.KindOf(ref a), PairDispatch.KindOf(ref b)))
+        where TB : struct, ISupportMap =>
+        PairDispatch.KindOf(ref a) switch
         {
-            case (CoreKind.Box, CoreKind.Box):
-                return StatusAs<TA, TB, BoxCore, BoxCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Box, CoreKind.Hull):
-                return StatusAs<TA, TB, BoxCore, HullCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Box, CoreKind.Segment):
-                return StatusAs<TA, TB, BoxCore, SegmentCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Hull, CoreKind.Box):
-                return StatusAs<TA, TB, HullCore, BoxCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Hull, CoreKind.Hull):
-                return StatusAs<TA, TB, HullCore, HullCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Hull, CoreKind.Segment):
-                return StatusAs<TA, TB, HullCore, SegmentCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Segment, CoreKind.Box):
-                return StatusAs<TA, TB, SegmentCore, BoxCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Segment, CoreKind.Hull):
-                return StatusAs<TA, TB, SegmentCore, HullCore>(ref a, poseA, ref b, poseB);
-            case (CoreKind.Segment, CoreKind.Segment):
-                return StatusAs<TA, TB, SegmentCore, SegmentCore>(ref a, poseA, ref b, poseB);
-            default:
-                return StatusOfCores(ref a, poseA, ref b, poseB);
-        }
-    }
+            CoreKind.Box => StatusByKind<TA, TB, BoxCore>(ref a, poseA, ref b, poseB),
+            CoreKind.Hull => StatusByKind<TA, TB, HullCore>(ref a, poseA, ref b, poseB),
+            CoreKind.Segment => StatusByKind<TA, TB, SegmentCore>(ref a, poseA, ref b, poseB),
+            CoreKind.Triangle => StatusByKind<TA, TB, TriangleCore>(ref a, poseA, ref b, poseB),
+            _ => StatusOfCores(ref a, poseA, ref b, poseB),
+        };
+
+    /// <summary>The same where the first core is known.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static GjkStatus StatusByKind<TA, TB, TCoreA>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TCoreA : struct, ISupportMap =>
+        PairDispatch.KindOf(ref b) switch
+        {
+            CoreKind.Box => StatusAs<TA, TB, TCoreA, BoxCore>(ref a, poseA, ref b, poseB),
+            CoreKind.Hull => StatusAs<TA, TB, TCoreA, HullCore>(ref a, poseA, ref b, poseB),
+            CoreKind.Segment => StatusAs<TA, TB, TCoreA, SegmentCore>(ref a, poseA, ref b, poseB),
+            CoreKind.Triangle => StatusAs<TA, TB, TCoreA, TriangleCore>(ref a, poseA, ref b, poseB),
+            _ => StatusOfCores(ref a, poseA, ref b, poseB),
+        };
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static GjkStatus StatusAs<TA, TB, TCoreA, TCoreB>(

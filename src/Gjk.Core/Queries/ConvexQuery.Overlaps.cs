@@ -46,6 +46,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         if (AreBalls(ref a, ref b)) return StatusOfBalls(ref a, poseA, ref b, poseB);
+        if (AreBallsApart(ref a, poseA, ref b, poseB)) return GjkStatus.Separated;
 #if NET
         return StatusByKind(ref a, poseA, ref b, poseB);
 #else
@@ -58,7 +59,6 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (AreBallsApart(ref a, poseA, ref b, poseB)) return GjkStatus.Separated;
         PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
         if (!frame.IsValid) return GjkStatus.InvalidInput;
         Verdict verdict = frame.IsOrdinary ? QuickVerdict(ref a, ref b, frame) : Verdict.Undecided;

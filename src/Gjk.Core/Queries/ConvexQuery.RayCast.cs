@@ -97,8 +97,7 @@ public static partial class ConvexQuery
             hit = default;
             hit.Status = CastStatus.InvalidInput;
         }
-        else if (!RayTargetOf<T>.TryGet(ref shape, out RayTarget target)
-            || !RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out hit))
+        else if (!TryClosedForm(ref shape, pose, turn, line, out hit))
         {
             SearchRay(ref shape, pose, line, out hit);
         }
@@ -106,6 +105,30 @@ public static partial class ConvexQuery
         {
             hit.Status = CastStatus.OverlappingAtStart;
         }
+    }
+
+    /// <summary>What a ray meets, where a closed form says it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool TryClosedForm<T>(
+        ref T shape, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
+        where T : struct, ISupportMap
+    {
+        RayForm form = RayTargetOf<T>.GetPlain(ref shape, out Vector3D size);
+        hit = default;
+        return (form != RayForm.None
+                && RayCaster.TryCastPlain(form, size, shape.BoundingRadius, pose, turn, line, out hit))
+            || TryTarget(ref shape, pose, turn, line, out hit);
+    }
+
+    /// <summary>The same for any body; a method of its own, so that the commonest do not clear its target.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool TryTarget<T>(
+        ref T shape, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
+        where T : struct, ISupportMap
+    {
+        hit = default;
+        return RayTargetOf<T>.TryGet(ref shape, out RayTarget target)
+            && RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out hit);
     }
 
     /// <summary>Whether the numbers are those of a ray and a rotation.</summary>

@@ -17,6 +17,7 @@ internal static class PairDispatch
         if (typeof(T) == typeof(ConvexShape)) return Unsafe.As<T, ConvexShape>(ref shape).Core;
         if (typeof(T) == typeof(ConvexMesh)) return Unsafe.As<T, ConvexMesh>(ref shape).Core;
         if (typeof(T) == typeof(BoxShape)) return CoreKind.Box;
+        if (typeof(T) == typeof(TriangleShape)) return CoreKind.Triangle;
         return typeof(T) == typeof(CapsuleShape) || typeof(T) == typeof(SegmentShape)
             || typeof(T) == typeof(SphereShape) || typeof(T) == typeof(PointShape)
             ? CoreKind.Segment
@@ -44,6 +45,10 @@ internal static class PairDispatch
             case CoreKind.Segment:
                 Get(ref a, out SegmentCore segment);
                 AskOf(ref segment, poseA, ref b, poseB, ref question);
+                break;
+            case CoreKind.Triangle:
+                Get(ref a, out TriangleCore triangle);
+                AskOf(ref triangle, poseA, ref b, poseB, ref question);
                 break;
             default:
                 question.Ask(ref a, poseA, ref b, poseB);
@@ -73,6 +78,10 @@ internal static class PairDispatch
                 Get(ref b, out SegmentCore segment);
                 question.Ask(ref a, poseA, ref segment, poseB);
                 break;
+            case CoreKind.Triangle:
+                Get(ref b, out TriangleCore triangle);
+                question.Ask(ref a, poseA, ref triangle, poseB);
+                break;
             default:
                 question.Ask(ref a, poseA, ref b, poseB);
                 break;
@@ -88,7 +97,9 @@ internal static class PairDispatch
         Unsafe.SkipInit(out core);
         if (typeof(TCore) == typeof(BoxCore)) GetBox(ref shape, out Unsafe.As<TCore, BoxCore>(ref core));
         else if (typeof(TCore) == typeof(HullCore)) GetHull(ref shape, out Unsafe.As<TCore, HullCore>(ref core));
-        else GetSegment(ref shape, out Unsafe.As<TCore, SegmentCore>(ref core));
+        else if (typeof(TCore) == typeof(SegmentCore))
+            GetSegment(ref shape, out Unsafe.As<TCore, SegmentCore>(ref core));
+        else GetTriangle(ref shape, out Unsafe.As<TCore, TriangleCore>(ref core));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -104,6 +115,13 @@ internal static class PairDispatch
     {
         if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out hull);
         else Unsafe.As<T, ConvexMesh>(ref shape).Get(out hull);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GetTriangle<T>(ref T shape, out TriangleCore triangle)
+    {
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out triangle);
+        else Unsafe.As<T, TriangleShape>(ref shape).Get(out triangle);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

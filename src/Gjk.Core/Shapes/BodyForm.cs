@@ -54,7 +54,7 @@ internal struct BodyForm
     {
         form = default;
 #if NET
-        if (typeof(T) == typeof(BoxCore)) return;
+        if (typeof(T) == typeof(BoxCore) || typeof(T) == typeof(TriangleCore)) return;
         if (typeof(T) == typeof(HullCore))
         {
             form.SetHull(Unsafe.As<T, HullCore>(ref shape).Hull, new Vector3D(1, 1, 1) * (1 / unit));

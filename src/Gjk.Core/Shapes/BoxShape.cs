@@ -27,7 +27,7 @@ public readonly struct BoxShape : ISupportMap, ISupportFace, IRayTarget, ITightB
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Of(RayForm.Box, HalfExtents);
+        RayTarget.Of(RayForm.Box, HalfExtents, out target);
         return true;
     }
 

@@ -34,8 +34,8 @@ public readonly struct CapsuleShape : ISupportMap, ISupportFace, IRayTarget, ITi
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Capsule(
-            new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), default, Radius);
+        RayTarget.Capsule(
+            new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), default, Radius, out target);
         return true;
     }
 

@@ -28,7 +28,7 @@ public readonly struct ConeShape : ISupportMap, ISupportFace, IRayTarget, ITight
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Of(RayForm.Cone, new Vector3D(Radius, HalfHeight, 0));
+        RayTarget.Of(RayForm.Cone, new Vector3D(Radius, HalfHeight, 0), out target);
         return true;
     }
 

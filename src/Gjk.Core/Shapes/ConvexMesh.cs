@@ -43,7 +43,8 @@ public readonly struct ConvexMesh : ISupportMap, ISupportFace, IRayTarget, ITigh
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = _hull is null ? default : RayTarget.Of(_hull);
+        target = default;
+        if (_hull is not null) RayTarget.Of(_hull, out target);
         return _hull is not null;
     }
 

@@ -33,7 +33,7 @@ public readonly partial struct ConvexShape
                 PrimitiveFaces.Segment(a, b, direction, ref corners);
                 break;
             case ShapeKind.Triangle:
-                PrimitiveFaces.Triangle(a, b, _parts.C - center, direction, ref corners);
+                TriangleCore.Face(a, b, _parts.C - center, direction, ref corners);
                 break;
             case ShapeKind.Cylinder:
                 PrimitiveFaces.Cylinder(_parts.A.X, _parts.A.Y, direction, ref corners);

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Gjk.Core;
 
 public readonly partial struct ConvexShape
@@ -12,34 +14,46 @@ public readonly partial struct ConvexShape
         return found;
     }
 
+    /// <summary>Which body it is, if that is a ball or a box about its local origin; else None.</summary>
+    /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal RayForm GetPlain(out Vector3D size)
+    {
+        bool isBall = _isPlain & _parts.Kind == ShapeKind.Sphere;
+        size = isBall ? new Vector3D(1, 1, 1) * (_parts.InnerMargin + _parts.Rounding) : _parts.A;
+        return isBall ? RayForm.Ball
+            : _isPlain & _parts.Kind == ShapeKind.Box & _parts.Rounding == 0 ? RayForm.Box
+            : RayForm.None;
+    }
+
     /// <summary>What a ray sees of a shape without layers, not yet widened.</summary>
     private bool TryGetCore(out RayTarget target)
     {
         switch (_parts.Kind)
         {
             case ShapeKind.Point or ShapeKind.Sphere:
-                target = RayTarget.Ball(_parts.InnerMargin);
+                RayTarget.Ball(_parts.InnerMargin, out target);
                 break;
             case ShapeKind.Box:
-                target = RayTarget.Of(RayForm.Box, _parts.A);
+                RayTarget.Of(RayForm.Box, _parts.A, out target);
                 break;
             case ShapeKind.Mesh:
-                target = RayTarget.Of(_parts.Hull!);
+                RayTarget.Of(_parts.Hull!, out target);
                 break;
             case ShapeKind.Segment or ShapeKind.Capsule:
-                target = RayTarget.Capsule(_parts.A, _parts.B, CoreCenter(_parts), _parts.InnerMargin);
+                RayTarget.Capsule(_parts.A, _parts.B, CoreCenter(_parts), _parts.InnerMargin, out target);
                 break;
             case ShapeKind.Triangle:
-                target = RayTarget.Triangle(_parts.A, _parts.B, _parts.C, CoreCenter(_parts));
+                RayTarget.Triangle(_parts.A, _parts.B, _parts.C, CoreCenter(_parts), out target);
                 break;
             case ShapeKind.Cylinder:
-                target = RayTarget.Of(RayForm.Cylinder, _parts.A);
+                RayTarget.Of(RayForm.Cylinder, _parts.A, out target);
                 break;
             case ShapeKind.Cone:
-                target = RayTarget.Of(RayForm.Cone, _parts.A);
+                RayTarget.Of(RayForm.Cone, _parts.A, out target);
                 break;
             case ShapeKind.Ellipsoid:
-                target = RayTarget.Of(RayForm.Ellipsoid, _parts.A);
+                RayTarget.Of(RayForm.Ellipsoid, _parts.A, out target);
                 break;
             default:
                 target = default;

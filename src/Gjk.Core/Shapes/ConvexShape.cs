@@ -43,6 +43,7 @@ public readonly partial struct ConvexShape
             : parts.Kind == ShapeKind.Box ? CoreKind.Box
             : parts.Kind is ShapeKind.Segment or ShapeKind.Capsule or ShapeKind.Point or ShapeKind.Sphere
                 ? CoreKind.Segment
+            : parts.Kind == ShapeKind.Triangle ? CoreKind.Triangle
             : parts.Kind != ShapeKind.Mesh ? CoreKind.Other
             : parts.Hull!.IsExactBox ? CoreKind.Box : CoreKind.Hull;
         _margin = _scale.Margin(parts.InnerMargin) + parts.Rounding;
@@ -140,6 +141,11 @@ public readonly partial struct ConvexShape
         int count = _parts.Kind is ShapeKind.Segment or ShapeKind.Capsule ? 2 : 1;
         SegmentCore.Make(_parts.A, _parts.B, count, _center, _boundingRadius, _margin, out segment);
     }
+
+    /// <summary>This, known to be a triangle.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal void Get(out TriangleCore triangle) => TriangleCore.Make(
+        _parts.A, _parts.B, _parts.C, _center, _boundingRadius, _margin, out triangle);
 
     private static Vector3D CoreCenter(in ShapeParts parts) => parts.Kind switch
     {

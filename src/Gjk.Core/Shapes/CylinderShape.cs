@@ -28,7 +28,7 @@ public readonly struct CylinderShape : ISupportMap, ISupportFace, IRayTarget, IT
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Of(RayForm.Cylinder, new Vector3D(Radius, HalfHeight, 0));
+        RayTarget.Of(RayForm.Cylinder, new Vector3D(Radius, HalfHeight, 0), out target);
         return true;
     }
 

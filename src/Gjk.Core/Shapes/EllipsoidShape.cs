@@ -24,7 +24,7 @@ public readonly struct EllipsoidShape : ISupportMap, IRayTarget, ITightBounds
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Of(RayForm.Ellipsoid, Radii);
+        RayTarget.Of(RayForm.Ellipsoid, Radii, out target);
         return true;
     }
 

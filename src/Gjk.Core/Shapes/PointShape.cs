@@ -18,7 +18,7 @@ public readonly struct PointShape : ISupportMap, IRayTarget, ITightBounds
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Ball(0);
+        RayTarget.Ball(0, out target);
         return true;
     }
 

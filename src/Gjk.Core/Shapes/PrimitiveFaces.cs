@@ -23,30 +23,6 @@ internal static class PrimitiveFaces
         if (isEdge || id == 1) corners.Add(b, 1);
     }
 
-    /// <summary>A triangle, from either side, or one of its edges or corners.</summary>
-    public static void Triangle(
-        in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, ref FaceCorners corners)
-    {
-        Vector3D normal = Vector3D.Cross(b - a, c - a);
-        if (FaceTilt.IsLevelFace(normal, direction) || FaceTilt.IsLevelFace(-normal, direction))
-        {
-            corners.Add(a, 0);
-            corners.Add(b, 1);
-            corners.Add(c, 2);
-            return;
-        }
-
-        // The more level of the two edges at the furthest corner, as for a hull.
-        int id = PrimitiveSupport.Triangle(a, b, c, direction, out Vector3D point);
-        Vector3D next = (id == 0 ? b : id == 1 ? c : a) - point, last = (id == 0 ? c : id == 1 ? a : b) - point;
-        bool isNext = FaceTilt.Rise(next, direction) <= FaceTilt.Rise(last, direction);
-        bool isEdge = FaceTilt.IsLevelEdge(isNext ? next : last, direction);
-        int end = !isEdge ? id : isNext ? (id + 1) % 3 : (id + 2) % 3;
-        if (id == 0 || end == 0) corners.Add(a, 0);
-        if (id == 1 || end == 1) corners.Add(b, 1);
-        if (id == 2 || end == 2) corners.Add(c, 2);
-    }
-
     /// <summary>A cylinder's cap, or the line of its side that lies furthest.</summary>
     public static void Cylinder(double radius, double halfHeight, in Vector3D direction, ref FaceCorners corners)
     {

@@ -27,16 +27,7 @@ internal static class PrimitiveSupport
 
     public static int Triangle(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, out Vector3D point)
     {
-        Vector3D toB = b - a, toC = c - a;
-        double db = Vector3D.Dot(direction, toB), dc = Vector3D.Dot(direction, toC);
-        if (!(DirectionRange.IsSafe(db) && DirectionRange.IsSafe(dc)))
-        {
-            Vector3D unit = DirectionRange.ToUnit(direction);
-            db = Vector3D.Dot(unit, toB);
-            dc = Vector3D.Dot(unit, toC);
-        }
-
-        int id = db <= 0 ? (dc <= 0 ? 0 : 2) : (db >= dc ? 1 : 2);
+        int id = TriangleCore.Furthest(b - a, c - a, direction);
         point = id == 0 ? a : id == 1 ? b : c;
         return id;
     }

@@ -36,21 +36,45 @@ internal struct RayTarget
     /// <summary>The hull of a body that is one.</summary>
     public ConvexHull? Hull;
 
-    public static RayTarget Ball(double radius) => new() { Form = RayForm.Ball, Radius = radius };
+    /// <summary>A ball about the centre. All makers write where the body is to be: a copy costs as much as a ray.
+    /// </summary>
+    public static void Ball(double radius, out RayTarget target)
+    {
+        target = default;
+        (target.Form, target.Radius) = (RayForm.Ball, radius);
+    }
 
     /// <summary>A segment, with a radius or without.</summary>
-    public static RayTarget Capsule(in Vector3D a, in Vector3D b, in Vector3D center, double radius) =>
-        new() { Form = RayForm.Capsule, A = a - center, B = b - center, Center = center, Radius = radius };
+    public static void Capsule(
+        in Vector3D a, in Vector3D b, in Vector3D center, double radius, out RayTarget target)
+    {
+        target = default;
+        (target.Form, target.Radius, target.Center) = (RayForm.Capsule, radius, center);
+        (target.A, target.B) = (a - center, b - center);
+    }
 
-    public static RayTarget Triangle(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D center) =>
-        new() { Form = RayForm.Triangle, A = a - center, B = b - center, C = c - center, Center = center };
+    public static void Triangle(
+        in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D center, out RayTarget target)
+    {
+        target = default;
+        (target.Form, target.Center) = (RayForm.Triangle, center);
+        (target.A, target.B, target.C) = (a - center, b - center, c - center);
+    }
 
     /// <summary>A box, cylinder, cone or ellipsoid.</summary>
-    public static RayTarget Of(RayForm form, in Vector3D size) => new() { Form = form, A = size };
+    public static void Of(RayForm form, in Vector3D size, out RayTarget target)
+    {
+        target = default;
+        (target.Form, target.A) = (form, size);
+    }
 
-    public static RayTarget Of(ConvexHull hull) => hull.IsExactBox
-        ? new() { Form = RayForm.Box, A = hull.Cells.Stretch, Center = hull.Center }
-        : new() { Form = RayForm.Hull, Hull = hull, Center = hull.Center };
+    public static void Of(ConvexHull hull, out RayTarget target)
+    {
+        target = default;
+        target.Center = hull.Center;
+        if (hull.IsExactBox) (target.Form, target.A) = (RayForm.Box, hull.Cells.Stretch);
+        else (target.Form, target.Hull) = (RayForm.Hull, hull);
+    }
 
     /// <summary>Scales the body along its axes; the centre is the caller's to scale.</summary>
     /// <returns>False where that leaves no body of these forms.</returns>

@@ -1,6 +1,5 @@
-#if NET
 using System.Runtime.CompilerServices;
-#else
+#if !NET
 using System;
 using System.Reflection;
 #endif
@@ -14,6 +13,39 @@ namespace Gjk.Core;
 internal static class RayTargetOf<T>
     where T : struct, ISupportMap
 {
+    /// <summary>
+    /// The commonest bodies in short, without a <see cref="RayTarget"/>: a ball or a box about the local origin; None
+    /// for everything else. Which types can be one is known when the code is compiled.
+    /// </summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static RayForm GetPlain(ref T shape, out Vector3D size)
+    {
+        if (typeof(T) == typeof(ConvexShape)) return As<ConvexShape>(ref shape).GetPlain(out size);
+        bool isBall = typeof(T) == typeof(SphereShape), isBox = typeof(T) == typeof(BoxShape);
+        size = isBall ? new Vector3D(1, 1, 1) * As<SphereShape>(ref shape).Radius
+            : isBox ? (Vector3D)As<BoxShape>(ref shape).HalfExtents
+            : default;
+        return isBall ? RayForm.Ball : isBox ? RayForm.Box : RayForm.None;
+    }
+
+    /// <summary>The shape as the type that it is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#if NET
+    private static ref TShape As<TShape>(ref T shape)
+        where TShape : struct =>
+        ref Unsafe.As<T, TShape>(ref shape);
+#else
+    private static unsafe ref TShape As<TShape>(ref T shape)
+        where TShape : struct
+    {
+#pragma warning disable CS8500 // The two are one type, so what the garbage collector sees does not change.
+        fixed (T* same = &shape) return ref *(TShape*)same;
+#pragma warning restore CS8500
+    }
+#endif
+
 #if NET
     /// <summary>The body; false for a user's shape and for what no closed form fits.</summary>
     [MethodImpl(Jit.AtOnce)]

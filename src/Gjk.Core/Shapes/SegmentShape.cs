@@ -34,7 +34,7 @@ public readonly struct SegmentShape : ISupportMap, ISupportFace, IRayTarget, ITi
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Capsule(A, B, Center, 0);
+        RayTarget.Capsule(A, B, Center, 0, out target);
         return true;
     }
 

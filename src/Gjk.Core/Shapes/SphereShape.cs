@@ -25,7 +25,7 @@ public readonly struct SphereShape : ISupportMap, IRayTarget, ITightBounds
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Ball(Radius);
+        RayTarget.Ball(Radius, out target);
         return true;
     }
 

@@ -15,6 +15,9 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
     /// <summary>The third corner.</summary>
     public readonly Vector3 C;
 
+    private readonly Vector3D _center;
+    private readonly double _radius;
+
     /// <summary>Makes a triangle.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A coordinate is NaN or infinite.</exception>
     public TriangleShape(Vector3 a, Vector3 b, Vector3 c)
@@ -22,20 +25,26 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
         A = Guard.Finite(a, nameof(a));
         B = Guard.Finite(b, nameof(b));
         C = Guard.Finite(c, nameof(c));
+        _center = Centroid(A, B, C);
+        _radius = RadiusAbout(_center, A, B, C);
     }
 
     /// <inheritdoc/>
-    public Vector3D Center => Centroid(A, B, C);
+    public Vector3D Center => _center;
 
     /// <inheritdoc/>
     public double Margin => 0;
 
     /// <inheritdoc/>
-    public double BoundingRadius => RadiusAbout(Center, A, B, C);
+    public double BoundingRadius => _radius;
+
+    /// <summary>This, as queries ask it.</summary>
+    internal void Get(out TriangleCore triangle) =>
+        TriangleCore.Make(A, B, C, _center, _radius, 0, out triangle);
 
     bool IRayTarget.TryGetTarget(out RayTarget target)
     {
-        target = RayTarget.Triangle(A, B, C, Center);
+        RayTarget.Triangle(A, B, C, Center, out target);
         return true;
     }
 
@@ -43,15 +52,14 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
     public int Support(in Vector3D direction, out Vector3D point)
     {
         int id = PrimitiveSupport.Triangle(A, B, C, direction, out point);
-        point -= Center;
+        point -= _center;
         return id;
     }
 
     /// <inheritdoc/>
     public void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
-        Vector3D center = Center;
-        PrimitiveFaces.Triangle(A - center, B - center, C - center, direction, ref corners);
+        TriangleCore.Face(A - _center, B - _center, C - _center, direction, ref corners);
     }
 
     /// <inheritdoc/>

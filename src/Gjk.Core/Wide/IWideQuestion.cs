@@ -83,7 +83,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
     public double Reach => ConvexQuery.ShapeReach(0);
 
     /// <summary>
-    /// Balls that are apart need no walk (<c>ConvexQuery.AreBallsApart</c>); meshes without margins are as fast alone.
+    /// Balls that are apart need no walk (<c>ConvexQuery.AreBallsApart</c>); hulls without margins are as fast alone.
     /// </summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
@@ -94,7 +94,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
             return WideRoute.Answered;
         }
 
-        bool isWide = a.Margin + b.Margin > 0 || (a.Core == CoreKind.Box && b.Core == CoreKind.Box);
+        bool isWide = a.Margin + b.Margin > 0 || (a.Core != CoreKind.Hull && b.Core != CoreKind.Hull);
         return isWide ? WideRoute.Cold : WideRoute.Alone;
     }
 

@@ -116,11 +116,9 @@ internal struct WideSegments : IWideSide
 
     public WideVector Support(in WideVector direction, uint live, out Vector256<long> slots)
     {
-        Lanes dot = WideVector.Dot(direction, _toFirst), size = Vector256.Abs(dot);
-        Lanes safe = Vector256.GreaterThan(size, Vector256.Create(DirectionRange.LeastDot))
-            & Vector256.LessThan(size, Vector256.Create(DirectionRange.MostDot));
+        Lanes dot = WideVector.Dot(direction, _toFirst);
         slots = Vector256.LessThan(dot, Lanes.Zero).AsInt64() & Vector256<long>.One;
-        uint rest = live & ~safe.ExtractMostSignificantBits();
+        uint rest = live & ~AreSafe(dot).ExtractMostSignificantBits();
         for (int lane = 0; rest != 0; lane++, rest >>= 1)
         {
             if ((rest & 1) != 0) slots = slots.WithElement(lane, _cores[lane].SupportId(direction[lane]));
@@ -128,6 +126,12 @@ internal struct WideSegments : IWideSide
 
         return Vertex(slots);
     }
+
+    /// <inheritdoc cref="DirectionRange.IsSafe"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Lanes AreSafe(Lanes dot) =>
+        Vector256.GreaterThan(Vector256.Abs(dot), Vector256.Create(DirectionRange.LeastDot))
+            & Vector256.LessThan(Vector256.Abs(dot), Vector256.Create(DirectionRange.MostDot));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public WideVector Vertex(Vector256<long> slots) =>
@@ -146,6 +150,61 @@ internal struct WideSegments : IWideSide
     private struct FourSegments
     {
         private SegmentCore _first;
+    }
+}
+
+/// <summary>Triangles. A slot is a corner's id.</summary>
+internal struct WideTriangles : IWideSide
+{
+    private FourTriangles _cores;
+    private WideVector _first, _second, _third, _toSecond, _toThird;
+
+    public void Load(int lane, in ConvexShape shape)
+    {
+        shape.Get(out _cores[lane]);
+        if (lane < 3) return;
+        ref TriangleCore a = ref _cores[0], b = ref _cores[1], c = ref _cores[2], d = ref _cores[3];
+        _first = WideVector.Transpose(a.Lanes(0), b.Lanes(0), c.Lanes(0), d.Lanes(0));
+        _second = WideVector.Transpose(a.Lanes(1), b.Lanes(1), c.Lanes(1), d.Lanes(1));
+        _third = WideVector.Transpose(a.Lanes(2), b.Lanes(2), c.Lanes(2), d.Lanes(2));
+        _toSecond = WideVector.Transpose(a.ToSecond, b.ToSecond, c.ToSecond, d.ToSecond);
+        _toThird = WideVector.Transpose(a.ToThird, b.ToThird, c.ToThird, d.ToThird);
+    }
+
+    public WideVector Support(in WideVector direction, uint live, out Vector256<long> slots)
+    {
+        Lanes second = WideVector.Dot(direction, _toSecond), third = WideVector.Dot(direction, _toThird);
+        Lanes isThird = Vector256.GreaterThan(third, Vector256.Max(second, Lanes.Zero));
+        slots = Vector256.ConditionalSelect(
+            isThird.AsInt64(), Vector256.Create(2L),
+            Vector256.GreaterThan(second, Lanes.Zero).AsInt64() & Vector256<long>.One);
+        uint rest = live & ~(WideSegments.AreSafe(second) & WideSegments.AreSafe(third)).ExtractMostSignificantBits();
+        for (int lane = 0; rest != 0; lane++, rest >>= 1)
+        {
+            if ((rest & 1) != 0) slots = slots.WithElement(lane, _cores[lane].SupportId(direction[lane]));
+        }
+
+        return Vertex(slots);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public WideVector Vertex(Vector256<long> slots) => WideVector.Select(
+        Vector256.Equals(slots, Vector256.Create(2L)).AsDouble(), _third,
+        WideVector.Select(Vector256.Equals(slots, Vector256<long>.Zero).AsDouble(), _first, _second));
+
+    public Vector256<long> IdsOf(Vector256<long> slots) => slots;
+
+    public Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found)
+    {
+        Vector256<long> isThere = Vector256.LessThan(ids, Vector256.Create(3L));
+        found &= isThere.AsDouble();
+        return ids & isThere;
+    }
+
+    [InlineArray(4)]
+    private struct FourTriangles
+    {
+        private TriangleCore _first;
     }
 }
 

@@ -19,7 +19,7 @@ internal readonly unsafe ref struct WideBatch
     private const int LeastPairs = 3;
 
     /// <summary>Count: kinds of pairs, by their routes and the kinds of their cores.</summary>
-    private const int CoreKinds = 16, Kinds = 3 * CoreKinds;
+    private const int OneKinds = 5, CoreKinds = OneKinds * OneKinds, Kinds = 3 * CoreKinds;
 
     /// <summary>Stands for the kind of a pair that was answered when it was sorted.</summary>
     private const int Answered = Kinds;
@@ -80,39 +80,55 @@ internal readonly unsafe ref struct WideBatch
     private void AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
         where TQuestion : struct, IWideQuestion, allows ref struct
     {
-        switch (((CoreKind)((kind >> 2) & 3), (CoreKind)(kind & 3)))
+        switch ((CoreKind)(kind % CoreKinds / OneKinds))
         {
-            case (CoreKind.Box, CoreKind.Box):
-                Ask<WideBoxes, WideBoxes, TQuestion>(index, count, ref question);
+            case CoreKind.Box:
+                AskKind<WideBoxes, TQuestion>(kind, index, count, ref question);
                 break;
-            case (CoreKind.Box, CoreKind.Hull):
-                Ask<WideBoxes, WideHulls, TQuestion>(index, count, ref question);
+            case CoreKind.Hull:
+                AskKind<WideHulls, TQuestion>(kind, index, count, ref question);
                 break;
-            case (CoreKind.Box, CoreKind.Segment):
-                Ask<WideBoxes, WideSegments, TQuestion>(index, count, ref question);
+            case CoreKind.Segment:
+                AskKind<WideSegments, TQuestion>(kind, index, count, ref question);
                 break;
-            case (CoreKind.Hull, CoreKind.Box):
-                Ask<WideHulls, WideBoxes, TQuestion>(index, count, ref question);
-                break;
-            case (CoreKind.Hull, CoreKind.Hull):
-                Ask<WideHulls, WideHulls, TQuestion>(index, count, ref question);
-                break;
-            case (CoreKind.Hull, CoreKind.Segment):
-                Ask<WideHulls, WideSegments, TQuestion>(index, count, ref question);
-                break;
-            case (CoreKind.Segment, CoreKind.Box):
-                Ask<WideSegments, WideBoxes, TQuestion>(index, count, ref question);
-                break;
-            case (CoreKind.Segment, CoreKind.Hull):
-                Ask<WideSegments, WideHulls, TQuestion>(index, count, ref question);
-                break;
-            case (CoreKind.Segment, CoreKind.Segment):
-                Ask<WideSegments, WideSegments, TQuestion>(index, count, ref question);
+            case CoreKind.Triangle:
+                AskKind<WideTriangles, TQuestion>(kind, index, count, ref question);
                 break;
             default:
-                for (int i = 0; i < count; i++) question.Alone(this, index[i]);
+                AskAlone(index, count, ref question);
                 break;
         }
+    }
+
+    /// <summary>The same where the kind of the first shapes is known.</summary>
+    private void AskKind<TA, TQuestion>(int kind, int* index, int count, ref TQuestion question)
+        where TA : struct, IWideSide
+        where TQuestion : struct, IWideQuestion, allows ref struct
+    {
+        switch ((CoreKind)(kind % OneKinds))
+        {
+            case CoreKind.Box:
+                Ask<TA, WideBoxes, TQuestion>(index, count, ref question);
+                break;
+            case CoreKind.Hull:
+                Ask<TA, WideHulls, TQuestion>(index, count, ref question);
+                break;
+            case CoreKind.Segment:
+                Ask<TA, WideSegments, TQuestion>(index, count, ref question);
+                break;
+            case CoreKind.Triangle:
+                Ask<TA, WideTriangles, TQuestion>(index, count, ref question);
+                break;
+            default:
+                AskAlone(index, count, ref question);
+                break;
+        }
+    }
+
+    private void AskAlone<TQuestion>(int* index, int count, ref TQuestion question)
+        where TQuestion : struct, IWideQuestion, allows ref struct
+    {
+        for (int i = 0; i < count; i++) question.Alone(this, index[i]);
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
@@ -176,7 +192,7 @@ internal readonly unsafe ref struct WideBatch
         if (route == WideRoute.Answered) return Answered;
         ref ConvexShape a = ref ShapeA(pair), b = ref ShapeB(pair);
         if (route == WideRoute.Alone || ConvexQuery.AreBalls(ref a, ref b)) return 0;
-        return ((int)a.Core << 2 | (int)b.Core) + CoreKinds * (route - WideRoute.Cold);
+        return OneKinds * (int)a.Core + (int)b.Core + CoreKinds * (route - WideRoute.Cold);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

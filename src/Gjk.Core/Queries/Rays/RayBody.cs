@@ -79,7 +79,7 @@ internal static class RayBody
             case RayForm.Ball when target.Radius > 0:
                 isFound = RayBall.TryFind(ray, target.Radius, out span);
                 break;
-            case RayForm.Box when size.X * size.Y + size.Y * size.Z + size.Z * size.X > 0:
+            case RayForm.Box when RayBox.IsSolid(size):
                 isFound = RayBox.TryFind(ray, size, out span);
                 isAlong = RayBox.IsAlongSide(ray, size);
                 break;

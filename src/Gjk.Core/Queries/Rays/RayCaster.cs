@@ -69,20 +69,9 @@ internal static class RayCaster
         Vector3D between = (Vector3D)line.Origin - pose.Position;
         if (target.Form == RayForm.Ball && target.Center.SumOfMagnitudes == 0)
             return TryCastBall(target.Radius, pose, between, line, ref hit);
-        Quaternion q = pose.Rotation;
-        RotationD.Set(out RotationD rotation, q.X, q.Y, q.Z, q.W, turn);
-        Vector3D local = rotation.InverseRotate(between) - target.Center;
-        double offset = target.Center.SumOfMagnitudes;
-        bool isNear = LocalRay.TryMake(
-            local, rotation.InverseRotate(line.Direction), line.Length, radius, out LocalRay ray)
-            && offset <= PairFrame.FarCenter * radius;
-        double reach = radius + FootError * (between.SumOfMagnitudes + offset);
-        if (ray.Foot.LengthSquared > reach * reach || ray.Shift < -reach || ray.Shift - reach > line.Reach)
-        {
-            hit.Status = CastStatus.Miss;
-            return true;
-        }
-
+        bool isNear = TryApproach(
+            target.Center, radius, between, pose, turn, line, ref hit, out RotationD rotation, out LocalRay ray);
+        if (hit.Status != CastStatus.None) return true;
         if (!isNear)
         {
             LocalRay.MakeFar(pose, target.Center, line, out ray);
@@ -102,15 +91,69 @@ internal static class RayCaster
         if (finding == RayFinding.Unfit) return false;
         Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, ref hit);
         if (hit.Status != CastStatus.Hit) return true;
+        Place(rotation, span, line, ref hit);
+        if (!isNear) hit.Point = rotation.Rotate(ray.At(span.Enter) + target.Center) + pose.Position;
+        return true;
+    }
+
+    /// <summary>A ball or a box about its local origin, of which nothing but the size need be known.</summary>
+    /// <param name="form">Which of them.</param>
+    /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
+    /// <param name="radius">Of a ball about the origin that holds it.</param>
+    /// <param name="pose">Where it is.</param>
+    /// <param name="turn">2 / |q|² of the pose.</param>
+    /// <param name="line">The ray.</param>
+    /// <param name="hit">What it met.</param>
+    /// <returns>False where it is to be asked as a <see cref="RayTarget"/>, which knows more.</returns>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static bool TryCastPlain(
+        RayForm form, in Vector3D size, double radius, in RigidPose pose, double turn, in WorldRay line,
+        out RayMeeting hit)
+    {
+        hit = default;
+        if (!(radius >= LeastRadius && radius <= MostRadius)) return false;
+        Vector3D between = (Vector3D)line.Origin - pose.Position;
+        if (form == RayForm.Ball) return TryCastBall(size.X, pose, between, line, ref hit);
+        bool isNear = TryApproach(
+            default, radius, between, pose, turn, line, ref hit, out RotationD rotation, out LocalRay ray);
+        if (hit.Status != CastStatus.None) return true;
+        if (!isNear || !RayBox.IsSolid(size) || RayBox.IsAlongSide(ray, size)) return false;
+        bool isFound = RayBox.TryFind(ray, size, out RaySpan span);
+        Judge(isFound, span, ray.Shift, radius, line.Reach, ref hit);
+        if (hit.Status == CastStatus.Hit) Place(rotation, span, line, ref hit);
+        return true;
+    }
+
+    /// <summary>Brings the ray to the shape's axes, and says if it misses the ball around it.</summary>
+    /// <returns>False where the origin, or the centre, is too far away for double.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool TryApproach(
+        in Vector3D center, double radius, in Vector3D between, in RigidPose pose, double turn, in WorldRay line,
+        ref RayMeeting hit, out RotationD rotation, out LocalRay ray)
+    {
+        Quaternion q = pose.Rotation;
+        RotationD.Set(out rotation, q.X, q.Y, q.Z, q.W, turn);
+        Vector3D local = rotation.InverseRotate(between) - center;
+        double offset = center.SumOfMagnitudes;
+        bool isNear = LocalRay.TryMake(
+            local, rotation.InverseRotate(line.Direction), line.Length, radius, out ray)
+            && offset <= PairFrame.FarCenter * radius;
+        double reach = radius + FootError * (between.SumOfMagnitudes + offset);
+        bool isMiss = ray.Foot.LengthSquared > reach * reach || ray.Shift < -reach || ray.Shift - reach > line.Reach;
+        if (isMiss) hit.Status = CastStatus.Miss;
+        return isNear;
+    }
+
+    /// <summary>The normal and the point of a hit near the origin.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Place(in RotationD rotation, in RaySpan span, in WorldRay line, ref RayMeeting hit)
+    {
         Vector3D normal = rotation.Rotate(span.Normal);
         double length = normal.Length;
 
         // Of a body that is thinner than rounding the closed form has none; it is met head on.
         hit.Normal = length > 0 ? normal * (1 / length) : line.Direction * (-1 / line.Length);
-        hit.Point = isNear
-            ? line.At(hit.Distance)
-            : rotation.Rotate(ray.At(span.Enter) + target.Center) + pose.Position;
-        return true;
+        hit.Point = line.At(hit.Distance);
     }
 
     /// <summary>A ball about its own origin needs no rotation.</summary>

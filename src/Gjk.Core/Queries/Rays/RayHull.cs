@@ -1,4 +1,6 @@
 #if NET
+using System;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 #endif
@@ -96,26 +98,36 @@ internal static class RayHull
             Vector256<double> slope = x * dx + y * dy + z * dz, t = below / slope;
             Vector256<double> isEntry = Vector256.LessThan(slope, none) & Vector256.GreaterThan(t, enter);
             Vector256<double> isExit = Vector256.GreaterThan(slope, none) & Vector256.LessThan(t, exit);
-            above |= Vector256.Equals(slope, none) & Vector256.LessThan(below, none);
-            Vector256<double> flat = Vector256.Abs(slope);
-            along |= Vector256.LessThanOrEqual(flat, flattest)
-                & Vector256.LessThanOrEqual(Vector256.Abs(below) * lengths, (twice * flat + error) * sizes);
+            Vector256<double> flat = Vector256.Abs(slope), isFlat = Vector256.LessThanOrEqual(flat, flattest);
+            if (isFlat.ExtractMostSignificantBits() != 0)
+            {
+                above |= Vector256.Equals(slope, none) & Vector256.LessThan(below, none);
+                along |= isFlat
+                    & Vector256.LessThanOrEqual(Vector256.Abs(below) * lengths, (twice * flat + error) * sizes);
+            }
+
             enter = Vector256.ConditionalSelect(isEntry, t, enter);
             entries = Vector256.ConditionalSelect(isEntry, index, entries);
             exit = Vector256.ConditionalSelect(isExit, t, exit);
             index += step;
         }
 
-        double latest = -1;
-        for (int lane = 0; lane < HullPlanes.Lanes; lane++)
-        {
-            double t = enter.GetElement(lane), at = entries.GetElement(lane);
-            if (t > span.Enter || (t == span.Enter && at < latest)) (span.Enter, latest) = (t, at);
-            if (exit.GetElement(lane) < span.Exit) span.Exit = exit.GetElement(lane);
-        }
-
-        entry = along.ExtractMostSignificantBits() != 0 ? Along : (int)latest;
+        // The latest entry, of several the first; the earliest exit.
+        Vector256<double> latest = Vector256.Max(enter, Swapped(enter)), earliest = Vector256.Min(exit, Swapped(exit));
+        span.Enter = Math.Max(latest.GetElement(0), latest.GetElement(2));
+        span.Exit = Math.Min(earliest.GetElement(0), earliest.GetElement(2));
+        index = Vector256.ConditionalSelect(
+            Vector256.Equals(enter, Vector256.Create(span.Enter)), entries, Vector256.Create(double.MaxValue));
+        index = Vector256.Min(index, Swapped(index));
+        entry = along.ExtractMostSignificantBits() != 0
+            ? Along
+            : (int)Math.Min(index.GetElement(0), index.GetElement(2));
         return above.ExtractMostSignificantBits() == 0;
     }
+
+    /// <summary>Each lane's neighbour.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Swapped(Vector256<double> v) =>
+        Vector256.Shuffle(v, Vector256.Create(1L, 0, 3, 2));
 #endif
 }

@@ -1,0 +1,135 @@
+using System;
+using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>Any of the library's shapes that is a triangle, with or without a margin.</summary>
+internal struct TriangleCore : ISupportMap, ISupportFace, ITightBounds
+{
+    /// <summary>The corners, measured from the centre.</summary>
+    private LaneVector _first, _second, _third;
+
+    /// <summary>From the first corner to the others.</summary>
+    private Vector3D _toSecond, _toThird;
+
+    private Vector3D _center;
+    private double _margin, _radius;
+
+    /// <summary>Written where it is to be, without a copy.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Make(
+        in Vector3D first, in Vector3D second, in Vector3D third, in Vector3D center, double radius, double margin,
+        out TriangleCore core)
+    {
+        core._first = new LaneVector(first - center);
+        core._second = new LaneVector(second - center);
+        core._third = new LaneVector(third - center);
+        core._toSecond = second - first;
+        core._toThird = third - first;
+        core._center = new Vector3D(center.X, center.Y, center.Z);
+        core._margin = margin;
+        core._radius = radius;
+    }
+
+    public readonly Vector3D Center => _center;
+
+    public readonly double Margin => _margin;
+
+    public readonly double BoundingRadius => _radius;
+
+    public readonly void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+        Face(_first.Xyz, _second.Xyz, _third.Xyz, direction, ref corners);
+
+    public readonly int Support(in Vector3D direction, out Vector3D point)
+    {
+        int id = SupportId(direction);
+        TryGetVertex(id, out point);
+        return id;
+    }
+
+    public readonly bool TryGetVertex(int id, out Vector3D point)
+    {
+        point = id == 0 ? _first.Xyz : id == 1 ? _second.Xyz : _third.Xyz;
+        return Has(id);
+    }
+
+    /// <summary>Whether there is a corner with the id.</summary>
+    public static bool Has(int id) => (uint)id < 3u;
+
+    /// <summary>The id of the furthest corner.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly int SupportId(in Vector3D direction) => Furthest(_toSecond, _toThird, direction);
+
+    /// <summary>Which corner is furthest: 0 to 2, of level ones the first.</summary>
+    /// <param name="toSecond">
+    /// From the first corner to the second: by it a triangle far from its local origin is asked as exactly as one at
+    /// it.
+    /// </param>
+    /// <param name="toThird">From the first corner to the third.</param>
+    /// <param name="direction">Any.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Furthest(in Vector3D toSecond, in Vector3D toThird, in Vector3D direction)
+    {
+        double second = Vector3D.Dot(direction, toSecond), third = Vector3D.Dot(direction, toThird);
+        return DirectionRange.IsSafe(second) && DirectionRange.IsSafe(third)
+            ? Furthest(second, third)
+            : FurthestInUnits(toSecond, toThird, direction);
+    }
+
+    /// <summary>By the dot products with the direction, which no processor could predict.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Furthest(double second, double third)
+    {
+        int isThird = BranchFree.IsNegative(Math.Max(second, 0) - third), isSecond = BranchFree.IsNegative(-second);
+        return (isThird << 1) | (isSecond & ~isThird);
+    }
+
+    /// <summary>With the direction brought to unit size. By value: callers keep registers.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static int FurthestInUnits(Vector3D toSecond, Vector3D toThird, Vector3D direction)
+    {
+        Vector3D unit = DirectionRange.ToUnit(direction);
+        return Furthest(Vector3D.Dot(unit, toSecond), Vector3D.Dot(unit, toThird));
+    }
+
+    /// <summary>A triangle, from either side, or one of its edges or corners.</summary>
+    public static void Face(
+        in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, ref FaceCorners corners)
+    {
+        Vector3D normal = Vector3D.Cross(b - a, c - a);
+        if (FaceTilt.IsLevelFace(normal, direction) || FaceTilt.IsLevelFace(-normal, direction))
+        {
+            corners.Add(a, 0);
+            corners.Add(b, 1);
+            corners.Add(c, 2);
+            return;
+        }
+
+        // The more level of the two edges at the furthest corner, as for a hull.
+        int id = Furthest(b - a, c - a, direction);
+        Vector3D point = id == 0 ? a : id == 1 ? b : c;
+        Vector3D next = (id == 0 ? b : id == 1 ? c : a) - point, last = (id == 0 ? c : id == 1 ? a : b) - point;
+        bool isNext = FaceTilt.Rise(next, direction) <= FaceTilt.Rise(last, direction);
+        bool isEdge = FaceTilt.IsLevelEdge(isNext ? next : last, direction);
+        int end = !isEdge ? id : isNext ? (id + 1) % 3 : (id + 2) % 3;
+        if (id == 0 || end == 0) corners.Add(a, 0);
+        if (id == 1 || end == 1) corners.Add(b, 1);
+        if (id == 2 || end == 2) corners.Add(c, 2);
+    }
+
+#if NET
+    /// <summary>From the first corner to the second, and a 0.</summary>
+    public readonly Vector256<double> ToSecond => Vector256.Create(_toSecond.X, _toSecond.Y, _toSecond.Z, 0);
+
+    /// <summary>From the first corner to the third, and a 0.</summary>
+    public readonly Vector256<double> ToThird => Vector256.Create(_toThird.X, _toThird.Y, _toThird.Z, 0);
+
+    /// <summary>A corner, measured from the centre, and a 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector256<double> Lanes(int id) =>
+        id == 0 ? _first.Lanes : id == 1 ? _second.Lanes : _third.Lanes;
+#endif
+}
