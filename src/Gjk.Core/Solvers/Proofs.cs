@@ -10,13 +10,17 @@ namespace Gjk.Core;
 internal static class Proofs
 {
     /// <summary>
-    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does.
+    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does. Of
+    /// curved cores it is that between the shapes: beside the margins, too much would be nothing for touching.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsClosed(double gap, in ClosestFeature feature, bool curved, double noise)
+    public static bool IsClosed(
+        double gap, in ClosestFeature feature, bool curved, double noise, double margins)
     {
         double ratio = curved ? GjkTolerances.RelativeGapCurved : GjkTolerances.RelativeGap;
-        return Math.Abs(gap) <= ratio * feature.Height || gap * gap <= noise * noise * feature.NormalSquared;
+        double rest = ratio * feature.Height - Math.Abs(gap), least = curved ? ratio * margins : 0;
+        return (rest >= 0 && rest * rest >= least * least * feature.NormalSquared)
+            || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
     /// <summary>
@@ -27,7 +31,7 @@ internal static class Proofs
     {
         double b = Vector3D.Dot(feature.Normal, vertices.B.W) - plane;
         double c = Vector3D.Dot(feature.Normal, vertices.C.W) - plane;
-        return IsClosed(b, feature, false, level) && IsClosed(c, feature, false, level);
+        return IsClosed(b, feature, false, level, 0) && IsClosed(c, feature, false, level, 0);
     }
 
     /// <summary>
