@@ -151,7 +151,8 @@ internal static class GjkDistance
         if (plane > 0 && plane * plane > reachSquared * feature.NormalSquared) return Ending.Beyond;
         if (vertices.Count == 0) return Ending.None;
         double gap = feature.Height - plane;
-        if (!Proofs.IsClosed(gap, feature, state.IsCurved, noise, margins)) return gap > 0 ? Ending.None : Ending.Behind;
+        if (!Proofs.IsClosed(gap, feature, state.IsCurved, noise, margins))
+            return gap > 0 ? Ending.None : Ending.Behind;
 
         // The normal of a needle of a triangle can be tilted so far by rounding that its corners no longer are level:
         // then the height of one proves nothing.

@@ -45,7 +45,8 @@ internal static class GjkExtendedPrecision
             if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, slot);
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, simplex, slot, isExtended: true));
             double plane = Vector3D.Dot(normal, w);
-            if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, frame.Margins, limit)) return;
+            if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, frame.Margins, limit))
+                return;
 
             Simplex before = simplex;
             simplex.Push(slot);

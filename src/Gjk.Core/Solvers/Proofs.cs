@@ -10,17 +10,17 @@ namespace Gjk.Core;
 internal static class Proofs
 {
     /// <summary>
-    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does. Of
-    /// curved cores it is that between the shapes: beside the margins, too much would be nothing for touching.
+    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does. For
+    /// curved cores it is the distance of the shapes: beside long margins more than counts as touching would be nothing.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsClosed(
         double gap, in ClosestFeature feature, bool curved, double noise, double margins)
     {
         double ratio = curved ? GjkTolerances.RelativeGapCurved : GjkTolerances.RelativeGap;
-        double rest = ratio * feature.Height - Math.Abs(gap), least = curved ? ratio * margins : 0;
-        return (rest >= 0 && rest * rest >= least * least * feature.NormalSquared)
-            || gap * gap <= noise * noise * feature.NormalSquared;
+        double least = ratio * feature.Height;
+        if (curved) least -= ratio * margins * Math.Sqrt(feature.NormalSquared);
+        return Math.Abs(gap) <= least || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
     /// <summary>
