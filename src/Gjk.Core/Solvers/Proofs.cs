@@ -11,7 +11,7 @@ internal static class Proofs
 {
     /// <summary>
     /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does. For
-    /// curved cores it is the distance of the shapes: beside long margins more than counts as touching would be nothing.
+    /// curved cores that of the shapes is meant: beside long margins, more than counts as touching would be nothing.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsClosed(
