@@ -25,7 +25,7 @@ public class AnswerDetailTests
             AssertRefuted(pair, Changed(r, pointA: r.PointA + off), false);
     }
 
-    /// <summary>Across both sides of flat shapes that nearly touch no plane stands apart by more than rounding.</summary>
+    /// <summary>Across both sides of flat shapes that nearly touch, no plane is apart by more than rounding.</summary>
     [Fact]
     public void ANormalOfFlatShapesHasTheirSide()
     {
