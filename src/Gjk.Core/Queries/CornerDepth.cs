@@ -28,10 +28,16 @@ namespace Gjk.Core;
 internal static class CornerDepth
 {
     /// <summary>
-    /// Count: corners at most. More would take longer than <see cref="DepthCells"/>, which mostly has an answer for
-    /// them. Pinned by CornerDepthTests; four times more only takes longer.
+    /// Count: corners at most about an ellipsoid; a quarter of them where circles are searched. More would take longer
+    /// than <see cref="DepthCells"/>. Pinned by CornerDepthTests; four times more only takes longer.
     /// </summary>
     private const int MostCorners = 256;
+
+    /// <summary>
+    /// Count: a circle that takes more supports, as that across the sides of a prism about a pin, is searched once.
+    /// Only time depends on it.
+    /// </summary>
+    private const int Dear = 64;
 
     /// <summary>Finds the depth from what the general search has left in the state.</summary>
     public static DepthVerdict Solve<TA, TB>(
@@ -39,23 +45,28 @@ internal static class CornerDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (!form.AreRoundAndCornered || form.A.CornerCount + form.B.CornerCount > MostCorners)
-            return DepthVerdict.Undecided;
+        int count = form.A.CornerCount + form.B.CornerCount, most = MostCorners / (form.HasEllipsoid ? 1 : 4);
+        if (!form.AreRoundAndCornered || count > most) return DepthVerdict.Undecided;
         int before = state.Iterations;
         var depth = DepthBounds.Of(state);
+        int limit = before + AxialDepth.MostSupports;
+        Vector3D dear = default;
         var verdict = DepthVerdict.Enclosed;
-        for (int i = 0; i < form.A.CornerCount + form.B.CornerCount && verdict == DepthVerdict.Enclosed; i++)
-            verdict = Turn(ref a, ref b, frame, form, i, before + AxialDepth.MostSupports, ref state, ref depth);
+        for (int i = 0; i < count && verdict == DepthVerdict.Enclosed; i++)
+            verdict = Turn(ref a, ref b, frame, form, i, limit, ref state, ref depth, ref dear);
         if (depth.IsApart(state)) verdict = DepthVerdict.Apart;
         if (verdict == DepthVerdict.Undecided) state.Iterations = before;
         else verdict = DepthEnd.Settle(ref a, ref b, frame, depth, verdict, ref state);
         return verdict;
     }
 
-    /// <summary>All ways around a corner, those across an edge or a facet at the last of its corners.</summary>
+    /// <summary>
+    /// All ways around a corner, those across an edge or a facet at the last of its corners, and not across an edge
+    /// along a dear one: the circle is the same.
+    /// </summary>
     private static DepthVerdict Turn<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in PairForm form, int id, int limit, ref SolverState state,
-        ref DepthBounds depth)
+        ref DepthBounds depth, ref Vector3D dear)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -69,7 +80,11 @@ internal static class CornerDepth
             if (!(edge.LengthSquared > 0)) continue;
             if (verdict != DepthVerdict.Enclosed) return verdict;
             edge *= 1 / edge.Length;
+            double same = Vector3D.Dot(edge, dear);
+            if (same * same >= 1 - PairForm.Parallel * PairForm.Parallel) continue;
+            int before = state.Iterations;
             verdict = Look(ref a, ref b, frame, form, corner, edge, limit, ref state, ref depth);
+            if (state.Iterations - before > Dear) dear = edge;
             for (int k = 0; k < i && form.HasEllipsoid; k++)
             {
                 Vector3D other = Offset(ref a, ref b, frame, form, body.Neighbor(id, k)) - corner;

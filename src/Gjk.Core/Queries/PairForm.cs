@@ -15,7 +15,7 @@ internal readonly struct PairForm
     /// point of it further. The rounding of two quaternions does that. Twice it, and what the search in the plane
     /// leaves, are below the promise of 1e-6. Pinned by CoaxialDepthTests.
     /// </summary>
-    private const double Parallel = 1e-7;
+    public const double Parallel = 1e-7;
 
     /// <summary>
     /// Length, as a fraction of the size: bodies are nearly coaxial when that and the gap between their axes are less.
