@@ -111,7 +111,17 @@ public static partial class AnswerCheck
         // Of shapes that are said to be apart 0 says nothing more.
         double upper = isSigned && !isSeparated ? walk.Upper : Math.Max(walk.Upper, 0);
         claims.Add(bound <= walk.Lower + allowed, !(bound <= upper));
-        AddNormal(ref claims, pair, answer, isSigned, bound, walk.HintGap, allowed);
+        if (answer.IsOverlapping && !isSigned)
+        {
+            claims.Add(answer.Normal == default && answer.Distance == 0);
+            return walk;
+        }
+
+        // The planes across the normal stand as far apart as the answer says, and where others do, it has their side.
+        double d = isSeparated || isDepth ? answer.Distance : bound;
+        Vector3D normal = answer.Normal;
+        claims.Add(IsUnit(normal) && walk.HintGap >= d - allowed - pair.Noise - TiltRatio * (pair.Size + Math.Abs(d)));
+        claims.Add(!isSeparated || walk.Lower <= allowed || Vector3D.Dot(normal, walk.Across) > 0);
         return walk;
     }
 
@@ -146,44 +156,30 @@ public static partial class AnswerCheck
         return moved.Lower - way.Length - pair.Noise;
     }
 
-    /// <summary>The planes across the normal stand as far apart as the answer says; only an overlap has none.</summary>
-    /// <param name="claims">Told.</param>
-    /// <param name="pair">The pair.</param>
-    /// <param name="answer">What was said.</param>
-    /// <param name="isSigned">Whether it is a depth where they overlap.</param>
-    /// <param name="bound">The lower bound, as far as it says anything.</param>
-    /// <param name="gap">Between the planes across the normal.</param>
-    /// <param name="allowed">How much a distance may be off.</param>
-    private static void AddNormal(
-        ref AnswerClaims claims, in PosedPair pair, in DistanceResult answer, bool isSigned, double bound, double gap,
-        double allowed)
-    {
-        double d = answer.IsOverlapping || answer.Status == GjkStatus.Separated ? answer.Distance : bound;
-        bool isNone = answer.Normal == default;
-        double least = d - allowed - pair.Noise - TiltRatio * (pair.Size + Math.Abs(d));
-        if (answer.IsOverlapping && (isNone || !isSigned)) claims.Add(isNone && d == 0);
-        else claims.Add(IsUnit(answer.Normal) && gap >= least);
-    }
-
-    /// <summary>The points lie on their shapes, are the same in both frames, and differ by the distance.</summary>
+    /// <summary>In both frames the points lie on their shapes, are the same, and differ by the distance.</summary>
     private static void AddPoints<TA, TB>(
         ref AnswerClaims claims, ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PosedPair pair,
         in DistanceResult answer)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D localA = answer.LocalPointA, localB = answer.LocalPointB;
-        double d = answer.Distance, slack = PointSlack(pair, d), slackA = slack + FloatRatio * localA.Length;
-        double slackB = slack + FloatRatio * localB.Length;
-        claims.Add(Guard.IsFinite(answer.PointA) && Guard.IsFinite(answer.PointB));
-        claims.Add(localA.IsFinite && localB.IsFinite);
-        AddPoint(ref claims, ref a, localA, slackA);
-        AddPoint(ref claims, ref b, localB, slackB);
-        double offA = (pair.WorldOfA(localA, poseA) - answer.PointA).Length;
-        double offB = (pair.WorldOfB(localB, poseB) - answer.PointB).Length;
-        claims.Add(offA <= slackA + FloatRatio * ((Vector3D)answer.PointA).Length);
-        claims.Add(offB <= slackB + FloatRatio * ((Vector3D)answer.PointB).Length);
-        double off = (pair.Way(ref a, localA, ref b, localB) - (Vector3D)answer.Normal * d).Length;
-        claims.Add(off <= slackA + slackB + 2 * FloatRatio * Math.Abs(d));
+        Vector3D localA = answer.LocalPointA, localB = answer.LocalPointB, onA = answer.PointA, onB = answer.PointB;
+        Vector3D way = (Vector3D)answer.Normal * answer.Distance;
+        double slack = PointSlack(pair, answer.Distance), wayA = FloatRatio * localA.Length;
+        double wayB = FloatRatio * localB.Length, atA = WorldSlack(onA, poseA), atB = WorldSlack(onB, poseB);
+        double between = 2 * (slack + FloatRatio * way.Length);
+        claims.Add(localA.IsFinite && localB.IsFinite && onA.IsFinite && onB.IsFinite);
+        AddPoint(ref claims, ref a, localA, slack + wayA);
+        AddPoint(ref claims, ref b, localB, slack + wayB);
+        AddPoint(ref claims, ref a, pair.LocalToA(onA, poseA), slack + atA);
+        AddPoint(ref claims, ref b, pair.LocalToB(onB, poseB), slack + atB);
+        claims.Add((pair.WorldOfA(localA, poseA) - onA).Length <= slack + wayA + atA);
+        claims.Add((pair.WorldOfB(localB, poseB) - onB).Length <= slack + wayB + atB);
+        claims.Add((pair.Way(ref a, localA, ref b, localB) - way).Length <= between + wayA + wayB);
+        claims.Add((onB - onA - way).Length <= between + atA + atB);
     }
+
+    /// <summary>What rounding to float, and the way there in double, can do to a point of the world.</summary>
+    private static double WorldSlack(in Vector3D point, in RigidPose pose) =>
+        FloatRatio * point.Length + DoubleRatio * ((Vector3D)pose.Position).Length;
 }

@@ -74,7 +74,7 @@ public static partial class AnswerCheck
     private const double UnitLength = 1e-6;
 
     /// <summary>Ratio: what rounding a point's three coordinates to float can move it by.</summary>
-    private const double FloatRatio = 2.0 / (1 << 24);
+    private const double FloatRatio = 1.0 / (1 << 24);
 
     /// <summary>
     /// Ratio: what the way from the world into a local frame can move a point by in double, some ten roundings. It is

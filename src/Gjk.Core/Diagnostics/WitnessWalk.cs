@@ -32,6 +32,9 @@ internal struct WitnessWalk
     /// <summary>The signed distance is not below.</summary>
     public double Lower;
 
+    /// <summary>Of unit length: the planes across it show that.</summary>
+    public Vector3D Across;
+
     /// <summary>The signed distance is not above.</summary>
     public double Upper;
 
@@ -56,6 +59,7 @@ internal struct WitnessWalk
         walk.Lower = double.NegativeInfinity;
         walk.Upper = double.PositiveInfinity;
         walk.HintGap = double.NaN;
+        walk.Across = default;
         if (!pair.IsValid) return walk;
         WitnessMean mean = default;
         bool isHint = hint.LengthSquared > 0, isAcross = true;
@@ -64,7 +68,7 @@ internal struct WitnessWalk
         {
             double gap = pair.Gap(ref a, ref b, unit, out Vector3D vertex);
             if (i == 0 && isHint) walk.HintGap = gap;
-            if (gap - pair.Noise > walk.Lower) walk.Lower = gap - pair.Noise;
+            if (gap - pair.Noise > walk.Lower) (walk.Lower, walk.Across) = (gap - pair.Noise, unit);
             bool isNearer = mean.TryAdd(vertex);
             if (isNearer) walk.Upper = mean.Length + pair.Noise - pair.Margins;
             if (walk.IsWithin(least, most) || walk.IsBeyond(least, most) || mean.Length <= pair.Noise) break;

@@ -18,6 +18,11 @@ namespace Gjk.Core;
 /// never pass the root, and they end when rounding stops them. Where the point lies in the plane across the shortest
 /// axis and the sum is too small even for u = 0, x leaves the plane by as much as is missing.
 /// </para>
+/// <para>
+/// Beyond the centre another point may be the nearest of all around it, never a third one. Its u is the root next to 0
+/// from below, where the sum is convex, too: steps from the right never pass it. Where there is none, some normal comes
+/// out.
+/// </para>
 /// </remarks>
 internal static class EllipsoidNormal
 {
@@ -29,13 +34,17 @@ internal static class EllipsoidNormal
     /// <summary>The outward normal at the nearest point, of unit length.</summary>
     /// <param name="radii">All above 0.</param>
     /// <param name="point">Measured from the centre, along the axes.</param>
-    public static Vector3D Nearest(in Vector3D radii, in Vector3D point)
+    /// <param name="isOther">
+    /// Asks for the one on the other side of the centre, across the shortest axis, where no point around is nearer.
+    /// </param>
+    public static Vector3D Nearest(in Vector3D radii, in Vector3D point, bool isOther = false)
     {
         double least = Math.Min(Math.Min(radii.X, radii.Y), radii.Z);
         double ex = Excess(radii.X, least), ey = Excess(radii.Y, least), ez = Excess(radii.Z, least);
         double zx = (1 + ex) * Math.Abs(point.X / radii.X), zy = (1 + ey) * Math.Abs(point.Y / radii.Y);
         double zz = (1 + ez) * Math.Abs(point.Z / radii.Z);
-        double u = Math.Max(Math.Max(Math.Max(zx - ex, zy - ey), zz - ez), 0), x, y, z;
+        double u = isOther ? -(ex == 0 ? zx : ey == 0 ? zy : zz)
+            : Math.Max(Math.Max(Math.Max(zx - ex, zy - ey), zz - ez), 0), x, y, z;
         for (int i = 0; ; i++)
         {
             x = Ratio(zx, u + ex);
@@ -44,17 +53,38 @@ internal static class EllipsoidNormal
             double over = x * x + y * y + z * z - 1;
             double slope = 2 * (Ratio(x * x, u + ex) + Ratio(y * y, u + ey) + Ratio(z * z, u + ez));
             double next = u + over / slope;
-            if (!(over > 0 && next > u) || i == MostSteps) break;
+            if (!(over > 0 && (isOther ? next < u : next > u)) || i == MostSteps) break;
             u = next;
         }
 
-        double missing = Math.Sqrt(Math.Max(1 - (x * x + y * y + z * z), 0));
+        double missing = Math.Sqrt(Math.Max(1 - (x * x + y * y + z * z), 0)) * (isOther ? -1 : 1);
         if (u == 0 && ex == 0) x = missing;
         else if (u == 0 && ey == 0) y = missing;
         else if (u == 0) z = missing;
         var normal = new Vector3D(
             Signed(x / radii.X, point.X), Signed(y / radii.Y, point.Y), Signed(z / radii.Z, point.Z));
         return normal * (1 / normal.Length);
+    }
+
+    /// <summary>The same for a line: what an ellipsoid and a line along another direction are, seen along it.</summary>
+    /// <param name="radii">All above 0.</param>
+    /// <param name="point">A point of the line.</param>
+    /// <param name="along">The line's direction, of unit length.</param>
+    /// <param name="isOther">As above.</param>
+    public static Vector3D Nearest(in Vector3D radii, in Vector3D point, in Vector3D along, bool isOther)
+    {
+        // The shadow is an ellipse; one step of Jacobi's method (1846) finds its axes.
+        (Vector3D u, Vector3D v) = new PlaneBasis(along);
+        Vector3D onU = Vector3D.Multiply(radii, u), onV = Vector3D.Multiply(radii, v);
+        double mixed = Vector3D.Dot(onU, onV), half = 0.5 * (onV.LengthSquared - onU.LengthSquared);
+        double tangent = mixed == 0 ? 0
+            : mixed / (half + BranchFree.WithSign(Math.Sqrt(half * half + mixed * mixed), half));
+        double cosine = 1 / Math.Sqrt(1 + tangent * tangent), sine = tangent * cosine;
+        (u, v) = (u * cosine - v * sine, u * sine + v * cosine);
+        double x = Vector3D.Multiply(radii, u).Length, y = Vector3D.Multiply(radii, v).Length;
+        var seen = new Vector3D(Vector3D.Dot(point, u), Vector3D.Dot(point, v), 0);
+        Vector3D normal = Nearest(new Vector3D(x, y, Math.Max(x, y)), seen, isOther);
+        return u * normal.X + v * normal.Y;
     }
 
     /// <summary>The squared ratio of a radius to the least one, less 1.</summary>

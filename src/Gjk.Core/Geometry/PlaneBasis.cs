@@ -18,4 +18,7 @@ internal readonly struct PlaneBasis
         U = across * (1 / across.Length);
         V = Vector3D.Cross(normal, U);
     }
+
+    /// <summary>Both axes.</summary>
+    public void Deconstruct(out Vector3D u, out Vector3D v) => (u, v) = (U, V);
 }

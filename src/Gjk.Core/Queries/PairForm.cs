@@ -15,7 +15,7 @@ internal readonly struct PairForm
     /// point of it further. The rounding of two quaternions does that. Twice it, and what the search in the plane
     /// leaves, are below the promise of 1e-6. Pinned by CoaxialDepthTests.
     /// </summary>
-    private const double Parallel = 1e-7;
+    public const double Parallel = 1e-7;
 
     /// <summary>
     /// Length, as a fraction of the size: bodies are nearly coaxial when that and the gap between their axes are less.
@@ -39,6 +39,13 @@ internal readonly struct PairForm
     /// <summary>Whether their Minkowski difference has no facets but those of hulls.</summary>
     public bool AreFaceted =>
         (A.Hull is not null || A.IsPoint) && (B.Hull is not null || B.IsPoint) && (A.Hull ?? B.Hull) is not null;
+
+    /// <summary>Whether one is curved and round, and the other has corners.</summary>
+    public bool AreRoundAndCornered =>
+        (A.IsRound && A.IsCurved && B.CornerCount > 0) || (B.IsRound && B.IsCurved && A.CornerCount > 0);
+
+    /// <summary>Whether one is an ellipsoid.</summary>
+    public bool HasEllipsoid => A.Radii != default || B.Radii != default;
 
     private PairForm(in BodyForm a, in BodyForm b, in PairFrame frame)
     {
@@ -64,23 +71,40 @@ internal readonly struct PairForm
         form = new PairForm(formA, formB, frame);
     }
 
-    private static WayOut WayOf(in BodyForm a, in BodyForm b, in PairFrame frame)
+    private static WayOut WayOf(in BodyForm a, in BodyForm b, in PairFrame frame) =>
+        !a.HasNoAxis && !b.HasNoAxis ? AlongAxes(a, b, frame)
+            : a.IsPoint || b.IsPoint ? OutOfEllipsoid(a, b, frame, frame.Translation, default, false) : default;
+
+    /// <summary>
+    /// The ways out of a round body across one corner of the other body, or across an edge: a direction, or half a
+    /// circle of them. Where points beside the corner have none that is shorter, it is among both.
+    /// </summary>
+    /// <param name="frame">Where B is, seen from A.</param>
+    /// <param name="offset">From A's centre to the corner of B, or from that of A to B's centre.</param>
+    /// <param name="edge">Along the edge, of unit length; 0 for a corner.</param>
+    /// <param name="isOther">Asks for the second such direction, or the other half.</param>
+    public WayOut WayAcross(in PairFrame frame, in Vector3D offset, in Vector3D edge, bool isOther)
     {
-        if (a.Radii == default && b.Radii == default) return AlongAxes(a, b, frame);
-        if (b.IsPoint) return WayOut.In(OutOf(a, frame.Translation));
-        return a.IsPoint
-            ? WayOut.In(-frame.Rotation.Rotate(OutOf(b, frame.Rotation.InverseRotate(-frame.Translation))))
-            : default;
+        if (HasEllipsoid) return OutOfEllipsoid(A, B, frame, offset, edge, isOther);
+        Vector3D axis = A.IsCurved ? Unit(A.Axis) : frame.Rotation.Rotate(Unit(B.Axis)), across = offset;
+        if (edge != default) new PlaneBasis(edge).Deconstruct(out axis, out across);
+        return WayOut.Along(axis, isOther ? -across : across, 0, default, default);
     }
 
-    /// <summary>The way of a point out of an ellipsoid; 0 where that is flat.</summary>
-    private static Vector3D OutOf(in BodyForm ellipsoid, in Vector3D point)
+    /// <summary>The way of a point out of an ellipsoid, or that of a line; none where that is flat.</summary>
+    private static WayOut OutOfEllipsoid(
+        in BodyForm a, in BodyForm b, in PairFrame frame, in Vector3D offset, in Vector3D edge, bool isOther)
     {
-        Vector3D radii = ellipsoid.Radii;
-        var turn = new RotationD(ellipsoid.Turn);
-        return radii.X > 0 && radii.Y > 0 && radii.Z > 0
-            ? turn.Rotate(EllipsoidNormal.Nearest(radii, turn.InverseRotate(point)))
-            : default;
+        bool isA = a.Radii != default;
+        Vector3D radii = isA ? a.Radii : b.Radii;
+        if (!(radii.X > 0 && radii.Y > 0 && radii.Z > 0)) return default;
+        var turn = new RotationD(isA ? a.Turn : b.Turn);
+        Vector3D point = turn.InverseRotate(isA ? offset : frame.Rotation.InverseRotate(-offset));
+        Vector3D along = turn.InverseRotate(isA ? edge : frame.Rotation.InverseRotate(edge));
+        Vector3D way = turn.Rotate(edge == default
+            ? EllipsoidNormal.Nearest(radii, point, isOther)
+            : EllipsoidNormal.Nearest(radii, point, along, isOther));
+        return WayOut.In(isA ? way : -frame.Rotation.Rotate(way));
     }
 
     private static WayOut AlongAxes(in BodyForm a, in BodyForm b, in PairFrame frame)

@@ -161,9 +161,9 @@ internal static class SignedSolver
             return SolveLarge(ref a, ref b, frame, known, ref state);
         }
 
-        return form.AreFaceted
-            ? HullDepth.Solve(ref a, ref b, frame, form, ref state)
-            : DepthCells.Solve(ref a, ref b, frame, ref state);
+        if (form.AreFaceted) return HullDepth.Solve(ref a, ref b, frame, form, ref state);
+        DepthVerdict verdict = CornerDepth.Solve(ref a, ref b, frame, form, ref state);
+        return verdict == DepthVerdict.Undecided ? DepthCells.Solve(ref a, ref b, frame, ref state) : verdict;
     }
 
     /// <summary>Whether the type may be that of a round body; the meshes' core is not, and costs no look.</summary>

@@ -24,7 +24,10 @@ internal struct BodyForm
     /// </summary>
     public Vector3D Axis;
 
-    /// <summary>The radii of an ellipsoid that has no such line; else 0.</summary>
+    /// <summary>Whether it is an ellipsoid that has no such line.</summary>
+    public bool HasNoAxis;
+
+    /// <summary>The radii of an ellipsoid; else 0.</summary>
     public Vector3D Radii;
 
     /// <summary>The rotation of the ellipsoid in the shape's local frame.</summary>
@@ -33,11 +36,20 @@ internal struct BodyForm
     /// <summary>The hull of a solid mesh that is not placed; else null.</summary>
     public ConvexHull? Hull;
 
+    /// <summary>How many vertices a body that has nothing else has, with ids from 0 on; else 0.</summary>
+    public int CornerCount;
+
+    /// <summary>The hull that tells which corners have an edge between them; without one, any may have.</summary>
+    private ConvexHull? _edges;
+
     /// <summary>A ball of this radius about its centre is inside the mesh; negative where that is outside.</summary>
     public double InnerRadius;
 
     /// <summary>Whether the mesh's scale has turned the winding of its triangles.</summary>
     public bool IsMirrored;
+
+    /// <summary>Whether it is a box, of which the edges at one corner have the directions of all.</summary>
+    public readonly bool IsBox => CornerCount == 8 && _edges is null;
 
     /// <summary>Whether it is a point.</summary>
     public readonly bool IsPoint => IsRound && !IsCurved && Axis == default;
@@ -54,10 +66,15 @@ internal struct BodyForm
     {
         form = default;
 #if NET
-        if (typeof(T) == typeof(BoxCore) || typeof(T) == typeof(TriangleCore)) return;
+        if (typeof(T) == typeof(BoxCore) || typeof(T) == typeof(TriangleCore))
+        {
+            form.CornerCount = typeof(T) == typeof(BoxCore) ? 8 : 3;
+            return;
+        }
+
         if (typeof(T) == typeof(HullCore))
         {
-            form.SetHull(Unsafe.As<T, HullCore>(ref shape).Hull, new Vector3D(1, 1, 1) * (1 / unit));
+            form.SetHull(Unsafe.As<T, HullCore>(ref shape).Hull, new Vector3D(1, 1, 1) * (1 / unit), false);
             return;
         }
 
@@ -65,6 +82,7 @@ internal struct BodyForm
         {
             form.IsRound = true;
             form.Axis = Unsafe.As<T, SegmentCore>(ref shape).Along;
+            form.CornerCount = form.IsPoint ? 1 : 2;
             return;
         }
 #endif
@@ -76,25 +94,39 @@ internal struct BodyForm
         Turn = body.IsPlaced ? body.Turn : Quaternion.Identity;
         switch (body.Form)
         {
-            case RayForm.Hull when !body.IsPlaced:
-                SetHull(body.Hull!, (body.IsScaled ? body.Factors : new Vector3D(1, 1, 1)) * (1 / unit));
+            case RayForm.Hull:
+                Vector3D factors = body.IsScaled ? body.Factors : new Vector3D(1, 1, 1);
+                SetHull(body.Hull!, factors * (1 / unit), body.IsPlaced);
+                break;
+            case RayForm.Box or RayForm.Triangle:
+                CornerCount = body.Form == RayForm.Box ? 8 : 3;
                 break;
             case RayForm.Ball or RayForm.Capsule or RayForm.Cylinder or RayForm.Cone or RayForm.Swollen:
                 IsRound = body.TryGetAxis(out Vector3D axis);
                 IsCurved = body.IsScaled || (body.Form != RayForm.Ball && body.Form != RayForm.Capsule);
                 Axis = new RotationD(Turn).Rotate(axis);
+                CornerCount = IsCurved ? 0 : IsPoint ? 1 : 2;
                 break;
             case RayForm.Ellipsoid:
                 IsRound = IsCurved = true;
-                if (body.TryGetAxis(out axis)) Axis = new RotationD(Turn).Rotate(axis);
-                else Radii = body.A * (1 / unit);
+                HasNoAxis = !body.TryGetAxis(out axis);
+                if (!HasNoAxis) Axis = new RotationD(Turn).Rotate(axis);
+                Radii = body.A * (1 / unit);
                 break;
         }
     }
 
-    private void SetHull(ConvexHull hull, in Vector3D factors)
+    /// <summary>How many corners may have an edge with this one, those with lower ids first.</summary>
+    public readonly int NeighborCount(int corner) => _edges is null ? corner : _edges.NeighborCount(corner);
+
+    /// <summary>One of them.</summary>
+    public readonly int Neighbor(int corner, int k) => _edges is null ? k : _edges.GetNeighbor(corner, k);
+
+    private void SetHull(ConvexHull hull, in Vector3D factors, bool isPlaced)
     {
-        if (hull.Dimension < 3) return;
+        CornerCount = hull.VertexCount;
+        _edges = hull;
+        if (hull.Dimension < 3 || isPlaced) return;
         double x = Math.Abs(factors.X), y = Math.Abs(factors.Y), z = Math.Abs(factors.Z), inner = hull.InnerRadius;
         Hull = hull;
         IsMirrored = (factors.X < 0) ^ (factors.Y < 0) ^ (factors.Z < 0);

@@ -39,7 +39,7 @@ internal static unsafe class AxialDepth
     private const double Noise = 1e-7;
 
     /// <summary>Count: supports at most; balls about one centre need half of it. Pinned by CoaxialDepthTests.</summary>
-    private const int MostSupports = 8192;
+    public const int MostSupports = 8192;
 
     /// <summary>
     /// Pure numbers: how far a shorter way out is looked for at first and at last. Only how many supports it takes
@@ -67,6 +67,15 @@ internal static unsafe class AxialDepth
         else verdict = DepthEnd.Settle(ref a, ref b, frame, depth, verdict, ref state);
         return verdict;
     }
+
+    /// <summary>Looks at a known direction, or at half a circle of them.</summary>
+    public static DepthVerdict Look<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in WayOut way, int limit, ref SolverState state,
+        ref DepthBounds depth)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        way.IsDirection ? Look(ref a, ref b, frame, way, ref state, ref depth)
+            : Walk(ref a, ref b, frame, way, 0, limit, ref state, ref depth);
 
     /// <summary>The direction is known.</summary>
     private static DepthVerdict Look<TA, TB>(

@@ -100,7 +100,7 @@ internal static class GjkDistance
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, feature.Normal, state.Simplex, slot, false));
             double plane = Vector3D.Dot(feature.Normal, w);
             separated |= plane > 0 && plane * plane > touchSquared * feature.NormalSquared;
-            Ending ending = Judge(state, vertices, feature, plane, reachSquared, noise);
+            Ending ending = Judge(state, vertices, feature, plane, reachSquared, noise, frame.Margins);
             if (ending != Ending.None)
             {
                 state.Iterations += rounds;
@@ -146,12 +146,13 @@ internal static class GjkDistance
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Ending Judge(
         in SolverState state, in FeatureVertices vertices, in ClosestFeature feature, double plane,
-        double reachSquared, double noise)
+        double reachSquared, double noise, double margins)
     {
         if (plane > 0 && plane * plane > reachSquared * feature.NormalSquared) return Ending.Beyond;
         if (vertices.Count == 0) return Ending.None;
         double gap = feature.Height - plane;
-        if (!Proofs.IsClosed(gap, feature, state.IsCurved, noise)) return gap > 0 ? Ending.None : Ending.Behind;
+        if (!Proofs.IsClosed(gap, feature, state.IsCurved, noise, margins))
+            return gap > 0 ? Ending.None : Ending.Behind;
 
         // The normal of a needle of a triangle can be tilted so far by rounding that its corners no longer are level:
         // then the height of one proves nothing.

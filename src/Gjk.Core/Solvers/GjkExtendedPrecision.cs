@@ -45,7 +45,8 @@ internal static class GjkExtendedPrecision
             if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, slot);
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, simplex, slot, isExtended: true));
             double plane = Vector3D.Dot(normal, w);
-            if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, limit)) return;
+            if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, frame.Margins, limit))
+                return;
 
             Simplex before = simplex;
             simplex.Push(slot);
@@ -80,7 +81,7 @@ internal static class GjkExtendedPrecision
     /// <summary>Records the newest plane and says whether it settles the query.</summary>
     private static bool Ends(
         ref SolverState state, in Simplex simplex, in ClosestFeature feature, double plane, double maxDistance,
-        int limit)
+        double margins, int limit)
     {
         double gap = feature.Height - plane;
         state.Simplex = simplex;
@@ -95,7 +96,7 @@ internal static class GjkExtendedPrecision
             return true;
         }
 
-        if (Proofs.IsClosed(gap, feature, state.IsCurved, state.Noise))
+        if (Proofs.IsClosed(gap, feature, state.IsCurved, state.Noise, margins))
         {
             state.Verdict = Verdict.Apart;
             return true;

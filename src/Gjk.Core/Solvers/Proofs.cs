@@ -10,13 +10,17 @@ namespace Gjk.Core;
 internal static class Proofs
 {
     /// <summary>
-    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does.
+    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does. For
+    /// curved cores that of the shapes is meant: beside long margins, more than counts as touching would be nothing.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsClosed(double gap, in ClosestFeature feature, bool curved, double noise)
+    public static bool IsClosed(
+        double gap, in ClosestFeature feature, bool curved, double noise, double margins)
     {
         double ratio = curved ? GjkTolerances.RelativeGapCurved : GjkTolerances.RelativeGap;
-        return Math.Abs(gap) <= ratio * feature.Height || gap * gap <= noise * noise * feature.NormalSquared;
+        double least = ratio * feature.Height;
+        if (curved) least -= ratio * margins * Math.Sqrt(feature.NormalSquared);
+        return Math.Abs(gap) <= least || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
     /// <summary>
@@ -27,7 +31,7 @@ internal static class Proofs
     {
         double b = Vector3D.Dot(feature.Normal, vertices.B.W) - plane;
         double c = Vector3D.Dot(feature.Normal, vertices.C.W) - plane;
-        return IsClosed(b, feature, false, level) && IsClosed(c, feature, false, level);
+        return IsClosed(b, feature, false, level, 0) && IsClosed(c, feature, false, level, 0);
     }
 
     /// <summary>

@@ -65,8 +65,9 @@ public class AnswerCheckTests
             + "0.0049385676453951423 -0 2.035767464359358 @ 0.732981205 -0.581961095 -0.0399343371 0.349950045 "
             + "2.225384 2.96443796 -0.289813071";
         QueryRecord p = QueryRecord.Parse(Record);
-        DistanceResult r = p.Distance();
-        Assert.Equal((GjkStatus.Separated, 0f), (r.Status, r.LowerBound));
+        DistanceResult s = ConvexQuery.SignedDistance(p.A, p.PoseA, p.B, p.PoseB);
+        var r = new DistanceResult(
+            GjkStatus.Separated, 1e-9f, 0, s.PointA, s.PointB, s.Normal, s.LocalPointA, s.LocalPointB, 1);
         CheckedAnswer check = AnswerCheck.Distance(p.A, p.PoseA, p.B, p.PoseB, r);
         Assert.True(check.Status == CheckStatus.Proved && check.UpperBound < 0, $"{check}: {r}");
     }

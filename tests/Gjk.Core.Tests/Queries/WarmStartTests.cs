@@ -63,6 +63,35 @@ public class WarmStartTests
         return null;
     });
 
+    /// <summary>
+    /// Large balls beside small round shapes: what the search may leave of the way between the cores is less than what
+    /// counts as touching, however long their margins make that way.
+    /// </summary>
+    [Fact]
+    public void ABallThatTouchesExactlyTouchesFromAnyStart()
+    {
+        for (ulong seed = 0; seed < (ulong)Budget.Count(2000); seed++)
+        {
+            var rng = new Rng(94_000 + seed);
+            float r = PowerOfTwo(-3, 3), wide = PowerOfTwo(-2, 2), high = PowerOfTwo(-2, 2);
+            TestShape round = seed % 2 == 0
+                ? TestShape.Ellipsoid(new Vector3(wide, high, PowerOfTwo(-2, 2)))
+                : TestShape.Cylinder(wide, high);
+            float along = seed % 2 == 0 ? 0 : rng.Float(-high, high);
+            var pair = new TestPair(
+                $"seed {seed}", round, RigidPose.Identity, TestShape.Sphere(r),
+                new RigidPose(new Vector3(wide + r, along, 0)));
+            var warm = default(WarmStart);
+            var beside = new RigidPose(pair.PoseB.Position + (rng.Direction() * rng.Float(0, 1e-2)));
+            ConvexQuery.Distance(pair.A.Shape, pair.PoseA, pair.B.Shape, beside, ref warm);
+            DistanceResult again = ConvexQuery.Distance(
+                pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, ref warm);
+            Assert.True(pair.Distance().IsOverlapping && again.IsOverlapping, $"{again}: {pair}");
+
+            float PowerOfTwo(int least, int most) => MathF.Pow(2, least + rng.Below(most - least + 1));
+        }
+    }
+
     private static string? Compare(TestPair pair, ref WarmStart warm)
     {
         DistanceResult cold = pair.Distance();
