@@ -45,9 +45,9 @@ internal static unsafe class ContactBuilder
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var view = new ContactView(plane);
         FlatCorner* flat = stackalloc FlatCorner[2 * FaceCorners.Capacity];
-        FlatFeature faceA = view.SeeA(cornersA, flat), faceB = view.SeeB(cornersB, flat + FaceCorners.Capacity);
+        FlatFeature faceA = plane.See(cornersA, isOfA: true, flat);
+        FlatFeature faceB = plane.See(cornersB, isOfA: false, flat + FaceCorners.Capacity);
         if (!faceA.IsLevel || !faceB.IsLevel) return false;
         ContactPlace* places = stackalloc ContactPlace[ContactPlaces.Capacity];
         var found = new ContactPlaces(places, faceA, faceB, plane.Size);
@@ -58,7 +58,7 @@ internal static unsafe class ContactBuilder
         bool haveMoved = false;
         for (int i = 0; i < found.Count; i++)
         {
-            if (!TryMeasure(ref a, ref b, view, found, found[i], faceA, faceB, out Candidate candidate)) continue;
+            if (!TryMeasure(ref a, ref b, plane, found, found[i], faceA, faceB, out Candidate candidate)) continue;
             haveMoved |= candidate.U != found[i].U || candidate.V != found[i].V;
             if (candidate.Gap <= mostGap) candidates.Add(candidate);
         }
@@ -71,7 +71,7 @@ internal static unsafe class ContactBuilder
         Candidate* quarters = stackalloc Candidate[ContactManifold.Capacity];
         if (!QuarterNames.TryFind(ref faceA, ref faceB, quarters)) quarters = null;
         ContactReduction.Reduce(ref candidates, deepest, quarters, AsDeep * plane.Size, found.ReachAround);
-        for (int i = 0; i < candidates.Count; i++) manifold.Add(Point(candidates[i], view, poseA, distance));
+        for (int i = 0; i < candidates.Count; i++) manifold.Add(Point(candidates[i], plane, poseA, distance));
         return true;
     }
 
@@ -80,20 +80,20 @@ internal static unsafe class ContactBuilder
     /// place moves to where a face is flat.
     /// </summary>
     private static bool TryMeasure<TA, TB>(
-        ref TA shapeA, ref TB shapeB, in ContactView view, in ContactPlaces places, in ContactPlace place,
+        ref TA shapeA, ref TB shapeB, in ContactPlane plane, in ContactPlaces places, in ContactPlace place,
         in FlatFeature a, in FlatFeature b, out Candidate candidate)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        double u = place.U, v = place.V, level = Level * view.Plane.Size;
+        double u = place.U, v = place.V, level = Level * plane.Size;
         bool isSureA = a.IsSureWithin(level), isSureB = b.IsSureWithin(level);
         for (int tries = 0; ; tries++)
         {
             SurfacePoint onA = a.SurfaceAt(u, v, tries == 0 ? place.CornerA : -1);
             SurfacePoint onB = b.SurfaceAt(u, v, tries == 0 ? place.CornerB : -1);
             candidate = new Candidate(u, v, onA.Height, onB.Height, place.Id);
-            bool holdsA = isSureA || ContactProof.HoldsOnA(ref shapeA, view, onA, u, v);
-            bool holdsB = isSureB || ContactProof.HoldsOnB(ref shapeB, view, onB, u, v);
+            bool holdsA = isSureA || ContactProof.HoldsOnA(ref shapeA, plane, onA, u, v);
+            bool holdsB = isSureB || ContactProof.HoldsOnB(ref shapeB, plane, onB, u, v);
             if (holdsA && holdsB) return true;
             if (tries > 0 || holdsA == holdsB) return false;
             if (holdsA) b.ToFlatPart(ref u, ref v);
@@ -104,16 +104,16 @@ internal static unsafe class ContactBuilder
 
     /// <summary>Back from the plane to the shapes and to the world.</summary>
     private static ContactPoint Point(
-        in Candidate candidate, in ContactView view, in RigidPose poseA, float distance)
+        in Candidate candidate, in ContactPlane plane, in RigidPose poseA, float distance)
     {
-        ref readonly PairFrame frame = ref view.Plane.Frame;
-        Vector3D onA = view.Plane.OnA + view.Direction(candidate.U, candidate.V, candidate.HeightA);
-        Vector3D onB = view.Plane.OnA + view.Direction(candidate.U, candidate.V, -candidate.HeightB);
+        ref readonly PairFrame frame = ref plane.Frame;
+        Vector3D onA = plane.OnA + plane.Direction(candidate.U, candidate.V, candidate.HeightA);
+        Vector3D onB = plane.OnA + plane.Direction(candidate.U, candidate.V, -candidate.HeightB);
         Vector3D localA = (onA + frame.CenterA) * frame.Unit;
         Vector3D localB = (frame.Rotation.InverseRotate(onB - frame.Translation) + frame.CenterB) * frame.Unit;
         double gap = candidate.Gap * frame.Unit;
         Vector3D worldA = frame.RotationA.Rotate(localA) + poseA.Position;
-        Vector3D worldB = worldA + frame.RotationA.Rotate(view.Plane.Normal) * gap;
+        Vector3D worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
         return new ContactPoint(
             (Vector3)worldA, (Vector3)worldB, (Vector3)localA, (Vector3)localB, Math.Max((float)gap, distance),
             candidate.Id);

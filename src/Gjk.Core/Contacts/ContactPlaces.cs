@@ -56,7 +56,7 @@ internal unsafe ref struct ContactPlaces
     public ContactPlaces(ContactPlace* memory, in FlatFeature a, in FlatFeature b, double size)
     {
         _places = memory;
-        _least = LeastPart * Math.Min(a.Width(), b.Width());
+        _least = LeastPart * Math.Min(a.Width, b.Width);
         _slack = Math.Min(Slack * size, _least);
         _reach = 0;
         Count = 0;
@@ -124,7 +124,7 @@ internal unsafe ref struct ContactPlaces
     {
         if (!disc.CanBeRefined) return false;
         bool isFirst = disc.Count == FaceCorners.Capacity / FaceCorners.DiscStep;
-        return !(width >= (isFirst ? LittleOfDisc : LeastOfDisc) * disc.Width());
+        return !(width >= (isFirst ? LittleOfDisc : LeastOfDisc) * disc.Width);
     }
 
     /// <summary>How wide the overlap is, from its area and length: what the reach is a part of.</summary>
@@ -134,18 +134,21 @@ internal unsafe ref struct ContactPlaces
         int count = overlap.Count;
         for (int i = 0; i < count; i++)
         {
-            u += overlap[i].U / count;
-            v += overlap[i].V / count;
+            u += overlap[i].U;
+            v += overlap[i].V;
         }
+
+        u /= count;
+        v /= count;
 
         for (int i = 0; i < count; i++)
         {
             ref OverlapCorner p = ref overlap[i], q = ref overlap[i + 1 < count ? i + 1 : 0];
-            area += ((p.U - u) * (q.V - v) - (p.V - v) * (q.U - u)) / 2;
+            area += (p.U - u) * (q.V - v) - (p.V - v) * (q.U - u);
             squared = Math.Max(squared, (p.U - u) * (p.U - u) + (p.V - v) * (p.V - v));
         }
 
-        double length = 2 * Math.Sqrt(squared), width = isArea ? 2 * Math.Abs(area) / length : length;
+        double length = 2 * Math.Sqrt(squared), width = isArea ? Math.Abs(area) / length : length;
         _reach = Math.Max(width > 0 ? Reach * width : 0, 2 * _slack);
         return width;
     }

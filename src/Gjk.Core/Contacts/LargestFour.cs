@@ -84,34 +84,20 @@ internal readonly unsafe ref struct LargestFour
 
     private int Choose(int held, double* areas, int* chosen)
     {
-        int from = held < 0 ? Furthest(0) : held, to = Furthest(from);
         double most = 0, width = Width();
         for (int i = 0; i < _count; i++) areas[i] = 0;
-        if (from != to) Across(from, to, areas, ref most);
-        if (held < 0)
-        {
-            for (int i = 0; i < _count; i++)
-            {
-                int last = Math.Min(_count - 1, i + _count - 2);
-                Through(i, i + 2, last, LeastGood * most / width, areas, ref most);
-            }
-        }
-        else
-        {
-            Through(held, held + 2, held + _count - 2, LeastGood * most / width, areas, ref most);
-        }
-
-        if (!(most > Flat * width * width)) return Ends(from, to, chosen);
+        Through(Math.Max(held, 0), held < 0 ? _count : held + 1, width, areas, ref most);
+        if (!(most > Flat * width * width)) return Ends(held < 0 ? Furthest(0) : held, chosen);
         int first = held < 0 ? First(areas, 0, _count, 0, most) : held;
         if (held < 0)
         {
             for (int i = 0; i < _count; i++) areas[i] = 0;
-            Through(first, first + 2, first + _count - 2, LeastGood * most / width, areas, ref most);
+            Through(first, first + 1, width, areas, ref most);
         }
 
         areas[first] = 0;
-        int across = First(areas, 0, _count, 0, most), next = across < first ? across + _count : across;
-        Complete(first, next, most, areas, chosen);
+        int across = First(areas, 0, _count, 0, most);
+        Complete(first, across < first ? across + _count : across, most, areas, chosen);
         chosen[0] = Number(first);
         chosen[2] = Number(across);
         for (int i = 1; i < ContactManifold.Capacity; i++)
@@ -126,63 +112,63 @@ internal readonly unsafe ref struct LargestFour
         int end = from + _count;
         double most1 = FillBetween(from, to, areas), most2 = FillBetween(to, end, areas);
         int left = First(areas, from + 1, to, most2, most), right = First(areas, to + 1, end, most1, most);
-        if (IsBefore(Wrapped(left), Wrapped(right))) right = First(areas, to + 1, end, Area(from, left, to), most);
-        else left = First(areas, from + 1, to, Area(to, right, end), most);
+        if (IsBefore(left, right)) right = First(areas, to + 1, end, areas[left], most);
+        else left = First(areas, from + 1, to, areas[right], most);
         chosen[1] = Number(Wrapped(left));
         chosen[3] = Number(Wrapped(right));
     }
 
     /// <summary>
-    /// Finds for each corner across one the largest area of four that hold both, and takes note of it at both.
+    /// Finds for each two corners, of which one is given, the largest area of four that hold both, and takes note of it
+    /// at both.
     /// </summary>
-    /// <param name="first">The corner.</param>
-    /// <param name="from">The corner across where it begins.</param>
-    /// <param name="last">The last one.</param>
-    /// <param name="length">Shorter diagonals are left out.</param>
+    /// <param name="from">The first of the corners.</param>
+    /// <param name="to">Behind the last one: all corners, or a single one.</param>
+    /// <param name="width">No two corners are further apart; diagonals too short for a large area are left out.</param>
     /// <param name="areas">The largest area that is known of each corner.</param>
     /// <param name="most">The largest of all.</param>
-    private void Through(int first, int from, int last, double length, double* areas, ref double most)
+    private void Through(int from, int to, double width, double* areas, ref double most)
     {
-        int left = first + 1, right = first + 3, end = first + _count;
-        double squared = length * length;
-        for (int k = from; k <= last; k++)
+        int begin = int.MaxValue, beginLeft = 0, beginRight = 0;
+        for (int first = from; first < to; first++)
         {
-            // Both triangles have the diagonal as their base, so their heights over it are all that matters.
-            double u = _u[k] - _u[first], v = _v[k] - _v[first];
-            if (u * u + v * v < squared) continue;
-            double least = u * _v[left] - v * _u[left];
-            while (left + 1 < k)
+            int left = first + 1, right = first + 3, end = first + _count, last = end - 2;
+            if (to - from > 1) last = Math.Min(last, _count - 1);
+            double length = LeastGood * most / width, squared = length * length;
+            bool hasBegun = false;
+            for (int k = first + 2; k <= last; k++)
             {
-                double next = u * _v[left + 1] - v * _u[left + 1];
-                if (!(next <= least)) break;
-                least = next;
-                left++;
-            }
+                // Both triangles have the diagonal as their base, so their heights over it are all that matters.
+                double u = _u[k] - _u[first], v = _v[k] - _v[first];
+                if (u * u + v * v < squared) continue;
+                if (!hasBegun && k >= begin) (left, right) = (Math.Max(left, beginLeft), beginRight);
+                double least = u * _v[left] - v * _u[left];
+                while (left + 1 < k)
+                {
+                    double next = u * _v[left + 1] - v * _u[left + 1];
+                    if (!(next <= least)) break;
+                    least = next;
+                    left++;
+                }
 
-            right = Math.Max(right, k + 1);
-            double highest = u * _v[right] - v * _u[right];
-            while (right + 1 < end)
-            {
-                double next = u * _v[right + 1] - v * _u[right + 1];
-                if (!(next >= highest)) break;
-                highest = next;
-                right++;
-            }
+                right = Math.Max(right, k + 1);
+                double highest = u * _v[right] - v * _u[right];
+                while (right + 1 < end)
+                {
+                    double next = u * _v[right + 1] - v * _u[right + 1];
+                    if (!(next >= highest)) break;
+                    highest = next;
+                    right++;
+                }
 
-            double area = highest - least;
-            if (area > most) most = area;
-            if (area > areas[first]) areas[first] = area;
-            int across = Wrapped(k);
-            if (area > areas[across]) areas[across] = area;
+                if (!hasBegun) (begin, beginLeft, beginRight, hasBegun) = (k, left, right, true);
+                double area = highest - least;
+                most = Math.Max(most, area);
+                areas[first] = Math.Max(areas[first], area);
+                int across = Wrapped(k);
+                areas[across] = Math.Max(areas[across], area);
+            }
         }
-    }
-
-    /// <summary>Takes note of the largest area of four that hold two corners.</summary>
-    private void Across(int from, int to, double* areas, ref double most)
-    {
-        int first = Math.Min(from, to), across = Math.Max(from, to);
-        if (across - first >= 2 && across - first <= _count - 2)
-            Through(first, across, across, 0, areas, ref most);
     }
 
     /// <summary>A length that no two corners are further apart than, by the extents along eight directions.</summary>
@@ -216,28 +202,32 @@ internal readonly unsafe ref struct LargestFour
         double enough = Enough(areas, from, end, other, most);
         int first = -1;
         for (int i = from; i < end; i++)
-            if (areas[Wrapped(i)] + other >= enough && (first < 0 || IsBefore(Wrapped(i), Wrapped(first)))) first = i;
+            if (areas[i] + other >= enough && (first < 0 || IsBefore(i, first))) first = i;
         return first;
     }
 
     /// <summary>Where what is as good ends: in the first gap between two areas that is wide enough.</summary>
-    private double Enough(double* areas, int begin, int end, double other, double most)
+    private static double Enough(double* areas, int begin, int end, double other, double most)
     {
-        double from = 0;
-        for (int i = begin; i < end; i++) from = Math.Max(from, areas[Wrapped(i)] + other);
+        double from = 0, gap = Gap * most;
+        for (int i = begin; i < end; i++)
+            from = Math.Max(from, areas[i] + other);
         from = Math.Min(from, AsGood * most);
         double least = Math.Min(from, LeastGood * most);
         while (true)
         {
-            double next = least;
+            // The least area that is less than a gap away, and the largest one beyond.
+            double near = from, beyond = least;
             for (int i = begin; i < end; i++)
             {
-                double area = areas[Wrapped(i)] + other;
-                if (area < from && area > next) next = area;
+                double area = areas[i] + other;
+                if (!(area < near && area > beyond)) continue;
+                if (from - area >= gap) beyond = area;
+                else near = area;
             }
 
-            if (from - next >= Gap * most || !(next > least)) return (from + next) / 2;
-            from = next;
+            if (!(near < from)) return (from + beyond) / 2;
+            from = near;
         }
     }
 
@@ -249,7 +239,7 @@ internal readonly unsafe ref struct LargestFour
         for (int i = from + 1; i < to; i++)
         {
             double area = Area(from, i, to);
-            areas[Wrapped(i)] = area;
+            areas[i] = area;
             if (area > most) most = area;
         }
 
@@ -257,8 +247,9 @@ internal readonly unsafe ref struct LargestFour
     }
 
     /// <summary>One end of what lies on a line, or one that must stay, and the one that is furthest from it.</summary>
-    private int Ends(int from, int to, int* chosen)
+    private int Ends(int from, int* chosen)
     {
+        int to = Furthest(from);
         chosen[0] = Math.Min(Number(from), Number(to));
         chosen[1] = Math.Max(Number(from), Number(to));
         return from == to ? 1 : 2;
@@ -289,5 +280,5 @@ internal readonly unsafe ref struct LargestFour
     private int Number(int corner) => _isTurned ? _count - 1 - corner : corner;
 
     private bool IsBefore(int i, int k) =>
-        ContactFeature.IsBefore(_candidates[Number(i)].Id, _candidates[Number(k)].Id);
+        ContactFeature.IsBefore(_candidates[Number(Wrapped(i))].Id, _candidates[Number(Wrapped(k))].Id);
 }
