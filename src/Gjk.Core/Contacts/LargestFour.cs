@@ -1,4 +1,7 @@
 using System;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Gjk.Core;
 
@@ -88,15 +91,16 @@ internal readonly unsafe ref struct LargestFour
         for (int i = 0; i < _count; i++) areas[i] = 0;
         Through(Math.Max(held, 0), held < 0 ? _count : held + 1, width, areas, ref most);
         if (!(most > Flat * width * width)) return Ends(held < 0 ? Furthest(0) : held, chosen);
-        int first = held < 0 ? First(areas, 0, _count, 0, most) : held;
+        int first = held < 0 ? First(areas, 0, _count, most, 0, most) : held;
         if (held < 0)
         {
             for (int i = 0; i < _count; i++) areas[i] = 0;
             Through(first, first + 1, width, areas, ref most);
         }
 
+        double best = areas[first];
         areas[first] = 0;
-        int across = First(areas, 0, _count, 0, most);
+        int across = First(areas, 0, _count, best, 0, most);
         Complete(first, across < first ? across + _count : across, most, areas, chosen);
         chosen[0] = Number(first);
         chosen[2] = Number(across);
@@ -111,9 +115,9 @@ internal readonly unsafe ref struct LargestFour
     {
         int end = from + _count;
         double most1 = FillBetween(from, to, areas), most2 = FillBetween(to, end, areas);
-        int left = First(areas, from + 1, to, most2, most), right = First(areas, to + 1, end, most1, most);
-        if (IsBefore(left, right)) right = First(areas, to + 1, end, areas[left], most);
-        else left = First(areas, from + 1, to, areas[right], most);
+        int left = First(areas, from + 1, to, most1, most2, most), right = First(areas, to + 1, end, most2, most1, most);
+        if (IsBefore(left, right)) right = First(areas, to + 1, end, most2, areas[left], most);
+        else left = First(areas, from + 1, to, most1, areas[right], most);
         chosen[1] = Number(Wrapped(left));
         chosen[3] = Number(Wrapped(right));
     }
@@ -129,40 +133,16 @@ internal readonly unsafe ref struct LargestFour
     /// <param name="most">The largest of all.</param>
     private void Through(int from, int to, double width, double* areas, ref double most)
     {
-        int begin = int.MaxValue, beginLeft = 0, beginRight = 0;
         for (int first = from; first < to; first++)
         {
-            int left = first + 1, right = first + 3, end = first + _count, last = end - 2;
+            int last = first + _count - 2;
             if (to - from > 1) last = Math.Min(last, _count - 1);
             double length = LeastGood * most / width, squared = length * length;
-            bool hasBegun = false;
             for (int k = first + 2; k <= last; k++)
             {
-                // Both triangles have the diagonal as their base, so their heights over it are all that matters.
                 double u = _u[k] - _u[first], v = _v[k] - _v[first];
                 if (u * u + v * v < squared) continue;
-                if (!hasBegun && k >= begin) (left, right) = (Math.Max(left, beginLeft), beginRight);
-                double least = u * _v[left] - v * _u[left];
-                while (left + 1 < k)
-                {
-                    double next = u * _v[left + 1] - v * _u[left + 1];
-                    if (!(next <= least)) break;
-                    least = next;
-                    left++;
-                }
-
-                right = Math.Max(right, k + 1);
-                double highest = u * _v[right] - v * _u[right];
-                while (right + 1 < end)
-                {
-                    double next = u * _v[right + 1] - v * _u[right + 1];
-                    if (!(next >= highest)) break;
-                    highest = next;
-                    right++;
-                }
-
-                if (!hasBegun) (begin, beginLeft, beginRight, hasBegun) = (k, left, right, true);
-                double area = highest - least;
+                double area = AreaOver(u, v);
                 most = Math.Max(most, area);
                 areas[first] = Math.Max(areas[first], area);
                 int across = Wrapped(k);
@@ -171,35 +151,56 @@ internal readonly unsafe ref struct LargestFour
         }
     }
 
+    /// <summary>
+    /// Twice the largest area over a diagonal: it is the base of both triangles, so their heights are all that matters,
+    /// and those are the furthest corners on its two sides.
+    /// </summary>
+    private double AreaOver(double u, double v)
+    {
+#if NET
+        // The corners run on behind the last one, and one that is seen twice does not matter.
+        Vector256<double> up = Vector256.Create(double.NegativeInfinity), down = up;
+        for (int i = 0; i < _count; i += Vector256<double>.Count)
+        {
+            Vector256<double> alongV = Vector256.Load(_v + i) * u, alongU = Vector256.Load(_u + i) * v;
+            up = Larger(up, alongV - alongU);
+            down = Larger(down, alongU - alongV);
+        }
+
+        Vector256<double> first = Vector256.Create(up.GetLower(), down.GetLower());
+        Vector256<double> both = Larger(first, Vector256.Create(up.GetUpper(), down.GetUpper()));
+        return Math.Max(both[0], both[1]) + Math.Max(both[2], both[3]);
+#else
+        double least = _v[0] * u - _u[0] * v, most = least;
+        for (int i = 1; i < _count; i++)
+        {
+            double height = _v[i] * u - _u[i] * v;
+            least = Math.Min(least, height);
+            most = Math.Max(most, height);
+        }
+
+        return most - least;
+#endif
+    }
+
+#if NET
+    private static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
+        Vector256.ConditionalSelect(Vector256.GreaterThan(a, b), a, b);
+
+#endif
     /// <summary>A length that no two corners are further apart than, by the extents along eight directions.</summary>
     private double Width()
     {
-        double leastU = _u[0], mostU = leastU, leastV = _v[0], mostV = leastV;
-        double leastSum = leastU + leastV, mostSum = leastSum, leastDifference = leastU - leastV;
-        double mostDifference = leastDifference;
-        for (int i = 1; i < _count; i++)
-        {
-            double u = _u[i], v = _v[i];
-            leastU = Math.Min(leastU, u);
-            mostU = Math.Max(mostU, u);
-            leastV = Math.Min(leastV, v);
-            mostV = Math.Max(mostV, v);
-            leastSum = Math.Min(leastSum, u + v);
-            mostSum = Math.Max(mostSum, u + v);
-            leastDifference = Math.Min(leastDifference, u - v);
-            mostDifference = Math.Max(mostDifference, u - v);
-        }
-
-        double straight = Math.Max(mostU - leastU, mostV - leastV);
-        double slanted = Math.Max(mostSum - leastSum, mostDifference - leastDifference) * HalfRoot;
+        double straight = Math.Max(AreaOver(1, 0), AreaOver(0, 1));
+        double slanted = Math.Max(AreaOver(1, 1), AreaOver(1, -1)) * HalfRoot;
         return Math.Max(straight, slanted) * Slanted;
     }
 
     /// <summary>The first by name of those whose areas, with another's, are as good as the largest.</summary>
-    private int First(double* areas, int from, int end, double other, double most)
+    private int First(double* areas, int from, int end, double best, double other, double most)
     {
         if (end - from == 1) return from;
-        double enough = Enough(areas, from, end, other, most);
+        double enough = Enough(areas, from, end, best + other, other, most);
         int first = -1;
         for (int i = from; i < end; i++)
             if (areas[i] + other >= enough && (first < 0 || IsBefore(i, first))) first = i;
@@ -207,13 +208,10 @@ internal readonly unsafe ref struct LargestFour
     }
 
     /// <summary>Where what is as good ends: in the first gap between two areas that is wide enough.</summary>
-    private static double Enough(double* areas, int begin, int end, double other, double most)
+    private static double Enough(double* areas, int begin, int end, double from, double other, double most)
     {
-        double from = 0, gap = Gap * most;
-        for (int i = begin; i < end; i++)
-            from = Math.Max(from, areas[i] + other);
         from = Math.Min(from, AsGood * most);
-        double least = Math.Min(from, LeastGood * most);
+        double least = Math.Min(from, LeastGood * most), gap = Gap * most;
         while (true)
         {
             // The least area that is less than a gap away, and the largest one beyond.
