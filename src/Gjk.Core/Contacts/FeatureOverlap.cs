@@ -35,10 +35,18 @@ internal static unsafe class FeatureOverlap
         CutCorner* memory = stackalloc CutCorner[2 * Capacity];
         CutCorner* corners = memory, other = memory + Capacity;
         int sides = cut.Count, cutterSides = cutter.Count, found = 0;
-        for (int i = 0; i < sides; i++) corners[i] = new CutCorner { U = cut[i].U, V = cut[i].V, Side = i };
+        double middleU = 0.5 * (cut[0].U + cut[sides / 2].U), middleV = 0.5 * (cut[0].V + cut[sides / 2].V), squared = 0;
+        for (int i = 0; i < sides; i++)
+        {
+            corners[i] = new CutCorner { U = cut[i].U, V = cut[i].V, Side = i };
+            squared = Math.Max(squared, cut[i].SquaredTo(middleU, middleV));
+        }
+
+        // Rounding is far below the slack, so no corner is cut off by an edge that leaves the circle around all alone.
+        double radius = Math.Sqrt(squared);
         for (int i = 0; i < cutterSides && sides > 0; i++)
         {
-            if (!IsCut(cutter[i], corners, sides, slack)) continue;
+            if (cutter.Inside(i, middleU, middleV) >= radius || !IsCut(cutter[i], corners, sides, slack)) continue;
             sides = CutBy(Cutter + i, corners, other, sides, slack);
             CutCorner* before = corners;
             corners = other;
