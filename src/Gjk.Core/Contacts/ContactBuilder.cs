@@ -22,12 +22,6 @@ internal static unsafe class ContactBuilder
     /// </summary>
     public const double AsDeep = 4e-7;
 
-    /// <summary>
-    /// Length, as a fraction of the size: tilted by so little that a margin along its normal and one along the contact
-    /// normal differ by less, a surface needs no proof. Pinned by MarginContactTests.
-    /// </summary>
-    private const double Level = 1e-7;
-
     /// <summary>Fills a manifold, whose normal is there already.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
@@ -85,15 +79,14 @@ internal static unsafe class ContactBuilder
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        double u = place.U, v = place.V, level = Level * plane.Size;
-        bool isSureA = a.IsSureWithin(level), isSureB = b.IsSureWithin(level);
+        double u = place.U, v = place.V;
         for (int tries = 0; ; tries++)
         {
             SurfacePoint onA = a.SurfaceAt(u, v, tries == 0 ? place.CornerA : -1);
             SurfacePoint onB = b.SurfaceAt(u, v, tries == 0 ? place.CornerB : -1);
             candidate = new Candidate(u, v, onA.Height, onB.Height, place.Id);
-            bool holdsA = isSureA || ContactProof.HoldsOnA(ref shapeA, plane, onA, u, v);
-            bool holdsB = isSureB || ContactProof.HoldsOnB(ref shapeB, plane, onB, u, v);
+            bool holdsA = a.IsSure || ContactProof.HoldsOnA(ref shapeA, plane, onA, u, v);
+            bool holdsB = b.IsSure || ContactProof.HoldsOnB(ref shapeB, plane, onB, u, v);
             if (holdsA && holdsB) return true;
             if (tries > 0 || holdsA == holdsB) return false;
             if (holdsA) b.ToFlatPart(ref u, ref v);

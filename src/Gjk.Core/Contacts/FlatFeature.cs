@@ -16,6 +16,12 @@ internal unsafe struct FlatFeature
     /// </summary>
     private const double Thin = 1e-9;
 
+    /// <summary>
+    /// Length, as a fraction of the size: tilted by so little that a margin along its normal and one along the contact
+    /// normal differ by less, a surface needs no proof. Pinned by MarginContactTests.
+    /// </summary>
+    private const double Level = 1e-7;
+
     /// <summary>How many corners there are: two are an edge, more a face.</summary>
     public int Count { get; private set; }
 
@@ -68,12 +74,16 @@ internal unsafe struct FlatFeature
         Secant = Math.Sqrt(1 + _riseU * _riseU + _riseV * _riseV);
         FindNormal();
         IsLevel = (Count > 2 || _length > thin) && Secant <= FaceTilt.MostSecant;
+        IsSure = Margin * (Secant - 1) <= Level * size && (Count > 2 || !IsOnSide);
     }
 
     /// <summary>
     /// Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show another.
     /// </summary>
     public readonly bool IsLevel;
+
+    /// <summary>Whether its surface is known without asking the shape: without margin it is the core's own.</summary>
+    public readonly bool IsSure;
 
     /// <summary>One over the cosine of its tilt: how much longer a margin is along the contact normal.</summary>
     public readonly double Secant;
@@ -176,12 +186,6 @@ internal unsafe struct FlatFeature
 
         return surface;
     }
-
-    /// <summary>
-    /// Whether its surface is known to within a length without asking the shape: without margin it is the core's own.
-    /// </summary>
-    public readonly bool IsSureWithin(double length) =>
-        Margin * (Secant - 1) <= length && (Count > 2 || !IsOnSide);
 
     /// <summary>Where the face's own part of the surface begins that belongs to a place of the core.</summary>
     public readonly void ToFlatPart(ref double u, ref double v)
