@@ -85,8 +85,8 @@ internal static unsafe class ContactBuilder
             SurfacePoint onA = a.SurfaceAt(u, v, tries == 0 ? place.CornerA : -1);
             SurfacePoint onB = b.SurfaceAt(u, v, tries == 0 ? place.CornerB : -1);
             candidate = new Candidate(u, v, onA.Height, onB.Height, place.Id);
-            bool holdsA = a.IsSure || ContactProof.HoldsOnA(ref shapeA, plane, onA, u, v);
-            bool holdsB = b.IsSure || ContactProof.HoldsOnB(ref shapeB, plane, onB, u, v);
+            bool holdsA = a.IsSure || ContactProof.Holds(ref shapeA, true, plane, onA, u, v);
+            bool holdsB = b.IsSure || ContactProof.Holds(ref shapeB, false, plane, onB, u, v);
             if (holdsA && holdsB) return true;
             if (tries > 0 || holdsA == holdsB) return false;
             if (holdsA) b.ToFlatPart(ref u, ref v);

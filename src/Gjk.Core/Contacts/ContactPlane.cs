@@ -46,12 +46,15 @@ internal struct ContactPlane
     public readonly Vector3D Direction(double u, double v, double height) =>
         _basis.U * u + _basis.V * v + Normal * height;
 
-    /// <summary>A point of A, given from its centre in its own units, from the deepest point.</summary>
-    public readonly Vector3D OfA(in Vector3D point) => point * _factor - OnA;
+    /// <summary>A point of a shape, given from its centre in its frame and units, from the deepest point.</summary>
+    public readonly Vector3D Of(in Vector3D point, bool isOfA)
+    {
+        Vector3D p = point * _factor;
+        return (isOfA ? p : Frame.Rotation.Rotate(p) + Frame.Translation) - OnA;
+    }
 
-    /// <summary>A point of B, given from its centre in its own frame and units.</summary>
-    public readonly Vector3D OfB(in Vector3D point) =>
-        Frame.Rotation.Rotate(point * _factor) + Frame.Translation - OnA;
+    /// <summary>What the core of A or of B is widened by.</summary>
+    public readonly double MarginOf(bool isOfA) => isOfA ? Frame.MarginA : Frame.MarginB;
 
     /// <summary>The face or edge that a shape shows.</summary>
     /// <param name="corners">From its centre, in its frame.</param>
@@ -62,7 +65,7 @@ internal struct ContactPlane
         double sign = isOfA ? 1 : -1;
         for (int i = 0; i < corners.Count; i++)
         {
-            Vector3D p = isOfA ? OfA(corners[i]) : OfB(corners[i]);
+            Vector3D p = Of(corners[i], isOfA);
             ref FlatCorner corner = ref memory[i];
             corner.U = Vector3D.Dot(p, _basis.U);
             corner.V = Vector3D.Dot(p, _basis.V);
@@ -70,6 +73,6 @@ internal struct ContactPlane
             corner.Id = corners.IdOf(i);
         }
 
-        return new FlatFeature(memory, corners, isOfA ? Frame.MarginA : Frame.MarginB, _factor, Size);
+        return new FlatFeature(memory, corners, MarginOf(isOfA), _factor, Size);
     }
 }

@@ -35,7 +35,8 @@ internal static unsafe class FeatureOverlap
         CutCorner* memory = stackalloc CutCorner[2 * Capacity];
         CutCorner* corners = memory, other = memory + Capacity;
         int sides = cut.Count, cutterSides = cutter.Count, found = 0;
-        double middleU = 0.5 * (cut[0].U + cut[sides / 2].U), middleV = 0.5 * (cut[0].V + cut[sides / 2].V), squared = 0;
+        double middleU = 0.5 * (cut[0].U + cut[sides / 2].U), middleV = 0.5 * (cut[0].V + cut[sides / 2].V);
+        double squared = 0;
         for (int i = 0; i < sides; i++)
         {
             corners[i] = new CutCorner { U = cut[i].U, V = cut[i].V, Side = i };
@@ -55,51 +56,53 @@ internal static unsafe class FeatureOverlap
 
         for (int i = 0; i < sides; i++)
         {
-            ref CutCorner corner = ref corners[i];
-            int before = corners[i > 0 ? i - 1 : sides - 1].Side, after = corner.Side;
-            bool isOnCut = before < Cutter, isOnCutAfter = after < Cutter;
-            int ofCut = -1, ofCutter = -1, edge = -1, cutterEdge = -1;
-            double u = corner.U, v = corner.V;
-            if (isOnCut != isOnCutAfter)
-            {
-                edge = isOnCut ? before : after;
-                cutterEdge = (isOnCut ? after : before) - Cutter;
-
-                // Beyond a tip two edges are nearer than the slack to each other, and what they cross there is not
-                // shared, but the tip may be.
-                if (!cutter.IsBeside(cutterEdge, u, v, slack))
-                {
-                    ofCutter = cutterEdge = Tip(cutterEdge, u, v, ref cutter);
-                    edge = -1;
-                }
-            }
-            else if (isOnCut)
-            {
-                ofCut = after;
-                edge = before;
-            }
-            else
-            {
-                ofCutter = Between(before - Cutter, after - Cutter, cutterSides);
-                cutterEdge = after - Cutter;
-            }
-
-            if (ofCutter >= 0)
-            {
-                (u, v) = (cutter[ofCutter].U, cutter[ofCutter].V);
-                if (isOnCut != isOnCutAfter && !cut.Holds(u, v, slack)) continue;
-            }
-
-            ref ContactPlace place = ref places[found++];
-            place.U = u;
-            place.V = v;
-            place.Count = 1;
-            place.IsFlat = false;
-            (place.CornerA, place.CornerB) = isACut ? (ofCut, ofCutter) : (ofCutter, ofCut);
-            (place.EdgeA, place.EdgeB) = isACut ? (edge, cutterEdge) : (cutterEdge, edge);
+            int before = corners[i > 0 ? i - 1 : sides - 1].Side;
+            if (TryPlace(corners[i], before, ref cut, ref cutter, isACut, slack, ref places[found])) found++;
         }
 
         return found;
+    }
+
+    /// <summary>Says what a corner is a corner of, or on which edges it lies; false where it is not shared.</summary>
+    private static bool TryPlace(
+        in CutCorner corner, int before, ref FlatFeature cut, ref FlatFeature cutter, bool isACut, double slack,
+        ref ContactPlace place)
+    {
+        int after = corner.Side, ofCut = -1, ofCutter = -1, edge = -1, cutterEdge = -1;
+        double u = corner.U, v = corner.V;
+        bool isCrossing = before < Cutter != after < Cutter;
+        if (isCrossing)
+        {
+            edge = Math.Min(before, after);
+            cutterEdge = Math.Max(before, after) - Cutter;
+
+            // Beyond a tip two edges are nearer than the slack to each other, and what they cross there is not shared,
+            // but the tip may be.
+            if (!cutter.IsBeside(cutterEdge, u, v, slack))
+            {
+                ofCutter = cutterEdge = Tip(cutterEdge, u, v, ref cutter);
+                edge = -1;
+            }
+        }
+        else if (after < Cutter)
+        {
+            ofCut = after;
+            edge = before;
+        }
+        else
+        {
+            ofCutter = Between(before - Cutter, after - Cutter, cutter.Count);
+            cutterEdge = after - Cutter;
+        }
+
+        if (ofCutter >= 0) (u, v) = (cutter[ofCutter].U, cutter[ofCutter].V);
+        place.U = u;
+        place.V = v;
+        place.Count = 1;
+        place.IsFlat = false;
+        (place.CornerA, place.CornerB) = isACut ? (ofCut, ofCutter) : (ofCutter, ofCut);
+        (place.EdgeA, place.EdgeB) = isACut ? (edge, cutterEdge) : (cutterEdge, edge);
+        return !isCrossing || ofCutter < 0 || cut.Holds(u, v, slack);
     }
 
     /// <summary>The nearer end of an edge.</summary>

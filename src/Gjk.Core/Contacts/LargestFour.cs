@@ -115,7 +115,8 @@ internal readonly unsafe ref struct LargestFour
     {
         int end = from + _count;
         double most1 = FillBetween(from, to, areas), most2 = FillBetween(to, end, areas);
-        int left = First(areas, from + 1, to, most1, most2, most), right = First(areas, to + 1, end, most2, most1, most);
+        int left = First(areas, from + 1, to, most1, Math.Max(0, most2), most);
+        int right = First(areas, to + 1, end, most2, Math.Max(0, most1), most);
         if (IsBefore(left, right)) right = First(areas, to + 1, end, most2, areas[left], most);
         else left = First(areas, from + 1, to, most1, areas[right], most);
         chosen[1] = Number(Wrapped(left));
@@ -210,7 +211,7 @@ internal readonly unsafe ref struct LargestFour
     /// <summary>Where what is as good ends: in the first gap between two areas that is wide enough.</summary>
     private static double Enough(double* areas, int begin, int end, double from, double other, double most)
     {
-        from = Math.Min(from, AsGood * most);
+        from = Math.Min(Math.Max(0, from), AsGood * most);
         double least = Math.Min(from, LeastGood * most), gap = Gap * most;
         while (true)
         {
@@ -230,10 +231,10 @@ internal readonly unsafe ref struct LargestFour
     }
 
     /// <summary>Writes the areas of the triangles over a diagonal.</summary>
-    /// <returns>The largest.</returns>
+    /// <returns>The largest; below 0 where a corner that must stay lies behind the line of its neighbours.</returns>
     private double FillBetween(int from, int to, double* areas)
     {
-        double most = 0;
+        double most = double.NegativeInfinity;
         for (int i = from + 1; i < to; i++)
         {
             double area = Area(from, i, to);
