@@ -38,8 +38,13 @@ internal struct ContactPlane
         OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
         CoreDistance = state.Feature.Height * scale;
         Size = state.Size.Value;
+    }
+
+    /// <summary>Finds its axes, without which nothing can be seen along the normal.</summary>
+    public void Span()
+    {
         _basis = new PlaneBasis(Normal);
-        _factor = 1 / frame.Unit;
+        _factor = 1 / Frame.Unit;
     }
 
     /// <summary>A vector from its parts along the plane's axes and along the normal.</summary>
