@@ -22,12 +22,6 @@ internal static unsafe class ContactBuilder
     /// </summary>
     public const double AsDeep = 4e-7;
 
-    /// <summary>
-    /// Length, as a fraction of the size: tilted by so little that a margin along its normal and one along the contact
-    /// normal differ by less, a surface needs no proof. Pinned by MarginContactTests.
-    /// </summary>
-    private const double Level = 1e-7;
-
     /// <summary>Fills a manifold, whose normal is there already.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
@@ -45,9 +39,9 @@ internal static unsafe class ContactBuilder
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var view = new ContactView(plane);
         FlatCorner* flat = stackalloc FlatCorner[2 * FaceCorners.Capacity];
-        FlatFeature faceA = view.SeeA(cornersA, flat), faceB = view.SeeB(cornersB, flat + FaceCorners.Capacity);
+        FlatFeature faceA = plane.See(cornersA, isOfA: true, flat);
+        FlatFeature faceB = plane.See(cornersB, isOfA: false, flat + FaceCorners.Capacity);
         if (!faceA.IsLevel || !faceB.IsLevel) return false;
         ContactPlace* places = stackalloc ContactPlace[ContactPlaces.Capacity];
         var found = new ContactPlaces(places, faceA, faceB, plane.Size);
@@ -58,7 +52,7 @@ internal static unsafe class ContactBuilder
         bool haveMoved = false;
         for (int i = 0; i < found.Count; i++)
         {
-            if (!TryMeasure(ref a, ref b, view, found, found[i], faceA, faceB, out Candidate candidate)) continue;
+            if (!TryMeasure(ref a, ref b, plane, found, found[i], faceA, faceB, out Candidate candidate)) continue;
             haveMoved |= candidate.U != found[i].U || candidate.V != found[i].V;
             if (candidate.Gap <= mostGap) candidates.Add(candidate);
         }
@@ -71,7 +65,7 @@ internal static unsafe class ContactBuilder
         Candidate* quarters = stackalloc Candidate[ContactManifold.Capacity];
         if (!QuarterNames.TryFind(ref faceA, ref faceB, quarters)) quarters = null;
         ContactReduction.Reduce(ref candidates, deepest, quarters, AsDeep * plane.Size, found.ReachAround);
-        for (int i = 0; i < candidates.Count; i++) manifold.Add(Point(candidates[i], view, poseA, distance));
+        for (int i = 0; i < candidates.Count; i++) manifold.Add(Point(candidates[i], plane, poseA, distance));
         return true;
     }
 
@@ -80,20 +74,19 @@ internal static unsafe class ContactBuilder
     /// place moves to where a face is flat.
     /// </summary>
     private static bool TryMeasure<TA, TB>(
-        ref TA shapeA, ref TB shapeB, in ContactView view, in ContactPlaces places, in ContactPlace place,
+        ref TA shapeA, ref TB shapeB, in ContactPlane plane, in ContactPlaces places, in ContactPlace place,
         in FlatFeature a, in FlatFeature b, out Candidate candidate)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        double u = place.U, v = place.V, level = Level * view.Plane.Size;
-        bool isSureA = a.IsSureWithin(level), isSureB = b.IsSureWithin(level);
+        double u = place.U, v = place.V;
         for (int tries = 0; ; tries++)
         {
             SurfacePoint onA = a.SurfaceAt(u, v, tries == 0 ? place.CornerA : -1);
             SurfacePoint onB = b.SurfaceAt(u, v, tries == 0 ? place.CornerB : -1);
             candidate = new Candidate(u, v, onA.Height, onB.Height, place.Id);
-            bool holdsA = isSureA || ContactProof.HoldsOnA(ref shapeA, view, onA, u, v);
-            bool holdsB = isSureB || ContactProof.HoldsOnB(ref shapeB, view, onB, u, v);
+            bool holdsA = a.IsSure || ContactProof.Holds(ref shapeA, true, plane, onA, u, v);
+            bool holdsB = b.IsSure || ContactProof.Holds(ref shapeB, false, plane, onB, u, v);
             if (holdsA && holdsB) return true;
             if (tries > 0 || holdsA == holdsB) return false;
             if (holdsA) b.ToFlatPart(ref u, ref v);
@@ -104,16 +97,16 @@ internal static unsafe class ContactBuilder
 
     /// <summary>Back from the plane to the shapes and to the world.</summary>
     private static ContactPoint Point(
-        in Candidate candidate, in ContactView view, in RigidPose poseA, float distance)
+        in Candidate candidate, in ContactPlane plane, in RigidPose poseA, float distance)
     {
-        ref readonly PairFrame frame = ref view.Plane.Frame;
-        Vector3D onA = view.Plane.OnA + view.Direction(candidate.U, candidate.V, candidate.HeightA);
-        Vector3D onB = view.Plane.OnA + view.Direction(candidate.U, candidate.V, -candidate.HeightB);
+        ref readonly PairFrame frame = ref plane.Frame;
+        Vector3D onA = plane.OnA + plane.Direction(candidate.U, candidate.V, candidate.HeightA);
+        Vector3D onB = plane.OnA + plane.Direction(candidate.U, candidate.V, -candidate.HeightB);
         Vector3D localA = (onA + frame.CenterA) * frame.Unit;
         Vector3D localB = (frame.Rotation.InverseRotate(onB - frame.Translation) + frame.CenterB) * frame.Unit;
         double gap = candidate.Gap * frame.Unit;
         Vector3D worldA = frame.RotationA.Rotate(localA) + poseA.Position;
-        Vector3D worldB = worldA + frame.RotationA.Rotate(view.Plane.Normal) * gap;
+        Vector3D worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
         return new ContactPoint(
             (Vector3)worldA, (Vector3)worldB, (Vector3)localA, (Vector3)localB, Math.Max((float)gap, distance),
             candidate.Id);

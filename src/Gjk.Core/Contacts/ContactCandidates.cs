@@ -51,8 +51,7 @@ internal unsafe ref struct ContactCandidates
 
         Candidate* outline = stackalloc Candidate[Capacity];
         for (int i = 0; i < kept; i++) outline[i] = _candidates[(first + corners[i] * step) % Count];
-        for (int i = 0; i < kept; i++) _candidates[i] = outline[i];
-        Count = kept;
+        Take(outline, kept);
     }
 
     /// <summary>Whether all corners between two lie within a length of the line between these.</summary>
@@ -70,8 +69,12 @@ internal unsafe ref struct ContactCandidates
         return true;
     }
 
-    /// <summary>Takes away all behind the first ones.</summary>
-    public void Truncate(int count) => Count = count;
+    /// <summary>Leaves some, whose numbers rise.</summary>
+    public void Keep(int* kept, int count)
+    {
+        for (int i = 0; i < count; i++) _candidates[i] = _candidates[kept[i]];
+        Count = count;
+    }
 
     /// <summary>
     /// Leaves the corners of the convex outline, in order around it (Andrew 1979): places that moved to where a face is
@@ -92,8 +95,13 @@ internal unsafe ref struct ContactCandidates
         for (int i = 0; i < Count; i++) Append(outline, ref count, 0, _candidates[i]);
         int half = count - 1;
         for (int i = Count - 2; i >= 0; i--) Append(outline, ref count, half, _candidates[i]);
-        Count = count - 1;
-        for (int i = 0; i < Count; i++) _candidates[i] = outline[i];
+        Take(outline, count - 1);
+    }
+
+    private void Take(Candidate* others, int count)
+    {
+        for (int i = 0; i < count; i++) _candidates[i] = others[i];
+        Count = count;
     }
 
     private static bool IsLeftOf(in Candidate p, in Candidate q) => p.U != q.U ? p.U < q.U : p.V < q.V;

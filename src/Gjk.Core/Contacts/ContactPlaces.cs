@@ -56,7 +56,7 @@ internal unsafe ref struct ContactPlaces
     public ContactPlaces(ContactPlace* memory, in FlatFeature a, in FlatFeature b, double size)
     {
         _places = memory;
-        _least = LeastPart * Math.Min(a.Width(), b.Width());
+        _least = LeastPart * Math.Min(a.Width, b.Width);
         _slack = Math.Min(Slack * size, _least);
         _reach = 0;
         Count = 0;
@@ -85,26 +85,18 @@ internal unsafe ref struct ContactPlaces
             return;
         }
 
-        OverlapCorner* memory = stackalloc OverlapCorner[FeatureOverlap.Capacity];
-        CutCorner* cuts = stackalloc CutCorner[2 * FeatureOverlap.Capacity];
-        var overlap = new FeatureOverlap(memory, cuts, _slack);
         bool areFaces = a.Count > 2 && b.Count > 2, isACut = areFaces ? a.Count >= b.Count : a.Count == 2;
-        bool isSide = a.IsOnSide || b.IsOnSide;
         double width;
+        int count;
         do
         {
-            if (isACut) overlap.Find(ref a, ref b);
-            else overlap.Find(ref b, ref a);
+            count = isACut
+                ? FeatureOverlap.Find(ref a, ref b, true, _slack, _places)
+                : FeatureOverlap.Find(ref b, ref a, false, _slack, _places);
         }
-        while (IsLittleOf(width = Measure(overlap, areFaces), ref a, ref b));
-        if (isSide && width <= _least) return;
-        for (int i = 0; i < overlap.Count; i++)
-        {
-            ref OverlapCorner corner = ref overlap[i];
-            if (isACut) Add(corner, corner.Cut, corner.CutEdge, ref a, corner.Cutter, corner.CutterEdge, ref b);
-            else Add(corner, corner.Cutter, corner.CutterEdge, ref a, corner.Cut, corner.CutEdge, ref b);
-        }
-
+        while (IsLittleOf(width = Measure(count, areFaces), ref a, ref b));
+        if ((a.IsOnSide || b.IsOnSide) && width <= _least) return;
+        for (int i = 0; i < count; i++) Name(ref _places[i], ref a, ref b);
         for (int i = 0; i < Count; i++) _places[i].TakeMiddle();
         RemoveFlat();
     }
@@ -124,44 +116,52 @@ internal unsafe ref struct ContactPlaces
     {
         if (!disc.CanBeRefined) return false;
         bool isFirst = disc.Count == FaceCorners.Capacity / FaceCorners.DiscStep;
-        return !(width >= (isFirst ? LittleOfDisc : LeastOfDisc) * disc.Width());
+        return !(width >= (isFirst ? LittleOfDisc : LeastOfDisc) * disc.Width);
     }
 
     /// <summary>How wide the overlap is, from its area and length: what the reach is a part of.</summary>
-    private double Measure(in FeatureOverlap overlap, bool isArea)
+    private double Measure(int count, bool isArea)
     {
         double area = 0, u = 0, v = 0, squared = 0;
-        int count = overlap.Count;
         for (int i = 0; i < count; i++)
         {
-            u += overlap[i].U / count;
-            v += overlap[i].V / count;
+            u += _places[i].U;
+            v += _places[i].V;
         }
 
+        u /= count;
+        v /= count;
+        ref ContactPlace last = ref _places[Math.Max(count - 1, 0)];
+        double beforeU = last.U - u, beforeV = last.V - v;
         for (int i = 0; i < count; i++)
         {
-            ref OverlapCorner p = ref overlap[i], q = ref overlap[i + 1 < count ? i + 1 : 0];
-            area += ((p.U - u) * (q.V - v) - (p.V - v) * (q.U - u)) / 2;
-            squared = Math.Max(squared, (p.U - u) * (p.U - u) + (p.V - v) * (p.V - v));
+            double atU = _places[i].U - u, atV = _places[i].V - v;
+            area += beforeU * atV - beforeV * atU;
+            squared = Math.Max(squared, atU * atU + atV * atV);
+            (beforeU, beforeV) = (atU, atV);
         }
 
-        double length = 2 * Math.Sqrt(squared), width = isArea ? 2 * Math.Abs(area) / length : length;
+        double length = 2 * Math.Sqrt(squared), width = isArea ? Math.Abs(area) / length : length;
         _reach = Math.Max(width > 0 ? Reach * width : 0, 2 * _slack);
         return width;
     }
 
-    private void Add(
-        in OverlapCorner at, int cornerA, int edgeA, ref FlatFeature a, int cornerB, int edgeB, ref FlatFeature b)
+    /// <summary>Names a place, and adds it to the others: to the one that has the same name, if there is one.</summary>
+    private void Name(ref ContactPlace place, ref FlatFeature a, ref FlatFeature b)
     {
-        var place = new ContactPlace { U = at.U, V = at.V, CornerA = cornerA, CornerB = cornerB, Count = 1 };
-        int nameA = cornerA >= 0 ? cornerA : cornerB < 0 ? NearEnd(ref a, edgeA, at.U, at.V) : -1;
-        int nameB = cornerB >= 0 ? cornerB : cornerA < 0 ? NearEnd(ref b, edgeB, at.U, at.V) : -1;
+        int nameA = place.CornerA, nameB = place.CornerB;
+        if (nameA < 0 && nameB < 0)
+        {
+            nameA = NearEnd(ref a, place.EdgeA, place.U, place.V);
+            nameB = NearEnd(ref b, place.EdgeB, place.U, place.V);
+        }
+
         if (nameA >= 0 && nameB < 0) nameB = Nearest(ref b, a[nameA].U, a[nameA].V);
         else if (nameB >= 0 && nameA < 0) nameA = Nearest(ref a, b[nameB].U, b[nameB].V);
         if (nameA < 0 && nameB < 0)
         {
-            place.Id = ContactFeature.Of(EdgeOf(ref a, edgeA), EdgeOf(ref b, edgeB));
-            place.IsFlat = Sine(ref a, edgeA, ref b, edgeB) <= Parallel;
+            place.Id = ContactFeature.Of(EdgeOf(ref a, place.EdgeA), EdgeOf(ref b, place.EdgeB));
+            place.IsFlat = Sine(ref a, place.EdgeA, ref b, place.EdgeB) <= Parallel;
         }
         else
         {
@@ -266,6 +266,9 @@ internal struct ContactPlace
     /// <summary>The corner that it is exactly at; -1 where it is at none.</summary>
     public int CornerA, CornerB;
 
+    /// <summary>The edge on which it lies; -1 at the other's corner.</summary>
+    public int EdgeA, EdgeB;
+
     /// <summary>Whether nearly parallel edges cross here.</summary>
     public bool IsFlat;
 
@@ -282,6 +285,7 @@ internal struct ContactPlace
     /// <summary>From the sum of its corners to their middle.</summary>
     public void TakeMiddle()
     {
+        if (Count == 1) return;
         U /= Count;
         V /= Count;
     }

@@ -2,28 +2,35 @@ using System;
 
 namespace Gjk.Core;
 
-/// <summary>Where a query of the signed distance ended, as contacts need it, in the pair's frame.</summary>
-internal readonly struct ContactPlane
+/// <summary>
+/// Where a query of the signed distance ended, as contacts need it, in the pair's frame. Places across the normal are
+/// measured from the deepest point, so that no length is larger than the shapes.
+/// </summary>
+internal struct ContactPlane
 {
     /// <summary>The pair.</summary>
-    public readonly PairFrame Frame;
+    public PairFrame Frame;
 
-    /// <summary>From A to B, of unit length.</summary>
-    public readonly Vector3D Normal;
+    /// <summary>From A to B, of unit length; 0 where nothing but the result says where the contact is.</summary>
+    public Vector3D Normal;
 
     /// <summary>The point of A's core that is deepest or closest.</summary>
-    public readonly Vector3D OnA;
+    public Vector3D OnA;
 
     /// <summary>How far the cores are apart along the normal; negative when they overlap.</summary>
-    public readonly double CoreDistance;
-
-    /// <summary>How far the shapes are apart, margins included.</summary>
-    public double Distance => CoreDistance - Frame.Margins;
+    public double CoreDistance;
 
     /// <summary>Of the pair: what lengths are relative to.</summary>
-    public readonly double Size;
+    public double Size;
 
-    public ContactPlane(in PairFrame frame, in SolverState state)
+    private PlaneBasis _basis;
+    private double _factor;
+
+    /// <summary>How far the shapes are apart, margins included.</summary>
+    public readonly double Distance => CoreDistance - Frame.Margins;
+
+    /// <summary>Fills it where it is to be: a copy would cost as much as what it is for.</summary>
+    public void Set(in PairFrame frame, in SolverState state)
     {
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         Frame = frame;
@@ -31,5 +38,46 @@ internal readonly struct ContactPlane
         OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
         CoreDistance = state.Feature.Height * scale;
         Size = state.Size.Value;
+    }
+
+    /// <summary>Finds its axes, without which nothing can be seen along the normal.</summary>
+    public void Span()
+    {
+        _basis = new PlaneBasis(Normal);
+        _factor = 1 / Frame.Unit;
+    }
+
+    /// <summary>A vector from its parts along the plane's axes and along the normal.</summary>
+    public readonly Vector3D Direction(double u, double v, double height) =>
+        _basis.U * u + _basis.V * v + Normal * height;
+
+    /// <summary>A point of a shape, given from its centre in its frame and units, from the deepest point.</summary>
+    public readonly Vector3D Of(in Vector3D point, bool isOfA)
+    {
+        Vector3D p = point * _factor;
+        return (isOfA ? p : Frame.Rotation.Rotate(p) + Frame.Translation) - OnA;
+    }
+
+    /// <summary>What the core of A or of B is widened by.</summary>
+    public readonly double MarginOf(bool isOfA) => isOfA ? Frame.MarginA : Frame.MarginB;
+
+    /// <summary>The face or edge that a shape shows.</summary>
+    /// <param name="corners">From its centre, in its frame.</param>
+    /// <param name="isOfA">Whether the shape is A; B reaches against the normal.</param>
+    /// <param name="memory">Gets the corners.</param>
+    public readonly unsafe FlatFeature See(in FaceCorners corners, bool isOfA, FlatCorner* memory)
+    {
+        double sign = isOfA ? 1 : -1;
+        for (int i = 0; i < corners.Count; i++)
+        {
+            Vector3D p = Of(corners[i], isOfA);
+            ref FlatCorner corner = ref memory[i];
+            corner.U = Vector3D.Dot(p, _basis.U);
+            corner.V = Vector3D.Dot(p, _basis.V);
+            corner.Height = Vector3D.Dot(p, Normal) * sign;
+            corner.Id = corners.IdOf(i);
+        }
+
+        return new FlatFeature(memory, corners, MarginOf(isOfA), _factor, Size);
     }
 }

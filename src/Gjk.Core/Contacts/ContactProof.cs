@@ -17,26 +17,16 @@ internal static class ContactProof
     /// </summary>
     private const double MostError = 1e-6;
 
-    /// <summary>Whether nothing of A reaches beyond its surface at a place.</summary>
-    public static bool HoldsOnA<T>(ref T a, in ContactView view, in SurfacePoint surface, double u, double v)
+    /// <summary>Whether nothing of a shape reaches beyond its surface at a place.</summary>
+    public static bool Holds<T>(
+        ref T shape, bool isOfA, in ContactPlane plane, in SurfacePoint surface, double u, double v)
         where T : struct, ISupportMap
     {
-        Vector3D outward = view.Direction(surface.NormalU, surface.NormalV, surface.NormalHeight);
-        a.Support(outward, out Vector3D point);
-        double reach = Vector3D.Dot(outward, view.OfA(point)) + view.Plane.Frame.MarginA;
-        return reach - Shown(surface, u, v) <= MostError * view.Plane.Size;
+        double up = isOfA ? surface.NormalHeight : -surface.NormalHeight;
+        Vector3D outward = plane.Direction(surface.NormalU, surface.NormalV, up);
+        shape.Support(isOfA ? outward : plane.Frame.Rotation.InverseRotate(outward), out Vector3D point);
+        double reach = Vector3D.Dot(outward, plane.Of(point, isOfA)) + plane.MarginOf(isOfA);
+        double shown = surface.NormalU * u + surface.NormalV * v + surface.NormalHeight * surface.Height;
+        return reach - shown <= MostError * plane.Size;
     }
-
-    /// <summary>The same for B, whose surface looks and reaches against the normal.</summary>
-    public static bool HoldsOnB<T>(ref T b, in ContactView view, in SurfacePoint surface, double u, double v)
-        where T : struct, ISupportMap
-    {
-        Vector3D outward = view.Direction(surface.NormalU, surface.NormalV, -surface.NormalHeight);
-        b.Support(view.Plane.Frame.Rotation.InverseRotate(outward), out Vector3D point);
-        double reach = Vector3D.Dot(outward, view.OfB(point)) + view.Plane.Frame.MarginB;
-        return reach - Shown(surface, u, v) <= MostError * view.Plane.Size;
-    }
-
-    private static double Shown(in SurfacePoint surface, double u, double v) =>
-        surface.NormalU * u + surface.NormalV * v + surface.NormalHeight * surface.Height;
 }

@@ -47,7 +47,7 @@ internal static unsafe class ContactReduction
             count = LargestFour.Choose(candidates.Pointer, candidates.Count, at, four);
         }
 
-        Keep(ref candidates, four, count);
+        candidates.Keep(four, count);
         if (quarters != null && count == ContactManifold.Capacity) Rename(ref candidates, quarters);
         Sort(ref candidates);
     }
@@ -102,13 +102,6 @@ internal static unsafe class ContactReduction
         QuarterNames.Match(others, candidates.Pointer, out int turn, out int step);
         for (int i = 0; i < candidates.Count; i++)
             candidates[i] = candidates[i].Named(others[QuarterNames.At(i, turn, step)].Id);
-    }
-
-    private static void Keep(ref ContactCandidates candidates, int* kept, int count)
-    {
-        // Their numbers rise, so none is overwritten before it is moved.
-        for (int i = 0; i < count; i++) candidates[i] = candidates[kept[i]];
-        candidates.Truncate(count);
     }
 
     private static void Sort(ref ContactCandidates candidates)

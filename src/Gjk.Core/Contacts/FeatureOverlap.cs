@@ -11,7 +11,7 @@ namespace Gjk.Core;
 /// engines make contacts by (Gregorius, "Robust contact creation for physics simulation", GDC 2015). An edge is a
 /// polygon of two corners. Each cut adds a corner at most, so there is room for all.
 /// </remarks>
-internal unsafe ref struct FeatureOverlap
+internal static unsafe class FeatureOverlap
 {
     /// <summary>Count: the corners of both, and one that a cut may add before it takes others away.</summary>
     public const int Capacity = 2 * FaceCorners.Capacity + 2;
@@ -19,137 +19,142 @@ internal unsafe ref struct FeatureOverlap
     /// <summary>Added to the numbers of the edges that cut.</summary>
     private const int Cutter = FaceCorners.Capacity;
 
-    private readonly double _slack;
-    private readonly OverlapCorner* _found;
-    private CutCorner* _corners, _other;
-
-    /// <param name="memory">Room for <see cref="Capacity"/> corners.</param>
-    /// <param name="cuts">Room for twice as many.</param>
+    /// <summary>Cuts the one feature by the edges of a face.</summary>
+    /// <param name="cut">What is cut.</param>
+    /// <param name="cutter">The face.</param>
+    /// <param name="isACut">Whether the one that is cut is A's.</param>
     /// <param name="slack">Length: what lies beside an edge by less is not cut off.</param>
-    public FeatureOverlap(OverlapCorner* memory, CutCorner* cuts, double slack)
+    /// <param name="places">
+    /// Gets the corners, of which an edge has two, and those that cutting it adds twice; room for <see
+    /// cref="Capacity"/>.
+    /// </param>
+    /// <returns>How many there are.</returns>
+    public static int Find(
+        ref FlatFeature cut, ref FlatFeature cutter, bool isACut, double slack, ContactPlace* places)
     {
-        _found = memory;
-        _corners = cuts;
-        _other = cuts + Capacity;
-        _slack = slack;
-        Count = 0;
+        CutCorner* memory = stackalloc CutCorner[2 * Capacity];
+        CutCorner* corners = memory, other = memory + Capacity;
+        int sides = cut.Count, cutterSides = cutter.Count, found = 0;
+        double middleU = 0.5 * (cut[0].U + cut[sides / 2].U), middleV = 0.5 * (cut[0].V + cut[sides / 2].V);
+        double squared = 0;
+        for (int i = 0; i < sides; i++)
+        {
+            corners[i] = new CutCorner { U = cut[i].U, V = cut[i].V, Side = i };
+            squared = Math.Max(squared, cut[i].SquaredTo(middleU, middleV));
+        }
+
+        // Rounding is far below the slack, so no corner is cut off by an edge that leaves the circle around all alone.
+        double radius = Math.Sqrt(squared);
+        for (int i = 0; i < cutterSides && sides > 0; i++)
+        {
+            if (cutter.Inside(i, middleU, middleV) >= radius || !IsCut(cutter[i], corners, sides, slack)) continue;
+            sides = CutBy(Cutter + i, corners, other, sides, slack);
+            CutCorner* before = corners;
+            corners = other;
+            other = before;
+        }
+
+        for (int i = 0; i < sides; i++)
+        {
+            int before = corners[i > 0 ? i - 1 : sides - 1].Side;
+            if (TryPlace(corners[i], before, ref cut, ref cutter, isACut, slack, ref places[found])) found++;
+        }
+
+        return found;
     }
 
-    /// <summary>How many corners there are; an edge has two, and those that cutting it adds twice.</summary>
-    public int Count { get; private set; }
-
-    /// <summary>A corner.</summary>
-    public readonly ref OverlapCorner this[int index] => ref _found[index];
-
-    /// <summary>Cuts the one feature by the edges of a face.</summary>
-    public void Find(ref FlatFeature cut, ref FlatFeature cutter)
+    /// <summary>Says what a corner is a corner of, or on which edges it lies; false where it is not shared.</summary>
+    private static bool TryPlace(
+        in CutCorner corner, int before, ref FlatFeature cut, ref FlatFeature cutter, bool isACut, double slack,
+        ref ContactPlace place)
     {
-        Count = cut.Count;
-        for (int i = 0; i < Count; i++) _corners[i] = new CutCorner { U = cut[i].U, V = cut[i].V, Side = i };
-        for (int i = 0; i < cutter.Count && Count > 0; i++) CutBy(ref cutter, i);
-        int count = 0;
-        for (int i = 0; i < Count; i++)
+        int after = corner.Side, ofCut = -1, ofCutter = -1, edge = -1, cutterEdge = -1;
+        double u = corner.U, v = corner.V;
+        bool isCrossing = before < Cutter != after < Cutter;
+        if (isCrossing)
         {
-            int before = _corners[i > 0 ? i - 1 : Count - 1].Side, after = _corners[i].Side;
-            ref OverlapCorner corner = ref _found[count];
-            corner.U = _corners[i].U;
-            corner.V = _corners[i].V;
-            corner.Cut = before < Cutter && after < Cutter ? after : -1;
-            corner.Cutter = before >= Cutter && after >= Cutter ? Between(before, after, cutter.Count) : -1;
-            corner.CutEdge = before < Cutter ? before : after < Cutter ? after : -1;
-            corner.CutterEdge = after >= Cutter ? after - Cutter : before >= Cutter ? before - Cutter : -1;
-            if (corner.Cutter >= 0)
-            {
-                corner.U = cutter[corner.Cutter].U;
-                corner.V = cutter[corner.Cutter].V;
-            }
+            edge = Math.Min(before, after);
+            cutterEdge = Math.Max(before, after) - Cutter;
 
             // Beyond a tip two edges are nearer than the slack to each other, and what they cross there is not shared,
             // but the tip may be.
-            bool isCrossing = corner.CutEdge >= 0 && corner.CutterEdge >= 0;
-            bool isShared = !isCrossing || cutter.IsBeside(corner.CutterEdge, corner.U, corner.V, _slack);
-            if (isShared || TryMoveToTip(ref corner, ref cut, ref cutter)) count++;
+            if (!cutter.IsBeside(cutterEdge, u, v, slack))
+            {
+                ofCutter = cutterEdge = Tip(cutterEdge, u, v, ref cutter);
+                edge = -1;
+            }
+        }
+        else if (after < Cutter)
+        {
+            ofCut = after;
+            edge = before;
+        }
+        else
+        {
+            ofCutter = Between(before - Cutter, after - Cutter, cutter.Count);
+            cutterEdge = after - Cutter;
         }
 
-        Count = count;
+        if (ofCutter >= 0) (u, v) = (cutter[ofCutter].U, cutter[ofCutter].V);
+        place.U = u;
+        place.V = v;
+        place.Count = 1;
+        place.IsFlat = false;
+        (place.CornerA, place.CornerB) = isACut ? (ofCut, ofCutter) : (ofCutter, ofCut);
+        (place.EdgeA, place.EdgeB) = isACut ? (edge, cutterEdge) : (cutterEdge, edge);
+        return !isCrossing || ofCutter < 0 || cut.Holds(u, v, slack);
     }
 
-    /// <summary>Moves a corner to the nearer end of the cutter's edge; false where that is not shared.</summary>
-    private readonly bool TryMoveToTip(ref OverlapCorner corner, ref FlatFeature cut, ref FlatFeature cutter)
+    /// <summary>The nearer end of an edge.</summary>
+    private static int Tip(int edge, double u, double v, ref FlatFeature feature)
     {
-        int from = corner.CutterEdge, to = from + 1 < cutter.Count ? from + 1 : 0;
-        double u = corner.U, v = corner.V;
-        int tip = cutter[from].SquaredTo(u, v) <= cutter[to].SquaredTo(u, v) ? from : to;
-        corner.U = cutter[tip].U;
-        corner.V = cutter[tip].V;
-        corner.Cutter = tip;
-        corner.CutterEdge = tip;
-        corner.CutEdge = -1;
-        return cut.Holds(corner.U, corner.V, _slack);
+        int to = edge + 1 < feature.Count ? edge + 1 : 0;
+        return feature[edge].SquaredTo(u, v) <= feature[to].SquaredTo(u, v) ? edge : to;
     }
 
     /// <summary>The corner between two edges of the cutter, either way round.</summary>
-    private static int Between(int before, int after, int count)
+    private static int Between(int before, int after, int count) => (before + 1) % count == after ? after : before;
+
+    /// <summary>Whether a line cuts anything off; says of each corner how far it is on the inner side.</summary>
+    private static bool IsCut(in FlatCorner line, CutCorner* corners, int count, double slack)
     {
-        int i = before - Cutter, k = after - Cutter;
-        return (i + 1) % count == k ? k : i;
+        double u = line.U, v = line.V, inwardU = line.InwardU, inwardV = line.InwardV;
+        bool isCut = false;
+        for (CutCorner* end = corners + count; corners < end; corners++)
+        {
+            corners->Inside = inwardU * (corners->U - u) + inwardV * (corners->V - v);
+            isCut |= corners->Inside < -slack;
+        }
+
+        return isCut;
     }
 
-    private void CutBy(ref FlatFeature cutter, int edge)
+    private static int CutBy(int side, CutCorner* corners, CutCorner* kept, int count, double slack)
     {
-        double* inside = stackalloc double[Capacity];
-        ref FlatCorner line = ref cutter[edge];
-        double lineU = line.U, lineV = line.V, inwardU = line.InwardU, inwardV = line.InwardV, least = 0;
-        CutCorner* corner = _corners;
-        int count = Count;
-        for (int i = 0; i < count; i++, corner++)
+        CutCorner* first = kept, last = corners + count - 1, room = kept + Capacity - 2;
+        for (CutCorner* p = corners; p <= last && kept <= room; p++)
         {
-            double depth = inwardU * (corner->U - lineU) + inwardV * (corner->V - lineV);
-            inside[i] = depth;
-            if (depth < least) least = depth;
+            CutCorner* q = p < last ? p + 1 : corners;
+            bool isIn = p->Inside >= -slack;
+            if (isIn) *kept++ = *p;
+            if (isIn == q->Inside >= -slack) continue;
+            double part = Math.Max(0, Math.Min(1, p->Inside / (p->Inside - q->Inside)));
+            kept->U = p->U + (q->U - p->U) * part;
+            kept->V = p->V + (q->V - p->V) * part;
+            kept->Side = isIn ? side : p->Side;
+            kept++;
         }
 
-        if (least >= -_slack) return;
-        count = 0;
-        for (int i = 0; i < Count && count + 2 <= Capacity; i++)
-        {
-            int next = i + 1 < Count ? i + 1 : 0;
-            bool isIn = inside[i] >= -_slack;
-            if (isIn) _other[count++] = _corners[i];
-            if (isIn == inside[next] >= -_slack) continue;
-            ref CutCorner p = ref _corners[i], q = ref _corners[next], cut = ref _other[count++];
-            double part = Math.Max(0, Math.Min(1, inside[i] / (inside[i] - inside[next])));
-            cut.U = p.U + (q.U - p.U) * part;
-            cut.V = p.V + (q.V - p.V) * part;
-            cut.Side = isIn ? Cutter + edge : p.Side;
-        }
-
-        CutCorner* before = _corners;
-        _corners = _other;
-        _other = before;
-        Count = count;
+        return (int)(kept - first);
     }
 }
 
 /// <summary>A corner while one feature is cut by the other.</summary>
 internal struct CutCorner
 {
-    /// <summary>In the plane across the normal.</summary>
-    public double U, V;
+    /// <summary>In the plane across the normal, and how far it is on the inner side of what cuts.</summary>
+    public double U, V, Inside;
 
     /// <summary>The edge that the side beginning here lies on: one of what is cut, or of the cutter.</summary>
     public int Side;
-}
-
-/// <summary>A corner of what two features share.</summary>
-internal struct OverlapCorner
-{
-    /// <summary>In the plane across the normal.</summary>
-    public double U, V;
-
-    /// <summary>The corner of the one or of the other that this is; -1 where it is none.</summary>
-    public int Cut, Cutter;
-
-    /// <summary>The edges on which it lies; -1 at the other's corner.</summary>
-    public int CutEdge, CutterEdge;
 }

@@ -16,6 +16,12 @@ internal unsafe struct FlatFeature
     /// </summary>
     private const double Thin = 1e-9;
 
+    /// <summary>
+    /// Length, as a fraction of the size: tilted by so little that a margin along its normal and one along the contact
+    /// normal differ by less, a surface needs no proof. Pinned by MarginContactTests.
+    /// </summary>
+    private const double Level = 1e-7;
+
     /// <summary>How many corners there are: two are an edge, more a face.</summary>
     public int Count { get; private set; }
 
@@ -37,6 +43,9 @@ internal unsafe struct FlatFeature
     /// <summary>How fast the feature rises along the plane's axes; an edge does not rise across itself.</summary>
     private double _riseU, _riseV;
 
+    /// <summary>Where it looks, of unit length: along the plane's axes, and along the contact normal.</summary>
+    private double _normalU, _normalV, _normalHeight;
+
     /// <param name="memory">The corners; what they know of their edges is filled in.</param>
     /// <param name="corners">What they are corners of; at least 2.</param>
     /// <param name="margin">What the core is widened by.</param>
@@ -44,6 +53,7 @@ internal unsafe struct FlatFeature
     /// <param name="size">Of the pair.</param>
     public FlatFeature(FlatCorner* memory, in FaceCorners corners, double margin, double factor, double size)
     {
+        this = default;
         int count = corners.Count;
         _corners = memory;
         Count = count;
@@ -51,12 +61,8 @@ internal unsafe struct FlatFeature
         _side = corners.Side;
         _firstRadius = corners.FirstRadius * factor;
         _lastRadius = corners.SideRadius * factor;
-        _length = 0;
-        _riseU = 0;
-        _riseV = 0;
-        IsLevel = false;
         double thin = Thin * size, area = 0;
-        if (count > 2 && !(Math.Abs(area = Tilt()) > thin * Width()))
+        if (count > 2 && !(Math.Abs(area = Tilt()) > thin * (Width = FindWidth())))
         {
             KeepLongest();
             Count = 2;
@@ -66,13 +72,18 @@ internal unsafe struct FlatFeature
         MeasureEdges(area < 0 ? -1 : 1);
         if (Count == 2) TiltEdge();
         Secant = Math.Sqrt(1 + _riseU * _riseU + _riseV * _riseV);
+        FindNormal();
         IsLevel = (Count > 2 || _length > thin) && Secant <= FaceTilt.MostSecant;
+        IsSure = Margin * (Secant - 1) <= Level * size && (Count > 2 || !IsOnSide);
     }
 
     /// <summary>
     /// Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show another.
     /// </summary>
     public readonly bool IsLevel;
+
+    /// <summary>Whether its surface is known without asking the shape: without margin it is the core's own.</summary>
+    public readonly bool IsSure;
 
     /// <summary>One over the cosine of its tilt: how much longer a margin is along the contact normal.</summary>
     public readonly double Secant;
@@ -93,12 +104,7 @@ internal unsafe struct FlatFeature
     public readonly int EdgeCount => Count > 2 ? Count : 1;
 
     /// <summary>The largest distance of a corner from the first one.</summary>
-    public readonly double Width()
-    {
-        double most = 0;
-        for (int i = 1; i < Count; i++) most = Math.Max(most, _corners[i].SquaredTo(_corners[0].U, _corners[0].V));
-        return Math.Sqrt(most);
-    }
+    public double Width { get; private set; }
 
     /// <summary>Whether more corners of a disc can be put between those that are there.</summary>
     public readonly bool CanBeRefined => _isDisc && Count < FaceCorners.Capacity;
@@ -109,6 +115,8 @@ internal unsafe struct FlatFeature
         DiscCorners.Double(_corners, Count);
         Count *= 2;
         MeasureEdges(Tilt() < 0 ? -1 : 1);
+        FindNormal();
+        Width = FindWidth();
     }
 
     /// <summary>Gives neighbours that are nearer than a length one name.</summary>
@@ -132,10 +140,11 @@ internal unsafe struct FlatFeature
     public readonly bool IsBeside(int edge, double u, double v, double slack)
     {
         ref FlatCorner p = ref _corners[edge], q = ref After(edge);
-        double along = Math.Abs(p.InwardV) > Math.Abs(p.InwardU)
-            ? (u - p.U) / (q.U - p.U)
-            : (v - p.V) / (q.V - p.V);
+        bool isAlongU = Math.Abs(p.InwardV) > Math.Abs(p.InwardU);
+        double along = isAlongU ? u - p.U : v - p.V, whole = isAlongU ? q.U - p.U : q.V - p.V;
+        if (along * whole > 0 && Math.Abs(along) <= Math.Abs(whole)) return true;
         double part = slack / Math.Sqrt(q.SquaredTo(p.U, p.V));
+        along /= whole;
         return along >= -part && along <= 1 + part;
     }
 
@@ -160,8 +169,7 @@ internal unsafe struct FlatFeature
         if (Count == 2) return SurfacePoint.OfEdge(
             _corners[0], _corners[1], u, v, Margin, _firstRadius, _lastRadius);
         var surface = new SurfacePoint(
-            p.Height + _riseU * (u - p.U) + _riseV * (v - p.V) + Margin * Secant, -_riseU / Secant, -_riseV / Secant,
-            1 / Secant);
+            p.Height + _riseU * (u - p.U) + _riseV * (v - p.V) + Margin * Secant, _normalU, _normalV, _normalHeight);
         if (Margin == 0) return surface;
 
         // The core's point that belongs to this place; near the upper rim it lies beyond, and the rim is round.
@@ -179,17 +187,25 @@ internal unsafe struct FlatFeature
         return surface;
     }
 
-    /// <summary>
-    /// Whether its surface is known to within a length without asking the shape: without margin it is the core's own.
-    /// </summary>
-    public readonly bool IsSureWithin(double length) =>
-        Margin * (Secant - 1) <= length && (Count > 2 || !IsOnSide);
-
     /// <summary>Where the face's own part of the surface begins that belongs to a place of the core.</summary>
     public readonly void ToFlatPart(ref double u, ref double v)
     {
         u -= Margin * _riseU / Secant;
         v -= Margin * _riseV / Secant;
+    }
+
+    private void FindNormal()
+    {
+        _normalU = -_riseU / Secant;
+        _normalV = -_riseV / Secant;
+        _normalHeight = 1 / Secant;
+    }
+
+    private readonly double FindWidth()
+    {
+        double most = 0;
+        for (int i = 1; i < Count; i++) most = Math.Max(most, _corners[i].SquaredTo(_corners[0].U, _corners[0].V));
+        return Math.Sqrt(most);
     }
 
     /// <summary>Finds the inner side of each edge.</summary>
@@ -234,6 +250,7 @@ internal unsafe struct FlatFeature
         double rise = (q.Height - p.Height) / (_length * _length);
         _riseU = rise * (q.U - p.U);
         _riseV = rise * (q.V - p.V);
+        Width = _length;
     }
 
     /// <summary>Leaves of a narrow face its two ends.</summary>

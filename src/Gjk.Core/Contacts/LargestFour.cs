@@ -1,4 +1,7 @@
 using System;
+#if NET
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Gjk.Core;
 
@@ -84,34 +87,21 @@ internal readonly unsafe ref struct LargestFour
 
     private int Choose(int held, double* areas, int* chosen)
     {
-        int from = held < 0 ? Furthest(0) : held, to = Furthest(from);
         double most = 0, width = Width();
         for (int i = 0; i < _count; i++) areas[i] = 0;
-        if (from != to) Across(from, to, areas, ref most);
-        if (held < 0)
-        {
-            for (int i = 0; i < _count; i++)
-            {
-                int last = Math.Min(_count - 1, i + _count - 2);
-                Through(i, i + 2, last, LeastGood * most / width, areas, ref most);
-            }
-        }
-        else
-        {
-            Through(held, held + 2, held + _count - 2, LeastGood * most / width, areas, ref most);
-        }
-
-        if (!(most > Flat * width * width)) return Ends(from, to, chosen);
-        int first = held < 0 ? First(areas, 0, _count, 0, most) : held;
+        Through(Math.Max(held, 0), held < 0 ? _count : held + 1, width, areas, ref most);
+        if (!(most > Flat * width * width)) return Ends(held < 0 ? Furthest(0) : held, chosen);
+        int first = held < 0 ? First(areas, 0, _count, most, 0, most) : held;
         if (held < 0)
         {
             for (int i = 0; i < _count; i++) areas[i] = 0;
-            Through(first, first + 2, first + _count - 2, LeastGood * most / width, areas, ref most);
+            Through(first, first + 1, width, areas, ref most);
         }
 
+        double best = areas[first];
         areas[first] = 0;
-        int across = First(areas, 0, _count, 0, most), next = across < first ? across + _count : across;
-        Complete(first, next, most, areas, chosen);
+        int across = First(areas, 0, _count, best, 0, most);
+        Complete(first, across < first ? across + _count : across, most, areas, chosen);
         chosen[0] = Number(first);
         chosen[2] = Number(across);
         for (int i = 1; i < ContactManifold.Capacity; i++)
@@ -125,131 +115,130 @@ internal readonly unsafe ref struct LargestFour
     {
         int end = from + _count;
         double most1 = FillBetween(from, to, areas), most2 = FillBetween(to, end, areas);
-        int left = First(areas, from + 1, to, most2, most), right = First(areas, to + 1, end, most1, most);
-        if (IsBefore(Wrapped(left), Wrapped(right))) right = First(areas, to + 1, end, Area(from, left, to), most);
-        else left = First(areas, from + 1, to, Area(to, right, end), most);
+        int left = First(areas, from + 1, to, most1, Math.Max(0, most2), most);
+        int right = First(areas, to + 1, end, most2, Math.Max(0, most1), most);
+        if (IsBefore(left, right)) right = First(areas, to + 1, end, most2, areas[left], most);
+        else left = First(areas, from + 1, to, most1, areas[right], most);
         chosen[1] = Number(Wrapped(left));
         chosen[3] = Number(Wrapped(right));
     }
 
     /// <summary>
-    /// Finds for each corner across one the largest area of four that hold both, and takes note of it at both.
+    /// Finds for each two corners, of which one is given, the largest area of four that hold both, and takes note of it
+    /// at both.
     /// </summary>
-    /// <param name="first">The corner.</param>
-    /// <param name="from">The corner across where it begins.</param>
-    /// <param name="last">The last one.</param>
-    /// <param name="length">Shorter diagonals are left out.</param>
+    /// <param name="from">The first of the corners.</param>
+    /// <param name="to">Behind the last one: all corners, or a single one.</param>
+    /// <param name="width">No two corners are further apart; diagonals too short for a large area are left out.</param>
     /// <param name="areas">The largest area that is known of each corner.</param>
     /// <param name="most">The largest of all.</param>
-    private void Through(int first, int from, int last, double length, double* areas, ref double most)
+    private void Through(int from, int to, double width, double* areas, ref double most)
     {
-        int left = first + 1, right = first + 3, end = first + _count;
-        double squared = length * length;
-        for (int k = from; k <= last; k++)
+        for (int first = from; first < to; first++)
         {
-            // Both triangles have the diagonal as their base, so their heights over it are all that matters.
-            double u = _u[k] - _u[first], v = _v[k] - _v[first];
-            if (u * u + v * v < squared) continue;
-            double least = u * _v[left] - v * _u[left];
-            while (left + 1 < k)
+            int last = first + _count - 2;
+            if (to - from > 1) last = Math.Min(last, _count - 1);
+            double length = LeastGood * most / width, squared = length * length;
+            for (int k = first + 2; k <= last; k++)
             {
-                double next = u * _v[left + 1] - v * _u[left + 1];
-                if (!(next <= least)) break;
-                least = next;
-                left++;
+                double u = _u[k] - _u[first], v = _v[k] - _v[first];
+                if (u * u + v * v < squared) continue;
+                double area = AreaOver(u, v);
+                most = Math.Max(most, area);
+                areas[first] = Math.Max(areas[first], area);
+                int across = Wrapped(k);
+                areas[across] = Math.Max(areas[across], area);
             }
-
-            right = Math.Max(right, k + 1);
-            double highest = u * _v[right] - v * _u[right];
-            while (right + 1 < end)
-            {
-                double next = u * _v[right + 1] - v * _u[right + 1];
-                if (!(next >= highest)) break;
-                highest = next;
-                right++;
-            }
-
-            double area = highest - least;
-            if (area > most) most = area;
-            if (area > areas[first]) areas[first] = area;
-            int across = Wrapped(k);
-            if (area > areas[across]) areas[across] = area;
         }
     }
 
-    /// <summary>Takes note of the largest area of four that hold two corners.</summary>
-    private void Across(int from, int to, double* areas, ref double most)
+    /// <summary>
+    /// Twice the largest area over a diagonal: it is the base of both triangles, so their heights are all that matters,
+    /// and those are the furthest corners on its two sides.
+    /// </summary>
+    private double AreaOver(double u, double v)
     {
-        int first = Math.Min(from, to), across = Math.Max(from, to);
-        if (across - first >= 2 && across - first <= _count - 2)
-            Through(first, across, across, 0, areas, ref most);
+#if NET
+        // The corners run on behind the last one, and one that is seen twice does not matter.
+        Vector256<double> up = Vector256.Create(double.NegativeInfinity), down = up;
+        for (int i = 0; i < _count; i += Vector256<double>.Count)
+        {
+            Vector256<double> alongV = Vector256.Load(_v + i) * u, alongU = Vector256.Load(_u + i) * v;
+            up = Larger(up, alongV - alongU);
+            down = Larger(down, alongU - alongV);
+        }
+
+        Vector256<double> first = Vector256.Create(up.GetLower(), down.GetLower());
+        Vector256<double> both = Larger(first, Vector256.Create(up.GetUpper(), down.GetUpper()));
+        return Math.Max(both[0], both[1]) + Math.Max(both[2], both[3]);
+#else
+        double least = _v[0] * u - _u[0] * v, most = least;
+        for (int i = 1; i < _count; i++)
+        {
+            double height = _v[i] * u - _u[i] * v;
+            least = Math.Min(least, height);
+            most = Math.Max(most, height);
+        }
+
+        return most - least;
+#endif
     }
 
+#if NET
+    private static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
+        Vector256.ConditionalSelect(Vector256.GreaterThan(a, b), a, b);
+
+#endif
     /// <summary>A length that no two corners are further apart than, by the extents along eight directions.</summary>
     private double Width()
     {
-        double leastU = _u[0], mostU = leastU, leastV = _v[0], mostV = leastV;
-        double leastSum = leastU + leastV, mostSum = leastSum, leastDifference = leastU - leastV;
-        double mostDifference = leastDifference;
-        for (int i = 1; i < _count; i++)
-        {
-            double u = _u[i], v = _v[i];
-            leastU = Math.Min(leastU, u);
-            mostU = Math.Max(mostU, u);
-            leastV = Math.Min(leastV, v);
-            mostV = Math.Max(mostV, v);
-            leastSum = Math.Min(leastSum, u + v);
-            mostSum = Math.Max(mostSum, u + v);
-            leastDifference = Math.Min(leastDifference, u - v);
-            mostDifference = Math.Max(mostDifference, u - v);
-        }
-
-        double straight = Math.Max(mostU - leastU, mostV - leastV);
-        double slanted = Math.Max(mostSum - leastSum, mostDifference - leastDifference) * HalfRoot;
+        double straight = Math.Max(AreaOver(1, 0), AreaOver(0, 1));
+        double slanted = Math.Max(AreaOver(1, 1), AreaOver(1, -1)) * HalfRoot;
         return Math.Max(straight, slanted) * Slanted;
     }
 
     /// <summary>The first by name of those whose areas, with another's, are as good as the largest.</summary>
-    private int First(double* areas, int from, int end, double other, double most)
+    private int First(double* areas, int from, int end, double best, double other, double most)
     {
         if (end - from == 1) return from;
-        double enough = Enough(areas, from, end, other, most);
+        double enough = Enough(areas, from, end, best + other, other, most);
         int first = -1;
         for (int i = from; i < end; i++)
-            if (areas[Wrapped(i)] + other >= enough && (first < 0 || IsBefore(Wrapped(i), Wrapped(first)))) first = i;
+            if (areas[i] + other >= enough && (first < 0 || IsBefore(i, first))) first = i;
         return first;
     }
 
     /// <summary>Where what is as good ends: in the first gap between two areas that is wide enough.</summary>
-    private double Enough(double* areas, int begin, int end, double other, double most)
+    private static double Enough(double* areas, int begin, int end, double from, double other, double most)
     {
-        double from = 0;
-        for (int i = begin; i < end; i++) from = Math.Max(from, areas[Wrapped(i)] + other);
-        from = Math.Min(from, AsGood * most);
-        double least = Math.Min(from, LeastGood * most);
+        from = Math.Min(Math.Max(0, from), AsGood * most);
+        double least = Math.Min(from, LeastGood * most), gap = Gap * most;
         while (true)
         {
-            double next = least;
+            // The least area that is less than a gap away, and the largest one beyond.
+            double near = from, beyond = least;
             for (int i = begin; i < end; i++)
             {
-                double area = areas[Wrapped(i)] + other;
-                if (area < from && area > next) next = area;
+                double area = areas[i] + other;
+                if (!(area < near && area > beyond)) continue;
+                if (from - area >= gap) beyond = area;
+                else near = area;
             }
 
-            if (from - next >= Gap * most || !(next > least)) return (from + next) / 2;
-            from = next;
+            if (!(near < from)) return (from + beyond) / 2;
+            from = near;
         }
     }
 
     /// <summary>Writes the areas of the triangles over a diagonal.</summary>
-    /// <returns>The largest.</returns>
+    /// <returns>The largest; below 0 where a corner that must stay lies behind the line of its neighbours.</returns>
     private double FillBetween(int from, int to, double* areas)
     {
-        double most = 0;
+        double most = double.NegativeInfinity;
         for (int i = from + 1; i < to; i++)
         {
             double area = Area(from, i, to);
-            areas[Wrapped(i)] = area;
+            areas[i] = area;
             if (area > most) most = area;
         }
 
@@ -257,8 +246,9 @@ internal readonly unsafe ref struct LargestFour
     }
 
     /// <summary>One end of what lies on a line, or one that must stay, and the one that is furthest from it.</summary>
-    private int Ends(int from, int to, int* chosen)
+    private int Ends(int from, int* chosen)
     {
+        int to = Furthest(from);
         chosen[0] = Math.Min(Number(from), Number(to));
         chosen[1] = Math.Max(Number(from), Number(to));
         return from == to ? 1 : 2;
@@ -289,5 +279,5 @@ internal readonly unsafe ref struct LargestFour
     private int Number(int corner) => _isTurned ? _count - 1 - corner : corner;
 
     private bool IsBefore(int i, int k) =>
-        ContactFeature.IsBefore(_candidates[Number(i)].Id, _candidates[Number(k)].Id);
+        ContactFeature.IsBefore(_candidates[Number(Wrapped(i))].Id, _candidates[Number(Wrapped(k))].Id);
 }

@@ -77,7 +77,7 @@ public static partial class ConvexQuery
         if (question.Result.Distance <= mostGap)
         {
             manifold.Begin(question.Result.Normal);
-            AddPoints(ref shapeA, poseA, ref shapeB, question, mostGap, ref manifold);
+            AddPoints(ref shapeA, poseA, ref shapeB, ref question, mostGap, ref manifold);
         }
 
         return question.Result;
@@ -86,7 +86,7 @@ public static partial class ConvexQuery
     /// <summary>Asks both shapes for what they show along the normal.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static unsafe void AddPoints<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in SignedQuestion<NoPolytopeTrace> question, float maxGap,
+        ref TA a, in RigidPose poseA, ref TB b, ref SignedQuestion<NoPolytopeTrace> question, float maxGap,
         ref ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -94,7 +94,7 @@ public static partial class ConvexQuery
         FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
         var cornersA = new FaceCorners(memory);
         var cornersB = new FaceCorners(memory + FaceCorners.Capacity);
-        ref readonly ContactPlane plane = ref question.Plane;
+        ref ContactPlane plane = ref question.Plane;
         ref readonly DistanceResult result = ref question.Result;
         if (plane.Normal.LengthSquared > 0)
         {
@@ -103,6 +103,7 @@ public static partial class ConvexQuery
         }
 
         bool areFlat = cornersA.Count > 1 && cornersB.Count > 1;
+        if (areFlat) plane.Span();
         if (areFlat
             && ContactBuilder.TryBuild(
                 ref a, ref b, plane, cornersA, cornersB, poseA, maxGap, result.Distance, ref manifold))

@@ -144,7 +144,7 @@ public static partial class ConvexQuery
 #endif
             WarmStart = warmStart;
             if (wantsSimplex) Simplex = default;
-            if (wantsPlane) Plane = default;
+            if (wantsPlane) Plane.Normal = default;
             Trace = default;
             _isWarm = isWarm;
             _wantsSimplex = wantsSimplex;
@@ -182,7 +182,7 @@ public static partial class ConvexQuery
 
             bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
             if (_wantsSimplex && !isEmpty) Simplex = new FinalSimplex(state.Simplex, frame);
-            if (_wantsPlane && !isEmpty && !frame.ArePoints) Plane = new ContactPlane(frame, state);
+            if (_wantsPlane && !isEmpty && !frame.ArePoints) Plane.Set(frame, state);
             Result = frame.ArePoints
                 ? AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
                 : Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);
