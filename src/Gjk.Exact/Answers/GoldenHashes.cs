@@ -17,8 +17,8 @@ public static class GoldenHashes
         ["casts"] = "a41d9714908af600",
         ["impacts"] = "97fefd12e0317273",
         ["rays"] = "f97003a7a9720186",
-        ["shapes"] = "95955f374c9e71e8",
-        ["batches"] = "0fdd3d398e4264c1",
-        ["scenes"] = "3f4f2c51c8abb33b",
+        ["shapes"] = "09da611e66e1a2b2",
+        ["batches"] = "336cedcd3511715d",
+        ["scenes"] = "efaa09444f5672c6",
     };
 }
