@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 
 namespace Gjk.Core.Tests.Support;
@@ -11,6 +12,9 @@ internal static class CheapestWay
     private const int Starts = 400, Walks = 4, Tries = 12;
 
     private const double LeastStep = 1e-8;
+
+    /// <summary>Ratio: what gains less is no step, or a walk along a level valley would not end for long.</summary>
+    private const double LeastGain = 1e-10;
 
     public static double Of(TestPair pair, Vector3D first, ulong seed)
     {
@@ -36,12 +40,13 @@ internal static class CheapestWay
         double Downhill(double least, Vector3D way)
         {
             int failed = 0;
+            double gain = LeastGain * Math.Abs(least);
             for (double step = 0.2; step > LeastStep;)
             {
                 Vector3D next = way + Direction() * step;
                 next *= 1 / next.Length;
                 double cost = Cost(next);
-                if (cost < least)
+                if (cost < least - gain)
                 {
                     (least, way, failed) = (cost, next, 0);
                     step *= 1.5;
