@@ -108,8 +108,8 @@ public class AnswerMutationTests
         DistanceResult r = ConvexQuery.Distance(box, RigidPose.Identity, box, pose);
         foreach (DistanceResult told in new[]
         {
-            Changed(r, bound: -1e-9f),
-            Changed(r, status: GjkStatus.IterationLimit, distance: 0.1f, normal: Vector3.UnitX),
+            r.With(bound: -1e-9f),
+            r.With(status: GjkStatus.IterationLimit, distance: 0.1f, normal: Vector3.UnitX),
         })
         {
             CheckedAnswer check = AnswerCheck.Distance(box, RigidPose.Identity, box, pose, told);
@@ -121,46 +121,46 @@ public class AnswerMutationTests
     {
         // That a limit was reached is not judged.
         foreach (GjkStatus status in Statuses.Where(s => s != r.Status && s != GjkStatus.IterationLimit))
-            yield return ($"status {status}", Changed(r, status: status));
+            yield return ($"status {status}", r.With(status: status));
         foreach (float d in Numbers(r.Distance, size).Where(d => d != r.Distance))
-            yield return ($"distance {d}", Changed(r, distance: d));
+            yield return ($"distance {d}", r.With(distance: d));
 
         // A smaller bound is true, too.
         float least = r.Status == GjkStatus.BeyondMaxDistance ? size * 8 : r.Distance + 1e-3f * size;
         foreach (float bound in new[] { float.NaN, float.PositiveInfinity, float.MaxValue, least })
-            yield return ($"bound {bound}", Changed(r, bound: bound));
+            yield return ($"bound {bound}", r.With(bound: bound));
         foreach (Vector3 n in Normals(r.Normal, 1e-3f))
-            yield return ($"normal {n}", Changed(r, normal: n));
+            yield return ($"normal {n}", r.With(normal: n));
         if (r.Status == GjkStatus.BeyondMaxDistance) yield break;
-        foreach (Vector3 p in Points(r.PointA, size)) yield return ($"point A {p}", Changed(r, pointA: p));
-        foreach (Vector3 p in Points(r.PointB, size)) yield return ($"point B {p}", Changed(r, pointB: p));
-        foreach (Vector3 p in Points(r.LocalPointA, size)) yield return ($"local A {p}", Changed(r, localA: p));
-        foreach (Vector3 p in Points(r.LocalPointB, size)) yield return ($"local B {p}", Changed(r, localB: p));
+        foreach (Vector3 p in Points(r.PointA, size)) yield return ($"point A {p}", r.With(pointA: p));
+        foreach (Vector3 p in Points(r.PointB, size)) yield return ($"point B {p}", r.With(pointB: p));
+        foreach (Vector3 p in Points(r.LocalPointA, size)) yield return ($"local A {p}", r.With(localA: p));
+        foreach (Vector3 p in Points(r.LocalPointB, size)) yield return ($"local B {p}", r.With(localB: p));
     }
 
     private static IEnumerable<(string What, CastResult Wrong)> Wrong(CastResult r, float size, float speed)
     {
         // That a limit was reached is not judged.
         foreach (CastStatus status in CastStatuses.Where(s => s != r.Status && s != CastStatus.IterationLimit))
-            yield return ($"status {status}", Changed(r, status: status));
+            yield return ($"status {status}", r.With(status: status));
         foreach (float d in Numbers(r.Depth, size).Where(d => d != r.Depth))
-            yield return ($"depth {d}", Changed(r, depth: d));
+            yield return ($"depth {d}", r.With(depth: d));
         if (r.Status == CastStatus.Miss)
         {
             // A miss up to another fraction may be one, too.
-            yield return ("fraction", Changed(r, fraction: float.NaN));
-            yield return ("fraction", Changed(r, fraction: -1));
-            yield return ("point", Changed(r, point: Vector3.One));
-            yield return ("normal", Changed(r, normal: Vector3.UnitX));
+            yield return ("fraction", r.With(fraction: float.NaN));
+            yield return ("fraction", r.With(fraction: -1));
+            yield return ("point", r.With(point: Vector3.One));
+            yield return ("normal", r.With(normal: Vector3.UnitX));
             yield break;
         }
 
         foreach (float f in Numbers(r.Fraction, size / speed).Where(f => f != r.Fraction))
-            yield return ($"fraction {f}", Changed(r, fraction: f));
-        foreach (Vector3 p in Points(r.Point, size)) yield return ($"point {p}", Changed(r, point: p));
+            yield return ($"fraction {f}", r.With(fraction: f));
+        foreach (Vector3 p in Points(r.Point, size)) yield return ($"point {p}", r.With(point: p));
 
         // Round bodies touch to 1e-9, and their normals are held to the root of that.
-        foreach (Vector3 n in Normals(r.Normal, 0.05f)) yield return ($"normal {n}", Changed(r, normal: n));
+        foreach (Vector3 n in Normals(r.Normal, 0.05f)) yield return ($"normal {n}", r.With(normal: n));
     }
 
     private static float[] Numbers(float right, float unit) =>
@@ -176,21 +176,6 @@ public class AnswerMutationTests
     {
         right * 1.001f, right + new Vector3(off, -off, 2 * off), -right, default, new Vector3(0.6f, 0, 0.8f),
     }.Concat(WrongNumbers.Select(w => right with { Z = w })).Where(n => n != right);
-
-    private static DistanceResult Changed(
-        in DistanceResult r, GjkStatus? status = null, float? distance = null, float? bound = null,
-        Vector3? pointA = null, Vector3? pointB = null, Vector3? normal = null, Vector3? localA = null,
-        Vector3? localB = null) =>
-        new(
-            status ?? r.Status, distance ?? r.Distance, bound ?? r.LowerBound, pointA ?? r.PointA, pointB ?? r.PointB,
-            normal ?? r.Normal, localA ?? r.LocalPointA, localB ?? r.LocalPointB, r.Iterations);
-
-    private static CastResult Changed(
-        in CastResult r, CastStatus? status = null, float? fraction = null, Vector3? point = null,
-        Vector3? normal = null, float? depth = null) =>
-        new(
-            status ?? r.Status, fraction ?? r.Fraction, point ?? r.Point, normal ?? r.Normal, r.Iterations,
-            depth ?? r.Depth);
 
     /// <summary>Pairs that are clearly apart or clearly overlap.</summary>
     private static void Each(string kind, Action<TestPair, float> judge)

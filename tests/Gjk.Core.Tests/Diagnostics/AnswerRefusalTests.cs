@@ -18,16 +18,16 @@ public class AnswerRefusalTests
 
     private static readonly (string Name, Func<DistanceResult, float, DistanceResult> Change)[] Lies =
     [
-        ("longer", (r, s) => Changed(r, distance: r.Distance + Little * s)),
-        ("shorter", (r, s) => Changed(r, distance: r.Distance - Little * s)),
-        ("bound", (r, s) => Changed(r, bound: r.Distance + Little * s)),
-        ("normal", (r, s) => Changed(r, normal: -r.Normal)),
-        ("long normal", (r, s) => Changed(r, normal: r.Normal * 1.00001f)),
-        ("turned", (r, s) => Changed(r, normal: Vector3.Normalize(r.Normal + new Vector3(0.01f, -0.02f, 0.01f)))),
-        ("point A", (r, s) => Changed(r, pointA: r.PointA + new Vector3(0.01f * s))),
-        ("point B", (r, s) => Changed(r, pointB: r.PointB - new Vector3(0.01f * s))),
-        ("local A", (r, s) => Changed(r, localA: r.LocalPointA + new Vector3(0.01f * s))),
-        ("local B", (r, s) => Changed(r, localB: r.LocalPointB - new Vector3(0.01f * s))),
+        ("longer", (r, s) => r.With(distance: r.Distance + Little * s)),
+        ("shorter", (r, s) => r.With(distance: r.Distance - Little * s)),
+        ("bound", (r, s) => r.With(bound: r.Distance + Little * s)),
+        ("normal", (r, s) => r.With(normal: -r.Normal)),
+        ("long normal", (r, s) => r.With(normal: r.Normal * 1.00001f)),
+        ("turned", (r, s) => r.With(normal: Vector3.Normalize(r.Normal + new Vector3(0.01f, -0.02f, 0.01f)))),
+        ("point A", (r, s) => r.With(pointA: r.PointA + new Vector3(0.01f * s))),
+        ("point B", (r, s) => r.With(pointB: r.PointB - new Vector3(0.01f * s))),
+        ("local A", (r, s) => r.With(localA: r.LocalPointA + new Vector3(0.01f * s))),
+        ("local B", (r, s) => r.With(localB: r.LocalPointB - new Vector3(0.01f * s))),
         ("swapped", (r, s) => r.Swapped),
         ("overlap", (r, s) => new DistanceResult(
             GjkStatus.Overlapping, 0, 0, r.PointA, r.PointA, default, r.LocalPointA, r.LocalPointB, 1)),
@@ -77,15 +77,15 @@ public class AnswerRefusalTests
             asked++;
             AssertRefuted(p, lie switch
             {
-                "deeper" => Changed(r, distance: r.Distance - Little * size),
-                "shallower" => Changed(r, distance: r.Distance + Little * size),
-                "normal" => Changed(r, normal: -r.Normal),
-                "turned" => Changed(r, normal: Vector3.Normalize(r.Normal + new Vector3(0.02f, 0.05f, -0.01f))),
-                "no normal" => Changed(r, normal: default(Vector3)),
-                "local A" => Changed(r, localA: r.LocalPointA + new Vector3(0.01f * size)),
-                "point B" => Changed(r, pointB: r.PointB + new Vector3(0.01f * size)),
-                "bound" => Changed(r, bound: 0.01f * size),
-                _ => Changed(r, status: GjkStatus.Separated, distance: 0.01f * size),
+                "deeper" => r.With(distance: r.Distance - Little * size),
+                "shallower" => r.With(distance: r.Distance + Little * size),
+                "normal" => r.With(normal: -r.Normal),
+                "turned" => r.With(normal: Vector3.Normalize(r.Normal + new Vector3(0.02f, 0.05f, -0.01f))),
+                "no normal" => r.With(normal: default(Vector3)),
+                "local A" => r.With(localA: r.LocalPointA + new Vector3(0.01f * size)),
+                "point B" => r.With(pointB: r.PointB + new Vector3(0.01f * size)),
+                "bound" => r.With(bound: 0.01f * size),
+                _ => r.With(status: GjkStatus.Separated, distance: 0.01f * size),
             }, true);
         }
 
@@ -124,11 +124,11 @@ public class AnswerRefusalTests
             if (step > r.Fraction) continue;
             AssertRefuted(c, lie switch
             {
-                "early" => Changed(r, fraction: r.Fraction - step),
-                "late" => Changed(r, fraction: r.Fraction + step),
-                "normal" => Changed(r, normal: -r.Normal),
-                "turned" => Changed(r, normal: Vector3.Normalize(r.Normal + new Vector3(0.1f, 0.15f, -0.1f))),
-                "point" => Changed(r, point: r.Point + r.Normal * (0.01f * size)),
+                "early" => r.With(fraction: r.Fraction - step),
+                "late" => r.With(fraction: r.Fraction + step),
+                "normal" => r.With(normal: -r.Normal),
+                "turned" => r.With(normal: Vector3.Normalize(r.Normal + new Vector3(0.1f, 0.15f, -0.1f))),
+                "point" => r.With(point: r.Point + r.Normal * (0.01f * size)),
                 "miss" => CastResult.Nothing(CastStatus.Miss, 1, 1),
                 _ => new CastResult(CastStatus.OverlappingAtStart, 0, r.Point, default, 1),
             });
@@ -202,16 +202,4 @@ public class AnswerRefusalTests
             c.Pair.A.Shape, c.Pair.PoseA, default, c.Pair.B.Shape, c.Pair.PoseB, c.Velocity, told);
         Assert.True(check.Status == CheckStatus.Refuted, $"{check}; {told}, truly {c.Outcome}\n{c.Pair}");
     }
-
-    private static DistanceResult Changed(
-        in DistanceResult r, GjkStatus? status = null, float? distance = null, float? bound = null,
-        Vector3? pointA = null, Vector3? pointB = null, Vector3? normal = null, Vector3? localA = null,
-        Vector3? localB = null) =>
-        new(
-            status ?? r.Status, distance ?? r.Distance, bound ?? r.LowerBound, pointA ?? r.PointA, pointB ?? r.PointB,
-            normal ?? r.Normal, localA ?? r.LocalPointA, localB ?? r.LocalPointB, r.Iterations);
-
-    private static CastResult Changed(
-        in CastResult r, float? fraction = null, Vector3? point = null, Vector3? normal = null) =>
-        new(r.Status, fraction ?? r.Fraction, point ?? r.Point, normal ?? r.Normal, r.Iterations);
 }
