@@ -15,7 +15,7 @@ public static class RayBatch
     /// <param name="shape">
     /// The shape; a <c>default</c> one gives <see cref="CastStatus.InvalidInput"/> for every ray.
     /// </param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="rays">The rays.</param>
     /// <param name="results">At least as long as the rays; gets what <see cref="ConvexQuery"/> says.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>

@@ -254,7 +254,7 @@ internal unsafe ref struct ContactPlaces
 /// <summary>A place in the plane across the normal where both shapes have a surface.</summary>
 internal struct ContactPlace
 {
-    /// <summary>Where it is.</summary>
+    /// <summary>The place in the plane.</summary>
     public double U, V;
 
     /// <summary>Its name.</summary>

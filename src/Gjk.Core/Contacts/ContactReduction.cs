@@ -60,7 +60,7 @@ internal static unsafe class ContactReduction
     }
 
     /// <summary>Puts the deepest point among the others, where it belongs around the outline.</summary>
-    /// <returns>Where it is.</returns>
+    /// <returns>Its index.</returns>
     private static int Put(ref ContactCandidates candidates, in Candidate deepest, double reach)
     {
         int nearest = -1, after = candidates.Count;

@@ -27,10 +27,10 @@ public static partial class AnswerCheck
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is at the start.</param>
+    /// <param name="poseA">Pose of A at the start.</param>
     /// <param name="translationA">Its motion.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is at the start.</param>
+    /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
     /// <param name="answer">What was said.</param>
     /// <returns>
@@ -70,7 +70,7 @@ public static partial class AnswerCheck
     /// <summary>Checks an answer of <c>ConvexQuery.RayCast</c>.</summary>
     /// <typeparam name="T">The shape's type.</typeparam>
     /// <param name="shape">The shape.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="origin">Where the ray begins.</param>
     /// <param name="direction">Its direction, of any length but 0.</param>
     /// <param name="answer">What was said.</param>

@@ -14,9 +14,9 @@ public static partial class AnswerCheck
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="answer">What was said.</param>
     /// <param name="tolerance">
     /// World units: how much the distance may be off. NaN, the default: the float's rounding and 1e-13 of the size; of
@@ -45,9 +45,9 @@ public static partial class AnswerCheck
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="answer">What was said.</param>
     /// <param name="tolerance">As for a distance.</param>
     /// <returns>

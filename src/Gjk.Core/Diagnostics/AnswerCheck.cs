@@ -89,9 +89,9 @@ public static partial class AnswerCheck
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="answer">What was said.</param>
     /// <returns>
     /// Bounds of the signed distance. Shapes that are nearer than 1e-13 of their size (curved: 2e-9) may be said to

@@ -37,7 +37,7 @@ public readonly struct QueryRecord
     /// <summary>The first shape.</summary>
     public ConvexShape A { get; }
 
-    /// <summary>Where it is, or where it begins.</summary>
+    /// <summary>Pose of A in the world; where it moves, at the start.</summary>
     public RigidPose PoseA => MotionA.Pose;
 
     /// <summary>Where it begins and how it moves.</summary>
@@ -46,7 +46,7 @@ public readonly struct QueryRecord
     /// <summary>The second shape.</summary>
     public ConvexShape B { get; }
 
-    /// <summary>Where it is, or where it begins.</summary>
+    /// <summary>Pose of B in the world; where it moves, at the start.</summary>
     public RigidPose PoseB => MotionB.Pose;
 
     /// <summary>Where it begins and how it moves.</summary>

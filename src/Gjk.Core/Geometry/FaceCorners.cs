@@ -71,7 +71,7 @@ public unsafe ref struct FaceCorners
 /// <summary>A corner of a face.</summary>
 internal struct FaceCorner
 {
-    /// <summary>Where it is.</summary>
+    /// <summary>The corner itself.</summary>
     public Vector3D Point;
 
     /// <summary>What tells it from the others.</summary>

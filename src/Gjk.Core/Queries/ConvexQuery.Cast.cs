@@ -12,10 +12,10 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is at the start.</param>
+    /// <param name="poseA">Pose of A at the start.</param>
     /// <param name="translationA">Its motion, in world units, any finite vector.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is at the start.</param>
+    /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
     /// <param name="maxFraction">
     /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
@@ -47,10 +47,10 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is at the start.</param>
+    /// <param name="poseA">Pose of A at the start.</param>
     /// <param name="translationA">Its motion, in world units, any finite vector.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is at the start.</param>
+    /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
     /// <param name="maxFraction">See the first overload.</param>
     /// <param name="warmStart">

@@ -71,9 +71,9 @@ public static partial class ConvexQuery
 
     /// <summary>What becomes of a contact that a cast has found.</summary>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is at the start.</param>
+    /// <param name="poseA">Pose of A at the start.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="motion">Of B, seen from A, for the fraction 1.</param>
     /// <param name="fraction">Of the contact; 0 with the status OverlappingAtStart.</param>
     /// <param name="most">The largest fraction.</param>

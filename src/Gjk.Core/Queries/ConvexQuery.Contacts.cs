@@ -11,9 +11,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="maxGap">
     /// Points further apart than this are left out, in world units; at least 0, and less or NaN counts as 0. A little
     /// more than the shapes can move in a frame, or than a body rocks, keeps the corners of one that is about to touch.
@@ -42,9 +42,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="maxGap">See the first overload.</param>
     /// <param name="warmStart">
     /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>

@@ -6,9 +6,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="maxDistance">
     /// In world units. When the distance, rounded to float, is larger, the query ends early with
     /// <see cref="GjkStatus.BeyondMaxDistance"/>. Below 0 counts as 0; NaN gives <see cref="GjkStatus.InvalidInput"/>.
@@ -32,9 +32,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="simplex">
     /// The support points of the nearest feature with their weights; empty when the input is invalid. When the shapes
     /// are further apart than asked, the last feature, if there was one.
@@ -69,9 +69,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated.</param>
     /// <param name="maxDistance">As in the first overload.</param>
     /// <returns>

@@ -10,9 +10,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <typeparam name="TTrace">The trace's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="trace">
     /// Told of every support and reduction. Two spheres, which a formula solves, are told as the one round that it
     /// stands for. Invalid input tells nothing.
@@ -38,9 +38,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <typeparam name="TTrace">The trace's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="trace">
     /// Told of the surface that grows inside the Minkowski difference of the cores. Two boxes without margins are
     /// answered by their 15 separating axes; a surface is grown for the trace alone then, and ends at the same depth.

@@ -12,9 +12,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <returns>False too when the input is invalid; the other overload tells.</returns>
     public static bool Overlaps<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
@@ -25,9 +25,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="status">Separated or Overlapping; otherwise why the return value is false.</param>
     /// <returns>True when the shapes share a point.</returns>
     public static bool Overlaps<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out GjkStatus status)

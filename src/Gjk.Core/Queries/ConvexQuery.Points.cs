@@ -11,7 +11,7 @@ public static partial class ConvexQuery
     /// <summary>Whether a point is in a shape, its surface included.</summary>
     /// <typeparam name="T">The shape's type.</typeparam>
     /// <param name="shape">The shape.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world.</param>
     /// <returns>
     /// Exactly what <c>Overlaps</c> says of the shape and the point; false too when the input is invalid.
@@ -23,7 +23,7 @@ public static partial class ConvexQuery
     /// <summary>How far a point is from a shape, and where the shape is closest.</summary>
     /// <typeparam name="T">The shape's type.</typeparam>
     /// <param name="shape">The shape: A of the result.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world: B of the result.</param>
     /// <param name="maxDistance">World units: further apart, the query may end early.</param>
     /// <returns>What <c>Distance</c> says of the shape and a <see cref="PointShape"/>, bit for bit.</returns>
@@ -37,7 +37,7 @@ public static partial class ConvexQuery
     /// <summary>The point of a shape that is closest to a point.</summary>
     /// <typeparam name="T">The shape's type.</typeparam>
     /// <param name="shape">The shape.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world.</param>
     /// <returns>In the world: the point itself where the shape contains it; NaN when the input is invalid.</returns>
     public static Vector3 ClosestPoint<T>(in T shape, in RigidPose pose, Vector3 point)
@@ -50,7 +50,7 @@ public static partial class ConvexQuery
     /// <summary>How far a point is from a shape's surface, negative inside.</summary>
     /// <typeparam name="T">The shape's type.</typeparam>
     /// <param name="shape">The shape: A of the result.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world: B of the result.</param>
     /// <returns>
     /// What <c>SignedDistance</c> says of the shape and a <see cref="PointShape"/>, bit for bit: PointA is the nearest

@@ -9,7 +9,7 @@ public static partial class ConvexQuery
     /// <summary>Where a ray first meets a shape.</summary>
     /// <typeparam name="T">The shape's type.</typeparam>
     /// <param name="shape">The shape.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
     /// <param name="maxDistance">
@@ -84,7 +84,7 @@ public static partial class ConvexQuery
 
     /// <summary>By a closed form where there is one, else by a cast.</summary>
     /// <param name="shape">The shape.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="line">The ray; may be invalid.</param>
     /// <param name="hit">What it met.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

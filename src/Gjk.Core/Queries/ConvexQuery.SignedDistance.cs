@@ -12,9 +12,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <returns>
     /// Overlapping: <see cref="DistanceResult.Distance"/> is minus the depth, the true one rounded to float, and
     /// <see cref="DistanceResult.Normal"/> the direction in which B leaves A: moved along it by the depth, B only
@@ -39,9 +39,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="simplex">
     /// Apart, as <c>Distance</c> gives it. Overlapping, the face of the Minkowski difference that the way out ends on.
     /// Empty when the input is invalid.
@@ -64,9 +64,9 @@ public static partial class ConvexQuery
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="warmStart">
     /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
     /// uses.

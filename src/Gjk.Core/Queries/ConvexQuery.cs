@@ -51,9 +51,9 @@ public static partial class ConvexQuery
 
     /// <summary>The pipeline.</summary>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="maxDistance">Ends early beyond it; NaN is invalid input.</param>
     /// <param name="warmStart">
     /// Where a warm query begins, and what it stores; neither read nor written by a cold one.

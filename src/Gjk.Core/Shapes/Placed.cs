@@ -42,7 +42,7 @@ public readonly struct Placed<T> : ISupportMap, ISupportFace, IRayTarget
     /// <summary>The shape inside.</summary>
     public T Inner => _inner;
 
-    /// <summary>Where it is.</summary>
+    /// <summary>Pose of the inner shape in this one's frame.</summary>
     public RigidPose Pose => _pose;
 
     /// <inheritdoc/>

@@ -13,7 +13,7 @@ public sealed partial class CollisionScene
     /// the one with the least id. The shape is none of the scene's, and the objects rest.
     /// </summary>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
-    /// <param name="pose">Where it is at the start.</param>
+    /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
     /// <param name="id">The object (B), or -1 where there is none.</param>
     /// <param name="result">
@@ -47,7 +47,7 @@ public sealed partial class CollisionScene
 
     /// <summary>All objects that a shape meets when it is translated, as it would without the others.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
-    /// <param name="pose">Where it is at the start.</param>
+    /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
     /// <param name="results">
     /// Emptied first; then the objects by fraction, at the same fraction by id, those whose query ends with <see
@@ -79,7 +79,7 @@ public sealed partial class CollisionScene
     /// </summary>
     /// <typeparam name="TVisitor">A struct.</typeparam>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
-    /// <param name="pose">Where it is at the start.</param>
+    /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
     /// <param name="visitor">
     /// It may not use the scene before it has seen all objects. What it throws passes through.

@@ -40,7 +40,7 @@ public sealed partial class CollisionScene
     /// least id.
     /// </summary>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="id">The nearest object (B), or -1 where there is none.</param>
     /// <param name="result">
     /// The distance, with the bits of <c>ConvexQuery.Distance</c>; <c>default</c> where there is none.

@@ -9,7 +9,7 @@ public sealed partial class CollisionScene
 
     /// <summary>The objects that overlap a shape that is none of the scene's, touching included.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="ids">
     /// Emptied first; then the objects, sorted: those of which <c>ConvexQuery.Overlaps</c> says so, the shape first.
     /// </param>
@@ -39,7 +39,7 @@ public sealed partial class CollisionScene
     /// </summary>
     /// <typeparam name="TVisitor">A struct.</typeparam>
     /// <param name="shape">Any shape but a <c>default</c> struct.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="visitor">
     /// It may not use the scene before it has seen all objects. What it throws passes through.
     /// </param>

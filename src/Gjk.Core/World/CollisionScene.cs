@@ -86,7 +86,7 @@ public sealed partial class CollisionScene
 
     /// <summary>Adds an object.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="settings">What it is tested against, and a tag; by default all others, and 0.</param>
     /// <returns>Its id: the next number, from 0.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
@@ -110,7 +110,7 @@ public sealed partial class CollisionScene
 
     /// <summary>Puts an object somewhere else. Where it already is there, it rests.</summary>
     /// <param name="id">The object.</param>
-    /// <param name="pose">Where it is now.</param>
+    /// <param name="pose">Its new pose.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     /// <exception cref="ArgumentException">The pose is a <c>default</c> struct.</exception>
     public void Move(int id, in RigidPose pose)

@@ -37,7 +37,7 @@ internal sealed class SceneCasts
     /// <param name="a">The first object.</param>
     /// <param name="poseA">Where it is in this frame.</param>
     /// <param name="b">The second object.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     public void Add(int index, SceneObject a, in RigidPose poseA, SceneObject b, in RigidPose poseB)
     {
         if (!Applies(a, b)) return;

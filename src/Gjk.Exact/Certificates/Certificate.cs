@@ -16,9 +16,9 @@ public static class Certificate
 
     /// <summary>What is wrong with the result, or null.</summary>
     /// <param name="a">The first shape.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="r">What the query said.</param>
     /// <param name="scale">Of the pair, contract 6.</param>
     /// <param name="curved">Whether the pair is held to the curved shapes' accuracy.</param>

@@ -14,10 +14,10 @@ public sealed class ExactProblem
 
     /// <param name="a">The first cloud, in its own frame.</param>
     /// <param name="marginA">How far its shape reaches beyond the cloud's hull.</param>
-    /// <param name="poseA">Where it is.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second cloud.</param>
     /// <param name="marginB">How far its shape reaches beyond the cloud's hull.</param>
-    /// <param name="poseB">Where it is.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="shiftB">Moves B further, in the world.</param>
     public ExactProblem(
         Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB,

@@ -56,7 +56,7 @@ internal static class RayCaster
     /// <summary>Casts the ray.</summary>
     /// <param name="target">The body.</param>
     /// <param name="radius">Of a ball about its centre that holds it.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="turn">2 / |q|² of the pose.</param>
     /// <param name="line">The ray.</param>
     /// <param name="hit">What it met.</param>
@@ -100,7 +100,7 @@ internal static class RayCaster
     /// <param name="form">Which of them.</param>
     /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
     /// <param name="radius">Of a ball about the origin that holds it.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="pose">Its pose in the world.</param>
     /// <param name="turn">2 / |q|² of the pose.</param>
     /// <param name="line">The ray.</param>
     /// <param name="hit">What it met.</param>
