@@ -40,6 +40,19 @@ public sealed class FuzzImpactTests
         else Assert.Contains(says, problem, StringComparison.Ordinal);
     }
 
+    /// <summary>A speed whose square is no float is a speed.</summary>
+    [Fact]
+    public void BodiesAsFastAsAFloatIsLarge()
+    {
+        const float two62 = 1L << 62;
+        ConvexShape ball = ConvexShape.Sphere(two62);
+        var still = new RigidMotion(RigidPose.Identity, default);
+        var fast = new RigidMotion(new RigidPose(new Vector3(2 * two62, 0, 0)), new Vector3(-4 * two62, 0, 0));
+        CastResult r = ConvexQuery.TimeOfImpact(ball, still, ball, fast);
+        Assert.Equal((CastStatus.Hit, 0f), (r.Status, r.Fraction));
+        Assert.Null(ImpactsAreProved.Problem(new FuzzPair(ball, still.Pose, ball, fast.Pose), still, fast, r));
+    }
+
     /// <summary>The turns follow from the pair, and both hits and misses are met.</summary>
     [Fact]
     public void EveryKindOfImpactIsMet()
