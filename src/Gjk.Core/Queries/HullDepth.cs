@@ -75,8 +75,13 @@ internal static class HullDepth
             // Not worth to begin: the looks will not do for all of B's facets and as many at A's.
             if (i == count / Sample && search.Supports * Sample * 2 > MostLooks * 5 / 8) return false;
             HullFacet.Get(ref b, form.B, i, out HullFacet facet);
-            if (facet.HasNoArea) lines++;
-            if (facet.HasNoArea || facet.IsAbove(-offset, search.Limit - search.InnerA)) continue;
+            if (facet.HasNoArea)
+            {
+                lines++;
+                continue;
+            }
+
+            if (facet.IsAbove(-offset, search.Limit - search.InnerA)) continue;
             Vector3D outward = facet.Normal * (1 / facet.Normal.Length), normal = frame.Rotation.Rotate(-outward);
             a.Support(normal, out Vector3D onA);
             double height = Vector3D.Dot(normal, onA) + Vector3D.Dot(outward, facet.P + offset);
@@ -95,8 +100,13 @@ internal static class HullDepth
         for (int i = 0; i < count; i++)
         {
             HullFacet.Get(ref a, form.A, i, out HullFacet facet);
-            if (facet.HasNoArea) lines++;
-            if (facet.HasNoArea || facet.IsAbove(frame.Translation, search.Limit - search.InnerB)) continue;
+            if (facet.HasNoArea)
+            {
+                lines++;
+                continue;
+            }
+
+            if (facet.IsAbove(frame.Translation, search.Limit - search.InnerB)) continue;
             Vector3D normal = facet.Normal * (1 / facet.Normal.Length), inB = frame.Rotation.InverseRotate(normal);
             int id = b.Support(-inB, out Vector3D onB);
             double height = Vector3D.Dot(normal, facet.P - frame.Translation) - Vector3D.Dot(inB, onB);

@@ -57,10 +57,8 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
-    {
+    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
         TriangleCore.Face(A - _center, B - _center, C - _center, direction, ref corners);
-    }
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point)
