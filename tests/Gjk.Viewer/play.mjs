@@ -60,6 +60,16 @@ await check('play: a body of the scene can be chosen', async () => {
   assert.equal(Math.fround(expected.distance), answer.distance);
   assert.deepEqual(shapes.complaints, []);
 });
+await check('play: what is drawn late is of the bodies that the page shows', async () => {
+  const [early, late] = await shapes.evaluate(() => {
+    const { model, answers } = window.__gjk, corners = () => [...model.difference(false).vertices];
+    const before = corners();
+    answers('distance', [[0, 1]]);
+    return [before, corners()];
+  });
+  assert.ok(early.length > 0);
+  assert.deepEqual(late, early);
+});
 await shapes.close();
 
 const page = await open('play');

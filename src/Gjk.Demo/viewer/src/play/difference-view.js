@@ -51,7 +51,7 @@ export class DifferenceView {
     if (isCoarse) this.timer = setTimeout(() => { this.make(this.made, false); this.stage.draw(); }, REST);
     this.made = key;
     const start = performance.now(), { unit } = this.model;
-    const shape = this.model.engine.difference(0, 1, isCoarse);
+    const shape = this.model.difference(isCoarse);
     if (!isCoarse) this.isSlow = performance.now() - start > MOST_TIME;
     this.radius = reachOf(shape) * unit;
     replaceAll(this.body, [

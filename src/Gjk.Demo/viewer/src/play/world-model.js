@@ -109,6 +109,12 @@ export class WorldModel {
     this.tell();
     return this.engine.record(0, 1);
   }
+
+  /** The surface of A - B in A's frame. */
+  difference(isCoarse) {
+    this.tell();
+    return this.engine.difference(0, 1, isCoarse);
+  }
 }
 
 function made(kind, position, axis) {
