@@ -61,6 +61,61 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <summary>The world point of a local one, computed in double and rounded to float.</summary>
     public Vector3 TransformPoint(Vector3 local) => (Vector3)(new RotationD(Rotation).Rotate(local) + Position);
 
+    /// <summary>The local point of a world one, computed in double and rounded to float.</summary>
+    public Vector3 InverseTransformPoint(Vector3 world) =>
+        (Vector3)new RotationD(Rotation).InverseRotate((Vector3D)world - Position);
+
+    /// <summary>The direction in the world of a local one: turned, not moved, of the same length.</summary>
+    public Vector3 TransformDirection(Vector3 local) => (Vector3)new RotationD(Rotation).Rotate(local);
+
+    /// <summary>The local direction of one in the world.</summary>
+    public Vector3 InverseTransformDirection(Vector3 world) => (Vector3)new RotationD(Rotation).InverseRotate(world);
+
+    /// <summary>
+    /// The pose of the world in the local frame. Its rotation is exact, its position rounded to float; one after the
+    /// other leaves a point where it is but for rounding.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The position is beyond the range of float.</exception>
+    public RigidPose Inverse() => new(
+        Quaternion.Conjugate(Rotation), (Vector3)new RotationD(Rotation).InverseRotate(-(Vector3D)Position));
+
+    /// <summary>
+    /// Where a child is in the world: its pose in its parent's frame, followed by the parent's; computed in double and
+    /// rounded to float.
+    /// </summary>
+    /// <param name="parent">Pose of the parent in the world.</param>
+    /// <param name="child">Pose of the child in the parent's frame.</param>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The position is beyond the range of float, or one of the poses is a <c>default</c> struct.
+    /// </exception>
+    public static RigidPose operator *(in RigidPose parent, in RigidPose child)
+    {
+        QuaternionD q = (QuaternionD)parent.Rotation * child.Rotation;
+        double scale = 1 / Math.Sqrt(q.LengthSquared);
+        return new RigidPose(
+            new Quaternion((float)(q.X * scale), (float)(q.Y * scale), (float)(q.Z * scale), (float)(q.W * scale)),
+            parent.TransformPoint(child.Position));
+    }
+
+    /// <summary>The pose of a matrix, in <see cref="System.Numerics"/>' order: row vectors, the position last.</summary>
+    /// <param name="matrix">A rotation and a translation, without scale, mirror, shear or projection.</param>
+    /// <exception cref="ArgumentException">
+    /// It is something else: a row is further from unit length, or from a right angle to the others, than 1e-3, or it
+    /// is NaN, mirrors or projects.
+    /// </exception>
+    public static RigidPose FromMatrix(in Matrix4x4 matrix)
+    {
+        var x = new Vector3(matrix.M11, matrix.M12, matrix.M13);
+        var y = new Vector3(matrix.M21, matrix.M22, matrix.M23);
+        var z = new Vector3(matrix.M31, matrix.M32, matrix.M33);
+        float off = Math.Max(Math.Max(Off(x, y, z), Off(y, z, x)), Off(z, x, y));
+        bool isAffine = matrix.M14 == 0 && matrix.M24 == 0 && matrix.M34 == 0 && matrix.M44 == 1;
+        if (!(off <= UnitTolerance) || !(Math.Abs(x.Length() - 1) <= UnitTolerance) || !isAffine)
+            throw new ArgumentException("Must be a rotation and a translation, and nothing else.", nameof(matrix));
+        return new RigidPose(
+            Quaternion.Normalize(Quaternion.CreateFromRotationMatrix(matrix)), matrix.Translation);
+    }
+
     /// <summary>Exact equality of all seven numbers (q and -q are the same rotation but not equal here).</summary>
     public static bool operator ==(in RigidPose a, in RigidPose b) =>
         a.Rotation == b.Rotation && a.Position == b.Position;
@@ -94,6 +149,9 @@ public readonly struct RigidPose : IEquatable<RigidPose>
 
     /// <summary>Whether a quaternion of this squared length counts as a rotation; false for NaN.</summary>
     internal static bool IsUnit(double squaredNorm) => squaredNorm >= MinSquaredNorm && squaredNorm <= MaxSquaredNorm;
+
+    /// <summary>How far a row of a matrix is from the cross product of the next two; NaN where one is.</summary>
+    private static float Off(Vector3 row, Vector3 next, Vector3 last) => (row - Vector3.Cross(next, last)).Length();
 
     private static bool IsRotation(Quaternion q) =>
         IsUnit((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W);

@@ -37,27 +37,44 @@ public sealed partial class CollisionScene
     /// <param name="bound">What stands for an object there; changes the speed only.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such kind.</exception>
     public CollisionScene(BroadPhaseKind broadPhase = BroadPhaseKind.DynamicTree, BoundKind bound = BoundKind.Box)
+        : this(Make(broadPhase), bound)
     {
-        _phase = broadPhase switch
-        {
-            BroadPhaseKind.SortAndSweep => new SortAndSweep(),
-            BroadPhaseKind.DynamicTree => new DynamicAabbTree(),
-            _ => throw new ArgumentOutOfRangeException(nameof(broadPhase), broadPhase, "There is no such broad phase."),
-        };
-        if (bound is not (BoundKind.Box or BoundKind.Ball))
-            throw new ArgumentOutOfRangeException(nameof(bound), bound, "There is no such bound.");
-        BroadPhase = broadPhase;
-        Bound = bound;
     }
 
-    /// <summary>How pairs are found.</summary>
-    public BroadPhaseKind BroadPhase { get; }
+    /// <summary>Makes an empty scene with a broad phase of your own.</summary>
+    /// <param name="broadPhase">
+    /// An empty one, which is the scene's from now on. The scene's answers are as right as its pairs and its sweeps.
+    /// </param>
+    /// <param name="bound">What stands for an object there.</param>
+    /// <exception cref="ArgumentNullException">There is no broad phase.</exception>
+    /// <exception cref="ArgumentException">It has objects.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bound.</exception>
+    public CollisionScene(IBroadPhase broadPhase, BoundKind bound = BoundKind.Box)
+    {
+        _phase = Guard.NotNull(broadPhase, nameof(broadPhase));
+        if (_phase.Count != 0) throw new ArgumentException("Must be empty.", nameof(broadPhase));
+        if (bound is not (BoundKind.Box or BoundKind.Ball))
+            throw new ArgumentOutOfRangeException(nameof(bound), bound, "There is no such bound.");
+        Bound = bound;
+    }
 
     /// <summary>What stands for an object in the broad phase.</summary>
     public BoundKind Bound { get; }
 
     /// <summary>How many objects there are.</summary>
     public int Count => _objects.Count;
+
+    /// <summary>The ids of all objects.</summary>
+    /// <param name="ids">Emptied first; then the ids, ascending.</param>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    public void CollectIds(List<int> ids)
+    {
+        Guard.NotNull(ids, nameof(ids)).Clear();
+        for (int slot = 0; slot < _objects.End; slot++)
+        {
+            if (_objects.Alive[slot]) ids.Add(_objects.Ids[slot]);
+        }
+    }
 
     /// <summary>Whether there is an object with this id.</summary>
     public bool Contains(int id) => _objects.SlotOf(id) >= 0;
@@ -136,6 +153,13 @@ public sealed partial class CollisionScene
         _objects.Remove(slot);
         NoteChange();
     }
+
+    private static IBroadPhase Make(BroadPhaseKind kind) => kind switch
+    {
+        BroadPhaseKind.SortAndSweep => new SortAndSweep(),
+        BroadPhaseKind.DynamicTree => new DynamicAabbTree(),
+        _ => throw new ArgumentOutOfRangeException("broadPhase", kind, "There is no such broad phase."),
+    };
 
     private static void CheckPose(in RigidPose pose)
     {

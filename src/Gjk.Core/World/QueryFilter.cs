@@ -17,6 +17,7 @@ public readonly struct QueryFilter : IEquatable<QueryFilter>
     private readonly uint _groupsFromAll, _maskFromAll;
     private readonly int _notIgnoredId;
     private readonly bool _skipsStatic, _skipsMoving;
+    private readonly Predicate<int>? _sees;
 
     /// <summary>Makes a filter.</summary>
     /// <param name="groups">
@@ -26,10 +27,15 @@ public readonly struct QueryFilter : IEquatable<QueryFilter>
     /// <param name="seesStatic">Whether it sees static objects.</param>
     /// <param name="seesMoving">Whether it sees the others.</param>
     /// <param name="ignoredId">An object that it does not see, such as the one that asks; -1 for none.</param>
+    /// <param name="sees">
+    /// Says of an object, by its id, whether it is seen, if nothing else says that it is not; null: it is. It may be
+    /// called from several threads, in any order, and must not use the scene. What it throws passes through.
+    /// </param>
     public QueryFilter(
         uint groups = uint.MaxValue, uint mask = uint.MaxValue, bool seesStatic = true, bool seesMoving = true,
-        int ignoredId = -1)
+        int ignoredId = -1, Predicate<int>? sees = null)
     {
+        _sees = sees;
         _groupsFromAll = ~groups;
         _maskFromAll = ~mask;
         _skipsStatic = !seesStatic;
@@ -59,7 +65,8 @@ public readonly struct QueryFilter : IEquatable<QueryFilter>
         id != IgnoredId
         && !(settings.IsStatic ? _skipsStatic : _skipsMoving)
         && (_groupsFromAll == 0 || (Groups & settings.Mask) != 0)
-        && (_maskFromAll == 0 || (Mask & settings.Groups) != 0);
+        && (_maskFromAll == 0 || (Mask & settings.Groups) != 0)
+        && (_sees is null || _sees(id));
 
     /// <summary>Whether all parts are the same.</summary>
     public static bool operator ==(in QueryFilter a, in QueryFilter b) => a.Equals(b);
@@ -71,7 +78,7 @@ public readonly struct QueryFilter : IEquatable<QueryFilter>
     public bool Equals(QueryFilter other) =>
         _groupsFromAll == other._groupsFromAll && _maskFromAll == other._maskFromAll
         && _notIgnoredId == other._notIgnoredId && _skipsStatic == other._skipsStatic
-        && _skipsMoving == other._skipsMoving;
+        && _skipsMoving == other._skipsMoving && _sees == other._sees;
 
     /// <inheritdoc/>
     public override bool Equals(object? obj) => obj is QueryFilter other && Equals(other);

@@ -46,7 +46,7 @@ public class BoundKindBitsTests
             foreach ((CollisionScene scene, Workers? threads) in scenes.Skip(1))
             {
                 scene.FindPairsWithin(asked, found, threads);
-                string message = $"frame {frame}, distance {asked}, {scene.BroadPhase}, {scene.Bound}";
+                string message = $"frame {frame}, distance {asked}, {scene.Bound}";
                 SameBits(expected, found, $"{message}, {threads?.ThreadCount ?? 1} threads");
                 candidatesBeyond += scene.WarmStartCount - found.Count;
             }

@@ -31,7 +31,7 @@ public class SceneEqualityTests
                 objects += scenes[0].Count;
                 foreach (CollisionScene scene in scenes)
                 {
-                    string message = $"seed {seed}, frame {frame}, {scene.BroadPhase}, {scene.Bound}";
+                    string message = $"seed {seed}, frame {frame}, {scene.Bound}";
                     scene.FindOverlaps(found);
                     Assert.True(expected.SequenceEqual(found), message);
                     scene.FindOverlaps(found, workers);
@@ -62,7 +62,7 @@ public class SceneEqualityTests
                 {
                     if (scene == serial[0]) continue;
                     scene.FindPairsWithin(distance, found);
-                    SameBits(first, found, $"seed {seed}, frame {frame}, {scene.BroadPhase}, {scene.Bound}");
+                    SameBits(first, found, $"seed {seed}, frame {frame}, {scene.Bound}");
                 }
 
                 for (int i = 0; i < parallel.Length; i++)
@@ -70,7 +70,7 @@ public class SceneEqualityTests
                     parallel[i].FindPairsWithin(distance, found, workers);
                     SameBits(
                         first, found,
-                        $"seed {seed}, frame {frame}, {parallel[i].BroadPhase}, {parallel[i].Bound}, two threads");
+                        $"seed {seed}, frame {frame}, {parallel[i].Bound}, two threads");
                 }
             }
         }
@@ -101,7 +101,7 @@ public class SceneEqualityTests
                 Assert.True(scene.TryFindNearest(a, out int other, out DistanceResult result));
                 Assert.True(
                     expected == (result.Distance, other),
-                    $"{scene.BroadPhase}, {scene.Bound}, object {a}: {result.Distance:R} to {other}, not {expected}");
+                    $"{scene.Bound}, object {a}: {result.Distance:R} to {other}, not {expected}");
                 DistanceResult cold = ConvexQuery.Distance(
                     world.Shapes[a], world.Poses[a], world.Shapes[other], world.Poses[other]);
                 Assert.Equal(ResultBits.Of(cold), ResultBits.Of(result));

@@ -1,0 +1,41 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <remarks>
+/// The numbers that it was made from, in world units; of a decorated shape (<see cref="IsDecorated"/>) those of what is
+/// inside, before <see cref="Scale"/>. What a kind does not have is 0.
+/// </remarks>
+public readonly partial struct ConvexShape
+{
+    /// <summary>The radius of a sphere, capsule, cylinder or cone.</summary>
+    public float Radius => Innermost(out ShapeParts parts) switch
+    {
+        ShapeKind.Sphere or ShapeKind.Capsule => (float)parts.InnerMargin,
+        ShapeKind.Cylinder or ShapeKind.Cone => (float)parts.A.X,
+        _ => 0,
+    };
+
+    /// <summary>Half the height of a cylinder or cone; of a capsule without its caps.</summary>
+    public float HalfHeight => Innermost(out ShapeParts parts) switch
+    {
+        ShapeKind.Capsule => (float)(parts.A - parts.B).Length / 2,
+        ShapeKind.Cylinder or ShapeKind.Cone => (float)parts.A.Y,
+        _ => 0,
+    };
+
+    /// <summary>Half the sides of a box; the radii of an ellipsoid.</summary>
+    public Vector3 HalfExtents =>
+        Innermost(out ShapeParts parts) is ShapeKind.Box or ShapeKind.Ellipsoid ? (Vector3)parts.A : Vector3.Zero;
+
+    /// <summary>What it was widened by, last of all.</summary>
+    public float Rounding => (float)_parts.Rounding;
+
+    /// <summary>The kind and the parts of the innermost shape.</summary>
+    private ShapeKind Innermost(out ShapeParts parts)
+    {
+        parts = _parts;
+        while (parts.Layer is not null) parts = parts.Layer.Inner._parts;
+        return parts.Kind;
+    }
+}
