@@ -97,7 +97,7 @@ public readonly struct RigidPose : IEquatable<RigidPose>
             parent.TransformPoint(child.Position));
     }
 
-    /// <summary>The pose of a matrix, in <see cref="System.Numerics"/>' order: row vectors, the position last.</summary>
+    /// <summary>The pose of a matrix in the order of System.Numerics: row vectors, the position last.</summary>
     /// <param name="matrix">A rotation and a translation, without scale, mirror, shear or projection.</param>
     /// <exception cref="ArgumentException">
     /// It is something else: a row is further from unit length, or from a right angle to the others, than 1e-3, or it
