@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 #if NET
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -216,8 +217,11 @@ public sealed class SortAndSweep : IBroadPhase
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Load(float[] values, int index) =>
-        Vector256.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (uint)index);
+    private static Vector256<float> Load(float[] values, int index)
+    {
+        Debug.Assert(index >= 0 && index + Vector256<float>.Count <= values.Length);
+        return Vector256.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (uint)index);
+    }
 #else
     /// <summary>Compares a box with those that begin before it ends.</summary>
     /// <returns>How many were compared.</returns>

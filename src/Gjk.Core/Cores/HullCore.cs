@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 #if NET
+using System.Diagnostics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 #endif
@@ -78,6 +79,7 @@ internal readonly struct HullCore : ISupportMap, ISupportFace, ITightBounds
     {
         double[] centered = hull.Centered;
         uint at = 4 * (uint)id;
+        Debug.Assert(centered.Length > 0 && centered.Length % 4 == 0);
         return Vector256.LoadUnsafe(
             ref MemoryMarshal.GetArrayDataReference(centered), at < (uint)centered.Length ? at : 0);
     }

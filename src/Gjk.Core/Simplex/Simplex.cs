@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 #if NET
+using System.Diagnostics;
 using System.Runtime.Intrinsics;
 #endif
 
@@ -115,6 +116,7 @@ internal unsafe struct Simplex
     public void Fill(
         int slot, Vector256<double> w, Vector256<double> onA, Vector256<double> onB, int idA, int idB)
     {
+        Debug.Assert((uint)slot < 4);
         w.StoreUnsafe(ref _w[0], (nuint)(4 * slot));
         onA.StoreUnsafe(ref _onA[0], (nuint)(4 * slot));
         onB.StoreUnsafe(ref _onB[0], (nuint)(4 * slot));
@@ -187,8 +189,11 @@ internal unsafe struct Simplex
 
     /// <summary>A last lane that no writer has cleared may hold a denormal number, whose products are slow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Xyz Load(in double points, int slot) =>
-        Vector256.LoadUnsafe(in points, (nuint)(4 * slot)) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
+    private static Xyz Load(in double points, int slot)
+    {
+        Debug.Assert((uint)slot < 4);
+        return Vector256.LoadUnsafe(in points, (nuint)(4 * slot)) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
+    }
 #else
     private readonly Xyz XyzOnA(int slot) => OnA(slot);
 

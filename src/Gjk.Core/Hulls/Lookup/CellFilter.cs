@@ -1,5 +1,6 @@
 using System;
 #if NET
+using System.Diagnostics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 #endif
@@ -152,6 +153,7 @@ internal sealed class CellFilter
         double u = _points[3 * i + _axisU], v = _points[3 * i + _axisV];
         double limit = u * _u + v * _v + _points[3 * i + _axisW] * _w + Slack;
 #if NET
+        Debug.Assert(Math.Min(Math.Min(_championU.Length, _championV.Length), _championHeight.Length) >= Padded);
         ref double us = ref MemoryMarshal.GetArrayDataReference(_championU);
         ref double vs = ref MemoryMarshal.GetArrayDataReference(_championV);
         ref double heights = ref MemoryMarshal.GetArrayDataReference(_championHeight);

@@ -1,5 +1,6 @@
 #if NET
 using System;
+using System.Diagnostics;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
@@ -29,6 +30,7 @@ internal static class HullBlocks
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Best(float[] blocks, int block, int end, in Vector3D direction)
     {
+        Debug.Assert(block >= 0 && end > block && end * HullCells.BlockFloats <= blocks.Length);
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(blocks);
         Vector256<double> dx = Vector256.Create(direction.X);
         Vector256<double> dy = Vector256.Create(direction.Y);
@@ -47,6 +49,7 @@ internal static class HullBlocks
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Read(float[] blocks, int slot, out Vector3D point)
     {
+        Debug.Assert((uint)slot < (uint)(blocks.Length / HullCells.BlockFloats * HullCells.Lanes));
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(blocks);
         uint block = (uint)slot / HullCells.Lanes, lane = (uint)slot % HullCells.Lanes;
         ref float x = ref Unsafe.Add(ref coordinates, block * HullCells.BlockFloats + lane);

@@ -1,4 +1,5 @@
 #if NET
+using System.Diagnostics;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
@@ -52,6 +53,8 @@ internal static class HullScan
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Best(double[] blocks, double x, double y, double z)
     {
+        Debug.Assert(blocks.Length > 0 && blocks.Length % Step == 0);
+        Debug.Assert(blocks.Length / HullCells.BlockFloats * HullCells.Lanes <= MostVertices);
         ref double at = ref MemoryMarshal.GetArrayDataReference(blocks);
         Vector256<double> dx = Vector256.Create(x), dy = Vector256.Create(y), dz = Vector256.Create(z);
         Vector256<double> even = Dots(ref at, dx, dy, dz);

@@ -1,5 +1,6 @@
 #if NET
 using System;
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -87,6 +88,7 @@ internal static class RayHull
         Vector256<double> flattest = Vector256.Create(RayGraze.LeastSlope * length), twice = Vector256.Create(2.0);
         Vector256<double> lengths = Vector256.Create(length), sizes = Vector256.Create(size);
         Vector256<double> error = Vector256.Create(RayGraze.FootError * length);
+        Debug.Assert(blocks.Length % HullPlanes.BlockDoubles == 0);
         ref double first = ref MemoryMarshal.GetArrayDataReference(blocks);
         for (nuint i = 0; i < (nuint)blocks.Length; i += HullPlanes.BlockDoubles)
         {
