@@ -2,9 +2,9 @@ using System;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Families;
-using Gjk.Demo.Fuzz.Promises;
+using Gjk.Exact.Fuzz;
+using Gjk.Exact.Fuzz.Families;
+using Gjk.Exact.Fuzz.Promises;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
