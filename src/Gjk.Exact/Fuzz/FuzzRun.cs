@@ -20,9 +20,9 @@ internal sealed record BrokenPromise(long Index, string Family, string Promise, 
 internal sealed class FuzzRun
 {
     private readonly FuzzLength _length;
-    private readonly IReadOnlyList<IPromise> _promises;
+    private readonly IReadOnlyList<Promise> _promises;
 
-    public FuzzRun(FuzzLength length, ulong seed, IReadOnlyList<IPromise> promises)
+    public FuzzRun(FuzzLength length, ulong seed, IReadOnlyList<Promise> promises)
     {
         _length = length;
         Seed = seed;
@@ -45,7 +45,7 @@ internal sealed class FuzzRun
         while (!cancel.IsCancellationRequested && _length.Done(Tried, Elapsed) < 1)
         {
             FuzzPair pair = PairFamilies.Draw(Seed, Tried, out string family);
-            foreach (IPromise promise in _promises)
+            foreach (Promise promise in _promises)
             {
                 if (promise.Broken(pair) is { } how) return Smallest(pair, family, promise, how, cancel);
             }
@@ -58,7 +58,7 @@ internal sealed class FuzzRun
         return null;
     }
 
-    private BrokenPromise Smallest(FuzzPair pair, string family, IPromise promise, string how, CancellationToken cancel)
+    private BrokenPromise Smallest(FuzzPair pair, string family, Promise promise, string how, CancellationToken cancel)
     {
         FuzzPair shrunk = Shrinker.Shrink(pair, promise, cancel);
         return new BrokenPromise(Tried, family, promise.Name, promise.Broken(shrunk) ?? how, shrunk.Text);

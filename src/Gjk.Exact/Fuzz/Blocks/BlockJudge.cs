@@ -100,10 +100,8 @@ internal sealed class BlockJudge
         BlockPairs p = _pairs;
         p.DrawMotion(out _velocityA, out _velocityB);
         CastResult r = ConvexQuery.Cast(p.A, p.PoseA, _velocityA, p.B, p.PoseB, _velocityB);
-        CheckedAnswer check = AnswerCheck.Cast(p.A, p.PoseA, _velocityA, p.B, p.PoseB, _velocityB, r);
-        if (!HasAnswer(r.Status)) problem = r.ToString();
-        else if (check.Status == CheckStatus.Refuted) problem = Say.Line($"{r}: {check}");
-        return check.Status;
+        return Judge(
+            r, r.Status, AnswerCheck.Cast(p.A, p.PoseA, _velocityA, p.B, p.PoseB, _velocityB, r), ref problem);
     }
 
     private CheckStatus Ray(ref string? problem)
@@ -111,10 +109,7 @@ internal sealed class BlockJudge
         BlockPairs p = _pairs;
         p.DrawRay(out _point, out _velocityB);
         RayCastResult r = ConvexQuery.RayCast(p.A, p.PoseA, _point, _velocityB);
-        CheckedAnswer check = AnswerCheck.RayCast(p.A, p.PoseA, _point, _velocityB, r);
-        if (!HasAnswer(r.Status)) problem = r.ToString();
-        else if (check.Status == CheckStatus.Refuted) problem = Say.Line($"{r}: {check}");
-        return check.Status;
+        return Judge(r, r.Status, AnswerCheck.RayCast(p.A, p.PoseA, _point, _velocityB, r), ref problem);
     }
 
     private CheckStatus Point(ref string? problem)
@@ -160,9 +155,15 @@ internal sealed class BlockJudge
             || (status == GjkStatus.IterationLimit
                 && (IsCurved(shape) || shape.Hull is { VertexCount: > MostVertices }));
 
-    private bool HasAnswer(CastStatus status) => status is CastStatus.Hit or CastStatus.Miss
-        or CastStatus.OverlappingAtStart
-        || (status == CastStatus.IterationLimit && (IsCurved(_pairs.A) || IsCurved(_pairs.B)));
+    private CheckStatus Judge<T>(in T result, CastStatus status, in CheckedAnswer check, ref string? problem)
+        where T : struct
+    {
+        bool hasAnswer = status is CastStatus.Hit or CastStatus.Miss or CastStatus.OverlappingAtStart
+            || (status == CastStatus.IterationLimit && (IsCurved(_pairs.A) || IsCurved(_pairs.B)));
+        if (!hasAnswer) problem = result.ToString();
+        else if (check.Status == CheckStatus.Refuted) problem = Say.Line($"{result}: {check}");
+        return check.Status;
+    }
 
     private static bool IsCurved(in ConvexShape shape) => shape.Support(new Vector3D(1, 0, 0), out _) < 0;
 }

@@ -34,13 +34,8 @@ internal static class ContactFamilies
     }
 
     /// <summary>Any shapes, a gap apart along any direction, or along one across a face.</summary>
-    public static FuzzPair Touching(FuzzRandom random)
-    {
-        FuzzShape a = Shapes.Any(random), b = Shapes.Any(random);
-        var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
-        return Placement.Gap(
-            a, poseA, b, Rotations.Any(random), Placement.AnyNormal(random, a, poseA), Placement.AnyGap(random));
-    }
+    public static FuzzPair Touching(FuzzRandom random) =>
+        Placement.Touching(random, Shapes.Any(random), Shapes.Any(random));
 
     /// <summary>
     /// A lies below the plane x = 0 and B above it, both in one rotation, and B's position is the gap itself: so gaps

@@ -61,10 +61,7 @@ internal static class MadeFamilies
             _ => Shapes.Any(random),
         };
         if (random.OneIn(2)) (a, b) = (b, a);
-        if (random.OneIn(2)) return Placement.Near(random, a, b);
-        var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
-        return Placement.Gap(
-            a, poseA, b, Rotations.Any(random), Placement.AnyNormal(random, a, poseA), Placement.AnyGap(random));
+        return random.OneIn(2) ? Placement.Near(random, a, b) : Placement.Touching(random, a, b);
     }
 
     private static FuzzShape Offset(FuzzRandom random)

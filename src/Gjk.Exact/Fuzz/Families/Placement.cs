@@ -31,6 +31,20 @@ internal static class Placement
         return Between(a, poseA, b, turnB, n * (bodyA.Height(n) + bodyB.Height(-n) + gap));
     }
 
+    /// <summary>Planes across any direction, or one across a face of A, stand any gap apart.</summary>
+    public static FuzzPair Touching(FuzzRandom random, in FuzzShape a, in FuzzShape b)
+    {
+        var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
+        return Gap(a, poseA, b, Rotations.Any(random), AnyNormal(random, a, poseA), AnyGap(random));
+    }
+
+    /// <summary>B in any direction, so near that about half of the pairs overlap.</summary>
+    public static FuzzPair Meeting(FuzzRandom random, in FuzzShape a, in RigidPose poseA, in FuzzShape b)
+    {
+        double apart = Apart(random, a, b);
+        return Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
+    }
+
     /// <summary>B with its centre a vector from A's, both in world axes.</summary>
     public static FuzzPair Between(
         in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D centers)

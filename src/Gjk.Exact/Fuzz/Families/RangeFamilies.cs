@@ -60,7 +60,7 @@ internal static class RangeFamilies
             0 => ConvexShape.Box(Vector3.Abs(random.Vector(1)) * factor),
             1 => ConvexShape.Sphere(random.Float(0.1, 1) * factor),
             2 => ConvexShape.Capsule(random.Float(0.1, 0.5) * factor, random.Float(0.1, 0.5) * factor),
-            3 => Curved(random, factor),
+            3 => Shapes.Curved(random, factor),
             4 => FuzzShape.Mesh(Cloud(random, new Vector3(0.5f))).Scaled(new Vector3(factor)),
             5 => FuzzShape.Mesh(Clouds.Fitted(MadeMeshes.Any(random), 0.5 * size)),
             _ => FuzzShape.Mesh(Clouds.Placed(Cloud(random, Vector3.One), factor, Vector3.Zero)),
@@ -68,11 +68,4 @@ internal static class RangeFamilies
     }
 
     private static Vector3[] Cloud(FuzzRandom random, Vector3 half) => Clouds.InBox(random, 4 + random.Below(9), half);
-
-    private static FuzzShape Curved(FuzzRandom random, float size) => random.Below(3) switch
-    {
-        0 => ConvexShape.Cylinder(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
-        1 => ConvexShape.Cone(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
-        _ => ConvexShape.Ellipsoid(Vector3.Abs(random.Vector(1)) * size),
-    };
 }

@@ -63,6 +63,14 @@ internal static class Shapes
         _ => ConvexShape.Cone(random.Float(0.1, 1), random.Float(0.1, 1)).Scaled(random.Factors(0.2, 2)),
     };
 
+    /// <summary>Of about a size, without a scale.</summary>
+    public static FuzzShape Curved(FuzzRandom random, float size) => random.Below(3) switch
+    {
+        0 => ConvexShape.Cylinder(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
+        1 => ConvexShape.Cone(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
+        _ => ConvexShape.Ellipsoid(Vector3.Abs(random.Vector(1)) * size),
+    };
+
     /// <summary>Scaled unevenly or evenly, mirrored or not.</summary>
     public static FuzzShape Scaled(FuzzRandom random)
     {

@@ -22,13 +22,12 @@ internal static class SizeFamilies
     public static FuzzPair TinyAndHuge(FuzzRandom random)
     {
         float size = (float)random.Magnitude(1e-15, 1e15);
-        FuzzShape a = Polytope(random, size), b = random.OneIn(4) ? Curved(random, size) : Polytope(random, size);
+        FuzzShape a = Polytope(random, size), b = random.OneIn(4) ? Shapes.Curved(random, size) : Polytope(random, size);
         var poseA = new RigidPose(Rotations.Any(random), random.Vector(1) * size);
         if (random.OneIn(2))
             return Placement.Gap(
                 a, poseA, b, Rotations.Any(random), random.Direction(), Placement.AnyGap(random) * size);
-        double apart = Placement.Apart(random, a, b);
-        return Placement.Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
+        return Placement.Meeting(random, a, poseA, b);
     }
 
     /// <summary>Up to 1e5 from the origin, near each other.</summary>
@@ -39,8 +38,7 @@ internal static class SizeFamilies
         if (random.OneIn(2))
             return Placement.Gap(
                 a, poseA, b, Rotations.Any(random), random.Direction(), random.Sign() * random.Magnitude(1e-3, 1));
-        double apart = Placement.Apart(random, a, b);
-        return Placement.Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
+        return Placement.Meeting(random, a, poseA, b);
     }
 
     /// <summary>Meshes of size 1 whose own origin is up to 1e4 away, in places that bring them together.</summary>
@@ -48,8 +46,7 @@ internal static class SizeFamilies
     {
         FuzzShape a = Offset(random), b = random.OneIn(2) ? Offset(random) : Shapes.Polytope(random);
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(100));
-        double apart = Placement.Apart(random, a, b);
-        return Placement.Between(a, poseA, b, Rotations.Any(random), random.Direction() * apart);
+        return Placement.Meeting(random, a, poseA, b);
     }
 
     /// <summary>
@@ -87,12 +84,5 @@ internal static class SizeFamilies
         1 => ConvexShape.Sphere(random.Float(0.1, 1) * size),
         2 => FuzzShape.Mesh(Clouds.Box(Vector3.One)).Scaled(new Vector3(size)),
         _ => FuzzShape.Mesh(Clouds.Placed(Clouds.InBox(random, 4 + random.Below(9), Vector3.One), size, Vector3.Zero)),
-    };
-
-    private static FuzzShape Curved(FuzzRandom random, float size) => random.Below(3) switch
-    {
-        0 => ConvexShape.Cylinder(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
-        1 => ConvexShape.Cone(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
-        _ => ConvexShape.Ellipsoid(Vector3.Abs(random.Vector(1)) * size),
     };
 }

@@ -24,6 +24,11 @@ internal static class CastProof
     /// </summary>
     private const double CurvedPoint = 5e-5;
 
+    /// <summary>
+    /// A hit is a contact, with a proof that there is none before; of a miss, planes prove that there is none at all.
+    /// </summary>
+    public static string? Broken(FuzzPair pair) => Problem(pair, pair.Cast, 1);
+
     /// <summary>How an answer breaks the contract of a cast, or null.</summary>
     /// <param name="pair">The pair with its motion.</param>
     /// <param name="r">The answer.</param>

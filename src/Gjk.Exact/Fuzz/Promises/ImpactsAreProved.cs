@@ -11,7 +11,7 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// The motion is looked at in steps, and more closely before the fraction, at poses rounded to float. So an overlap
 /// counts where it is deeper than that rounding, and a gap where it is wider than the tolerance by as much.
 /// </remarks>
-internal sealed class ImpactsAreProved : IPromise
+internal static class ImpactsAreProved
 {
     /// <summary>Looks at the whole way, and at its last parts, each half of the one before.</summary>
     private const int Looks = 24, CloserLooks = 16;
@@ -25,9 +25,7 @@ internal sealed class ImpactsAreProved : IPromise
     /// <summary>Ratio of the pair's scale: longer ways leave poses in float too few digits to check anything.</summary>
     private const double LongestWay = 1e4;
 
-    public string Name => "a time of impact is proved up to it, and within the tolerance at it";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         if (!(pair.Scale > 0) || pair.Motion.Length > LongestWay * pair.Scale) return null;
         (RigidMotion a, RigidMotion b) = Turning.Of(pair);
@@ -39,7 +37,7 @@ internal sealed class ImpactsAreProved : IPromise
     {
         bool starts = r.Status == CastStatus.OverlappingAtStart;
         bool mayStart = pair.Answer.IsOverlapping || pair.Answer.Distance <= 4 * pair.Noise;
-        if (starts ? !mayStart : CastsBeginAsTheDepthSays.IsDeep(pair))
+        if (starts ? !mayStart : CastPromises.IsDeep(pair))
             return Say.Line($"{r} of {Text(a, b)}, but Distance says {pair.Answer.Status}");
         if (starts) return null;
 

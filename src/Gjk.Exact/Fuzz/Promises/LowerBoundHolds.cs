@@ -5,11 +5,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>
 /// The lower bound is below the true distance, without a band, and as near it as the distance is promised to be.
 /// </summary>
-internal sealed class LowerBoundHolds : IPromise
+internal static class LowerBoundHolds
 {
-    public string Name => "the lower bound is below the distance and closes the gap";
-
-    public string? Broken(FuzzPair pair) => Problem(pair, pair.Answer);
+    public static string? Broken(FuzzPair pair) => Problem(pair, pair.Answer);
 
     /// <summary>How an answer for the pair breaks the promise, or null.</summary>
     public static string? Problem(FuzzPair pair, in DistanceResult r)

@@ -6,11 +6,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>
 /// With a maximum distance the answer is the full one where that is nearer, to the last bit; beyond, a plane proves it.
 /// </summary>
-internal sealed class MaxDistanceEndsEarly : IPromise
+internal static class MaxDistanceEndsEarly
 {
-    public string Name => "a maximum distance changes nothing within it and proves what is beyond";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult full = pair.Answer;
         if (full.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;

@@ -8,11 +8,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// Moving both shapes alike changes nothing: half turns about the axes, which are exact in floats, and shifts where the
 /// sums are.
 /// </summary>
-internal sealed class MotionChangesNothing : IPromise
+internal static class MotionChangesNothing
 {
-    public string Name => "moving both shapes alike changes nothing";
-
-    public string? Broken(FuzzPair pair) => Turned(pair) ?? Shifted(pair);
+    public static string? Broken(FuzzPair pair) => Turned(pair) ?? Shifted(pair);
 
     private static string? Turned(FuzzPair pair)
     {

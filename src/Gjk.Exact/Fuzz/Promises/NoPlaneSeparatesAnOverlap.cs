@@ -7,16 +7,14 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// Of shapes that are said to overlap, no plane has one on either side: looked for along many directions and across the
 /// faces of both.
 /// </summary>
-internal sealed class NoPlaneSeparatesAnOverlap : IPromise
+internal static class NoPlaneSeparatesAnOverlap
 {
     private const int MostFaces = 200;
 
     /// <summary>Dot products to spend on the faces of each shape.</summary>
     private const int MostWork = 20_000;
 
-    public string Name => "no plane separates shapes that are said to overlap";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         if (!pair.Answer.IsOverlapping) return null;
         double widest = Widest(pair), allowed = pair.Band(0) + pair.Noise;

@@ -9,7 +9,7 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// face of their difference: a face of either, or two edges. Of small ones all of these are tried, of larger ones some.
 /// Shapes that overlap by their margins alone have a depth that is known exactly.
 /// </summary>
-internal sealed class NoWayOutIsShorter : IPromise
+internal static class NoWayOutIsShorter
 {
     /// <summary>Dot products to spend on the faces of a difference.</summary>
     private const int MostWork = 200_000;
@@ -22,9 +22,7 @@ internal sealed class NoWayOutIsShorter : IPromise
     /// <summary>A sine: edges that are more parallel span no face.</summary>
     private const double Parallel = 1e-12;
 
-    public string Name => "no way out is shorter than the depth";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult s = pair.Signed;
         if (!s.IsOverlapping) return null;

@@ -8,11 +8,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// above that proves the distance by itself (no gap between planes can exceed it); from below as far as a normal
 /// rounded to float can tell.
 /// </summary>
-internal sealed class NormalSeparates : IPromise
+internal static class NormalSeparates
 {
-    public string Name => "the planes across the normal stand the distance apart";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
         if (r.Status == GjkStatus.Overlapping)

@@ -7,14 +7,12 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// From one closest point to the other is normal times distance, in the world and through the local frames; of
 /// overlapping shapes both are one.
 /// </summary>
-internal sealed class PointsDifferByTheDistance : IPromise
+internal static class PointsDifferByTheDistance
 {
     /// <summary>Ratio to the distance: the rounding of the distance and of the normal's three components.</summary>
     private const double Product = 4 * Accuracy.HalfFloat;
 
-    public string Name => "the closest points differ by normal times distance";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;

@@ -7,16 +7,14 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>
 /// Each closest point lies in its shape, in its own frame as in the world's, as far as a float can hold it.
 /// </summary>
-internal sealed class PointsLieOnTheShapes : IPromise
+internal static class PointsLieOnTheShapes
 {
     private const int MostFaces = 64;
 
     /// <summary>Dot products to spend on one shape's faces.</summary>
     private const int MostWork = 8000;
 
-    public string Name => "the closest points lie on their shapes";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
         return r.Status is GjkStatus.Separated or GjkStatus.Overlapping ? Problem(pair, r) : null;

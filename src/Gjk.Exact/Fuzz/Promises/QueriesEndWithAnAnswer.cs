@@ -4,11 +4,9 @@ using Gjk.Core;
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>A valid pair gets an answer: no cap is reached, no input called invalid, no NaN.</summary>
-internal sealed class QueriesEndWithAnAnswer : IPromise
+internal static class QueriesEndWithAnAnswer
 {
-    public string Name => "every query ends with an answer";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping))

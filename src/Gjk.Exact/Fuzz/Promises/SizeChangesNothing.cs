@@ -8,13 +8,11 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// A pair in another unit of length has the same answer in that unit. The factors are powers of two, so that the larger
 /// and the smaller pair are exactly the same.
 /// </summary>
-internal sealed class SizeChangesNothing : IPromise
+internal static class SizeChangesNothing
 {
     private const float Least = 1e-30f, Most = 1e30f;
 
-    public string Name => "another unit of length changes nothing";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         foreach (float factor in (ReadOnlySpan<float>)[1024, 1f / 1024, 1L << 50, 1f / (1L << 50)])
         {

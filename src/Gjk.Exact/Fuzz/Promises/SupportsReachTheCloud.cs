@@ -9,14 +9,12 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// of; of curved shapes, from the formula. The support point is one of those points, to the last bit, and is the vertex
 /// that its id names.
 /// </summary>
-internal sealed class SupportsReachTheCloud : IPromise
+internal static class SupportsReachTheCloud
 {
     /// <summary>Ratio: a component so far below the largest one counts for nothing.</summary>
     private const double Underflow = 1e-290;
 
-    public string Name => "a support is the furthest point of the cloud";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         Vector3 place = pair.PoseB.Position;
         ulong seed = BitConverter.SingleToUInt32Bits(place.X) ^ (ulong)BitConverter.SingleToUInt32Bits(place.Y) << 32;

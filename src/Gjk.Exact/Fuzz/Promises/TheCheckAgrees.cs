@@ -5,11 +5,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>
 /// The check that users can make refutes no answer, and where the truth is known it is between the check's bounds.
 /// </summary>
-internal sealed class TheCheckAgrees : IPromise
+internal static class TheCheckAgrees
 {
-    public string Name => "the check refutes nothing, and its bounds hold the truth";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         (ConvexShape a, ConvexShape b, RigidPose poseA, RigidPose poseB) = (pair.A, pair.B, pair.PoseA, pair.PoseB);
         CheckedAnswer distance = AnswerCheck.Distance(a, poseA, b, poseB, pair.Answer);

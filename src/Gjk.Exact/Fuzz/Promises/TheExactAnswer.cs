@@ -7,11 +7,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// Every pair without a curved core is solved again in integers of any size: flag and distance are held to the true
 /// answer within the accuracy.
 /// </summary>
-internal sealed class TheExactAnswer : IPromise
+internal static class TheExactAnswer
 {
-    public string Name => "the answer is the exact one, rounded";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer;
         if (!pair.Truth.IsKnown || r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;

@@ -6,14 +6,12 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// The signed distance overlaps where the distance does, and is the distance bit for bit elsewhere. Only curved shapes
 /// and large hulls may outgrow the room of its search, and then the truth is between its bounds.
 /// </summary>
-internal sealed class TheSignedDistanceIsTheDistance : IPromise
+internal static class TheSignedDistanceIsTheDistance
 {
     /// <summary>Hulls with no more vertices always get an answer.</summary>
     private const int MostVertices = 512;
 
-    public string Name => "the signed distance is the distance of what is apart";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult r = pair.Answer, s = pair.Signed;
         if (s.Status == GjkStatus.IterationLimit && r.IsOverlapping) return Limit(pair, s);

@@ -6,11 +6,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// Moved along the normal by the depth, B only touches A: a plane stands between them, and the deepest points, which
 /// are points of the shapes, have met.
 /// </summary>
-internal sealed class TheWayOutEndsTouching : IPromise
+internal static class TheWayOutEndsTouching
 {
-    public string Name => "moved out by the depth, overlapping shapes only touch";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult s = pair.Signed;
         if (!s.IsOverlapping) return null;

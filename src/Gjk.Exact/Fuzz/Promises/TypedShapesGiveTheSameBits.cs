@@ -10,11 +10,9 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// A shape of its own type is solved like the same one as a <see cref="ConvexShape"/>, to the last bit: as A and as B,
 /// meshes scaled as well. Other shapes multiply a scale in or keep it, and then agree within the accuracy only.
 /// </summary>
-internal sealed class TypedShapesGiveTheSameBits : IPromise
+internal static class TypedShapesGiveTheSameBits
 {
-    public string Name => "a typed shape gives the same bits";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         DistanceResult swapped = ConvexQuery.Distance(pair.B, pair.PoseB, pair.A, pair.PoseA);
         return Problem(pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Answer, "A typed")

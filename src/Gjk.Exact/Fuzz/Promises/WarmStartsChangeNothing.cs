@@ -9,15 +9,13 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// A warm start, whatever it remembers, changes the answer by no more than the accuracy: its own, that of a moved pair,
 /// and those of quite other shapes.
 /// </summary>
-internal sealed class WarmStartsChangeNothing : IPromise
+internal static class WarmStartsChangeNothing
 {
     private static readonly WarmStart[] BytePatterns = MakeBytePatterns();
 
-    private readonly WarmStart[] _foreign = RememberOthers();
+    private static readonly WarmStart[] Memories = RememberOthers();
 
-    public string Name => "a warm start changes nothing";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         var warm = default(WarmStart);
         return Problem(pair, ref warm, "first, empty")
@@ -47,11 +45,11 @@ internal sealed class WarmStartsChangeNothing : IPromise
         return null;
     }
 
-    private string? Foreign(FuzzPair pair)
+    private static string? Foreign(FuzzPair pair)
     {
-        for (int i = 0; i < _foreign.Length; i++)
+        for (int i = 0; i < Memories.Length; i++)
         {
-            WarmStart warm = _foreign[i];
+            WarmStart warm = Memories[i];
             string? problem = Problem(pair, ref warm, Say.Line($"foreign {i}"));
             if (problem is not null) return problem;
         }

@@ -8,7 +8,7 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// A cast that passes what gets no deeper says the same as without the option, or misses; and then no place on the way
 /// is deeper than is allowed.
 /// </summary>
-internal sealed class WhatPassesGetsNoDeeper : IPromise
+internal static class WhatPassesGetsNoDeeper
 {
     /// <summary>Places on the way that are looked at.</summary>
     private const int Looks = 8;
@@ -19,9 +19,7 @@ internal sealed class WhatPassesGetsNoDeeper : IPromise
     /// <summary>Ratio of the way: the slope that counts as a slide, with room.</summary>
     private const double Slope = 1.1 / (1 << 20);
 
-    public string Name => "what passes gets no deeper";
-
-    public string? Broken(FuzzPair pair)
+    public static string? Broken(FuzzPair pair)
     {
         foreach (double part in (ReadOnlySpan<double>)[0, 0.01])
         {
