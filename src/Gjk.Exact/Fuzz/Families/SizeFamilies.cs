@@ -22,7 +22,8 @@ internal static class SizeFamilies
     public static FuzzPair TinyAndHuge(FuzzRandom random)
     {
         float size = (float)random.Magnitude(1e-15, 1e15);
-        FuzzShape a = Polytope(random, size), b = random.OneIn(4) ? Shapes.Curved(random, size) : Polytope(random, size);
+        FuzzShape a = Polytope(random, size);
+        FuzzShape b = random.OneIn(4) ? Shapes.Curved(random, size) : Polytope(random, size);
         var poseA = new RigidPose(Rotations.Any(random), random.Vector(1) * size);
         if (random.OneIn(2))
             return Placement.Gap(
