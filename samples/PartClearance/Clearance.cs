@@ -18,12 +18,12 @@ internal static class Clearance
     public static List<Gap> Find(
         IReadOnlyList<Part> parts, float within, Action<int, int> progress, CancellationToken cancel)
     {
-        ConvexShape[] shapes = [.. parts.Select(p => ConvexShape.Mesh(p.Hull))];
-        RigidPose[] poses = [.. parts.Select(_ => RigidPose.Identity)];
+        ConvexShape[] shapes = [.. parts.Select(p => p.Shape)];
+        RigidPose[] poses = [.. parts.Select(p => p.Pose)];
 
         // The broad phase finds the pairs whose bounding boxes are near enough; few pairs are left of n (n - 1) / 2.
         var scene = new CollisionScene();
-        foreach (ConvexShape shape in shapes) scene.Add(shape, RigidPose.Identity);
+        foreach (Part part in parts) scene.Add(part.Shape, part.Pose);
         var candidates = new List<ObjectPair>();
         scene.CollectCandidates(candidates, within);
 

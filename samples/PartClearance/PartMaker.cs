@@ -16,6 +16,9 @@ internal static class PartMaker
     private const int CellsPerSide = 8;
     private const float CellSize = 44;
 
+    /// <summary>Bytes of the title of a binary STL file.</summary>
+    private const int StlTitle = 80;
+
     public static void Write(string folder, int count)
     {
         if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
@@ -72,7 +75,7 @@ internal static class PartMaker
     private static void WriteStl(string file, ConvexHull hull)
     {
         using var writer = new BinaryWriter(File.Create(file));
-        writer.Write(new byte[PartReader.StlHeader - sizeof(int)]);
+        writer.Write(new byte[StlTitle]);
         writer.Write(hull.TriangleCount);
         for (int i = 0; i < hull.TriangleCount; i++)
         {

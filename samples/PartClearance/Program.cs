@@ -9,6 +9,7 @@ using System.Numerics;
 using System.Text;
 using System.Threading;
 using Gjk.Core;
+using Gjk.Import;
 
 namespace PartClearance;
 
@@ -33,7 +34,8 @@ internal static class Program
         {
             return Cancelled;
         }
-        catch (Exception e) when (e is IOException or InvalidDataException or UnauthorizedAccessException)
+        catch (Exception e) when (e is IOException or InvalidDataException or ImportException
+            or UnauthorizedAccessException)
         {
             Console.Error.WriteLine(e.Message);
             return Refused;
@@ -42,7 +44,7 @@ internal static class Program
 
     private static int Run(string[] args, CancellationToken cancel)
     {
-        var folder = new Argument<string>("FOLDER") { Description = "The folder with the parts: *.obj and *.stl." };
+        var folder = new Argument<string>("FOLDER") { Description = $"The folder with the parts: files that end in {Importer.Endings}." };
         var within = new Option<float>("--within")
         {
             Description = "The largest clearance that is reported, in the unit of the files.",

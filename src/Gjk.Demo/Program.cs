@@ -1,5 +1,6 @@
 using System;
 using Gjk.Demo.Output;
+using Gjk.Import;
 
 namespace Gjk.Demo;
 
@@ -13,7 +14,7 @@ internal static class Program
         {
             return CommandLine.Run(args, interrupt.Token);
         }
-        catch (RefusedException refused)
+        catch (Exception refused) when (refused is RefusedException or ImportException)
         {
             StandardError.Line(refused.Message);
             return ExitCode.Refused;

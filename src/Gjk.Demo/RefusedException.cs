@@ -1,5 +1,5 @@
 using System;
-using System.IO;
+using Gjk.Import;
 
 namespace Gjk.Demo;
 
@@ -19,24 +19,10 @@ internal sealed class RefusedException : Exception
     /// <param name="failed">What did not work, such as "cannot be read".</param>
     /// <param name="cause">The exception whose message gives the reason.</param>
     public RefusedException(string file, string failed, Exception cause)
-        : base($"{file}: {failed}: {Reason(cause)}")
+        : base($"{file}: {failed}: {ImportException.Reason(cause)}")
     {
     }
 
-    /// <summary>
-    /// True for the exceptions of the file system. It throws them if a path is bad, missing, protected or of the wrong
-    /// kind, or if the disk is full.
-    /// </summary>
-    public static bool IsFileTrouble(Exception e) =>
-        e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException
-            or System.Security.SecurityException;
-
-    private static string Reason(Exception cause) => cause switch
-    {
-        FileNotFoundException => "there is no such file",
-        DirectoryNotFoundException => "there is no such directory",
-        UnauthorizedAccessException => "access is denied, or it is a directory",
-        ArgumentOutOfRangeException => "it would be larger than the file system or a limit allows",
-        _ => cause.Message,
-    };
+    /// <summary>True for the exceptions of the file system.</summary>
+    public static bool IsFileTrouble(Exception e) => ImportException.IsFileTrouble(e);
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Packs src/Gjk.Core and checks the package as its user meets it: what is in it, what its fields say, and that a new
-# project that has only this package compiles and runs the snippets of its README. --no-build packs the Release build
-# that is there.
+# Packs src/Gjk.Core and src/Gjk.Import and checks the packages as their users meet them: what is in them, what their
+# fields say, and that a new project that has only the package compiles and runs the snippets of its README. --no-build
+# packs the Release build that is there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
@@ -12,37 +12,44 @@ fail() { echo "package: $1" >&2; exit 1; }
 unpack() { mkdir -p "$2" && { python3 -m zipfile -e "$1" "$2" 2> /dev/null || unzip -q "$1" -d "$2"; }; }
 has_line() { grep -qF -- "$2" "$1" || fail "$(basename "$1") lacks $2"; }
 
-dotnet pack src/Gjk.Core -c Release "$@" -o "$work/feed" -v quiet
-package=$(ls "$work"/feed/*.nupkg)
-unpack "$package" "$work/package"
-unpack "${package%.nupkg}.snupkg" "$work/symbols"
-
-for target in netstandard2.0 netstandard2.1 net10.0; do
-  for file in package/lib/$target/Gjk.Core.{dll,xml} symbols/lib/$target/Gjk.Core.pdb; do
-    [ -s "$work/$file" ] || fail "$file is missing"
+# The contents and the fields of a package: its name and its targets.
+check_package() {
+  local name=$1 target file
+  shift
+  local package=$work/$name.package nuspec=$work/$name.package/$name.nuspec
+  unpack "$(ls "$work"/feed/"$name".*.nupkg)" "$package"
+  unpack "$(ls "$work"/feed/"$name".*.snupkg)" "$work/$name.symbols"
+  for target in "$@"; do
+    for file in package/lib/$target/$name.{dll,xml} symbols/lib/$target/$name.pdb; do
+      [ -s "$work/$name.$file" ] || fail "$name: $file is missing"
+    done
   done
-done
-[ -s "$work/package/icon.png" ] || fail "the icon is missing"
+  [ -s "$package/icon.png" ] || fail "$name: the icon is missing"
+  for field in '<title>' '<readme>README.md</readme>' '<icon>icon.png</icon>' '<license type="expression">MIT</license>' \
+    '<releaseNotes>## [' '<tags>' '<description>' '<repository type="git"'; do
+    has_line "$nuspec" "$field"
+  done
 
-nuspec=$work/package/Gjk.Core.nuspec
-for field in '<title>' '<readme>README.md</readme>' '<icon>icon.png</icon>' '<license type="expression">MIT</license>' \
-  '<releaseNotes>## [' '<tags>' '<description>' '<repository type="git"'; do
-  has_line "$nuspec" "$field"
-done
+  local readme=$package/README.md relative
+  [ "$(wc -l < "$readme")" -le 80 ] || fail "$name: the README has more than 80 lines"
+  relative=$(grep -nE '\]\(|<img|<a ' "$readme" | grep -vE '\]\(https://' || true)
+  [ -z "$relative" ] || fail "$name: the README has links that only work in the repository: $relative"
+}
 
-readme=$work/package/README.md
-[ "$(wc -l < "$readme")" -le 80 ] || fail "the README has more than 80 lines"
-relative=$(grep -nE '\]\(|<img|<a ' "$readme" | grep -vE '\]\(https://' || true)
-[ -z "$relative" ] || fail "the README has links that only work in the repository: $relative"
+dotnet pack src/Gjk.Core -c Release "$@" -o "$work/feed" -v quiet
+dotnet pack src/Gjk.Import -c Release "$@" -o "$work/feed" -v quiet
+check_package Gjk.Core netstandard2.0 netstandard2.1 net10.0
+check_package Gjk.Import netstandard2.1 net10.0
 
 # No path of this machine, in the fields or in the symbols.
-leaks=$(grep -rlaF -- "$PWD" "$work/package" "$work/symbols" || true)
+leaks=$(grep -rlaF -- "$PWD" "$work"/*.package "$work"/*.symbols || true)
 [ -z "$leaks" ] || fail "the folder of the repository is named in $leaks"
 
 # The fields that follow the clone's remote, in a repository with nothing but the project file.
 clone=$work/clone
 mkdir -p "$clone/src/Gjk.Core"
 cp Directory.*.props global.json "$clone"
+cp src/Package.props "$clone/src"
 cp src/Gjk.Core/Gjk.Core.csproj "$clone/src/Gjk.Core"
 git -C "$clone" init -q
 git -C "$clone" add .
@@ -68,20 +75,29 @@ commit=$(git -C "$clone" rev-parse HEAD)
 [ "$link" = '{"documents":{"/_/*":"https://raw.githubusercontent.com/example/gjk/'"$commit"'/*"}}' ] \
   || fail "the symbols would find their sources by $link"
 
-# A new project that knows no other source of packages.
-app=$work/app
-dotnet new console -o "$app" --no-restore > /dev/null
-cat > "$app/nuget.config" << CONFIG
+# A new project that knows the packed feed, and what is downloaded already for what a package needs.
+downloads=$(dotnet nuget locals global-packages --list --force-english-output | sed 's/^[^:]*: //')
+export NUGET_PACKAGES=$work/packages
+run_readme() {
+  local name=$1 app=$work/$1.app
+  dotnet new console -o "$app" --no-restore > /dev/null
+  cat > "$app/nuget.config" << CONFIG
 <configuration>
-  <packageSources><clear /><add key="pack" value="$work/feed" /></packageSources>
+  <packageSources><clear /><add key="pack" value="$work/feed" /><add key="downloads" value="$downloads" /></packageSources>
 </configuration>
 CONFIG
-awk '/^```/ { inside = /csharp/; next } inside' "$readme" > "$app/Program.cs"
-export NUGET_PACKAGES=$work/packages
-cd "$app"
-dotnet add package Gjk.Core > add.log || { cat add.log >&2; fail "dotnet add package failed"; }
-dotnet run -c Release > run.log || { cat run.log >&2; fail "the README's snippets do not compile or run"; }
-has_line run.log 'Separated: 1.25 from <0.5, '
-has_line run.log ': they touch'
-has_line run.log '(0, 1): Separated, 0.25 from '
-echo "package: $(basename "$package") is complete, and its README's snippets run"
+  awk '/^```/ { inside = /csharp/; next } inside' "$work/$name.package/README.md" > "$app/Program.cs"
+  (
+    cd "$app"
+    dotnet add package "$name" > add.log || { cat add.log >&2; fail "dotnet add package $name failed"; }
+    dotnet run -c Release > run.log || { cat run.log >&2; fail "the snippets of $name's README do not compile or run"; }
+  )
+}
+
+run_readme Gjk.Core
+has_line "$work/Gjk.Core.app/run.log" 'Separated: 1.25 from <0.5, '
+has_line "$work/Gjk.Core.app/run.log" ': they touch'
+has_line "$work/Gjk.Core.app/run.log" '(0, 1): Separated, 0.25 from '
+run_readme Gjk.Import
+has_line "$work/Gjk.Import.app/run.log" 'left, right: 2'
+echo "package: $(cd "$work/feed" && ls -- *.nupkg | xargs) are complete, and their READMEs' snippets run"

@@ -41,7 +41,7 @@ public sealed class PartClearanceTests : IDisposable
         Assert.Equal(Header, rows[0]);
 
         List<Part> all = PartReader.ReadFolder(parts, _ => { }, CancellationToken.None);
-        ConvexShape[] shapes = [.. all.Select(p => ConvexShape.Mesh(p.Hull))];
+        ConvexShape[] shapes = [.. all.Select(p => p.Shape)];
         var expected = new List<string>();
         for (int a = 0; a < shapes.Length; a++)
         {
@@ -56,7 +56,7 @@ public sealed class PartClearanceTests : IDisposable
         Assert.Equal(expected, rows[1..]);
         Assert.InRange(rows.Count(l => l.Contains(",Separated,")), 20, 2000);
         Assert.InRange(rows.Count(l => l.Contains(",Overlapping,-")), 5, 1000);
-        Assert.Contains(rows, l => l.Contains(".obj/") && l.Contains(".stl,"));
+        Assert.Contains(rows, l => l.Contains(".obj,") && l.Contains(".stl,"));
     }
 
     [Fact]
@@ -64,7 +64,7 @@ public sealed class PartClearanceTests : IDisposable
     {
         // A cube of two objects in one file, a tetrahedron as text, and the same one as a binary file, moved by 3.
         Write("a.obj", "v 9 9 9 1\no left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 2 3 4 5\no right, far\n"
-            + "v 2 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1 0.5 0.5 0.5\n");
+            + "v 2 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1 0.5 0.5 0.5\nf 6 7 8 9\n");
         Write("b.STL", TetrahedronStl.Replace("vertex ", "vertex -"));
         File.WriteAllBytes(Path.Combine(_folder, "c.stl"), BinaryStl(new(0, 0, 3), new(1, 0, 3), new(0, 1, 4)));
         Write("notes.txt", "v x");
@@ -77,17 +77,17 @@ public sealed class PartClearanceTests : IDisposable
                 "a.obj/left,b.STL,Overlapping,0,0,0,0,0,0,0",
             ],
             run.Lines);
-        Assert.Equal("5 parts, 2 pairs within 1.5\n", run.Error);
+        Assert.Equal("4 parts, 2 pairs within 1.5\n", run.Error);
     }
 
     [Theory]
-    [InlineData("p.obj", "v 0 0 0\nv 1 2\n", "p.obj:2: three finite numbers must follow \"v\"")]
-    [InlineData("p.obj", "o a\nv 1 2 1e99\n", "p.obj:2: three finite numbers must follow \"v\"")]
-    [InlineData("p.obj", "o a\nf 1 2 3\n", "p.obj/a: ")]
-    [InlineData("p.stl", "solid\nvertex 1 2 x\n", "p.stl:2: three finite numbers must follow \"vertex\"")]
-    [InlineData("p.stl", "solid\nendsolid\n", "p.stl: ")]
-    [InlineData("p.stl", "", "p.stl: neither a text STL file nor a binary one of 0 bytes")]
-    [InlineData("p.txt", "v 1 2 3\n", "it has no .obj or .stl file")]
+    [InlineData("p.obj", "v 0 0 0\nv 1 2\n", "p.obj:2: a vertex needs three coordinates")]
+    [InlineData("p.obj", "o a\nv 1 2 1e99\n", "p.obj:2: 1e99 is too large")]
+    [InlineData("p.obj", "o a\nf 1 2 3\n", "p.obj:2: there is no vertex 1")]
+    [InlineData("p.stl", "solid\nvertex 1 2 x\n", "p.stl:2: must be \"facet\"")]
+    [InlineData("p.stl", "solid\nendsolid\n", "p.stl:2: the solid")]
+    [InlineData("p.stl", "", "p.stl: not an STL file")]
+    [InlineData("p.txt", "v 1 2 3\n", "it has no ")]
     public void BadFilesAreRefusedWithTheirPlace(string name, string text, string reason)
     {
         Write(name, text);
@@ -101,7 +101,7 @@ public sealed class PartClearanceTests : IDisposable
     {
         byte[] good = BinaryStl(Vector3.Zero, Vector3.UnitX, Vector3.UnitY);
         File.WriteAllBytes(Path.Combine(_folder, "p.stl"), good[..^1]);
-        SampleProcess.Run(Sample, _folder).AssertRefused("nor a binary one of 133 bytes");
+        SampleProcess.Run(Sample, _folder).AssertRefused("134 bytes, but it has 133");
         BitConverter.TryWriteBytes(good.AsSpan(96), float.NaN);
         File.WriteAllBytes(Path.Combine(_folder, "p.stl"), good);
         SampleProcess.Run(Sample, _folder).AssertRefused("p.stl: ");

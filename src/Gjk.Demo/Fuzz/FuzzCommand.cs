@@ -1,7 +1,8 @@
 using System;
 using System.Threading;
-using Gjk.Demo.Fuzz.Promises;
 using Gjk.Demo.Replay;
+using Gjk.Exact.Fuzz;
+using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Demo.Fuzz;
 

@@ -3,7 +3,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Threading;
-using Gjk.Demo.Fuzz.Blocks;
+using Gjk.Exact.Fuzz;
 
 namespace Gjk.Demo.Fuzz;
 

@@ -1,4 +1,5 @@
 using System;
+using Gjk.Exact.Fuzz;
 
 namespace Gjk.Demo.Fuzz;
 

@@ -1,8 +1,8 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
-using Gjk.Demo.Import.Meshes;
-using Gjk.Demo.Import.Unity;
 using Gjk.Demo.Output;
+using Gjk.Import;
 
 namespace Gjk.Demo.Import;
 
@@ -20,39 +20,36 @@ internal static class ImportCommand
     public static int Run(string file, string? project, string? output, CancellationToken cancel)
     {
         using AtomicFile? target = output is null ? null : new AtomicFile(output, cancel);
-        var scene = new SceneBuilder();
-        var log = new ImportLog();
-        Read(file, project, scene, log, cancel);
-        if (scene.Objects.Count == 0 && log.Missing == 0)
+        ImportResult scene = Importer.Read(file, project, cancel);
+        if (scene.Objects.Count == 0 && scene.MissingCount == 0)
             throw new RefusedException($"{file}: there is no active object with a shape in it");
         bool isEmpty = scene.Objects.Count == 0;
         if (!isEmpty) Write(Path.GetFileNameWithoutExtension(file), scene, target, cancel);
-        log.Print();
-        if (log.Missing == 0)
+        Print(scene.Problems);
+        if (scene.MissingCount == 0)
         {
             if (output is not null) StandardError.Wrote(scene.Objects.Count, "object", output);
             return ExitCode.Done;
         }
 
-        string things = log.Missing == 1 ? "1 thing" : $"{log.Missing} things";
+        string things = scene.MissingCount == 1 ? "1 thing" : $"{scene.MissingCount} things";
         string rest = isEmpty ? "nothing is left to write" : $"the scene has the other {Objects(scene.Objects.Count)}";
         StandardError.Line($"{file}: {things} could not be read; {rest}");
         return ExitCode.Failed;
     }
 
-    /// <summary>Reads a file of any of the formats.</summary>
-    /// <exception cref="RefusedException">The file cannot be used at all.</exception>
-    public static void Read(
-        string file, string? project, SceneBuilder scene, ImportLog log, CancellationToken cancel)
+    /// <summary>
+    /// Tells what could not be read, and what was read but may surprise. At the end, because a refusal must stay a
+    /// single line.
+    /// </summary>
+    public static void Print(IEnumerable<ImportProblem> problems)
     {
-        if (UnityImport.IsUnityFile(file)) UnityImport.Import(file, project, scene, log, cancel);
-        else if (MeshFile.IsGlb(file)) GlbImport.Import(file, scene, log, cancel);
-        else MeshFile.Import(file, scene, log, cancel);
+        foreach (ImportProblem problem in problems) StandardError.Line(problem.ToString());
     }
 
     private static string Objects(int count) => count == 1 ? "object" : $"{count} objects";
 
-    private static void Write(string name, SceneBuilder scene, AtomicFile? target, CancellationToken cancel)
+    private static void Write(string name, ImportResult scene, AtomicFile? target, CancellationToken cancel)
     {
         if (target is not null)
         {

@@ -1,22 +1,19 @@
 using System.CommandLine;
 using System.Threading;
-using Gjk.Demo.Import.Meshes;
-using Gjk.Demo.Import.Unity;
 using Gjk.Demo.Output;
+using Gjk.Import;
 
 namespace Gjk.Demo.Import;
 
 /// <summary>The command line of <c>import</c>.</summary>
 internal static class ImportOptions
 {
-    private const string Endings = ".unity, .prefab, .obj, .stl, .ply or .glb";
-
     public static Command Build(CancellationToken cancel)
     {
         var file = new Argument<string>("FILE")
         {
-            Description = "What to import. Its name must end in " + Endings + ". Each part of a mesh file is an object "
-                + "(o and g of an OBJ, a solid of an STL, a primitive in its place of a GLB). A mesh counts as its "
+            Description = "What to import. Its name must end in " + Importer.Endings + ". Each part of a mesh file is "
+                + "an object (o and g of an OBJ, a solid of an STL, a primitive in its place of a GLB). A mesh counts as its "
                 + "convex hull; a part that is not convex gets a warning.",
         };
         var output = new Option<string?>("--out")
@@ -43,10 +40,9 @@ internal static class ImportOptions
         command.Validators.Add(result =>
         {
             if (result.GetResult(file) is not { Implicit: false } || result.GetValue(file) is not { } name) return;
-            bool isUnity = UnityImport.IsUnityFile(name);
-            if (!isUnity && !MeshFile.IsPartsFile(name) && !MeshFile.IsGlb(name))
-                result.AddError($"{name}: its name must end in {Endings}.");
-            else if (!isUnity && result.GetResult(project) is not null)
+            if (!Importer.CanRead(name))
+                result.AddError($"{name}: its name must end in {Importer.Endings}.");
+            else if (!Importer.IsUnityFile(name) && result.GetResult(project) is not null)
                 result.AddError("--project is for files of Unity.");
         });
         command.SetAction(r =>

@@ -5,6 +5,8 @@ using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Threading;
+using Gjk.Core;
+using Gjk.Import;
 
 namespace Gjk.Demo.Import;
 
@@ -30,7 +32,7 @@ internal sealed class SceneJson
     /// <param name="name">The scene's name.</param>
     /// <param name="scene">What to write.</param>
     /// <param name="cancel">Ends the work.</param>
-    public static void Write(Stream stream, string name, SceneBuilder scene, CancellationToken cancel)
+    public static void Write(Stream stream, string name, ImportResult scene, CancellationToken cancel)
     {
         var json = new SceneJson(stream, cancel);
         json._out.Write($"{{ \"version\": 1, \"name\": {Quoted(name)},\n");
@@ -40,19 +42,21 @@ internal sealed class SceneJson
         json._out.Flush();
     }
 
-    private void WriteMeshes(SceneBuilder scene)
+    private void WriteMeshes(ImportResult scene)
     {
         if (scene.Meshes.Count == 0) return;
         _out.Write("  \"meshes\": {");
         string separator = "\n";
-        foreach ((string name, Vector3[] vertices) in scene.Meshes)
+        foreach (ImportedMesh mesh in scene.Meshes)
         {
-            _out.Write($"{separator}    {Quoted(name)}: [");
-            for (int i = 0; i < vertices.Length; i++)
+            _out.Write($"{separator}    {Quoted(mesh.Name)}: [");
+            string next = "\n      ";
+            foreach (Vector3 vertex in mesh.Vertices)
             {
                 Look();
-                _out.Write(i == 0 ? "\n      " : ",\n      ");
-                Write(vertices[i]);
+                _out.Write(next);
+                Write(vertex);
+                next = ",\n      ";
             }
 
             _out.Write("]");
@@ -62,7 +66,7 @@ internal sealed class SceneJson
         _out.Write(" },\n");
     }
 
-    private void WriteObjects(SceneBuilder scene)
+    private void WriteObjects(ImportResult scene)
     {
         _out.Write("  \"objects\": [");
         string separator = "\n";
@@ -94,24 +98,24 @@ internal sealed class SceneJson
 
     private void Write(ImportedShape shape)
     {
-        _out.Write($"{{ \"type\": \"{shape.Type}\"");
-        switch (shape.Type)
+        _out.Write($"{{ \"type\": \"{shape.Kind.ToString().ToLowerInvariant()}\"");
+        switch (shape.Kind)
         {
-            case "mesh":
-                _out.Write($", \"mesh\": {Quoted(shape.Mesh)}");
+            case ShapeKind.Mesh:
+                _out.Write($", \"mesh\": {Quoted(shape.Mesh!.Name)}");
                 break;
-            case "box":
+            case ShapeKind.Box:
                 _out.Write(", \"halfExtents\": ");
                 Write(shape.Sizes);
                 break;
-            case "ellipsoid":
+            case ShapeKind.Ellipsoid:
                 _out.Write(", \"radii\": ");
                 Write(shape.Sizes);
                 break;
             default:
-                _out.Write($", \"radius\": {Number((float)shape.Radius)}");
-                if (shape.Type is "capsule" or "cylinder")
-                    _out.Write($", \"halfHeight\": {Number((float)shape.HalfHeight)}");
+                _out.Write($", \"radius\": {Number(shape.Radius)}");
+                if (shape.Kind is ShapeKind.Capsule or ShapeKind.Cylinder)
+                    _out.Write($", \"halfHeight\": {Number(shape.HalfHeight)}");
                 break;
         }
 

@@ -1,14 +1,14 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using System.Numerics;
 using System.Threading;
-using Gjk.Core;
 using Gjk.Demo.Import;
-using Gjk.Demo.Import.Meshes;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
+using Gjk.Import;
 
 namespace Gjk.Demo.Play;
 
@@ -45,7 +45,7 @@ internal static class PlayOptions
         {
             bool hasScene = result.GetResult(scene) is not null, hasMesh = result.GetResult(mesh) is not null;
             if (hasScene && hasMesh) result.AddError("--scene and --obj exclude each other.");
-            if (hasMesh && result.GetValue(mesh) is { } name && !MeshFile.IsPartsFile(name))
+            if (hasMesh && result.GetValue(mesh) is { } name && !IsPartsFile(name))
                 result.AddError($"--obj {name}: its name must end in .obj, .stl or .ply.");
         });
         command.SetAction(r =>
@@ -53,29 +53,25 @@ internal static class PlayOptions
             string html = r.GetValue(page)!;
             string? sceneFile = r.GetValue(scene), meshFile = r.GetValue(mesh);
             TargetFiles.Check(sceneFile ?? meshFile, ("--out", html));
-            var log = new ImportLog();
+            ImportResult? parts = meshFile is null ? null : Importer.Read(meshFile, null, cancel);
             Scene? bodies = sceneFile is not null ? SceneFile.Load(sceneFile, cancel)
-                : meshFile is not null ? Parts(meshFile, log, cancel)
+                : parts is not null ? Parts(meshFile!, parts.Objects)
                 : null;
             Write(bodies, sceneFile ?? meshFile, html, cancel);
-            log.Print();
+            ImportCommand.Print(parts?.Problems ?? []);
             return ExitCode.Done;
         });
         return command;
     }
 
-    private static Scene Parts(string file, ImportLog log, CancellationToken cancel)
-    {
-        var objects = new List<SceneObject>();
-        foreach (MeshPart part in MeshFile.Parts(file, cancel))
-        {
-            cancel.ThrowIfCancellationRequested();
-            ConvexShape shape = ConvexShape.Mesh(part.Vertices);
-            objects.Add(new SceneObject(part.Name, shape, RigidPose.Identity, Vector3.Zero, Vector3.Zero));
-            if (Convexity.Warning(part) is { } warning) log.Warn(file, $"{MeshFile.Named(part)} {warning}");
-        }
+    private static bool IsPartsFile(string file) =>
+        Path.GetExtension(file).ToLowerInvariant() is ".obj" or ".stl" or ".ply";
 
-        return new Scene(Path.GetFileNameWithoutExtension(file), [.. objects], ScenePairs.All(objects.Count), 1);
+    private static Scene Parts(string file, IEnumerable<ImportedObject> parts)
+    {
+        SceneObject[] objects =
+            [.. parts.Select(o => new SceneObject(o.Name, o.ToConvexShape(), o.Pose, Vector3.Zero, Vector3.Zero))];
+        return new Scene(Path.GetFileNameWithoutExtension(file), objects, ScenePairs.All(objects.Length), 1);
     }
 
     private static void Write(Scene? scene, string? name, string target, CancellationToken cancel)

@@ -4,8 +4,6 @@ using System.Linq;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Cases;
-using Gjk.Exact.Randomness;
-using Gjk.Exact.Scenes;
 
 namespace Gjk.Exact.Answers;
 

@@ -1,6 +1,5 @@
 using System;
 using Gjk.Core;
-using Gjk.Exact.Oracle;
 
 namespace Gjk.Exact.Certificates;
 

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using Gjk.Core;
-using Gjk.Exact.Randomness;
 
 namespace Gjk.Exact.Certificates;
 

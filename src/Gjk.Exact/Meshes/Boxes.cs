@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Numerics;
-using Gjk.Exact.Randomness;
 
 namespace Gjk.Exact.Meshes;
 

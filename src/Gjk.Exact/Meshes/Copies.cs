@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Exact.Randomness;
 
 namespace Gjk.Exact.Meshes;
 

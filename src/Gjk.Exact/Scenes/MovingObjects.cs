@@ -1,7 +1,6 @@
 using System;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Exact.Randomness;
 
 namespace Gjk.Exact.Scenes;
 

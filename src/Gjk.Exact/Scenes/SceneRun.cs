@@ -1,8 +1,6 @@
 using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Exact.Answers;
-using Gjk.Exact.Randomness;
 
 namespace Gjk.Exact.Scenes;
 

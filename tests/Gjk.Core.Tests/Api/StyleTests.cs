@@ -43,6 +43,7 @@ public class StyleTests
     [InlineData("README.md")]
     [InlineData("CHANGELOG.md")]
     [InlineData("src/Gjk.Core/Package/README.md")]
+    [InlineData("src/Gjk.Import/Package/README.md")]
     [InlineData("samples/EnterExit/README.md")]
     [InlineData("samples/NearestObstacle/README.md")]
     [InlineData("samples/PartClearance/README.md")]

@@ -5,8 +5,9 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using System.Threading;
 using Gjk.Core;
-using Gjk.Demo.Fuzz.Blocks;
+using Gjk.Demo.Fuzz;
 using Gjk.Demo.Tests.Support;
+using Gjk.Exact.Fuzz.Blocks;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
@@ -61,7 +62,7 @@ public sealed class BlockTests
         string[] Lines(int threads)
         {
             using var log = BlockLog.Open(null, 5, default);
-            new BlockRun(log, 5_500, _ => { }, 1_000).Run(threads, _ => { }, default);
+            new BlockRun(5, log.Blocks, 5_500, log.Add, 1_000).Run(threads, _ => { }, default);
             return [.. log.Blocks.Values.Select(Told)];
         }
 
@@ -91,7 +92,7 @@ public sealed class BlockTests
         static int Sit(string file, long pairs)
         {
             using var log = BlockLog.Open(file, 3, default);
-            new BlockRun(log, pairs, _ => { }, 1_000).Run(2, _ => { }, default);
+            new BlockRun(3, log.Blocks, pairs, log.Add, 1_000).Run(2, _ => { }, default);
             return log.Blocks.Count;
         }
     }
@@ -156,7 +157,7 @@ public sealed class BlockTests
         Assert.Equal((130, ""), (run.ExitCode, run.Error));
         Assert.Matches(@"^(block.*\n.*\n)*\d+ pairs, seed 3: ", run.Out);
         using var log = BlockLog.Open(file, 3, default);
-        Assert.Equal(BlockRun.Done(log), log.Blocks.Count * BlockRun.PairsOfABlock);
+        Assert.Equal(log.Pairs, log.Blocks.Count * BlockRun.PairsOfABlock);
     }
 
     /// <summary>What is found stands beside the log, as lines that <c>query --record</c> reads.</summary>

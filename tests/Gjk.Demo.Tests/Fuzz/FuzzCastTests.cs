@@ -2,10 +2,10 @@ using System;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Families;
-using Gjk.Demo.Fuzz.Promises;
-using Gjk.Demo.Fuzz.Shrinking;
+using Gjk.Exact.Fuzz;
+using Gjk.Exact.Fuzz.Families;
+using Gjk.Exact.Fuzz.Promises;
+using Gjk.Exact.Fuzz.Shrinking;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
@@ -51,7 +51,7 @@ public sealed class FuzzCastTests
         FuzzPair pair = new FuzzPair(Cube, RigidPose.Identity, Cube, Right).Moving(Meeting);
         Assert.Equal(CastStatus.Hit, pair.Cast.Status);
         Assert.InRange(pair.Cast.Fraction, 0.3f, 0.5f);
-        foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
     /// <summary>A hit of a pair that passes by, a thousandth of its size apart.</summary>
@@ -63,8 +63,8 @@ public sealed class FuzzCastTests
         CastResult hit = ConvexQuery.Cast(
             Cube, RigidPose.Identity, default, Cube, new RigidPose(new Vector3(3, 0.999f, 0)), motion.B);
         FuzzPair pair = new FuzzPair(Cube, RigidPose.Identity, Cube, above).Moving(motion, hit);
-        Assert.Contains("a plane leaves", new TheCastIsTheFirstTouch().Broken(pair), StringComparison.Ordinal);
-        Assert.Null(new TheCastIsTheFirstTouch().Broken(pair.Moving(motion)));
+        Assert.Contains("a plane leaves", CastProof.Broken(pair), StringComparison.Ordinal);
+        Assert.Null(CastProof.Broken(pair.Moving(motion)));
         Assert.Equal(CastStatus.Miss, pair.Moving(motion).Cast.Status);
     }
 
@@ -95,7 +95,7 @@ public sealed class FuzzCastTests
         Assert.True(QueryRecord.TryParse(pair.Text, out QueryRecord record, out string? reason), reason);
         Assert.Equal(pair.Cast.Fraction, record.Cast().Fraction);
 
-        FuzzPair shrunk = Shrinker.Shrink(pair, new NothingMeets(), default);
+        FuzzPair shrunk = Shrinker.Shrink(pair, NothingMeets, default);
         Assert.Equal(CastStatus.Hit, shrunk.Cast.Status);
         Assert.Equal(ShapeKind.Point, shrunk.A.Kind);
         Assert.True(shrunk.Text.Length < 80, shrunk.Text);
@@ -142,10 +142,6 @@ public sealed class FuzzCastTests
             Cube, RigidPose.Identity, motion.A, Cube, new RigidPose(Right.Rotation, Right.Position with { X = x }),
             motion.B);
 
-    private sealed class NothingMeets : IPromise
-    {
-        public string Name => "nothing meets";
-
-        public string? Broken(FuzzPair pair) => pair.Cast.Status == CastStatus.Hit ? "it does" : null;
-    }
+    private static readonly Promise NothingMeets = new(
+        "nothing meets", pair => pair.Cast.Status == CastStatus.Hit ? "it does" : null);
 }

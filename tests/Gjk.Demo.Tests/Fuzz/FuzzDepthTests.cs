@@ -2,9 +2,9 @@ using System;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Families;
-using Gjk.Demo.Fuzz.Promises;
+using Gjk.Exact.Fuzz;
+using Gjk.Exact.Fuzz.Families;
+using Gjk.Exact.Fuzz.Promises;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
@@ -59,9 +59,9 @@ public sealed class FuzzDepthTests
             Cube, RigidPose.Identity, Cube, new RigidPose(Apart.Position + new Vector3(0, 0, 1e-7f)));
         Assert.Equal(right.Distance, other.Distance);
         var pair = new FuzzPair(Cube, RigidPose.Identity, Cube, Apart, right, other);
-        Assert.NotNull(new TheSignedDistanceIsTheDistance().Broken(pair));
+        Assert.NotNull(TheSignedDistanceIsTheDistance.Broken(pair));
         Assert.Null(
-            new TheSignedDistanceIsTheDistance().Broken(new FuzzPair(Cube, RigidPose.Identity, Cube, Apart)));
+            TheSignedDistanceIsTheDistance.Broken(new FuzzPair(Cube, RigidPose.Identity, Cube, Apart)));
     }
 
     /// <summary>
@@ -74,12 +74,12 @@ public sealed class FuzzDepthTests
         ConvexShape round = ConvexShape.Ellipsoid(new Vector3(1, 0.999f, 0.998f));
         var pair = new FuzzPair(round, RigidPose.Identity, round, RigidPose.Identity);
         Assert.Equal(GjkStatus.IterationLimit, pair.Signed.Status);
-        foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
 
-        var agrees = new TheSignedDistanceIsTheDistance();
-        Assert.Contains("IterationLimit", agrees.Broken(Told(Cube, pair.Signed)), StringComparison.Ordinal);
+        Func<FuzzPair, string?> broken = TheSignedDistanceIsTheDistance.Broken;
+        Assert.Contains("IterationLimit", broken(Told(Cube, pair.Signed)), StringComparison.Ordinal);
         ConvexShape small = ConvexShape.Sphere(0.25f).Scaled(new Vector3(1, 1, 0.5f));
-        Assert.Contains("a plane leaves", agrees.Broken(Told(small, pair.Signed)), StringComparison.Ordinal);
+        Assert.Contains("a plane leaves", broken(Told(small, pair.Signed)), StringComparison.Ordinal);
     }
 
     /// <summary>Two capsules whose segments are apart: the margins alone overlap, and the depth is known.</summary>
@@ -90,10 +90,10 @@ public sealed class FuzzDepthTests
         RigidPose near = new(new Vector3(0.75f, 0, 0)), nearer = new(new Vector3(0.7499999f, 0, 0));
         var right = new FuzzPair(capsule, RigidPose.Identity, capsule, near);
         Assert.Equal(-0.25, right.Truth.SignedByMargins());
-        Assert.Null(new NoWayOutIsShorter().Broken(right));
+        Assert.Null(NoWayOutIsShorter.Broken(right));
         DistanceResult wrong = ConvexQuery.SignedDistance(capsule, RigidPose.Identity, capsule, nearer);
         var told = new FuzzPair(capsule, RigidPose.Identity, capsule, near, right.Answer, wrong);
-        Assert.Contains("truly -0.25", new NoWayOutIsShorter().Broken(told), StringComparison.Ordinal);
+        Assert.Contains("truly -0.25", NoWayOutIsShorter.Broken(told), StringComparison.Ordinal);
     }
 
     /// <summary>The search meets depths of every kind, or its promises would hold for want of pairs.</summary>

@@ -5,9 +5,10 @@ using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Families;
-using Gjk.Demo.Fuzz.Promises;
-using Gjk.Demo.Fuzz.Shrinking;
+using Gjk.Exact.Fuzz;
+using Gjk.Exact.Fuzz.Families;
+using Gjk.Exact.Fuzz.Promises;
+using Gjk.Exact.Fuzz.Shrinking;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
@@ -74,7 +75,7 @@ public sealed class FuzzSearchTests
     public void ARightAnswerBreaksNothing()
     {
         var pair = new FuzzPair(Cube, RigidPose.Identity, Cube, Right);
-        foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
     /// <summary>
@@ -87,17 +88,17 @@ public sealed class FuzzSearchTests
         FuzzPair pair = Parse(
             "gjk1 mesh 1 0.215349019 -0.353724241 -0.519843936 @ 0 0.707106769 0 0.707106769 0 0 0 "
             + "ellipsoid 0 0 0 @ 0 0 0 1 -0.519843936 -0.353724241 -0.215349019");
-        foreach (IPromise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
     [Fact]
     public void APairIsShrunkToWhatThePromiseIsAbout()
     {
         FuzzPair pair = PairFamilies.Draw(3, 0, out _);
-        for (long i = 1; pair.A.Hull is null || pair.B.Hull is null || new Far().Broken(pair) is null; i++)
+        for (long i = 1; pair.A.Hull is null || pair.B.Hull is null || Far.Broken(pair) is null; i++)
             pair = PairFamilies.Draw(3, i, out _);
-        FuzzPair shrunk = Shrinker.Shrink(pair, new Far(), default);
-        Assert.NotNull(new Far().Broken(shrunk));
+        FuzzPair shrunk = Shrinker.Shrink(pair, Far, default);
+        Assert.NotNull(Far.Broken(shrunk));
         Assert.True(shrunk.Text.Length < 90, shrunk.Text);
         Assert.Equal(ShapeKind.Point, shrunk.A.Kind);
         Assert.Equal(Quaternion.Identity, shrunk.PoseA.Rotation);
@@ -107,7 +108,7 @@ public sealed class FuzzSearchTests
     public void ShrinkingKeepsThePromiseThatWasBroken()
     {
         FuzzPair shrunk = Shrinker.Shrink(
-            new FuzzPair(Cube, RigidPose.Identity, Cube, Right), new ManyCorners(), default);
+            new FuzzPair(Cube, RigidPose.Identity, Cube, Right), ManyCorners, default);
         Assert.Equal(5, shrunk.A.Hull!.VertexCount);
         Assert.Equal(ShapeKind.Point, shrunk.B.Kind);
     }
@@ -116,7 +117,7 @@ public sealed class FuzzSearchTests
     public void WhatIsFoundIsReportedWithExitCodeOne()
     {
         var run = new FuzzRun(
-            new FuzzLength(TimeSpan.FromSeconds(60), null), 4, [new QueriesEndWithAnAnswer(), new Far()]);
+            new FuzzLength(TimeSpan.FromSeconds(60), null), 4, [new("answers", QueriesEndWithAnAnswer.Broken), Far]);
         BrokenPromise? broken = run.Search(_ => { }, CancellationToken.None);
         Assert.NotNull(broken);
         FuzzReport report = FuzzReport.Of(run, broken, cancelled: false);
@@ -125,7 +126,7 @@ public sealed class FuzzSearchTests
         Assert.Matches($@"^{run.Tried} pairs tried in \d+\.\d s, \d+ pairs per second, seed 4$", lines[0]);
         Assert.StartsWith($"pair {broken.Index} ({broken.Family}) breaks a promise: nothing is far: ", lines[1]);
         Assert.True(QueryRecord.TryParse(lines[2], out _, out string? reason), reason);
-        Assert.NotNull(new Far().Broken(Parse(lines[2])));
+        Assert.NotNull(Far.Broken(Parse(lines[2])));
         Assert.Equal(run.Tried, broken.Index);
     }
 
@@ -160,17 +161,9 @@ public sealed class FuzzSearchTests
         return new FuzzPair(Cube, RigidPose.Identity, Cube, Right, answer);
     }
 
-    private sealed class Far : IPromise
-    {
-        public string Name => "nothing is far";
+    private static readonly Promise Far = new(
+        "nothing is far", pair => pair.Answer.Distance > 0.125f ? "it is" : null);
 
-        public string? Broken(FuzzPair pair) => pair.Answer.Distance > 0.125f ? "it is" : null;
-    }
-
-    private sealed class ManyCorners : IPromise
-    {
-        public string Name => "hulls are small";
-
-        public string? Broken(FuzzPair pair) => pair.A.Hull is { VertexCount: > 4 } ? "five corners" : null;
-    }
+    private static readonly Promise ManyCorners = new(
+        "hulls are small", pair => pair.A.Hull is { VertexCount: > 4 } ? "five corners" : null);
 }

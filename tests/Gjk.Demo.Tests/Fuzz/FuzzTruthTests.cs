@@ -2,9 +2,9 @@ using System;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Fuzz;
-using Gjk.Demo.Fuzz.Families;
-using Gjk.Demo.Fuzz.Promises;
+using Gjk.Exact.Fuzz;
+using Gjk.Exact.Fuzz.Families;
+using Gjk.Exact.Fuzz.Promises;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
@@ -30,8 +30,8 @@ public sealed class FuzzTruthTests
         var pair = new FuzzPair(
             FuzzShape.Of(ConvexShape.Mesh(Corners), cloud), RigidPose.Identity, ConvexShape.Mesh(Corners), Right);
         Assert.Contains(
-            "lower than the highest point", new SupportsReachTheCloud().Broken(pair), StringComparison.Ordinal);
-        Assert.Contains("truly 0.75", new TheExactAnswer().Broken(pair), StringComparison.Ordinal);
+            "lower than the highest point", SupportsReachTheCloud.Broken(pair), StringComparison.Ordinal);
+        Assert.Contains("truly 0.75", TheExactAnswer.Broken(pair), StringComparison.Ordinal);
     }
 
     /// <summary>The reported line holds all points of a mesh and reproduces the same pair.</summary>

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
-using Gjk.Demo.Import.Meshes;
+using Gjk.Import;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
@@ -21,7 +21,7 @@ public sealed class ConvexityTests
         for (int i = 0; i < 60; i++)
         {
             Vector3[] cloud = [.. Enumerable.Range(0, 5 + i).Select(_ => Point(random))];
-            MeshPart part = HullPart(cloud, new Vector3(i % 3 * 50), i % 2 == 0);
+            ImportedMesh part = HullPart(cloud, new Vector3(i % 3 * 50), i % 2 == 0);
             Assert.True(Convexity.Warning(part) is null, $"seed {Seed}, {i}: {Convexity.Warning(part)}");
         }
     }
@@ -31,11 +31,11 @@ public sealed class ConvexityTests
     {
         Vector3[] box = Box(new Vector3(1, 1, 1), Vector3.Zero);
         Vector3[] far = Box(new Vector3(1, 1, 1), new Vector3(3, 0, 0));
-        MeshPart two = MeshPart.Weld("two", (Vector3[])[.. box, .. far], [.. Boxes(0), .. Boxes(8)]);
+        ImportedMesh two = ImportedMesh.Weld("two", (Vector3[])[.. box, .. far], [.. Boxes(0), .. Boxes(8)]);
         Assert.Equal(
             "is not convex: it fills 50 % of its hull's volume; it is taken as its hull", Convexity.Warning(two));
 
-        MeshPart twice = MeshPart.Weld("twice", box, [.. Boxes(0), .. Boxes(0)]);
+        ImportedMesh twice = ImportedMesh.Weld("twice", box, [.. Boxes(0), .. Boxes(0)]);
         Assert.Contains("overlap and enclose 200 %", Convexity.Warning(twice));
     }
 
@@ -44,23 +44,24 @@ public sealed class ConvexityTests
     {
         Vector3[] box = Box(new Vector3(1, 1, 1), Vector3.Zero);
         int[] faces = Boxes(0);
-        Assert.Contains("is not closed", Convexity.Warning(MeshPart.Weld("open", box, faces[..^3])));
+        Assert.Contains("is not closed", Convexity.Warning(ImportedMesh.Weld("open", box, faces[..^3])));
         int[] turned = [.. faces[..^3], faces[^3], faces[^1], faces[^2]];
-        Assert.Contains("is not closed", Convexity.Warning(MeshPart.Weld("turned", box, turned)));
-        Assert.Contains("has no faces", Convexity.Warning(MeshPart.Weld("loose", box, [])));
-        Assert.Null(Convexity.Warning(MeshPart.Weld("triangle", box, [0, 1, 2])));
-        Assert.Null(Convexity.Warning(MeshPart.Weld("both sides", box, [0, 1, 2, 0, 2, 1])));
-        Assert.Null(Convexity.Warning(MeshPart.Weld("point", [Vector3.One], [])));
-        Assert.Null(Convexity.Warning(MeshPart.Weld("line", [Vector3.Zero, Vector3.One, Vector3.UnitX], [0, 1, 1])));
+        Assert.Contains("is not closed", Convexity.Warning(ImportedMesh.Weld("turned", box, turned)));
+        Assert.Contains("has no faces", Convexity.Warning(ImportedMesh.Weld("loose", box, [])));
+        Assert.Null(Convexity.Warning(ImportedMesh.Weld("triangle", box, [0, 1, 2])));
+        Assert.Null(Convexity.Warning(ImportedMesh.Weld("both sides", box, [0, 1, 2, 0, 2, 1])));
+        Assert.Null(Convexity.Warning(ImportedMesh.Weld("point", [Vector3.One], [])));
+        ImportedMesh line = ImportedMesh.Weld("line", [Vector3.Zero, Vector3.One, Vector3.UnitX], [0, 1, 1]);
+        Assert.Null(Convexity.Warning(line));
         Vector3[] arrow = [new(0, 0, 0), new(4, 0, 0), new(1, 1, 0), new(0, 4, 0)];
-        MeshPart dart = MeshPart.Weld("arrow", arrow, [0, 1, 2, 0, 2, 3]);
+        ImportedMesh dart = ImportedMesh.Weld("arrow", arrow, [0, 1, 2, 0, 2, 3]);
         Assert.Contains("do not fill its outline", Convexity.Warning(dart));
     }
 
     /// <summary>
     /// A hull whose triangles are each cut into four, at corners that rounding moves out of their plane.
     /// </summary>
-    private static MeshPart HullPart(Vector3[] cloud, Vector3 offset, bool mirrored)
+    private static ImportedMesh HullPart(Vector3[] cloud, Vector3 offset, bool mirrored)
     {
         var hull = new ConvexHull(cloud);
         var corners = new List<Vector3>();
@@ -77,7 +78,7 @@ public sealed class ConvexityTests
             Add(ab, bc, ca);
         }
 
-        return MeshPart.Weld("hull", corners.ToArray(), [.. Enumerable.Range(0, corners.Count)]);
+        return ImportedMesh.Weld("hull", corners.ToArray(), [.. Enumerable.Range(0, corners.Count)]);
     }
 
     private static Vector3 Point(Random random) => new(

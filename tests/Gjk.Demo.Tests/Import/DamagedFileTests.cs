@@ -2,9 +2,8 @@ using System;
 using System.IO;
 using System.Numerics;
 using System.Text;
-using System.Threading;
-using Gjk.Demo.Import;
 using Gjk.Demo.Tests.Support;
+using Gjk.Import;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
@@ -47,11 +46,9 @@ public sealed class DamagedFileTests
             File.WriteAllBytes(file, bad);
             try
             {
-                var log = new ImportLog();
-                ImportCommand.Read(file, null, new SceneBuilder(), log, CancellationToken.None);
-                if (log.Missing > 0) refused++;
+                if (Importer.Read(file).MissingCount > 0) refused++;
             }
-            catch (RefusedException)
+            catch (ImportException)
             {
                 refused++;
             }

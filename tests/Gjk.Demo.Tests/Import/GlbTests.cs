@@ -47,7 +47,7 @@ public sealed class GlbTests
         Imported.AssertBounds(imported["turned"], new(6, 0, 0), new(10, 2, 6));
         Imported.AssertBounds(imported["node 2"], new(10, 0, 4), new(12, 4, 10));
         Imported.AssertBounds(imported["skewed"], new(0), new(2, 2, 3));
-        Assert.Equal(["tetra", "tetra of skewed"], imported.Builder.Meshes.Keys);
+        Assert.Equal(["tetra", "tetra of skewed"], imported.Meshes);
     }
 
     [Fact]

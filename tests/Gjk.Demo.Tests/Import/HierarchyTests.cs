@@ -118,7 +118,7 @@ public sealed class HierarchyTests
             text.MeshFilter(Object(text, middle, world, false).Object, "{fileID: 77}");
         }
 
-        Assert.Equal(["cloud"], Imported.Quietly(text.Save(directory, "even.unity")).Builder.Meshes.Keys);
+        Assert.Equal(["cloud"], Imported.Quietly(text.Save(directory, "even.unity")).Meshes);
     }
 
     /// <summary>A skew of a few units in the sixth digit is more than the tolerance leaves out.</summary>

@@ -6,9 +6,9 @@ using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Import;
-using Gjk.Demo.Import.Placing;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
+using Gjk.Import;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
@@ -18,16 +18,18 @@ namespace Gjk.Demo.Tests.Import;
 /// </summary>
 internal sealed class Imported
 {
-    private Imported(Scene scene, SceneBuilder builder, IReadOnlyList<string> lines)
+    private Imported(Scene scene, ImportResult result)
     {
         Scene = scene;
-        Builder = builder;
-        Lines = lines;
+        Result = result;
+        Lines = [.. result.Problems.Select(p => p.ToString())];
     }
 
     public Scene Scene { get; }
 
-    public SceneBuilder Builder { get; }
+    public ImportResult Result { get; }
+
+    public IEnumerable<string> Meshes => Result.Meshes.Select(m => m.Name);
 
     /// <summary>What is printed on standard error.</summary>
     public IReadOnlyList<string> Lines { get; }
@@ -36,18 +38,20 @@ internal sealed class Imported
 
     public SceneObject this[string name] => Scene.Objects.Single(o => o.Name == name);
 
+    public IReadOnlyList<Vector3> Vertices(string mesh) => Result.Meshes.Single(m => m.Name == mesh).Vertices;
+
     public static Imported Of(string file, string? project = null)
     {
-        var builder = new SceneBuilder();
-        var log = new ImportLog();
-        ImportCommand.Read(file, project, builder, log, CancellationToken.None);
+        ImportResult result = Importer.Read(file, project);
         using var directory = new TempDirectory();
         string json = directory.File("scene.json");
         using (FileStream stream = File.Create(json))
-            SceneJson.Write(stream, Path.GetFileNameWithoutExtension(file), builder, CancellationToken.None);
+            SceneJson.Write(stream, Path.GetFileNameWithoutExtension(file), result, CancellationToken.None);
         Scene scene = SceneFile.Load(json, CancellationToken.None);
-        Assert.Equal(builder.Objects.Select(o => o.Name), scene.Objects.Select(o => o.Name));
-        return new Imported(scene, builder, log.Lines);
+        Assert.Equal(
+            result.Objects.Select(o => (o.Name, o.Pose, o.ToConvexShape().ToString())),
+            scene.Objects.Select(o => (o.Name!, o.Pose, o.Shape.ToString())));
+        return new Imported(scene, result);
     }
 
     /// <summary>As <see cref="Of"/>, and nothing is said about the file.</summary>
@@ -61,8 +65,7 @@ internal sealed class Imported
     /// <summary>Asserts that the file is refused, with these parts in the message.</summary>
     public static void Refused(string file, params string[] parts)
     {
-        var refused = Assert.Throws<RefusedException>(
-            () => ImportCommand.Read(file, null, new SceneBuilder(), new ImportLog(), CancellationToken.None));
+        var refused = Assert.Throws<ImportException>(() => Importer.Read(file));
         foreach (string part in parts) Assert.Contains(part, refused.Message);
     }
 

@@ -47,14 +47,14 @@ public sealed class ObjTests
 
         // The last vertex belongs to no face.
         Assert.Equal(
-            [new(0, 0, 0), new(0, 1, 0), new(1, 0, 0), new(0, 0, 1)], imported.Builder.Meshes["default"]);
+            [new(0, 0, 0), new(0, 1, 0), new(1, 0, 0), new(0, 0, 1)], imported.Vertices("default"));
     }
 
     [Fact]
     public void NumbersAreRoundedOnceAndMayBeFollowedByAWeight()
     {
         Imported imported = Of("v 1.00000005960464477540 1e-45 -16777217.0000000001 1\nv 0 0 0 0.5 0.5 1\nl 1 2\n");
-        Assert.Contains(new Vector3(1.0000001f, float.Epsilon, -16777218f), imported.Builder.Meshes["default"]);
+        Assert.Contains(new Vector3(1.0000001f, float.Epsilon, -16777218f), imported.Vertices("default"));
     }
 
     [Fact]

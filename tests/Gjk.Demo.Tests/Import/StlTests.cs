@@ -25,7 +25,7 @@ public sealed class StlTests
         Assert.Equal(["the first", "two", "THE FIRST"], imported.Names);
         foreach (Gjk.Demo.Scenes.SceneObject one in imported.Scene.Objects)
             Imported.AssertBounds(one, new(0), new(1, 2, 3));
-        Assert.All(imported.Builder.Meshes.Values, m => Assert.Equal(4, m.Length));
+        Assert.All(imported.Result.Meshes, m => Assert.Equal(4, m.Vertices.Count));
     }
 
     /// <summary>Some programs begin the title of a binary file with the word that marks a text.</summary>
@@ -39,7 +39,7 @@ public sealed class StlTests
         File.WriteAllBytes(file, Binary(title, [.. Faces.Select(i => Corners[i])]));
         Imported imported = Imported.Quietly(file);
         Assert.Equal(["part"], imported.Names);
-        Assert.Equal([Corners[0], Corners[2], Corners[1], Corners[3]], imported.Builder.Meshes["part"]);
+        Assert.Equal([Corners[0], Corners[2], Corners[1], Corners[3]], imported.Vertices("part"));
     }
 
     [Theory]

@@ -31,7 +31,7 @@ public sealed class UnityMeshTests
         Imported.AssertBounds(imported["second"], new(10, 0, 0), new(14, 2, 1));
 
         // Both share one mesh.
-        Assert.Equal(["tetra"], imported.Builder.Meshes.Keys);
+        Assert.Equal(["tetra"], imported.Meshes);
     }
 
     [Fact]
@@ -43,7 +43,7 @@ public sealed class UnityMeshTests
         text.MeshFilter(one, "{fileID: 4711}");
         text.Mesh(4711, "own", [.. Tetrahedron, Tetrahedron[1]], Faces);
         Imported imported = Imported.Quietly(text.Save(directory, "scene.unity"));
-        Assert.Equal(Tetrahedron, imported.Builder.Meshes["own"].Order(VectorOrder));
+        Assert.Equal(Tetrahedron, imported.Vertices("own").Order(VectorOrder));
     }
 
     [Fact]

@@ -1,0 +1,34 @@
+using System.Collections.Generic;
+
+namespace Gjk.Import;
+
+/// <summary>
+/// What could not be read, and what was read but may surprise, in the order in which they were found. Repeats count
+/// once.
+/// </summary>
+internal sealed class ImportLog
+{
+    private readonly List<ImportProblem> _problems = [];
+    private readonly HashSet<(string, string, bool)> _known = [];
+
+    public IReadOnlyList<ImportProblem> Problems => _problems;
+
+    /// <summary>Something that the scene lacks now.</summary>
+    /// <param name="where">File, line and fileID.</param>
+    /// <param name="reason">Why it cannot be read.</param>
+    public void CannotRead(string where, string reason) => Add(where, reason, isMissing: true);
+
+    /// <summary>Something that is in the scene, but perhaps not as the user expects.</summary>
+    public void Warn(string where, string what) => Add(where, what, isMissing: false);
+
+    /// <summary>Warns of a part that is not what its hull is.</summary>
+    public void WarnOf(string file, ImportedMesh part)
+    {
+        if (Convexity.Warning(part) is { } warning) Warn(file, $"the part \"{part.Name}\" {warning}");
+    }
+
+    private void Add(string where, string what, bool isMissing)
+    {
+        if (_known.Add((where, what, isMissing))) _problems.Add(new ImportProblem(where, what, isMissing));
+    }
+}

@@ -1,0 +1,42 @@
+using System.Numerics;
+using Gjk.Core;
+
+namespace Gjk.Import;
+
+/// <summary>A named shape in its place. Immutable.</summary>
+public sealed record ImportedObject
+{
+    internal ImportedObject(string name, ImportedShape shape, in Affine world, in TurnD rotation)
+    {
+        Name = name;
+        Shape = shape;
+        Position = (Vector3)world.Origin;
+        Rotation = rotation.ToFloat();
+        Scale = Vector3.One;
+    }
+
+    /// <summary>As the file names it, with a number behind it where another object has that name, too.</summary>
+    public string Name { get; internal init; }
+
+    /// <summary>The shape before <see cref="Scale"/>.</summary>
+    public ImportedShape Shape { get; }
+
+    /// <summary>Position in the file's world.</summary>
+    public Vector3 Position { get; }
+
+    /// <summary>Rotation in the file's world, of length 1.</summary>
+    public Quaternion Rotation { get; }
+
+    /// <summary>Scale along the object's own axes. No factor is 0; negative ones mirror.</summary>
+    public Vector3 Scale { get; internal init; }
+
+    /// <summary>Pose in the file's world.</summary>
+    public RigidPose Pose => new(Rotation, Position);
+
+    internal bool IsFinite => Shape.IsFinite && ((Vector3D)Position).IsFinite && ((Vector3D)Scale).IsFinite;
+
+    /// <summary>The shape with its scale, for queries at <see cref="Pose"/>. Objects that share a mesh share its hull.
+    /// </summary>
+    public ConvexShape ToConvexShape() =>
+        Scale == Vector3.One ? Shape.ToConvexShape() : Shape.ToConvexShape().Scaled(Scale);
+}

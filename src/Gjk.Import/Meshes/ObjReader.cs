@@ -1,0 +1,161 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using System.Threading;
+
+namespace Gjk.Import;
+
+/// <summary>
+/// Reads Wavefront OBJ (Alias|Wavefront, "Object Files", Advanced Visualizer manual, appendix B1). Each object (o) and
+/// group (g) is a part. Only positions and faces are used. Curves and surfaces are refused.
+/// </summary>
+internal sealed class ObjReader
+{
+    private const int LinesPerLook = 4096;
+
+    private readonly MeshText _text;
+    private readonly List<Vector3> _vertices = [];
+    private readonly Dictionary<string, List<int>> _faces = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, List<Vector3>> _loose = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, List<Vector3>> _points = new(StringComparer.Ordinal);
+    private readonly List<string> _order = [];
+    private string _object = "", _group = "";
+
+    private ObjReader(MeshText text) => _text = text;
+
+    private string PartName => (_object, _group) switch
+    {
+        ("", "") => "default",
+        ("", _) => _group,
+        (_, "" or "default") => _object,
+        _ => $"{_object}/{_group}",
+    };
+
+    public static List<ImportedMesh> Read(string file, byte[] bytes, CancellationToken cancel)
+    {
+        var reader = new ObjReader(new MeshText(file, bytes));
+        reader.ReadLines(cancel);
+        List<ImportedMesh> parts = reader.Parts();
+        return parts.Count > 0 ? parts : throw new ImportException($"{file}: there are no vertices in it");
+    }
+
+    private void ReadLines(CancellationToken cancel)
+    {
+        int untilLook = 0;
+        while (_text.NextLine(comment: '#', continues: '\\'))
+        {
+            if (--untilLook < 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                untilLook = LinesPerLook;
+            }
+
+            ReadLine(_text.Words);
+        }
+    }
+
+    private void ReadLine(IReadOnlyList<string> words)
+    {
+        switch (words[0])
+        {
+            case "v":
+                ReadVertex(words);
+                break;
+            case "f" or "fo":
+                ReadFace(words);
+                break;
+            case "o":
+                _object = NameOf(words);
+                _group = "";
+                break;
+            case "g":
+                _group = NameOf(words);
+                break;
+            case "l" or "p":
+                ReadLoose(words);
+                break;
+            case "vt" or "vn" or "s" or "usemtl" or "mtllib" or "mg" or "bevel" or "c_interp"
+                or "d_interp" or "lod" or "maplib" or "usemap" or "shadow_obj" or "trace_obj":
+                break;
+            case "vp" or "cstype" or "deg" or "bmat" or "step" or "curv" or "curv2" or "surf" or "parm" or "trim"
+                or "hole" or "scrv" or "sp" or "end" or "con" or "ctech" or "stech" or "bzp" or "bsp" or "cdc"
+                or "cdp" or "res":
+                throw _text.Refuse($"\"{words[0]}\": curves and surfaces are not read, only faces");
+            default:
+                throw _text.Refuse($"\"{MeshText.Short(words[0])}\" is not a statement of an OBJ file");
+        }
+    }
+
+    private static string NameOf(IReadOnlyList<string> words) => string.Join(" ", words.Skip(1));
+
+    /// <summary>A weight or a colour may follow the three coordinates.</summary>
+    private void ReadVertex(IReadOnlyList<string> words)
+    {
+        if (words.Count < 4) throw _text.Refuse($"a vertex needs three coordinates, but has {words.Count - 1}");
+        var vertex = new Vector3(_text.Number(words[1]), _text.Number(words[2]), _text.Number(words[3]));
+        _vertices.Add(vertex);
+        if (!_points.TryGetValue(PartName, out List<Vector3>? points)) _points[PartName] = points = [];
+        points.Add(vertex);
+    }
+
+    /// <summary>A polygon becomes a fan of triangles. For its volume it does not matter which.</summary>
+    private void ReadFace(IReadOnlyList<string> words)
+    {
+        if (words.Count < 4) throw _text.Refuse($"a face needs three corners, but has {words.Count - 1}");
+        if (!_faces.TryGetValue(PartName, out List<int>? corners))
+        {
+            _faces[PartName] = corners = [];
+            if (!_loose.ContainsKey(PartName)) _order.Add(PartName);
+        }
+
+        int first = Corner(words[1]);
+        for (int i = 2; i + 1 < words.Count; i++)
+        {
+            corners.Add(first);
+            corners.Add(Corner(words[i]));
+            corners.Add(Corner(words[i + 1]));
+        }
+    }
+
+    /// <summary>Lines and points have no faces. They count only in a part that has nothing else.</summary>
+    private void ReadLoose(IReadOnlyList<string> words)
+    {
+        if (!_loose.TryGetValue(PartName, out List<Vector3>? points))
+        {
+            _loose[PartName] = points = [];
+            if (!_faces.ContainsKey(PartName)) _order.Add(PartName);
+        }
+
+        for (int i = 1; i < words.Count; i++) points.Add(_vertices[Corner(words[i])]);
+    }
+
+    /// <summary>The vertex of v, v/vt, v//vn or v/vt/vn. Negative indices count back from the last vertex.</summary>
+    private int Corner(string word)
+    {
+        int slash = word.IndexOf('/', StringComparison.Ordinal);
+        int index = _text.Whole(slash < 0 ? word : word[..slash]);
+        long vertex = index < 0 ? (long)_vertices.Count + index : (long)index - 1;
+        if (vertex >= 0 && vertex < _vertices.Count) return (int)vertex;
+        throw _text.Refuse($"there is no vertex {index}: {_vertices.Count} came before this face");
+    }
+
+    private List<ImportedMesh> Parts()
+    {
+        var parts = new List<ImportedMesh>();
+        foreach (string name in _order)
+        {
+            if (_faces.TryGetValue(name, out List<int>? corners))
+                parts.Add(ImportedMesh.Weld(name, _vertices, corners));
+            else if (_loose[name].Count > 0)
+                parts.Add(ImportedMesh.Weld(name, _loose[name], []));
+        }
+
+        if (parts.Count > 0) return parts;
+
+        // Without any face the file is a cloud of points.
+        foreach ((string name, List<Vector3> points) in _points)
+            parts.Add(ImportedMesh.Weld(name, points, []));
+        return parts;
+    }
+}

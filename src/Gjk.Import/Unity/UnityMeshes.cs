@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Threading;
+using Gjk.Core;
+
+namespace Gjk.Import;
+
+/// <summary>Finds the meshes that a scene names: in its own file, in a mesh asset, or in an OBJ file.</summary>
+internal sealed class UnityMeshes
+{
+
+    private readonly UnityProject _project;
+    private readonly ImportLog _log;
+    private readonly CancellationToken _cancel;
+    private readonly Dictionary<(string Path, long FileId), ImportedMesh> _known = [];
+    private readonly Dictionary<string, List<ImportedMesh>> _models = new(StringComparer.Ordinal);
+
+    public UnityMeshes(UnityProject project, ImportLog log, CancellationToken cancel)
+    {
+        _project = project;
+        _log = log;
+        _cancel = cancel;
+    }
+
+    public ImportedMesh Cube { get; } = BuiltInMesh.CubeCorners();
+
+    public ImportedMesh Plane { get; } = BuiltInMesh.PlaneCorners();
+
+    public ImportedMesh Quad { get; } = BuiltInMesh.QuadCorners();
+
+    /// <summary>A mesh that is not built in.</summary>
+    /// <param name="mesh">Its name in the scene.</param>
+    /// <param name="own">The file that it lies in if it has no GUID.</param>
+    /// <exception cref="UnreadableException">It cannot be read.</exception>
+    public ImportedMesh Find(UnityReference mesh, UnityFile own)
+    {
+        string path = mesh.IsLocal ? own.Name : _project.PathOf(mesh.Guid!);
+        if (_known.TryGetValue((path, mesh.FileId), out ImportedMesh? known)) return known;
+        _cancel.ThrowIfCancellationRequested();
+        ImportedMesh part;
+        string where;
+        if (mesh.IsLocal || Path.GetExtension(path).ToLowerInvariant() is ".asset" or ".mesh" or ".prefab" or ".unity")
+        {
+            UnityFile file = mesh.IsLocal ? own : _project.Open(path);
+            UnityDocument document = file.Find(mesh.FileId) is { ClassId: UnityClass.Mesh } found
+                ? found
+                : throw new UnreadableException($"{path}: there is no mesh with the fileID {mesh.FileId} in it");
+            part = Read(document);
+            where = document.Where;
+        }
+        else if (Path.GetExtension(path).ToLowerInvariant() is ".obj")
+        {
+            part = OfModel(path, mesh.FileId);
+            where = $"{path}: the part \"{part.Name}\"";
+        }
+        else
+        {
+            throw new UnreadableException(
+                $"{path}: only Unity can read this model; save its mesh as .obj or as an .asset, or export a .glb");
+        }
+
+        _known.Add((path, mesh.FileId), part);
+        if (Convexity.Warning(part) is { } warning) _log.Warn(where, $"it {warning}");
+        return part;
+    }
+
+    private static ImportedMesh Read(UnityDocument document)
+    {
+        try
+        {
+            return MeshAsset.Read(document);
+        }
+        catch (UnreadableException e)
+        {
+            throw new UnreadableException($"{document.Where}: {e.Message}");
+        }
+    }
+
+    /// <summary>
+    /// A part of an OBJ file. The .meta file says which number a part has. If the file has a single part, it is that
+    /// one.
+    /// </summary>
+    private ImportedMesh OfModel(string path, long fileId)
+    {
+        if (!_models.TryGetValue(path, out List<ImportedMesh>? parts)) _models[path] = parts = Model(path);
+        if (parts.Count == 1) return parts[0];
+        string? name = NameOf(_project.MetaOf(path), fileId);
+        return parts.Find(p => p.Name == name)
+            ?? throw new UnreadableException(
+                $"{path}: it has {parts.Count} parts, and its .meta file does not say which has the fileID {fileId}");
+    }
+
+    /// <summary>
+    /// Unity's axes are left-handed and those of an OBJ file are not, so its importer mirrors x. It also scales.
+    /// </summary>
+    private List<ImportedMesh> Model(string path)
+    {
+        UnityNode meta = _project.MetaOf(path);
+        float scale = meta["ModelImporter"]?["meshes"] is { } meshes && meshes["globalScale"] is not null
+            ? (float)meshes.Number("globalScale")
+            : 1;
+        try
+        {
+            byte[] content = WholeFile.Read(path, ImportLimits.FileBytes, _cancel);
+            return [.. ObjReader.Read(path, content, _cancel).Select(part => Mirrored(part, scale))];
+        }
+        catch (ImportException e)
+        {
+            throw new UnreadableException(e.Message);
+        }
+    }
+
+    private static ImportedMesh Mirrored(ImportedMesh part, float scale)
+    {
+        Vector3[] vertices = [.. part.Vertices.Select(v => new Vector3(-v.X, v.Y, v.Z) * scale)];
+        if (Array.Exists(vertices, v => !((Vector3D)v).IsFinite))
+            throw new UnreadableException("its scale in the .meta file makes it too large for a float");
+        return ImportedMesh.Weld(part.Name, vertices, part.Triangles);
+    }
+
+    private static string? NameOf(UnityNode meta, long fileId)
+    {
+        UnityNode? importer = meta["ModelImporter"];
+        string id = fileId.ToString(CultureInfo.InvariantCulture);
+        if (importer?["fileIDToRecycleName"]?[id]?.Text is { } name) return name;
+        foreach (UnityNode row in importer?["internalIDToNameTable"]?.Items ?? [])
+        {
+            string meshClass = UnityClass.Mesh.ToString(CultureInfo.InvariantCulture);
+            if (row["first"]?[meshClass]?.Text == id) return row["second"]?.Text;
+        }
+
+        return null;
+    }
+}
