@@ -38,8 +38,9 @@ public static partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
     /// <param name="tolerance">
-    /// The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the longest side of the larger shape.
-    /// Not finer than 1e-8 of the sizes and 1e-13 of the distances and ways.
+    /// The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the longest side of the larger shape,
+    /// or, for two points, of the arms that they turn on or the way between them. Not finer than 1e-8 of the sizes and
+    /// 1e-13 of the distances and ways.
     /// </param>
     /// <param name="maxFraction">
     /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as

@@ -80,7 +80,7 @@ internal static class CastProof
 
     /// <summary>
     /// Whether planes prove the shapes apart, or to reach into each other by no more than a graze: then B moved out by
-    /// that along the plane that separates them best is apart.
+    /// that along the plane that separates them best is apart. A plane's gap is linear in the fraction: its ends tell.
     /// </summary>
     private static string? Apart(FuzzPair pair, double from, double to, in Vector3D hint, string name)
     {
@@ -90,7 +90,10 @@ internal static class CastProof
         foreach (Vector3D n in (ReadOnlySpan<Vector3D>)[least.Normal, hint])
         {
             double length = n.Length;
-            if (length > 0 && pair.Sweep.Least(from, to, n * (graze / length)).AtLeast > -graze) return null;
+            if (!(length > 0)) continue;
+            Vector3D unit = n * (1 / length);
+            if (Math.Min(pair.Sweep.Gap(unit, from), pair.Sweep.Gap(unit, to)) > -graze) return null;
+            if (pair.Sweep.Least(from, to, unit * graze).AtLeast > -graze) return null;
         }
 
         // Where doubles are too coarse for the shapes' own slivers, integers know.

@@ -56,9 +56,11 @@ internal static class ImpactsAreProved
 
         if (r.Status != CastStatus.Hit) return null;
 
-        // From a float to the one before, the bodies move and turn on.
+        // From a float to the one before, the bodies move and turn on. Points have no size, but arms.
         double step = 1.2e-7 * end * (Speed(a, pair.BodyA) + Speed(b, pair.BodyB));
-        double most = Tolerance * pair.Scale + 2 * step + Slack(pair, a, b, end), gap = Signed(pair, a, b, end);
+        bool arePoints = pair.BodyA.LongestSide + pair.BodyB.LongestSide == 0;
+        double size = arePoints ? Arm(pair.BodyA) + Arm(pair.BodyB) : pair.Scale;
+        double most = Tolerance * size + 2 * step + Slack(pair, a, b, end), gap = Signed(pair, a, b, end);
         return gap <= most ? null : Say.Line($"{r} of {Text(a, b)}, but {gap:G3} apart then, not {most:G3}");
     }
 

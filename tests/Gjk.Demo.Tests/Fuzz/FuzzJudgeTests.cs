@@ -1,0 +1,30 @@
+using Gjk.Core;
+using Gjk.Exact.Fuzz;
+using Gjk.Exact.Fuzz.Promises;
+using Xunit;
+
+namespace Gjk.Demo.Tests.Fuzz;
+
+/// <summary>Right answers that are hard to judge.</summary>
+public sealed class FuzzJudgeTests
+{
+    /// <summary>A point on an arm comes as near as the tolerance of its arm, because points have no size.</summary>
+    [Fact]
+    public void PointsThatTurnHaveTheToleranceOfTheirArms() => Assert.Null(ImpactsAreProved.Broken(Of(
+        "gjk1 mesh 1 0.0430401824 -0.348952204 -0.158381388 @ 0 0 0 1 0 0 0"
+        + " mesh 1 -0.826645851 -0.958721638 -0.352537036 @ 0.310775518 0.916098893 -0.0389634147 0.251926839"
+        + " 0.199117318 0.795615733 -0.784781456 ~ -4.81623794E-17 3.33331457E-15 -3.51336328E-15 0 0 0")));
+
+    /// <summary>An edge of a box grazes the rim of a cap that lies in a face: only the plane of the hit shows it.</summary>
+    [Fact]
+    public void AnEdgeThatGrazesARimIsApartBeforeTheHit() => Assert.Null(CastProof.Broken(Of(
+        "gjk1 box 1 1 1 @ 0 0 0 1 0 0 0 ~ -2.00000003E-16 1.18119264 -0.470637172 0 0 0"
+        + " cylinder 0.6301952600479126 0.22282838821411133 0 @ -0.5 -0.5 0.5 -0.5 -1.22282839 -0.5 -1.87759829")));
+
+    private static FuzzPair Of(string record)
+    {
+        QueryRecord read = QueryRecord.Parse(record);
+        var pair = new FuzzPair(read.A, read.PoseA, read.B, read.PoseB);
+        return pair.Moving(new PairMotion(read.MotionA.Velocity, read.MotionB.Velocity));
+    }
+}
