@@ -28,16 +28,16 @@ public class FolderTests(ITestOutputHelper output)
         ("Simplex", ["Arithmetic", "Geometry"]),
         ("Minkowski", ["Arithmetic", "Geometry", "Cores", "Simplex"]),
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
-        ("Solvers", ["Arithmetic", "Geometry", "Minkowski", "Simplex", "Solvers/Trace"]),
+        ("Solvers", ["Arithmetic", "Geometry", "Cores", "Minkowski", "Simplex", "Solvers/Trace"]),
         ("Contacts", ["Geometry", "Minkowski", "Simplex", "Solvers"]),
-        ("Queries/Rays", ["Arithmetic", "Geometry", "Hulls", "Shapes", "Minkowski"]),
+        ("Queries/Rays", ["Arithmetic", "Geometry", "Hulls", "Cores", "Minkowski"]),
         (
             "Queries",
             [
                 "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
                 "Contacts", "Queries/Rays",
             ]),
-        ("Diagnostics", ["Arithmetic", "Geometry", "Hulls", "Shapes", "Queries", "Queries/Rays"]),
+        ("Diagnostics", ["Arithmetic", "Geometry", "Hulls", "Cores", "Shapes", "Queries", "Queries/Rays"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
         (
             "Wide",
@@ -45,7 +45,7 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
                 "Queries", "BroadPhase", "Threading",
             ]),
-        ("Batch", ["Geometry", "Shapes", "Queries", "Queries/Rays", "Threading", "BroadPhase", "Wide"]),
+        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Queries/Rays", "Threading", "BroadPhase", "Wide"]),
         (
             "World",
             [
