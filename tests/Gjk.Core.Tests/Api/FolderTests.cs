@@ -29,15 +29,25 @@ public class FolderTests(ITestOutputHelper output)
         ("Minkowski", ["Arithmetic", "Geometry", "Cores", "Simplex"]),
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
         ("Solvers", ["Arithmetic", "Geometry", "Cores", "Minkowski", "Simplex", "Solvers/Trace"]),
+        (
+            "Solvers/Depth",
+            ["Arithmetic", "Geometry", "Hulls", "Cores", "Minkowski", "Simplex", "Solvers", "Solvers/Trace"]),
+        (
+            "Solvers/Motion",
+            [
+                "Arithmetic", "Geometry", "Cores", "Minkowski", "Simplex", "Solvers", "Solvers/Trace", "Solvers/Depth",
+            ]),
         ("Contacts", ["Geometry", "Minkowski", "Simplex", "Solvers"]),
         ("Queries/Rays", ["Arithmetic", "Geometry", "Hulls", "Cores", "Minkowski"]),
         (
             "Queries",
             [
                 "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
-                "Contacts", "Queries/Rays",
+                "Solvers/Depth", "Solvers/Motion", "Contacts", "Queries/Rays",
             ]),
-        ("Diagnostics", ["Arithmetic", "Geometry", "Hulls", "Cores", "Shapes", "Queries", "Queries/Rays"]),
+        (
+            "Diagnostics",
+            ["Arithmetic", "Geometry", "Hulls", "Cores", "Shapes", "Solvers/Motion", "Queries", "Queries/Rays"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
         (
             "Wide",
@@ -49,8 +59,8 @@ public class FolderTests(ITestOutputHelper output)
         (
             "World",
             [
-                "Geometry", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading", "BroadPhase",
-                "Wide", "Batch",
+                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading",
+                "BroadPhase", "Wide", "Batch",
             ]),
     ];
 
