@@ -1,7 +1,7 @@
 # The line of a cast is where it seems to be, but for this part of the radii and of the way: a plane that is further off
 # proves a miss.
 # constant: CastLine.Rounding = 32 * 2^-53
-# code: src/Gjk.Core/Solvers/CastLine.cs, Make; Minkowski/PairFrame.cs, Compose; CastPortal.cs, IsBeside
+# code: src/Gjk.Core/Solvers/Motion/CastLine.cs, Make; Minkowski/PairFrame.cs, Compose; CastPortal.cs, IsBeside
 # assumed: the radii and the way are 1 together, since nothing here knows a scale: what is linear in both is bounded by
 #   its value at either end. The matrix of A as given: what that is off by (pose.g) turns shape and line alike, by less
 #   than is promised of a vertex. The centres are the shapes' local origins. The line passes within the radii

@@ -4,7 +4,7 @@
 # constant: CastPortal.LeastHeight = 1e7 * 64 * 2^-53 (height)
 # constant: CastPortal.LeastSlope = 1e-5 (slope)
 # constant: CastPortal.EntryGap = 1e-10 (gap)
-# code: src/Gjk.Core/Solvers/CastPortal.cs, Solve and IsCertain
+# code: src/Gjk.Core/Solvers/Motion/CastPortal.cs, Solve and IsCertain
 # assumed: the corners as given; the radii are 1, since nothing here knows a scale, so the corners are no further from
 #   the origin than 2 (the line passes within the radii). The shape lies beyond the support plane
 # control: c = 256b-53;

@@ -1,6 +1,6 @@
 # The radius that is measured from a core's local box is not below the true one.
 # constant: CoreExtent.RoundingUp = 8 * 2^-53
-# code: src/Gjk.Core/Geometry/CoreExtent.cs, Radius
+# code: src/Gjk.Core/Cores/CoreExtent.cs, Radius
 # assumed: the true radius is 1, since nothing here knows a scale; a root rounds like any operation
 # control: c = 2b-53;
 c = 8b-53;

@@ -1,7 +1,7 @@
 # Two bounds of a depth that count as met differ by less than the promise, 1e-14 of the scale, with what rounding does
 # to either.
 # constant: GjkTolerances.DepthNoise = 16 * 2^-53
-# code: src/Gjk.Core/Solvers/GjkDepth.cs, Expand; Simplex/Polytope.Faces.cs, TrySetFace and Offsets
+# code: src/Gjk.Core/Solvers/Depth/GjkDepth.cs, Expand; Simplex/Polytope.Faces.cs, TrySetFace and Offsets
 # assumed: the vertices as given; the pair's size is 1, since nothing here knows a scale. Shapes that overlap have
 #   centres a size apart at most, so the vertices are no further from the origin than 2, and the depth is 1 at most
 # control: c = 64b-53;

@@ -1,7 +1,7 @@
 # A difference that counts as flat is so thin that half its thickness, which is told for its depth at most, is within
 # the promise, 1e-14 of the scale.
 # constant: GjkTolerances.Flat = 64 * 2^-53
-# code: src/Gjk.Core/Solvers/PolytopeStart.cs, TryPair and TryAdd
+# code: src/Gjk.Core/Solvers/Depth/PolytopeStart.cs, TryPair and TryAdd
 # assumed: as in depth-noise.g
 # control: c = 256b-53;
 c = 64b-53;

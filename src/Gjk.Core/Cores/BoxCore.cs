@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// Any of the library's shapes that is a box, with or without a margin: a box, or a mesh whose vertices are the eight
 /// corners of its bounds.
 /// </summary>
-internal struct BoxCore : ISupportMap, ISupportFace, ITightBounds
+internal struct BoxCore : ISupportMap, IPlainBody
 {
     /// <summary>Half the side lengths: in double, since a scale may have been multiplied into them.</summary>
     public LaneVector Half;
@@ -34,6 +34,21 @@ internal struct BoxCore : ISupportMap, ISupportFace, ITightBounds
     public readonly double Margin => _margin;
 
     public readonly double BoundingRadius => _radius;
+
+    readonly object ILibraryShape.MakeTraits() => new PlainTraits<BoxCore>();
+
+    public readonly bool TryGetTarget(out RayTarget target)
+    {
+        RayTarget.Of(RayForm.Box, Half.Xyz, out target);
+        return true;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly RayForm GetPlain(out Vector3D size)
+    {
+        size = Half.Xyz;
+        return RayForm.Box;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly int Support(in Vector3D direction, out Vector3D point) =>

@@ -8,7 +8,7 @@ using System.Runtime.Intrinsics;
 namespace Gjk.Core;
 
 /// <summary>Any of the library's shapes that is a mesh, unscaled, with or without a margin.</summary>
-internal readonly struct HullCore : ISupportMap, ISupportFace, ITightBounds
+internal readonly struct HullCore : ISupportMap, ILibraryShape
 {
     private readonly ConvexHull _hull;
     private readonly double _margin, _radius;
@@ -28,6 +28,14 @@ internal readonly struct HullCore : ISupportMap, ISupportFace, ITightBounds
     public double Margin => _margin;
 
     public double BoundingRadius => _radius;
+
+    object ILibraryShape.MakeTraits() => new LibraryTraits<HullCore>();
+
+    public bool TryGetTarget(out RayTarget target)
+    {
+        RayTarget.Of(_hull, out target);
+        return true;
+    }
 
     public int Support(in Vector3D direction, out Vector3D point)
     {

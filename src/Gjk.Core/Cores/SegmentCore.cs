@@ -8,7 +8,7 @@ namespace Gjk.Core;
 /// <summary>
 /// Any of the library's shapes whose core is a segment or a point: a segment, a capsule, a point or a sphere.
 /// </summary>
-internal struct SegmentCore : ISupportMap, ISupportFace, ITightBounds
+internal struct SegmentCore : ISupportMap, ILibraryShape
 {
     /// <summary>The ends, measured from the centre.</summary>
     private LaneVector _first, _second;
@@ -47,6 +47,14 @@ internal struct SegmentCore : ISupportMap, ISupportFace, ITightBounds
     public readonly double Margin => _margin;
 
     public readonly double BoundingRadius => _radius;
+
+    readonly object ILibraryShape.MakeTraits() => new LibraryTraits<SegmentCore>();
+
+    public readonly bool TryGetTarget(out RayTarget target)
+    {
+        RayTarget.Capsule(_first.Xyz, _second.Xyz, default, _margin, out target);
+        return true;
+    }
 
     /// <summary>Both ends, or the point, whichever the direction.</summary>
     public readonly void GetFace(in Vector3D direction, ref FaceCorners corners)

@@ -7,7 +7,7 @@ using System.Runtime.Intrinsics;
 namespace Gjk.Core;
 
 /// <summary>Any of the library's shapes that is a triangle, with or without a margin.</summary>
-internal struct TriangleCore : ISupportMap, ISupportFace, ITightBounds
+internal struct TriangleCore : ISupportMap, ILibraryShape
 {
     /// <summary>The corners, measured from the centre.</summary>
     private LaneVector _first, _second, _third;
@@ -39,6 +39,14 @@ internal struct TriangleCore : ISupportMap, ISupportFace, ITightBounds
     public readonly double Margin => _margin;
 
     public readonly double BoundingRadius => _radius;
+
+    readonly object ILibraryShape.MakeTraits() => new LibraryTraits<TriangleCore>();
+
+    public readonly bool TryGetTarget(out RayTarget target)
+    {
+        RayTarget.Triangle(_first.Xyz, _second.Xyz, _third.Xyz, default, out target);
+        return true;
+    }
 
     public readonly void GetFace(in Vector3D direction, ref FaceCorners corners) =>
         Face(_first.Xyz, _second.Xyz, _third.Xyz, direction, ref corners);

@@ -154,7 +154,7 @@ internal struct PosedPair
     /// <summary>A user's bounding radius may be generous, and is measured.</summary>
     private static double Radius<T>(ref T shape)
         where T : struct, ISupportMap =>
-        TightBounds<T>.Are || !(shape.BoundingRadius >= 0)
+        ShapeTraits<T>.AreTight || !(shape.BoundingRadius >= 0)
             ? shape.BoundingRadius
             : Math.Min(shape.BoundingRadius, CoreExtent.Radius(ref shape) + shape.Margin);
 

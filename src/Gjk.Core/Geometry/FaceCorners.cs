@@ -1,7 +1,8 @@
 namespace Gjk.Core;
 
 /// <summary>
-/// The corners that a shape shows of a face, in order around it: see <see cref="ISupportFace"/>. It lives on the stack
+/// The corners that a shape shows of a face, in order around it: see
+/// <see cref="ISupportMap.GetFace"/>. It lives on the stack
 /// of a query.
 /// </summary>
 public unsafe ref struct FaceCorners

@@ -34,6 +34,21 @@ public interface ISupportMap
     /// <returns>The id of the vertex, at least 0, or -1 where the shape has no vertices (a curved core).</returns>
     int Support(in Vector3D direction, out Vector3D point);
 
+    /// <summary>
+    /// Shows the face, edge or corner of the core that lies furthest in a direction, for <c>Contacts</c>; may be left
+    /// empty, and then the contact is the one pair of deepest points, as it is of a round side.
+    /// </summary>
+    /// <remarks>
+    /// The built-in shapes show a face that is tilted by up to 60 degrees against the direction; where there is none,
+    /// an edge that is level to within 30 degrees; else a corner.
+    /// </remarks>
+    /// <param name="direction">Finite, not zero, of any length.</param>
+    /// <param name="corners">
+    /// Empty; to be filled with the corners of a flat convex face in order, either way round, with the two ends of an
+    /// edge, with a corner, or with nothing. They hold the support point, as far as the shape has corners.
+    /// </param>
+    void GetFace(in Vector3D direction, ref FaceCorners corners);
+
     /// <summary>The core's vertex with the given id, for warm starts: false when there is none with that id.</summary>
     /// <param name="id">Any number; a stale one must be refused, not trusted.</param>
     /// <param name="point">The vertex, exactly as <see cref="Support"/> returns it.</param>

@@ -154,7 +154,8 @@ internal struct PairFrame
         frame.Unit = 1;
         frame.End = 0;
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
-        double tightRadius = (TightBounds<TA>.Are ? frame.RadiusA : 0) + (TightBounds<TB>.Are ? frame.RadiusB : 0);
+        double tightRadius =
+            (ShapeTraits<TA>.AreTight ? frame.RadiusA : 0) + (ShapeTraits<TB>.AreTight ? frame.RadiusB : 0);
         Vector3D between = (Vector3D)poseB.Position - poseA.Position;
         if (!(offset > FarCenter * tightRadius))
         {
@@ -179,8 +180,8 @@ internal struct PairFrame
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (!TightBounds<TA>.Are) RadiusA = Math.Min(RadiusA, CoreExtent.Radius(ref a) + MarginA);
-        if (!TightBounds<TB>.Are) RadiusB = Math.Min(RadiusB, CoreExtent.Radius(ref b) + MarginB);
+        if (!ShapeTraits<TA>.AreTight) RadiusA = Math.Min(RadiusA, CoreExtent.Radius(ref a) + MarginA);
+        if (!ShapeTraits<TB>.AreTight) RadiusB = Math.Min(RadiusB, CoreExtent.Radius(ref b) + MarginB);
         Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + Translation.SumOfMagnitudes;
     }
 
@@ -199,6 +200,10 @@ internal struct PairFrame
         Magnitude *= factor;
         Unit = 1 / factor;
     }
+
+    /// <summary>A point of A's core and the margin along a unit normal, in the world, with A at a position.</summary>
+    public readonly Vector3D SurfaceOfA(in Vector3D onCore, in Vector3D normal, in Vector3D position) =>
+        RotationA.Rotate((onCore + normal * MarginA + CenterA) * Unit) + position;
 
     /// <summary>From A's centre to B's, in the world's axes, as exact as the poses are.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

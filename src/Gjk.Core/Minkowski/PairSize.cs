@@ -25,8 +25,8 @@ internal struct PairSize
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        size._a = TightBounds<TA>.Are ? frame.RadiusA : frame.MarginA;
-        size._b = TightBounds<TB>.Are ? frame.RadiusB : frame.MarginB;
+        size._a = ShapeTraits<TA>.AreTight ? frame.RadiusA : frame.MarginA;
+        size._b = ShapeTraits<TB>.AreTight ? frame.RadiusB : frame.MarginB;
     }
 
     /// <summary>Takes note of a support point of each shape, measured from the centres.</summary>

@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// range of double. Nothing is rounded by it, so the answer has the bits that it would have if double had no limits.
 /// </summary>
 /// <typeparam name="T">The shape inside.</typeparam>
-internal readonly struct UnitSized<T> : ISupportMap, ISupportFace
+internal readonly struct UnitSized<T> : ISupportMap, ILibraryShape
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -23,6 +23,15 @@ internal readonly struct UnitSized<T> : ISupportMap, ISupportFace
 
     public double BoundingRadius => _inner.BoundingRadius * _factor;
 
+    object ILibraryShape.MakeTraits() => new LibraryTraits<UnitSized<T>>(ShapeTraits<T>.AreTight);
+
+    /// <summary>That of the shape inside, in its units.</summary>
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
+    {
+        T inner = _inner;
+        return ShapeTraits<T>.Of.TryGetTarget(ref inner, out target);
+    }
+
     public int Support(in Vector3D direction, out Vector3D point)
     {
         int id = _inner.Support(direction, out point);
@@ -39,7 +48,7 @@ internal readonly struct UnitSized<T> : ISupportMap, ISupportFace
 
     public void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
-        FaceOf<T>.Get(_inner, direction, ref corners);
+        _inner.GetFace(direction, ref corners);
         corners.SideRadius *= _factor;
         for (int i = 0; i < corners.Count; i++) corners[i] *= _factor;
     }

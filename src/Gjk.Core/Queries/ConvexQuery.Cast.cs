@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-public static partial class ConvexQuery
+public static unsafe partial class ConvexQuery
 {
     /// <summary>
     /// When two shapes that move without turning first touch: both are translated over the fractions from 0 to 1.
@@ -65,10 +65,8 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA copyA = default;
-        TB copyB = default;
-        ref TA shapeA = ref Inward(a, ref copyA);
-        ref TB shapeB = ref Inward(b, ref copyB);
+        ref TA shapeA = ref PairProblem.Inward(a);
+        ref TB shapeB = ref PairProblem.Inward(b);
         CastResult found = FindContact(
             ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction, ref warmStart);
         bool isSettled = found.Status != CastStatus.OverlappingAtStart
@@ -94,86 +92,77 @@ public static partial class ConvexQuery
             return CastBalls(ref a, poseA, translationA, ref b, poseB, translationB, maxFraction);
         if (TryCastPoint(ref a, poseA, translationA, ref b, poseB, translationB, maxFraction, out CastResult met))
             return met;
-        var question = new CastQuestion(translationA, translationB, maxFraction, warmStart);
-        Ask(ref a, poseA, ref b, poseB, ref question);
-        warmStart = question.WarmStart;
-        return question.Result;
+        fixed (WarmStart* warm = &warmStart)
+        {
+            var question = new CastQuestion(translationA, translationB, maxFraction, warm);
+            return CoreDispatch.Ask<TA, TB, CastQuestion, CastResult>(ref a, poseA, ref b, poseB, ref question);
+        }
     }
 
-    /// <summary>The pipeline of a cast, for any two cores.</summary>
-    private struct CastQuestion : IPairQuestion
+    /// <summary>When two cores that do not turn touch.</summary>
+    private readonly struct CastQuestion : IPairProblem<CastFinding, CastResult>
     {
-        public WarmStart WarmStart;
-        public CastResult Result;
+        private readonly WarmStart* _warm;
         private readonly Vector3D _translationA, _motion;
         private readonly float _maxFraction;
 
-        public CastQuestion(Vector3 translationA, Vector3 translationB, float maxFraction, in WarmStart warmStart)
+        public CastQuestion(Vector3 translationA, Vector3 translationB, float maxFraction, WarmStart* warm)
         {
-            WarmStart = warmStart;
-            Result = default;
+            _warm = warm;
             _translationA = translationA;
             _motion = (Vector3D)translationB - translationA;
             _maxFraction = maxFraction < 0 ? 0 : maxFraction;
         }
 
+        public bool IsValid => (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
+
+        public CastResult Refuse() => CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public CastResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
-            if (!frame.IsValid || !(_motion + _translationA).IsFinite || float.IsNaN(_maxFraction))
-            {
-                Result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
-                return;
-            }
-
-            if (!frame.IsOrdinary)
-            {
-                AskInUnitSize(ref a, ref b, ref frame, poseA);
-                return;
-            }
-
-            Solve(ref a, ref b, ref frame, out CastFinding cast);
-            Result = Finish(cast, frame, poseA);
+            CastQuestion problem = this;
+            return PairProblem.Answer<TA, TB, CastQuestion, CastFinding, CastResult>(
+                ref a, poseA, ref b, poseB, ref problem);
         }
 
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        private void AskInUnitSize<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, in RigidPose poseA)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            SolverState.Begin<TA, TB>(frame, out SolverState state);
-            ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-            Solve(ref unitA, ref unitB, ref frame, out CastFinding cast);
-            Result = Finish(cast, frame, poseA);
-        }
-
-        private void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
+        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
             Vector3D motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
-            CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref WarmStart, out cast);
+            CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref *_warm, out cast);
         }
 
         /// <summary>Where A's surface is met, with A as it has moved.</summary>
-        private readonly CastResult Finish(in CastFinding cast, in PairFrame frame, in RigidPose poseA)
+        public CastResult Finish(
+            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
         {
-            if (cast.Outcome == Verdict.Contradiction)
-                return CastResult.Nothing(CastStatus.InvalidShape, float.NaN, cast.Iterations);
-            if (cast.Outcome == Verdict.Undecided)
-                return CastResult.Nothing(
-                    CastStatus.IterationLimit, RoundOff.Down(cast.Fraction), cast.Iterations);
-            if (cast.Outcome == Verdict.Apart)
-                return CastResult.Nothing(CastStatus.Miss, _maxFraction, cast.Iterations);
-            CastStatus status = cast.Fraction > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart;
-            Vector3D onA = cast.OnA + cast.Normal * frame.MarginA;
-            Vector3D world = frame.RotationA.Rotate((onA + frame.CenterA) * frame.Unit) + poseA.Position;
+            CastStatus status = StatusOf(cast.Outcome, cast.Fraction);
+            if (status is not (CastStatus.Hit or CastStatus.OverlappingAtStart))
+                return CastResult.Nothing(status, FractionOf(status, cast.Fraction, _maxFraction), cast.Iterations);
+            Vector3D world = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
             return new CastResult(
                 status, (float)cast.Fraction, (Vector3)(world + _translationA * cast.Fraction),
                 (Vector3)frame.RotationA.Rotate(cast.Normal), cast.Iterations);
         }
     }
+
+    /// <summary>What a solver's verdict on a motion means.</summary>
+    /// <param name="verdict">The verdict.</param>
+    /// <param name="fraction">Where it ended; 0 for a contact at the start.</param>
+    private static CastStatus StatusOf(Verdict verdict, double fraction) => verdict switch
+    {
+        Verdict.Contradiction => CastStatus.InvalidShape,
+        Verdict.Apart => CastStatus.Miss,
+        Verdict.Undecided => CastStatus.IterationLimit,
+        _ => fraction > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart,
+    };
+
+    /// <summary>Up to where a motion without a contact is known to be free of one.</summary>
+    private static float FractionOf(CastStatus status, double reached, float most) =>
+        status == CastStatus.Miss ? most
+            : status == CastStatus.IterationLimit ? RoundOff.Down(reached) : float.NaN;
 }

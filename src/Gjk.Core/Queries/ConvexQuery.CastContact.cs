@@ -8,7 +8,7 @@ namespace Gjk.Core;
 /// What a contact means for a cast: one at the start, which may be touching, overlapping or on its way apart, and one
 /// on the way that may be passed. A cast that starts apart and passes nothing does not come here.
 /// </remarks>
-public static partial class ConvexQuery
+public static unsafe partial class ConvexQuery
 {
     /// <summary>
     /// Ratio to the way: 2^-20, sixteen roundings to float: how far the projection of a motion onto a surface may point
@@ -42,16 +42,16 @@ public static partial class ConvexQuery
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            var question = new SignedQuestion<NoPolytopeTrace>(default, false, false, wantsTouch: true);
-            Ask(ref a, poseA, ref b, poseB, ref question);
-            DistanceResult start = question.Result;
+            StartTouch touch = default;
+            var question = new SignedQuestion<NoPolytopeTrace> { Touch = &touch };
+            DistanceResult start = AskSigned(a, poseA, b, poseB, ref question);
             Iterations = start.Iterations;
             bool isLimit = start.Status == GjkStatus.IterationLimit, isKnown = Normal != default;
-            if (question.IsTouch) Point = question.TouchPoint;
+            if (touch.IsTouch) Point = touch.Point;
             else Depth = Math.Max(isLimit ? -start.LowerBound : -start.Distance, 0);
             if (start.Status == GjkStatus.InvalidShape) Status = CastStatus.InvalidShape;
-            bool isDeep = !question.IsTouch && (isLimit || Depth > 0);
-            if (isDeep || !isKnown) Normal = question.IsTouch ? question.TouchNormal : start.Normal;
+            bool isDeep = !touch.IsTouch && (isLimit || Depth > 0);
+            if (isDeep || !isKnown) Normal = touch.IsTouch ? touch.Normal : start.Normal;
             return isDeep;
         }
 
@@ -98,53 +98,48 @@ public static partial class ConvexQuery
             ? new DeepeningPart(fraction, most, options.AllowedDepth, AllowedSlope)
             : new DeepeningPart(0, double.PositiveInfinity, 0, 0);
         var question = new DeepeningQuestion(motion, part);
-        Ask(ref a, poseA, ref b, poseB, ref question);
+        Verdict verdict =
+            CoreDispatch.Ask<TA, TB, DeepeningQuestion, Verdict>(ref a, poseA, ref b, poseB, ref question);
         contact.Iterations += question.Iterations;
-        if (question.Verdict == Verdict.Contradiction) contact.Status = CastStatus.InvalidShape;
-        else if (question.Verdict == Verdict.Apart) contact.Status = CastStatus.Miss;
+        if (verdict == Verdict.Contradiction) contact.Status = CastStatus.InvalidShape;
+        else if (verdict == Verdict.Apart) contact.Status = CastStatus.Miss;
         else if (isStart && !isDeep) contact.Status = CastStatus.Hit;
     }
 
-    /// <summary>The pipeline of <see cref="DeepeningSolver"/>, for any two cores.</summary>
-    private struct DeepeningQuestion : IPairQuestion
+    /// <summary>Whether a contact deepens.</summary>
+    private struct DeepeningQuestion : IPairProblem<Verdict, Verdict>
     {
-        public Verdict Verdict;
         public int Iterations;
         private readonly Vector3D _motion;
         private readonly DeepeningPart _part;
 
         public DeepeningQuestion(in Vector3D motion, in DeepeningPart part)
         {
-            Verdict = default;
             Iterations = 0;
             _motion = motion;
             _part = part;
         }
 
+        public readonly bool IsValid => true;
+
+        public readonly Verdict Refuse() => Verdict.Undecided;
+
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public Verdict Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
-            if (frame.IsOrdinary)
-            {
-                Solve(ref a, ref b, ref frame);
-                return;
-            }
+            where TB : struct, ISupportMap =>
+            PairProblem.Answer<TA, TB, DeepeningQuestion, Verdict, Verdict>(ref a, poseA, ref b, poseB, ref this);
 
-            SolverState.Begin<TA, TB>(frame, out SolverState state);
-            ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-            Solve(ref unitA, ref unitB, ref frame);
-        }
-
-        private void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame)
+        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out Verdict verdict)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
             Vector3D motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
             var part = new DeepeningPart(_part.From, _part.To, _part.Allowed / frame.Unit, _part.Slope);
-            Verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
+            verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
         }
+
+        public readonly Verdict Finish(
+            in Verdict verdict, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => verdict;
     }
 }

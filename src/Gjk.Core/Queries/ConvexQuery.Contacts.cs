@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-public static partial class ConvexQuery
+public static unsafe partial class ConvexQuery
 {
     /// <summary>
     /// Where two convex shapes touch: the signed distance, and up to four points that a solver needs to keep one on
@@ -23,7 +23,7 @@ public static partial class ConvexQuery
     /// face on a face has up to four, an edge on a face two, as have parallel cylinders, a corner one. Of all fours
     /// that hold a point as deep as the deepest, to within 1e-6 of the size, they span at least 95 % of the largest
     /// area; a face of more than 64 corners takes part by 64 of them, and there it can be less. Shapes whose face, edge
-    /// or corner there is unknown or round (spheres, ellipsoids, those without <see cref="ISupportFace"/>) have the one
+    /// or corner there is unknown or round (spheres, ellipsoids, those that show none) have the one
     /// pair of deepest points. Every pair of points lies along the manifold's normal.
     /// </param>
     /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
@@ -32,8 +32,7 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        WarmStart unused = default;
-        return AskContacts(a, poseA, b, poseB, maxGap, ref unused, false, ref manifold);
+        return AskContacts(a, poseA, b, poseB, maxGap, null, ref manifold);
     }
 
     /// <summary>
@@ -56,37 +55,36 @@ public static partial class ConvexQuery
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, ref WarmStart warmStart,
         ref ContactManifold manifold)
         where TA : struct, ISupportMap
-        where TB : struct, ISupportMap =>
-        AskContacts(a, poseA, b, poseB, maxGap, ref warmStart, true, ref manifold);
+        where TB : struct, ISupportMap
+    {
+        fixed (WarmStart* warm = &warmStart) return AskContacts(a, poseA, b, poseB, maxGap, warm, ref manifold);
+    }
 
     private static DistanceResult AskContacts<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, ref WarmStart warmStart, bool isWarm,
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
         ref ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA copyA = default;
-        TB copyB = default;
-        ref TA shapeA = ref Inward(a, ref copyA);
-        ref TB shapeB = ref Inward(b, ref copyB);
-        var question = new SignedQuestion<NoPolytopeTrace>(warmStart, isWarm, wantsSimplex: false, wantsPlane: true);
-        Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
-        if (isWarm) warmStart = question.WarmStart;
+        ContactPlane plane;
+        var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm, Plane = &plane };
+        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
         manifold.Clear();
         float mostGap = maxGap > 0 ? maxGap : 0;
-        if (question.Result.Distance <= mostGap)
+        if (result.Distance <= mostGap)
         {
-            manifold.Begin(question.Result.Normal);
-            AddPoints(ref shapeA, poseA, ref shapeB, ref question, mostGap, ref manifold);
+            manifold.Begin(result.Normal);
+            AddPoints(
+                ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), ref plane, result, mostGap, ref manifold);
         }
 
-        return question.Result;
+        return result;
     }
 
     /// <summary>Asks both shapes for what they show along the normal.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static unsafe void AddPoints<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, ref SignedQuestion<NoPolytopeTrace> question, float maxGap,
+    private static void AddPoints<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, ref ContactPlane plane, in DistanceResult result, float maxGap,
         ref ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -94,12 +92,10 @@ public static partial class ConvexQuery
         FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
         var cornersA = new FaceCorners(memory);
         var cornersB = new FaceCorners(memory + FaceCorners.Capacity);
-        ref ContactPlane plane = ref question.Plane;
-        ref readonly DistanceResult result = ref question.Result;
         if (plane.Normal.LengthSquared > 0)
         {
-            FaceOf<TA>.Get(a, plane.Normal, ref cornersA);
-            FaceOf<TB>.Get(b, plane.Frame.Rotation.InverseRotate(-plane.Normal), ref cornersB);
+            a.GetFace(plane.Normal, ref cornersA);
+            b.GetFace(plane.Frame.Rotation.InverseRotate(-plane.Normal), ref cornersB);
         }
 
         bool areFlat = cornersA.Count > 1 && cornersB.Count > 1;

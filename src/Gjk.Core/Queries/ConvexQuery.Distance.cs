@@ -1,6 +1,8 @@
+using System.Runtime.CompilerServices;
+
 namespace Gjk.Core;
 
-public static partial class ConvexQuery
+public static unsafe partial class ConvexQuery
 {
     /// <summary>The distance between two convex shapes, with the closest points, or that they overlap.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
@@ -23,9 +25,8 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        NoTrace trace = default;
-        WarmStart unused = default;
-        return Ask(a, poseA, b, poseB, maxDistance, ref unused, false, ref trace);
+        var question = new DistanceQuestion<NoTrace>(maxDistance);
+        return AskDistance(a, poseA, b, poseB, ref question);
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -47,20 +48,12 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA copyA = default;
-        TB copyB = default;
-        NoTrace trace = default;
-        WarmStart unused = default;
-        ref TA shapeA = ref Inward(a, ref copyA);
-        ref TB shapeB = ref Inward(b, ref copyB);
-        Solve(
-            ref shapeA, poseA, ref shapeB, poseB, maxDistance, ref unused, false, ref trace, out PairFrame frame,
-            out SolverState state);
-        bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
-        simplex = isEmpty ? default : new FinalSimplex(state.Simplex, frame);
-        return frame.ArePoints
-            ? AskBalls(ref shapeA, poseA, ref shapeB, poseB, maxDistance)
-            : Finish(state, frame, poseA, poseB, maxDistance);
+        simplex = default;
+        fixed (FinalSimplex* end = &simplex)
+        {
+            var question = new DistanceQuestion<NoTrace>(maxDistance, null, end);
+            return AskDistance(a, poseA, b, poseB, ref question);
+        }
     }
 
     /// <summary>
@@ -84,7 +77,102 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        NoTrace trace = default;
-        return Ask(a, poseA, b, poseB, maxDistance, ref warmStart, true, ref trace);
+        fixed (WarmStart* warm = &warmStart)
+        {
+            var question = new DistanceQuestion<NoTrace>(maxDistance, warm);
+            return AskDistance(a, poseA, b, poseB, ref question);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static DistanceResult AskDistance<TA, TB, TTrace>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref DistanceQuestion<TTrace> question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        ref TA shapeA = ref PairProblem.Inward(a);
+        ref TB shapeB = ref PairProblem.Inward(b);
+        if (AreBalls(ref shapeA, ref shapeB))
+        {
+            if (question.WantsPoints) question.Ask(ref shapeA, poseA, ref shapeB, poseB);
+            return AskBalls(ref shapeA, poseA, ref shapeB, poseB, question.MaxDistance);
+        }
+
+        return CoreDispatch.Ask<TA, TB, DistanceQuestion<TTrace>, DistanceResult>(
+            ref shapeA, poseA, ref shapeB, poseB, ref question);
+    }
+
+    /// <summary>The distance of two cores.</summary>
+    private struct DistanceQuestion<TTrace> : IPairProblem<SolverState, DistanceResult>
+        where TTrace : struct, IGjkTrace
+    {
+        public readonly float MaxDistance;
+
+        /// <summary>Told of the walk.</summary>
+        public TTrace Trace;
+
+        private readonly WarmStart* _warm;
+        private readonly FinalSimplex* _simplex;
+
+        /// <summary>Null stands for a cold query, and for one whose simplex nobody wants.</summary>
+        public DistanceQuestion(float maxDistance, WarmStart* warm = null, FinalSimplex* simplex = null)
+        {
+            MaxDistance = maxDistance;
+            Trace = default;
+            _warm = warm;
+            _simplex = simplex;
+        }
+
+        /// <summary>Whether two balls are to be solved as points, too, for what is told of it.</summary>
+        public readonly bool WantsPoints => Trace.IsOn || _simplex != null;
+
+        public readonly bool IsValid => !float.IsNaN(MaxDistance);
+
+        public readonly DistanceResult Refuse() => DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public DistanceResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap =>
+            PairProblem.Answer<TA, TB, DistanceQuestion<TTrace>, SolverState, DistanceResult>(
+                ref a, poseA, ref b, poseB, ref this);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            SolverState.Begin<TA, TB>(frame, out state);
+            if (frame.ArePoints) SolvePoints(frame, ref state);
+            else
+                ProvedDistance.SolveCores(
+                ref a, ref b, frame, MaxDistance, ref *_warm, _warm != null, ref state, ref Trace);
+        }
+
+        public readonly DistanceResult Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
+        {
+            if (_simplex != null) Keep(state, frame, _simplex);
+            return ConvexQuery.Finish(state, frame, poseA, poseB, MaxDistance);
+        }
+
+        /// <summary>The closed form of two points, told as the loop's only round.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private void SolvePoints(in PairFrame frame, ref SolverState state)
+        {
+            GjkDistance.SolvePoints(frame, ref state);
+            if (!Trace.IsOn) return;
+            Trace.OnSupport(
+                new TracedSupport(frame, frame.FirstNormal, state.Simplex, state.Simplex.A, isExtended: false));
+            Trace.OnReduced(new TracedSimplex(state.Simplex, frame.Unit, isExtended: false));
+        }
+    }
+
+    /// <summary>Keeps the simplex of a query that ended with one.</summary>
+    private static void Keep(in SolverState state, in PairFrame frame, FinalSimplex* simplex)
+    {
+        if (state.Verdict != Verdict.Contradiction && state.Simplex.Count > 0)
+            *simplex = new FinalSimplex(state.Simplex, frame);
     }
 }

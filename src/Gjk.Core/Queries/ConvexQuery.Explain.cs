@@ -1,6 +1,6 @@
 namespace Gjk.Core;
 
-public static partial class ConvexQuery
+public static unsafe partial class ConvexQuery
 {
     /// <summary>
     /// The distance query, telling a trace what it does: for teaching, drawing and finding out. The result is the
@@ -26,8 +26,10 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        WarmStart unused = default;
-        return Ask(a, poseA, b, poseB, maxDistance, ref unused, false, ref trace);
+        var question = new DistanceQuestion<TTrace>(maxDistance) { Trace = trace };
+        DistanceResult result = AskDistance(a, poseA, b, poseB, ref question);
+        trace = question.Trace;
+        return result;
     }
 
     /// <summary>
@@ -54,7 +56,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        var question = new SignedQuestion<TTrace>(default, isWarm: false) { Trace = trace };
+        var question = new SignedQuestion<TTrace> { Trace = trace };
         DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
         trace = question.Trace;
         return result;

@@ -34,9 +34,7 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA copyA = default;
-        TB copyB = default;
-        status = StatusOf(ref Inward(a, ref copyA), poseA, ref Inward(b, ref copyB), poseB);
+        status = StatusOf(ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), poseB);
         return status == GjkStatus.Overlapping;
     }
 
@@ -47,23 +45,8 @@ public static partial class ConvexQuery
     {
         if (AreBalls(ref a, ref b)) return StatusOfBalls(ref a, poseA, ref b, poseB);
         if (AreBallsApart(ref a, poseA, ref b, poseB)) return GjkStatus.Separated;
-#if NET
-        return StatusByKind(ref a, poseA, ref b, poseB);
-#else
-        return StatusOfCores(ref a, poseA, ref b, poseB);
-#endif
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static GjkStatus StatusOfCores<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
-        if (!frame.IsValid) return GjkStatus.InvalidInput;
-        Verdict verdict = frame.IsOrdinary ? QuickVerdict(ref a, ref b, frame) : Verdict.Undecided;
-        if (verdict == Verdict.Undecided) return StatusByDistance(ref a, ref b, ref frame);
-        return verdict == Verdict.Enclosed ? GjkStatus.Overlapping : GjkStatus.Separated;
+        OverlapQuestion question = default;
+        return CoreDispatch.Ask<TA, TB, OverlapQuestion, GjkStatus>(ref a, poseA, ref b, poseB, ref question);
     }
 
     /// <summary>
@@ -83,6 +66,33 @@ public static partial class ConvexQuery
             && PairFrame.IsOrdinarySize(distanceSquared) && poseA.IsValid && poseB.IsValid;
     }
 
+    /// <summary>Whether two cores overlap.</summary>
+    private struct OverlapQuestion : IPairProblem<GjkStatus, GjkStatus>
+    {
+        public readonly bool IsValid => true;
+
+        public readonly GjkStatus Refuse() => GjkStatus.InvalidInput;
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public GjkStatus Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap =>
+            PairProblem.Answer<TA, TB, OverlapQuestion, GjkStatus, GjkStatus>(ref a, poseA, ref b, poseB, ref this);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out GjkStatus status)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            Verdict verdict = QuickVerdict(ref a, ref b, frame);
+            status = verdict == Verdict.Apart ? GjkStatus.Separated
+                : verdict == Verdict.Enclosed ? GjkStatus.Overlapping : StatusByDistance(ref a, ref b, frame);
+        }
+
+        public readonly GjkStatus Finish(
+            in GjkStatus status, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => status;
+    }
+
     /// <summary>Apart or Enclosed where rounding cannot change the answer.</summary>
     private static Verdict QuickVerdict<TA, TB>(ref TA a, ref TB b, in PairFrame frame)
         where TA : struct, ISupportMap
@@ -95,27 +105,26 @@ public static partial class ConvexQuery
     }
 
     /// <summary>What the distance query says, which need not go further than to see the shapes apart.</summary>
-    private static GjkStatus StatusByDistance<TA, TB>(ref TA a, ref TB b, ref PairFrame frame)
+    private static GjkStatus StatusByDistance<TA, TB>(ref TA a, ref TB b, in PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         NoTrace trace = default;
         WarmStart unused = default;
         SolverState.Begin<TA, TB>(frame, out SolverState state);
-        SolveFrame(ref a, ref b, ref frame, 0, ref unused, false, ref state, ref trace);
-        switch (state.Verdict)
+        ProvedDistance.SolveCores(ref a, ref b, frame, 0, ref unused, false, ref state, ref trace);
+        if (state.Verdict == Verdict.Apart)
         {
-            case Verdict.Apart:
-                double distance = DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
-                return Proofs.IsTouching(state, distance) ? GjkStatus.Overlapping : GjkStatus.Separated;
-            case Verdict.Enclosed:
-                return GjkStatus.Overlapping;
-            case Verdict.Beyond:
-                return GjkStatus.Separated;
-            case Verdict.Contradiction:
-                return GjkStatus.InvalidShape;
-            default:
-                return GjkStatus.IterationLimit;
+            double distance = DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
+            return Proofs.IsTouching(state, distance) ? GjkStatus.Overlapping : GjkStatus.Separated;
         }
+
+        return state.Verdict switch
+        {
+            Verdict.Enclosed => GjkStatus.Overlapping,
+            Verdict.Beyond => GjkStatus.Separated,
+            Verdict.Contradiction => GjkStatus.InvalidShape,
+            _ => GjkStatus.IterationLimit,
+        };
     }
 }

@@ -35,8 +35,7 @@ public static partial class ConvexQuery
         in CastOptions options = default)
         where T : struct, ISupportMap
     {
-        T copy = default;
-        ref T inward = ref Inward(shape, ref copy);
+        ref T inward = ref PairProblem.Inward(shape);
         var line = new WorldRay(origin, direction, ((Vector3D)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
         if (hit.Status == CastStatus.OverlappingAtStart || (options.PassesShallow && hit.Status == CastStatus.Hit))
@@ -47,9 +46,8 @@ public static partial class ConvexQuery
                 CastStatus.Hit, (float)hit.Distance, (Vector3)hit.Point, (Vector3)hit.Normal, hit.Iterations);
         }
 
-        float distance = hit.Status == CastStatus.Miss ? (float)line.Reach
-            : hit.Status == CastStatus.IterationLimit ? RoundOff.Down(hit.Distance) : float.NaN;
-        return RayCastResult.Nothing(hit.Status, distance, hit.Iterations);
+        return RayCastResult.Nothing(
+            hit.Status, FractionOf(hit.Status, hit.Distance, (float)line.Reach), hit.Iterations);
     }
 
     /// <summary>A contact at the origin, or one that may be passed.</summary>
@@ -79,7 +77,7 @@ public static partial class ConvexQuery
         }
 
         return RayCastResult.Nothing(
-            contact.Status, contact.Status == CastStatus.Miss ? (float)line.Reach : float.NaN, iterations);
+            contact.Status, FractionOf(contact.Status, double.NaN, (float)line.Reach), iterations);
     }
 
     /// <summary>By a closed form where there is one, else by a cast.</summary>
@@ -113,9 +111,10 @@ public static partial class ConvexQuery
         ref T shape, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
         where T : struct, ISupportMap
     {
-        RayForm form = RayTargetOf<T>.GetPlain(ref shape, out Vector3D size);
+        RayForm form = ShapeTraits<T>.Of.GetPlain(ref shape, out Vector3D size);
         hit = default;
-        return (form != RayForm.None
+        bool isPlain = form == RayForm.Ball || (form == RayForm.Box && shape.Margin == 0);
+        return (isPlain && shape.Center.SumOfMagnitudes == 0
                 && RayCaster.TryCastPlain(form, size, shape.BoundingRadius, pose, turn, line, out hit))
             || TryTarget(ref shape, pose, turn, line, out hit);
     }
@@ -127,7 +126,7 @@ public static partial class ConvexQuery
         where T : struct, ISupportMap
     {
         hit = default;
-        return RayTargetOf<T>.TryGet(ref shape, out RayTarget target)
+        return ShapeTraits<T>.Of.TryGetTarget(ref shape, out RayTarget target)
             && RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out hit);
     }
 

@@ -15,12 +15,12 @@ public static partial class ConvexQuery
     {
         PointShape point = default;
         var question = new RayQuestion(line);
-        Ask(ref shape, pose, ref point, new RigidPose(line.Origin), ref question);
-        hit = question.Hit;
+        hit = CoreDispatch.Ask<T, PointShape, RayQuestion, RayMeeting>(
+            ref shape, pose, ref point, new RigidPose(line.Origin), ref question);
     }
 
-    /// <summary>The pipeline of a ray, for any core and a point.</summary>
-    private struct RayQuestion : IPairQuestion
+    /// <summary>Where a point that is cast meets a core.</summary>
+    private struct RayQuestion : IPairProblem<CastFinding, RayMeeting>
     {
         /// <summary>
         /// Ratio of the origin's distance to the radius, beyond which the ray begins anew: from further away, rounding
@@ -32,74 +32,73 @@ public static partial class ConvexQuery
         /// <summary>Ratio to the radius: how far from the foot it begins then, outside the ball.</summary>
         private const double Anew = 2;
 
-        public RayMeeting Hit;
         private readonly WorldRay _line;
+
+        /// <summary>Where the cast begins, its direction, how long that is, and the power of two in that.</summary>
+        private double _begin, _length, _power;
+        private Vector3D _direction;
 
         public RayQuestion(in WorldRay line)
         {
-            Hit = default;
             _line = line;
+            _begin = 0;
+            _direction = line.Direction;
+            _length = line.Length;
+            _power = 1;
         }
 
+        public readonly bool IsValid => true;
+
+        public readonly RayMeeting Refuse() => new() { Status = CastStatus.InvalidInput };
+
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public RayMeeting Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
             PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
-            Hit.Status = CastStatus.InvalidInput;
-            if (!frame.IsValid) return;
-            double begin = 0, length = _line.Length;
-            Vector3D direction = _line.Direction;
+            if (!frame.IsValid) return Refuse();
             if (frame.Translation.LengthSquared > FarOrigin * FarOrigin * frame.RadiusA * frame.RadiusA
                 && frame.RadiusA > 0)
             {
                 LocalRay.MakeFar(poseA, frame.CenterA, _line, out LocalRay ray);
-                begin = ray.Shift - Anew * frame.RadiusA;
-                Hit.Status = CastStatus.Miss;
-                if (begin < 0 || begin > _line.Reach || ray.Foot.Length > Anew * frame.RadiusA) return;
+                _begin = ray.Shift - Anew * frame.RadiusA;
+                if (_begin < 0 || _begin > _line.Reach || ray.Foot.Length > Anew * frame.RadiusA)
+                    return new RayMeeting { Status = CastStatus.Miss };
                 frame.Translation = frame.RotationA.InverseRotate(ray.At(-Anew * frame.RadiusA));
                 frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
-                (direction, length) = (ray.Direction, 1);
+                (_direction, _length) = (ray.Direction, 1);
             }
 
-            Search(ref a, ref b, ref frame, direction, length, begin, poseA);
+            _power = PowerOfTwo.AtMost(_length);
+            PairProblem.Solve<TA, TB, RayQuestion, CastFinding, RayMeeting>(
+                ref a, ref b, ref frame, ref this, out CastFinding cast);
+            return Finish(cast, frame, poseA, poseB);
         }
 
         /// <summary>Casts the point. Its motion is one solver unit long, or nearly.</summary>
-        private void Search<TA, TB>(
-            ref TA a, ref TB b, ref PairFrame frame, in Vector3D direction, double length, double begin,
-            in RigidPose poseA)
+        public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
             WarmStart unused = default;
-            CastFinding cast;
-            double power = PowerOfTwo.AtMost(length);
-            Vector3D motion = frame.RotationA.InverseRotate(direction * (1 / power));
-            if (frame.IsOrdinary)
-            {
-                double most = (_line.Reach - begin) / (length / power);
-                CastSolver.Solve(ref a, ref b, ref frame, motion, most, ref unused, out cast);
-            }
-            else
-            {
-                SolverState.Begin<TA, TB>(frame, out SolverState state);
-                ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-                double most = (_line.Reach - begin) / frame.Unit / (length / power);
-                CastSolver.Solve(ref unitA, ref unitB, ref frame, motion, most, ref unused, out cast);
-            }
+            Vector3D motion = frame.RotationA.InverseRotate(_direction * (1 / _power));
+            double most = (_line.Reach - _begin) / frame.Unit / (_length / _power);
+            CastSolver.Solve(ref a, ref b, ref frame, motion, most, ref unused, out cast);
+        }
 
-            Hit.Distance = Math.Min(begin + cast.Fraction * (length / power) * frame.Unit, _line.Reach);
-            Hit.Iterations = cast.Iterations;
-            Hit.Status = cast.Outcome == Verdict.Contradiction ? CastStatus.InvalidShape
-                : cast.Outcome == Verdict.Undecided ? CastStatus.IterationLimit
-                : cast.Outcome == Verdict.Apart ? CastStatus.Miss
-                : Hit.Distance > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart;
-            if (Hit.Status != CastStatus.Hit) return;
-            Hit.Normal = frame.RotationA.Rotate(cast.Normal);
-            Vector3D onA = cast.OnA + cast.Normal * frame.MarginA + frame.CenterA;
-            Hit.Point = frame.RotationA.Rotate(onA * frame.Unit) + poseA.Position;
+        public readonly RayMeeting Finish(
+            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
+        {
+            double distance = Math.Min(_begin + cast.Fraction * (_length / _power) * frame.Unit, _line.Reach);
+            RayMeeting hit = default;
+            hit.Distance = distance;
+            hit.Iterations = cast.Iterations;
+            hit.Status = StatusOf(cast.Outcome, distance);
+            if (hit.Status != CastStatus.Hit) return hit;
+            hit.Normal = frame.RotationA.Rotate(cast.Normal);
+            hit.Point = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
+            return hit;
         }
     }
 }

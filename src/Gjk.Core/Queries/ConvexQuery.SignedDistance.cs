@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-public static partial class ConvexQuery
+public static unsafe partial class ConvexQuery
 {
     /// <summary>
     /// How far apart two convex shapes are, or how deep they overlap: apart, what <c>Distance</c> says, bit for bit;
@@ -31,7 +31,7 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var question = new SignedQuestion<NoPolytopeTrace>(default, isWarm: false);
+        SignedQuestion<NoPolytopeTrace> question = default;
         return AskSigned(a, poseA, b, poseB, ref question);
     }
 
@@ -52,10 +52,12 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var question = new SignedQuestion<NoPolytopeTrace>(default, isWarm: false, wantsSimplex: true);
-        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
-        simplex = question.Simplex;
-        return result;
+        simplex = default;
+        fixed (FinalSimplex* end = &simplex)
+        {
+            var question = new SignedQuestion<NoPolytopeTrace> { Simplex = end };
+            return AskSigned(a, poseA, b, poseB, ref question);
+        }
     }
 
     /// <summary>
@@ -77,10 +79,11 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var question = new SignedQuestion<NoPolytopeTrace>(warmStart, isWarm: true);
-        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
-        warmStart = question.WarmStart;
-        return result;
+        fixed (WarmStart* warm = &warmStart)
+        {
+            var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm };
+            return AskSigned(a, poseA, b, poseB, ref question);
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -88,127 +91,91 @@ public static partial class ConvexQuery
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref SignedQuestion<TTrace> question)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace =>
+        CoreDispatch.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
+            ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), poseB, ref question);
+
+    /// <summary>The signed distance of two cores.</summary>
+    private struct SignedQuestion<TTrace> : IPairProblem<SolverState, DistanceResult>
         where TTrace : struct, IPolytopeTrace
     {
-        TA copyA = default;
-        TB copyB = default;
-        ref TA shapeA = ref Inward(a, ref copyA);
-        ref TB shapeB = ref Inward(b, ref copyB);
-        Ask(ref shapeA, poseA, ref shapeB, poseB, ref question);
-        return question.Result;
-    }
+        /// <summary>Where a warm query begins, and what it stores; null for a cold one.</summary>
+        public WarmStart* Warm;
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Ask<TA, TB, TQuestion>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TQuestion : struct, IPairQuestion =>
-#if NET
-        PairDispatch.Ask(ref a, poseA, ref b, poseB, ref question);
-#else
-        question.Ask(ref a, poseA, ref b, poseB);
-#endif
+        /// <summary>Gets the simplex, if that is wanted.</summary>
+        public FinalSimplex* Simplex;
 
-    /// <summary>The pipeline of the signed distance, for any two cores.</summary>
-    private struct SignedQuestion<TTrace> : IPairQuestion
-        where TTrace : struct, IPolytopeTrace
-    {
-        public WarmStart WarmStart;
-        public FinalSimplex Simplex;
-        public DistanceResult Result;
+        /// <summary>
+        /// Gets where the contact is, if that is wanted; a normal of length 0 where nothing but the result says it.
+        /// </summary>
+        public ContactPlane* Plane;
 
-        /// <summary>Where the contact is, with a normal of length 0 where nothing but the result says it.</summary>
-        public ContactPlane Plane;
+        /// <summary>Gets how curved shapes touch, if that is wanted and they only touch.</summary>
+        public StartTouch* Touch;
 
         /// <summary>Told of the search for the depth.</summary>
         public TTrace Trace;
 
-        /// <summary>Whether curved shapes only touch, where that was asked for.</summary>
-        public bool IsTouch;
+        public readonly bool IsValid => true;
 
-        /// <summary>Where they touch then, on A, and along which normal from A to B; in the world.</summary>
-        public Vector3 TouchPoint, TouchNormal;
-
-        private readonly bool _isWarm, _wantsSimplex, _wantsPlane, _wantsTouch;
-
-        /// <summary>What is not wanted is not cleared where the runtime lets it be: it is half a kilobyte.</summary>
-        public SignedQuestion(
-            in WarmStart warmStart, bool isWarm, bool wantsSimplex = false, bool wantsPlane = false,
-            bool wantsTouch = false)
-        {
-#if NET
-            Unsafe.SkipInit(out this);
-#else
-            this = default;
-#endif
-            WarmStart = warmStart;
-            if (wantsSimplex) Simplex = default;
-            if (wantsPlane) Plane.Normal = default;
-            Trace = default;
-            _isWarm = isWarm;
-            _wantsSimplex = wantsSimplex;
-            _wantsPlane = wantsPlane;
-            _wantsTouch = wantsTouch;
-            IsTouch = false;
-            TouchPoint = TouchNormal = default;
-        }
+        public readonly DistanceResult Refuse() => DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public DistanceResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
-            SolverState.Begin<TA, TB>(frame, out SolverState state);
-            if (!frame.IsValid)
-            {
-                state.Verdict = Verdict.Contradiction;
-            }
-            else if (frame.ArePoints)
+            if (Plane != null) Plane->Normal = default;
+            if (AreBalls(ref a, ref b) && Simplex == null)
+                return AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true);
+            DistanceResult result =
+                PairProblem.Answer<TA, TB, SignedQuestion<TTrace>, SolverState, DistanceResult>(
+                    ref a, poseA, ref b, poseB, ref this);
+            return AreBalls(ref a, ref b)
+                ? AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
+                : result;
+        }
+
+        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap
+        {
+            SolverState.Begin<TA, TB>(frame, out state);
+            if (frame.ArePoints)
             {
                 GjkDistance.SolvePoints(frame, ref state);
-            }
-            else if (frame.IsOrdinary)
-            {
-                Solve(ref a, ref b, frame, PairForm.Unknown, poseA, ref state);
-            }
-            else
-            {
-                ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-                PairForm.Look(ref a, ref b, frame, out PairForm form);
-                Solve(ref unitA, ref unitB, frame, form, poseA, ref state);
+                return;
             }
 
+            SignedSolver.Solve(ref a, ref b, frame, ref *Warm, Warm != null, ref state, ref Trace);
+            if (Touch != null && state.IsCurved && state.Verdict == Verdict.Apart)
+                Touch->IsTouch = CurvedTouch.TryFind(ref a, ref b, frame, state, out Touch->Found);
+        }
+
+        public readonly DistanceResult Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
+        {
+            if (Simplex != null) Keep(state, frame, Simplex);
             bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
-            if (_wantsSimplex && !isEmpty) Simplex = new FinalSimplex(state.Simplex, frame);
-            if (_wantsPlane && !isEmpty && !frame.ArePoints) Plane.Set(frame, state);
-            Result = frame.ArePoints
-                ? AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
-                : Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);
+            if (Plane != null && !isEmpty) Plane->Set(frame, state);
+            if (Touch != null && Touch->IsTouch) Touch->Place(frame, poseA);
+            return ConvexQuery.Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);
         }
+    }
 
-        private void Solve<TA, TB>(
-            ref TA a, ref TB b, in PairFrame frame, in PairForm form, in RigidPose poseA, ref SolverState state)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            SignedSolver.Solve(ref a, ref b, frame, form, ref WarmStart, _isWarm, ref state, ref Trace);
-            if (_wantsTouch && state.IsCurved && state.Verdict == Verdict.Apart)
-                Touch(ref a, ref b, frame, poseA, state);
-        }
+    /// <summary>How curved shapes touch.</summary>
+    private struct StartTouch
+    {
+        public bool IsTouch;
+        public CastFinding Found;
 
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        private void Touch<TA, TB>(
-            ref TA a, ref TB b, in PairFrame frame, in RigidPose poseA, in SolverState state)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        /// <summary>Where they touch, on A, and along which normal from A to B; in the world.</summary>
+        public Vector3 Point, Normal;
+
+        public void Place(in PairFrame frame, in RigidPose poseA)
         {
-            IsTouch = CurvedTouch.TryFind(ref a, ref b, frame, state, out CastFinding touch);
-            if (!IsTouch) return;
-            Vector3D onA = (touch.OnA + touch.Normal * frame.MarginA + frame.CenterA) * frame.Unit;
-            TouchPoint = (Vector3)(frame.RotationA.Rotate(onA) + poseA.Position);
-            TouchNormal = (Vector3)frame.RotationA.Rotate(touch.Normal);
+            Point = (Vector3)frame.SurfaceOfA(Found.OnA, Found.Normal, poseA.Position);
+            Normal = (Vector3)frame.RotationA.Rotate(Found.Normal);
         }
     }
 }

@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-public static partial class ConvexQuery
+public static unsafe partial class ConvexQuery
 {
     /// <summary>
     /// Ratio to the pair's size, which is at most 1.74 times its scale: the default tolerance, at most 1e-5 of the
@@ -100,18 +100,17 @@ public static partial class ConvexQuery
                     options));
         }
 
-        TA copyA = default;
-        TB copyB = default;
-        ref TA shapeA = ref Inward(a, ref copyA);
-        ref TB shapeB = ref Inward(b, ref copyB);
-        var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warmStart);
-        if (!question.TryBeginInBalls(ref shapeA, ref shapeB))
-            Ask(ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, ref question);
-        warmStart = question.WarmStart;
-        bool isSettled = question.Result.Status != CastStatus.OverlappingAtStart
-            && !(options.PassesShallow && question.Result.Status == CastStatus.Hit);
-        if (!isSettled) SettleImpact(ref shapeA, motionA.Pose, ref shapeB, motionB.Pose, options, ref question);
-        return question.Result;
+        ref TA shapeA = ref PairProblem.Inward(a);
+        ref TB shapeB = ref PairProblem.Inward(b);
+        fixed (WarmStart* warm = &warmStart)
+        {
+            var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warm);
+            if (!question.TryBeginInBalls(ref shapeA, ref shapeB, out CastResult found))
+                found = question.AskShapes(ref shapeA, ref shapeB);
+            bool isSettled = found.Status != CastStatus.OverlappingAtStart
+                && !(options.PassesShallow && found.Status == CastStatus.Hit);
+            return isSettled ? found : SettleImpact(ref shapeA, ref shapeB, found, options, ref question);
+        }
     }
 
     /// <summary>A cast's fraction is the nearest float, which may be later; the one before is not.</summary>
@@ -121,102 +120,90 @@ public static partial class ConvexQuery
                 CastStatus.Hit, RoundOff.Down(cast.Fraction * (1 - OneFloat)), cast.Point, cast.Normal, cast.Iterations)
             : cast;
 
-    /// <summary>The pipeline of a time of impact, for any two cores.</summary>
-    private partial struct ImpactQuestion : IPairQuestion
+    /// <summary>When two cores that move and turn come within a tolerance.</summary>
+    private partial struct ImpactQuestion : IPairProblem<CastResult, CastResult>
     {
-        public WarmStart WarmStart;
-        public CastResult Result;
+        private readonly WarmStart* _warm;
         private readonly RigidMotion _motionA, _motionB;
         private readonly float _tolerance, _maxFraction;
 
-        /// <summary>Whether to go on from a contact, the result, and what it may pass.</summary>
+        private PairMotion _motion;
+        private double _begin, _end;
+
+        /// <summary>Whether the end is that of the motion.</summary>
+        private bool _isWhole;
+
+        /// <summary>Whether to go on from a contact, which one, and what it may pass.</summary>
         private bool _follows;
+        private CastResult _contact;
         private CastOptions _options;
 
         public ImpactQuestion(
-            in RigidMotion motionA, in RigidMotion motionB, float tolerance, float maxFraction,
-            in WarmStart warmStart)
+            in RigidMotion motionA, in RigidMotion motionB, float tolerance, float maxFraction, WarmStart* warm)
+            : this()
         {
-            WarmStart = warmStart;
-            Result = default;
+            _warm = warm;
             _motionA = motionA;
             _motionB = motionB;
             _tolerance = tolerance;
             _maxFraction = maxFraction < 0 ? 0 : maxFraction;
-            _follows = false;
-            _options = default;
         }
 
+        public readonly bool IsValid => _motionA.IsValid && _motionB.IsValid && !float.IsNaN(_maxFraction);
+
+        public readonly CastResult Refuse() => CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+
+        public CastResult AskShapes<TA, TB>(ref TA a, ref TB b)
+            where TA : struct, ISupportMap
+            where TB : struct, ISupportMap =>
+            CoreDispatch.Ask<TA, TB, ImpactQuestion, CastResult>(
+                ref a, _motionA.Pose, ref b, _motionB.Pose, ref this);
+
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public void Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public CastResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
             PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
-            if (!frame.IsValid || !_motionA.IsValid || !_motionB.IsValid || float.IsNaN(_maxFraction))
-            {
-                Result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
-                return;
-            }
-
-            if (!(TightBounds<TA>.Are && TightBounds<TB>.Are)) frame.TightenRadii(ref a, ref b);
-            PairMotion.Begin(_motionA, _motionB, frame, out PairMotion motion);
-            if (!motion.TryReach(frame.Margins, _maxFraction, out double begin, out double end))
-            {
-                Result = CastResult.Nothing(CastStatus.Miss, _maxFraction, 0);
-                return;
-            }
-
-            if (_follows) begin = Result.Fraction;
-            double turned = SineCosine.MaxAngle / motion.Rate;
-            bool isWhole = end <= turned;
-            if (!isWhole) end = turned;
-            if (begin > end)
-            {
-                Result = CastResult.Nothing(CastStatus.IterationLimit, RoundOff.Down(begin), 0);
-                return;
-            }
-
-            Advance(ref a, ref b, ref frame, ref motion, new FractionInterval(begin, end), isWhole);
+            if (!frame.IsValid || !IsValid) return Refuse();
+            if (!(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight)) frame.TightenRadii(ref a, ref b);
+            PairMotion.Begin(_motionA, _motionB, frame, out _motion);
+            if (!_motion.TryReach(frame.Margins, _maxFraction, out _begin, out _end))
+                return CastResult.Nothing(CastStatus.Miss, _maxFraction, 0);
+            if (_follows) _begin = _contact.Fraction;
+            double turned = SineCosine.MaxAngle / _motion.Rate;
+            _isWhole = _end <= turned;
+            if (!_isWhole) _end = turned;
+            if (_begin > _end) return CastResult.Nothing(CastStatus.IterationLimit, RoundOff.Down(_begin), 0);
+            if (_begin > 0) _motion.MoveTo(_begin, ref frame);
+            frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
+            PairProblem.Solve<TA, TB, ImpactQuestion, CastResult, CastResult>(
+                ref a, ref b, ref frame, ref this, out CastResult result);
+            return result;
         }
 
         /// <summary>Solves the pair from where its balls meet on.</summary>
-        private void Advance<TA, TB>(
-            ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, bool isWhole)
+        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastResult result)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            if (interval.Begin > 0) motion.MoveTo(interval.Begin, ref frame);
-            frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
-            if (frame.IsOrdinary)
-            {
-                Solve(ref a, ref b, ref frame, ref motion, interval, isWhole);
-                return;
-            }
-
-            SolverState.Begin<TA, TB>(frame, out SolverState state);
-            ToUnitSize(ref a, ref b, ref frame, ref state, out UnitSized<TA> unitA, out UnitSized<TB> unitB);
-            motion.Resize(1 / frame.Unit);
-            Solve(ref unitA, ref unitB, ref frame, ref motion, interval, isWhole);
-        }
-
-        private void Solve<TA, TB>(
-            ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, bool isWhole)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            double tolerance = ToleranceOf(frame, motion, interval.End);
+            if (frame.Unit != 1) _motion.Resize(1 / frame.Unit);
+            double tolerance = ToleranceOf(frame, _motion, _end);
+            var interval = new FractionInterval(_begin, _end);
             if (_follows)
             {
-                Follow(ref a, ref b, ref frame, ref motion, interval, tolerance, isWhole);
+                result = Follow(ref a, ref b, ref frame, ref _motion, interval, tolerance, _isWhole);
                 return;
             }
 
             AdvancementSolver.Solve(
-                ref a, ref b, ref frame, ref motion, interval, tolerance, ref WarmStart, out Impact impact,
+                ref a, ref b, ref frame, ref _motion, interval, tolerance, ref *_warm, out Impact impact,
                 out SolverState state);
-            Result = Finish(impact, state, ref frame, motion, isWhole);
+            result = Finish(impact, state, ref frame, _motion, _isWhole);
         }
+
+        public readonly CastResult Finish(
+            in CastResult finding, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => finding;
 
         /// <summary>In solver units.</summary>
         private readonly double ToleranceOf(in PairFrame frame, in PairMotion motion, double end)
@@ -230,17 +217,20 @@ public static partial class ConvexQuery
             return Math.Max(_tolerance > 0 ? _tolerance / frame.Unit : DefaultTolerance * size, least);
         }
 
+        private readonly CastResult Nothing(in Impact impact, bool isWhole)
+        {
+            bool isMiss = impact.Outcome == Verdict.Apart && isWhole;
+            CastStatus status = impact.Outcome == Verdict.Contradiction ? CastStatus.InvalidShape
+                : isMiss ? CastStatus.Miss : CastStatus.IterationLimit;
+            return CastResult.Nothing(status, FractionOf(status, impact.Fraction, _maxFraction), impact.Iterations);
+        }
+
         private readonly CastResult Finish(
             in Impact impact, in SolverState state, ref PairFrame frame, in PairMotion motion, bool isWhole)
         {
+            if (impact.Outcome != Verdict.Enclosed) return Nothing(impact, isWhole);
             int iterations = impact.Iterations;
-            if (impact.Outcome == Verdict.Contradiction)
-                return CastResult.Nothing(CastStatus.InvalidShape, float.NaN, iterations);
-            if (impact.Outcome == Verdict.Apart && isWhole)
-                return CastResult.Nothing(CastStatus.Miss, _maxFraction, iterations);
             float fraction = RoundOff.Down(impact.Fraction);
-            if (impact.Outcome != Verdict.Enclosed)
-                return CastResult.Nothing(CastStatus.IterationLimit, fraction, iterations);
             if (impact.Fraction == 0 && impact.Normal == default)
             {
                 Vector3 common = ConvexQuery.Finish(
@@ -253,12 +243,11 @@ public static partial class ConvexQuery
                 ? frame.Translation * (1 / frame.Translation.Length)
                 : impact.Normal;
             var outward = (Vector3)frame.RotationA.Rotate(normal);
-            Vector3D onA = state.Simplex.PointOnA(state.Weights).ToVector3D() + normal * frame.MarginA + frame.CenterA;
+            Vector3D onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
             motion.MoveTo(fraction, ref frame);
             Vector3D position = (Vector3D)_motionA.Pose.Position + (Vector3D)_motionA.Velocity * fraction;
             return new CastResult(
-                CastStatus.Hit, fraction, (Vector3)(position + frame.RotationA.Rotate(onA * frame.Unit)), outward,
-                iterations);
+                CastStatus.Hit, fraction, (Vector3)frame.SurfaceOfA(onA, normal, position), outward, iterations);
         }
     }
 }

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A box about the local origin, its faces square to the local axes.</summary>
-public readonly struct BoxShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct BoxShape : ISupportMap, IPlainBody
 {
     /// <summary>Half the side lengths, each at least 0.</summary>
     public readonly Vector3 HalfExtents;
@@ -25,10 +25,18 @@ public readonly struct BoxShape : ISupportMap, ISupportFace, IRayTarget, ITightB
     internal void Get(out BoxCore box) =>
         BoxCore.Make(HalfExtents, default, BoxCorners.Plain, BoundingRadius, 0, out box);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new PlainTraits<BoxShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Of(RayForm.Box, HalfExtents, out target);
         return true;
+    }
+
+    RayForm IPlainBody.GetPlain(out Vector3D size)
+    {
+        size = HalfExtents;
+        return RayForm.Box;
     }
 
     /// <inheritdoc/>

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A capsule along the local y axis: a segment core with the radius as its margin.</summary>
-public readonly struct CapsuleShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct CapsuleShape : ISupportMap, ILibraryShape
 {
     /// <summary>The radius, at least 0.</summary>
     public readonly float Radius;
@@ -32,7 +32,9 @@ public readonly struct CapsuleShape : ISupportMap, ISupportFace, IRayTarget, ITi
             new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), 2, default, BoundingRadius, Radius,
             out segment);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<CapsuleShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Capsule(
             new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), default, Radius, out target);

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A cone about the local y axis: the apex at +HalfHeight, the base's disc at -HalfHeight.</summary>
-public readonly struct ConeShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct ConeShape : ISupportMap, ILibraryShape
 {
     /// <summary>The radius of the disc, at least 0.</summary>
     public readonly float Radius;
@@ -26,7 +26,9 @@ public readonly struct ConeShape : ISupportMap, ISupportFace, IRayTarget, ITight
     /// <inheritdoc/>
     public double BoundingRadius => new Vector3D(Radius, HalfHeight, 0).Length;
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<ConeShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Of(RayForm.Cone, new Vector3D(Radius, HalfHeight, 0), out target);
         return true;

@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// <summary>
 /// The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.
 /// </summary>
-public readonly struct ConvexMesh : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct ConvexMesh : ISupportMap, IPlainBody
 {
     private readonly ConvexHull? _hull;
 
@@ -41,11 +41,20 @@ public readonly struct ConvexMesh : ISupportMap, ISupportFace, IRayTarget, ITigh
     /// <summary>This, known to be a mesh.</summary>
     internal void Get(out HullCore hull) => hull = new HullCore(_hull!, _hull!.BoundingRadius, 0);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new PlainTraits<ConvexMesh>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         target = default;
         if (_hull is not null) RayTarget.Of(_hull, out target);
         return _hull is not null;
+    }
+
+    RayForm IPlainBody.GetPlain(out Vector3D size)
+    {
+        bool isBox = Core == CoreKind.Box;
+        size = isBox ? _hull!.Cells.Stretch : default;
+        return isBox ? RayForm.Box : RayForm.None;
     }
 
     /// <inheritdoc/>

@@ -4,9 +4,11 @@ namespace Gjk.Core;
 
 public readonly partial struct ConvexShape
 {
-    bool IRayTarget.TryGetTarget(out RayTarget target) => TryGetTarget(out target);
+    object ILibraryShape.MakeTraits() => new PlainTraits<ConvexShape>();
 
-    /// <inheritdoc cref="IRayTarget.TryGetTarget"/>
+    bool ILibraryShape.TryGetTarget(out RayTarget target) => TryGetTarget(out target);
+
+    /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
     internal bool TryGetTarget(out RayTarget target)
     {
         bool found = _parts.Layer is null ? TryGetCore(out target) : _parts.Layer.TryGetTarget(out target);
@@ -14,16 +16,13 @@ public readonly partial struct ConvexShape
         return found;
     }
 
-    /// <summary>Which body it is, if that is a ball or a box about its local origin; else None.</summary>
-    /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal RayForm GetPlain(out Vector3D size)
+    RayForm IPlainBody.GetPlain(out Vector3D size)
     {
-        bool isBall = _isPlain & _parts.Kind == ShapeKind.Sphere;
-        size = isBall ? new Vector3D(1, 1, 1) * (_parts.InnerMargin + _parts.Rounding) : _parts.A;
-        return isBall ? RayForm.Ball
-            : _isPlain & _parts.Kind == ShapeKind.Box & _parts.Rounding == 0 ? RayForm.Box
-            : RayForm.None;
+        bool isBall = _isPlain & _parts.Kind == ShapeKind.Sphere, isBox = _core == CoreKind.Box;
+        size = isBall ? new Vector3D(1, 1, 1) * _margin
+            : isBox & _parts.Hull is not null ? _parts.Hull!.Cells.Stretch : _parts.A;
+        return isBall ? RayForm.Ball : isBox ? RayForm.Box : RayForm.None;
     }
 
     /// <summary>What a ray sees of a shape without layers, not yet widened.</summary>

@@ -13,7 +13,7 @@ namespace Gjk.Core;
 /// mesh, cylinder or cone, and a capsule scaled unevenly, keep their factors and apply them to each support.
 /// </remarks>
 public readonly partial struct ConvexShape
-    : ISupportMap, ISupportFace, IRayTarget, ITightBounds, IEquatable<ConvexShape>
+    : ISupportMap, IPlainBody, IEquatable<ConvexShape>
 {
     private static readonly Vector3D Unscaled = new(1, 1, 1);
 

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A cylinder about the local y axis, centred at the local origin.</summary>
-public readonly struct CylinderShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct CylinderShape : ISupportMap, ILibraryShape
 {
     /// <summary>The radius of the disc, at least 0.</summary>
     public readonly float Radius;
@@ -26,7 +26,9 @@ public readonly struct CylinderShape : ISupportMap, ISupportFace, IRayTarget, IT
     /// <inheritdoc/>
     public double BoundingRadius => new Vector3D(Radius, HalfHeight, 0).Length;
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<CylinderShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Of(RayForm.Cylinder, new Vector3D(Radius, HalfHeight, 0), out target);
         return true;

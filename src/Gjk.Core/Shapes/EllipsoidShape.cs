@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>An ellipsoid about the local origin, its axes along the local ones. A radius of 0 flattens it.</summary>
-public readonly struct EllipsoidShape : ISupportMap, IRayTarget, ITightBounds
+public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
 {
     /// <summary>The semi-axes, each at least 0.</summary>
     public readonly Vector3 Radii;
@@ -22,7 +22,9 @@ public readonly struct EllipsoidShape : ISupportMap, IRayTarget, ITightBounds
     /// <inheritdoc/>
     public double BoundingRadius => Math.Max(Math.Max(Radii.X, Radii.Y), Radii.Z);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<EllipsoidShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Of(RayForm.Ellipsoid, Radii, out target);
         return true;
@@ -33,6 +35,11 @@ public readonly struct EllipsoidShape : ISupportMap, IRayTarget, ITightBounds
     {
         point = PrimitiveSupport.Ellipsoid(Radii, direction);
         return -1;
+    }
+
+    /// <summary>Nothing: the shape has no faces.</summary>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
     }
 
     /// <inheritdoc/>

@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// origin loses no accuracy.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Placed<T> : ISupportMap, ISupportFace, IRayTarget
+public readonly struct Placed<T> : ISupportMap, ILibraryShape
     where T : struct, ISupportMap
 {
     /// <summary>
@@ -56,10 +56,12 @@ public readonly struct Placed<T> : ISupportMap, ISupportFace, IRayTarget
     /// </summary>
     public double BoundingRadius => _pose.IsValid ? _boundingRadius : double.NaN;
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<Placed<T>>(ShapeTraits<T>.AreTight);
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         T inner = _inner;
-        if (!_pose.IsValid || !RayTargetOf<T>.TryGet(ref inner, out target))
+        if (!_pose.IsValid || !ShapeTraits<T>.Of.TryGetTarget(ref inner, out target))
         {
             target = default;
             return false;
@@ -82,7 +84,7 @@ public readonly struct Placed<T> : ISupportMap, ISupportFace, IRayTarget
     /// <inheritdoc/>
     public void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
-        FaceOf<T>.Get(_inner, _rotation.InverseRotate(DirectionRange.ToSafe(direction)), ref corners);
+        _inner.GetFace(_rotation.InverseRotate(DirectionRange.ToSafe(direction)), ref corners);
         for (int i = 0; i < corners.Count; i++) corners[i] = _rotation.Rotate(corners[i]) + _centerError;
     }
 

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A single point: the local origin.</summary>
-public readonly struct PointShape : ISupportMap, IRayTarget, ITightBounds
+public readonly struct PointShape : ISupportMap, ILibraryShape
 {
     /// <inheritdoc/>
     public Vector3D Center => default;
@@ -16,7 +16,9 @@ public readonly struct PointShape : ISupportMap, IRayTarget, ITightBounds
     internal void Get(out SegmentCore segment) =>
         SegmentCore.Make(default, default, 1, default, 0, 0, out segment);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<PointShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Ball(0, out target);
         return true;
@@ -27,6 +29,11 @@ public readonly struct PointShape : ISupportMap, IRayTarget, ITightBounds
     {
         point = default;
         return 0;
+    }
+
+    /// <summary>Nothing: the shape has no faces.</summary>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
     }
 
     /// <inheritdoc/>

@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// fast.
 /// </summary>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Rounded<T> : ISupportMap, ISupportFace, IRayTarget
+public readonly struct Rounded<T> : ISupportMap, ILibraryShape
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -34,10 +34,12 @@ public readonly struct Rounded<T> : ISupportMap, ISupportFace, IRayTarget
     /// <inheritdoc/>
     public double BoundingRadius => _inner.BoundingRadius + _radius;
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<Rounded<T>>(ShapeTraits<T>.AreTight);
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         T inner = _inner;
-        bool found = RayTargetOf<T>.TryGet(ref inner, out target);
+        bool found = ShapeTraits<T>.Of.TryGetTarget(ref inner, out target);
         target.Round(_radius);
         return found;
     }
@@ -47,7 +49,7 @@ public readonly struct Rounded<T> : ISupportMap, ISupportFace, IRayTarget
 
     /// <inheritdoc/>
     public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
-        FaceOf<T>.Get(_inner, direction, ref corners);
+        _inner.GetFace(direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);

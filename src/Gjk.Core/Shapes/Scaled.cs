@@ -12,7 +12,7 @@ namespace Gjk.Core;
 /// the margin's ball into an ellipsoid, which then belongs to the core.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Scaled<T> : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -35,7 +35,7 @@ public readonly struct Scaled<T> : ISupportMap, ISupportFace, IRayTarget, ITight
         _scale = new AxisScale(Guard.Scale(scale, nameof(scale)));
         _scale.Place(inner.Center, out _center, out _centerError);
         _boundingRadius = inner.BoundingRadius * _scale.Largest + _centerError.Length;
-        if (!(_boundingRadius >= 0) || (_scale.KeepsBalls && TightBounds<T>.Are)) return;
+        if (!(_boundingRadius >= 0) || (_scale.KeepsBalls && ShapeTraits<T>.AreTight)) return;
         _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this) + Margin);
     }
 
@@ -57,10 +57,12 @@ public readonly struct Scaled<T> : ISupportMap, ISupportFace, IRayTarget, ITight
     /// </summary>
     public double BoundingRadius => _scale.Largest > 0 ? _boundingRadius : double.NaN;
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<Scaled<T>>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         T inner = _inner;
-        if (!(_scale.Largest > 0) || !RayTargetOf<T>.TryGet(ref inner, out target) || !target.Scale(_scale))
+        if (!(_scale.Largest > 0) || !ShapeTraits<T>.Of.TryGetTarget(ref inner, out target) || !target.Scale(_scale))
         {
             target = default;
             return false;
@@ -85,7 +87,7 @@ public readonly struct Scaled<T> : ISupportMap, ISupportFace, IRayTarget, ITight
     public void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
         if (_inner.Margin > 0 && !_scale.KeepsBalls) return;
-        FaceOf<T>.Get(_inner, _scale.Inward(direction), ref corners);
+        _inner.GetFace(_scale.Inward(direction), ref corners);
         _scale.Outward(ref corners, _centerError);
     }
 

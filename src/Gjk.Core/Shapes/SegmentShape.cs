@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>The straight line between two points, both included; they may coincide.</summary>
-public readonly struct SegmentShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct SegmentShape : ISupportMap, ILibraryShape
 {
     /// <summary>One end.</summary>
     public readonly Vector3 A;
@@ -32,7 +32,9 @@ public readonly struct SegmentShape : ISupportMap, ISupportFace, IRayTarget, ITi
     internal void Get(out SegmentCore segment) =>
         SegmentCore.Make(A, B, 2, Center, BoundingRadius, 0, out segment);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<SegmentShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Capsule(A, B, Center, 0, out target);
         return true;

@@ -22,13 +22,13 @@ internal abstract class ShapeLayer
     /// <inheritdoc cref="ISupportMap.Support"/>
     public abstract int Support(in Vector3D direction, out Vector3D point);
 
-    /// <inheritdoc cref="ISupportFace.GetFace"/>
+    /// <inheritdoc cref="ISupportMap.GetFace"/>
     public abstract void GetFace(in Vector3D direction, ref FaceCorners corners);
 
     /// <inheritdoc cref="ISupportMap.TryGetVertex"/>
     public abstract bool TryGetVertex(int id, out Vector3D point);
 
-    /// <inheritdoc cref="IRayTarget.TryGetTarget"/>
+    /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
     public abstract bool TryGetTarget(out RayTarget target);
 
     /// <summary>Whether two layers do the same to equal shapes.</summary>
@@ -46,7 +46,7 @@ internal abstract class ShapeLayer
 /// <inheritdoc/>
 /// <typeparam name="T">The decorator.</typeparam>
 internal abstract class ShapeLayer<T> : ShapeLayer
-    where T : struct, ISupportMap, ISupportFace
+    where T : struct, ISupportMap, ILibraryShape
 {
     private readonly T _shape;
 
@@ -68,11 +68,7 @@ internal abstract class ShapeLayer<T> : ShapeLayer
 
     public override bool TryGetVertex(int id, out Vector3D point) => _shape.TryGetVertex(id, out point);
 
-    public override bool TryGetTarget(out RayTarget target)
-    {
-        T shape = _shape;
-        return RayTargetOf<T>.TryGet(ref shape, out target);
-    }
+    public override bool TryGetTarget(out RayTarget target) => _shape.TryGetTarget(out target);
 }
 
 /// <summary>A placed shape.</summary>

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>A ball about the local origin: a point core with the radius as its margin.</summary>
-public readonly struct SphereShape : ISupportMap, IRayTarget, ITightBounds
+public readonly struct SphereShape : ISupportMap, IPlainBody
 {
     /// <summary>The radius, at least 0.</summary>
     public readonly float Radius;
@@ -23,10 +23,18 @@ public readonly struct SphereShape : ISupportMap, IRayTarget, ITightBounds
     internal void Get(out SegmentCore segment) =>
         SegmentCore.Make(default, default, 1, default, Radius, Radius, out segment);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new PlainTraits<SphereShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Ball(Radius, out target);
         return true;
+    }
+
+    RayForm IPlainBody.GetPlain(out Vector3D size)
+    {
+        size = new Vector3D(1, 1, 1) * Radius;
+        return RayForm.Ball;
     }
 
     /// <inheritdoc/>
@@ -34,6 +42,11 @@ public readonly struct SphereShape : ISupportMap, IRayTarget, ITightBounds
     {
         point = default;
         return 0;
+    }
+
+    /// <summary>Nothing: the shape has no faces.</summary>
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
     }
 
     /// <inheritdoc/>

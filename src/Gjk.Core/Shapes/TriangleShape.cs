@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A triangle, filled; it may be degenerate (a segment or a point).</summary>
-public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, ITightBounds
+public readonly struct TriangleShape : ISupportMap, ILibraryShape
 {
     /// <summary>The first corner.</summary>
     public readonly Vector3 A;
@@ -42,7 +42,9 @@ public readonly struct TriangleShape : ISupportMap, ISupportFace, IRayTarget, IT
     internal void Get(out TriangleCore triangle) =>
         TriangleCore.Make(A, B, C, _center, _radius, 0, out triangle);
 
-    bool IRayTarget.TryGetTarget(out RayTarget target)
+    object ILibraryShape.MakeTraits() => new LibraryTraits<TriangleShape>();
+
+    bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Triangle(A, B, C, Center, out target);
         return true;

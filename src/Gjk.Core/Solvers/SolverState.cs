@@ -88,7 +88,7 @@ internal struct SolverState
     public readonly bool Matters<TA, TB>(int ids)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
-        (ids < 0 && !IsCurved) || !(TightBounds<TA>.Are && TightBounds<TB>.Are);
+        (ids < 0 && !IsCurved) || !(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight);
 
     /// <summary>Takes note of what a support says about the shapes; the tolerances may have changed then.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -7,7 +7,7 @@ namespace Gjk.Core;
 /// <summary>What is asked about the pairs of a batch.</summary>
 internal unsafe interface IWideQuestion
 {
-    /// <summary>How far apart shapes may be before the walk may end early; see <c>ConvexQuery.ShapeReach</c>.</summary>
+    /// <summary>How far apart shapes may be before the walk may end early.</summary>
     double Reach { get; }
 
     /// <summary>Answers a pair that needs no walk, or says how it is to be asked.</summary>
@@ -54,7 +54,7 @@ internal readonly unsafe ref struct WideDistances(ref DistanceResult results, fl
     private readonly ref DistanceResult _results = ref results;
     private readonly float _maxDistance = maxDistance;
 
-    public double Reach => ConvexQuery.ShapeReach(_maxDistance);
+    public double Reach => ProvedDistance.ShapeReach(_maxDistance);
 
     public WideRoute Route(in WideBatch batch, int pair) => WideRoute.Cold;
 
@@ -80,7 +80,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
 {
     private readonly ref GjkStatus _results = ref results;
 
-    public double Reach => ConvexQuery.ShapeReach(0);
+    public double Reach => ProvedDistance.ShapeReach(0);
 
     /// <summary>
     /// Balls that are apart need no walk (<c>ConvexQuery.AreBallsApart</c>); hulls without margins are as fast alone.

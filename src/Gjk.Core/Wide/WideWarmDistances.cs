@@ -16,7 +16,7 @@ internal readonly unsafe ref struct WideWarmDistances(
     private readonly float _maxDistance = maxDistance;
     private readonly ref bool _answered = ref answered;
 
-    public double Reach => ConvexQuery.ShapeReach(_maxDistance);
+    public double Reach => ProvedDistance.ShapeReach(_maxDistance);
 
     /// <summary>What no query has stored is for the query alone.</summary>
     public WideRoute Route(in WideBatch batch, int pair)

@@ -118,6 +118,10 @@ internal sealed class SupportReplay
             return id;
         }
 
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point) => _mesh.TryGetVertex(id, out point);
     }
 }

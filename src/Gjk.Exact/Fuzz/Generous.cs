@@ -28,5 +28,9 @@ internal readonly struct Generous : ISupportMap
     public int Support(in Vector3D direction, out Vector3D point) =>
         _inner.Support(direction, out point);
 
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+    }
+
     public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);
 }

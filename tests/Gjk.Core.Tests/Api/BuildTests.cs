@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Linq;
 using System.Reflection;
@@ -48,9 +49,55 @@ public class BuildTests
         string[] used = [.. reader.TypeReferences.Select(r => reader.GetTypeReference(r).Namespace).Distinct()
             .Select(reader.GetString)];
         Assert.Contains("System", used);
-        Assert.DoesNotContain(used, n => n.StartsWith("System.Security.Cryptography", System.StringComparison.Ordinal));
-        Assert.DoesNotContain(used, n => n.StartsWith("System.Net", System.StringComparison.Ordinal));
-        Assert.DoesNotContain(used, n => n.StartsWith("System.IO.Compression", System.StringComparison.Ordinal));
+        Assert.DoesNotContain(used, n => n.StartsWith("System.Security.Cryptography", StringComparison.Ordinal));
+        Assert.DoesNotContain(used, n => n.StartsWith("System.Net", StringComparison.Ordinal));
+        Assert.DoesNotContain(used, n => n.StartsWith("System.IO.Compression", StringComparison.Ordinal));
+    }
+
+    /// <summary>
+    /// Ahead-of-time compilers refuse reflection or make boxes of it, so what a type of shape can do is asked of the
+    /// type itself. Attributes are reflection in name only.
+    /// </summary>
+    [Fact]
+    public void ItUsesNoReflection()
+    {
+        using FileStream file = File.OpenRead(BuildUnderTest.Library.Location);
+        using var image = new PEReader(file);
+        MetadataReader reader = image.GetMetadataReader();
+        string[] used = [.. from h in reader.TypeReferences
+                            let t = reader.GetTypeReference(h)
+                            let space = reader.GetString(t.Namespace)
+                            where space == "System.Reflection" || space == "System.Reflection.Emit"
+                            let name = reader.GetString(t.Name)
+                            where !name.EndsWith("Attribute", StringComparison.Ordinal)
+                            select $"{space}.{name}"];
+        Assert.Empty(used);
+        string[] members =
+            [.. reader.MemberReferences.Select(m => reader.GetString(reader.GetMemberReference(m).Name))];
+        Assert.Contains("Sqrt", members);
+        Assert.DoesNotContain("CreateDelegate", members);
+        Assert.DoesNotContain("CreateInstance", members);
+        Assert.DoesNotContain("MakeGenericType", members);
+        EntityHandle[] parents = [.. reader.TypeDefinitions.Select(t => reader.GetTypeDefinition(t).BaseType)];
+        Assert.DoesNotContain(parents, p => p.Kind == HandleKind.TypeReference
+            && reader.GetString(reader.GetTypeReference((TypeReferenceHandle)p).Name) == "MulticastDelegate");
+    }
+
+    /// <summary>A delegate of a struct's method holds a copy of the struct on the heap.</summary>
+    [Fact]
+    public void ItMakesNoDelegateOfAStructsMethod()
+    {
+        using FileStream file = File.OpenRead(BuildUnderTest.Library.Location);
+        using var image = new PEReader(file);
+        MetadataReader reader = image.GetMetadataReader();
+        string[] made = [.. from h in reader.MethodDefinitions
+                            let m = reader.GetMethodDefinition(h)
+                            where m.RelativeVirtualAddress != 0
+                            let body = image.GetMethodBody(m.RelativeVirtualAddress).GetILBytes()!
+                            from target in IntermediateCode.DelegateTargets(body)
+                            where IntermediateCode.IsOfStruct(reader, target)
+                            select reader.GetString(m.Name)];
+        Assert.Empty(made);
     }
 
     [Fact]

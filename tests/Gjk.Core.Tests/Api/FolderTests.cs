@@ -28,16 +28,26 @@ public class FolderTests(ITestOutputHelper output)
         ("Simplex", ["Arithmetic", "Geometry"]),
         ("Minkowski", ["Arithmetic", "Geometry", "Cores", "Simplex"]),
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
-        ("Solvers", ["Arithmetic", "Geometry", "Minkowski", "Simplex", "Solvers/Trace"]),
+        ("Solvers", ["Arithmetic", "Geometry", "Cores", "Minkowski", "Simplex", "Solvers/Trace"]),
+        (
+            "Solvers/Depth",
+            ["Arithmetic", "Geometry", "Hulls", "Cores", "Minkowski", "Simplex", "Solvers", "Solvers/Trace"]),
+        (
+            "Solvers/Motion",
+            [
+                "Arithmetic", "Geometry", "Cores", "Minkowski", "Simplex", "Solvers", "Solvers/Trace", "Solvers/Depth",
+            ]),
         ("Contacts", ["Geometry", "Minkowski", "Simplex", "Solvers"]),
-        ("Queries/Rays", ["Arithmetic", "Geometry", "Hulls", "Shapes", "Minkowski"]),
+        ("Queries/Rays", ["Arithmetic", "Geometry", "Hulls", "Cores", "Minkowski"]),
         (
             "Queries",
             [
                 "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
-                "Contacts", "Queries/Rays",
+                "Solvers/Depth", "Solvers/Motion", "Contacts", "Queries/Rays",
             ]),
-        ("Diagnostics", ["Arithmetic", "Geometry", "Hulls", "Shapes", "Queries", "Queries/Rays"]),
+        (
+            "Diagnostics",
+            ["Arithmetic", "Geometry", "Hulls", "Cores", "Shapes", "Solvers/Motion", "Queries", "Queries/Rays"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
         (
             "Wide",
@@ -45,12 +55,12 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
                 "Queries", "BroadPhase", "Threading",
             ]),
-        ("Batch", ["Geometry", "Shapes", "Queries", "Queries/Rays", "Threading", "BroadPhase", "Wide"]),
+        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Queries/Rays", "Threading", "BroadPhase", "Wide"]),
         (
             "World",
             [
-                "Geometry", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading", "BroadPhase",
-                "Wide", "Batch",
+                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading",
+                "BroadPhase", "Wide", "Batch",
             ]),
     ];
 

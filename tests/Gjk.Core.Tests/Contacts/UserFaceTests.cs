@@ -10,7 +10,7 @@ public class UserFaceTests
     private static readonly RigidPose Above = new(new Vector3(0.5f, 1.99f, 0.25f));
 
     /// <summary>A cube of side 2 whose faces are shown as its owner pleases.</summary>
-    private readonly struct Cube(int corners, float badCoordinate = 0) : ISupportMap, ISupportFace
+    private readonly struct Cube(int corners, float badCoordinate = 0) : ISupportMap
     {
         public Vector3D Center => default;
         public double Margin => 0;
@@ -36,6 +36,10 @@ public class UserFaceTests
         public double Margin => 0;
         public double BoundingRadius => 1.75;
         public int Support(in Vector3D d, out Vector3D point) => new BoxShape(Vector3.One).Support(d, out point);
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point) =>
             new BoxShape(Vector3.One).TryGetVertex(id, out point);
     }

@@ -238,6 +238,10 @@ public class AnswerCheckTests
 
         public int Support(in Vector3D direction, out Vector3D point) => inner.Support(direction, out point);
 
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point) => inner.TryGetVertex(id, out point);
     }
 }

@@ -24,6 +24,10 @@ public class UserShapeTests
             return -1;
         }
 
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point)
         {
             point = default;
@@ -42,6 +46,10 @@ public class UserShapeTests
         {
             point = support(d);
             return -1;
+        }
+
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
         }
 
         public bool TryGetVertex(int id, out Vector3D point)

@@ -31,6 +31,10 @@ public class UnevenScaleTests
             return (direction.X < 0 ? 1 : 0) + (direction.Y < 0 ? 2 : 0) + (direction.Z < 0 ? 4 : 0);
         }
 
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point)
         {
             point = new Vector3D((id & 1) != 0 ? -0.5 : 0.5, (id & 2) != 0 ? -0.5 : 0.5, (id & 4) != 0 ? -0.5 : 0.5);

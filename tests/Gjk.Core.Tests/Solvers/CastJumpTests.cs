@@ -31,6 +31,10 @@ public class CastJumpTests
             return id;
         }
 
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point)
         {
             point = id == 1 ? _end : default;

@@ -36,6 +36,10 @@ public class DepthToleranceTests
             return isCurved ? -1 : best;
         }
 
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point)
         {
             point = id == 8

@@ -150,6 +150,10 @@ public class TerminationTests
             return -1;
         }
 
+        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        {
+        }
+
         public bool TryGetVertex(int id, out Vector3D point)
         {
             point = default;

@@ -6,7 +6,7 @@ namespace Gjk.Core.Tests.Support;
 /// A shape of a user's who trusts the promise about directions and is loud where it is broken. Everything else is the
 /// shape's own.
 /// </summary>
-internal readonly struct CheckedShape<T>(T inner) : ISupportMap, ISupportFace
+internal readonly struct CheckedShape<T>(T inner) : ISupportMap
     where T : struct, ISupportMap
 {
     private readonly T _inner = inner;
@@ -26,7 +26,7 @@ internal readonly struct CheckedShape<T>(T inner) : ISupportMap, ISupportFace
     public void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
         Check(direction, nameof(GetFace));
-        FaceOf<T>.Get(_inner, direction, ref corners);
+        _inner.GetFace(direction, ref corners);
     }
 
     public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);

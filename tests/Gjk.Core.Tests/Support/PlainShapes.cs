@@ -45,6 +45,10 @@ internal readonly struct PlainShape(PlainKind kind, double size, bool hasIds) : 
         return IsCurved || !hasIds ? -1 : id;
     }
 
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+    }
+
     public bool TryGetVertex(int id, out Vector3D point)
     {
         bool isCorner = id >= 0 && id <= (XBit | YBit | ZBit) && !IsCurved && hasIds;

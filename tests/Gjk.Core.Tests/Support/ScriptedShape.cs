@@ -35,6 +35,10 @@ internal readonly struct ScriptedShape : ISupportMap
         return _id;
     }
 
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+    }
+
     public bool TryGetVertex(int id, out Vector3D point)
     {
         point = default;

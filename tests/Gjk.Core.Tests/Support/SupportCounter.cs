@@ -17,5 +17,9 @@ internal readonly struct SupportCounter(ConvexShape shape, int[] calls) : ISuppo
         return shape.Support(direction, out point);
     }
 
+    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    {
+    }
+
     public bool TryGetVertex(int id, out Vector3D point) => shape.TryGetVertex(id, out point);
 }

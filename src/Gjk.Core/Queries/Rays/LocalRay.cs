@@ -106,14 +106,14 @@ internal struct LocalRay
 
         DoubleDouble shift = -VectorDD.Dot(between, direction) / VectorDD.Dot(direction, direction);
         double magnitude = ((Vector3D)between).SumOfMagnitudes + target.Center.SumOfMagnitudes;
-        ray.Foot = Rounded(between + direction * shift, magnitude);
-        ray.Direction = Rounded(direction, 1);
+        ray.Foot = RoundingOf(between + direction * shift, magnitude);
+        ray.Direction = RoundingOf(direction, 1);
         ray.Shift = (double)shift;
         ray.IsExact = true;
     }
 
     /// <summary>To double, and to 0 where no digit is left.</summary>
-    private static Vector3D Rounded(in VectorDD v, double magnitude)
+    private static Vector3D RoundingOf(in VectorDD v, double magnitude)
     {
         double error = ExactError * magnitude;
         var rounded = (Vector3D)v;

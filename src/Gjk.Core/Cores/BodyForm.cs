@@ -1,8 +1,5 @@
 using System;
 using System.Numerics;
-#if NET
-using System.Runtime.CompilerServices;
-#endif
 
 namespace Gjk.Core;
 
@@ -65,28 +62,7 @@ internal struct BodyForm
         where T : struct, ISupportMap
     {
         form = default;
-#if NET
-        if (typeof(T) == typeof(BoxCore) || typeof(T) == typeof(TriangleCore))
-        {
-            form.CornerCount = typeof(T) == typeof(BoxCore) ? 8 : 3;
-            return;
-        }
-
-        if (typeof(T) == typeof(HullCore))
-        {
-            form.SetHull(Unsafe.As<T, HullCore>(ref shape).Hull, new Vector3D(1, 1, 1) * (1 / unit), false);
-            return;
-        }
-
-        if (typeof(T) == typeof(SegmentCore))
-        {
-            form.IsRound = true;
-            form.Axis = Unsafe.As<T, SegmentCore>(ref shape).Along;
-            form.CornerCount = form.IsPoint ? 1 : 2;
-            return;
-        }
-#endif
-        if (RayTargetOf<T>.TryGet(ref shape, out RayTarget body)) form.Set(body, unit);
+        if (ShapeTraits<T>.Of.TryGetTarget(ref shape, out RayTarget body)) form.Set(body, unit);
     }
 
     private void Set(in RayTarget body, double unit)

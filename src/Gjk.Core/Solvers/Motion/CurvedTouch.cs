@@ -72,7 +72,7 @@ internal static class CurvedTouch
         {
             moved.Translation = frame.Translation + touch.Normal * (Retreat * size);
             SolverState.Begin<TA, TB>(moved, out SolverState apart);
-            ConvexQuery.SolveCores(
+            ProvedDistance.SolveCores(
                 ref a, ref b, moved, float.PositiveInfinity, ref unused, false, ref apart, ref trace);
             touch.Iterations += apart.Iterations;
             if (apart.Verdict != Verdict.Apart) return false;

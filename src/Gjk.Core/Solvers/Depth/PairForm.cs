@@ -24,12 +24,6 @@ internal readonly struct PairForm
     /// </summary>
     private const double NearlyCoaxial = 4e-2;
 
-    /// <summary>Of a pair that was not looked at; passed by reference, since it is half a kilobyte.</summary>
-    public static readonly PairForm Unknown;
-
-    /// <summary>Whether the pair was looked at; else nothing is known.</summary>
-    public readonly bool IsKnown;
-
     /// <summary>What is known of the way out.</summary>
     public readonly WayOut Way;
 
@@ -49,7 +43,6 @@ internal readonly struct PairForm
 
     private PairForm(in BodyForm a, in BodyForm b, in PairFrame frame)
     {
-        IsKnown = true;
         A = a;
         B = b;
         bool areRound = a.IsRound && b.IsRound && (a.IsCurved || b.IsCurved);

@@ -79,8 +79,8 @@ internal static class SideNormal
         FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
         var cornersA = new FaceCorners(memory);
         var cornersB = new FaceCorners(memory + FaceCorners.Capacity);
-        FaceOf<TA>.Get(a, known, ref cornersA);
-        FaceOf<TB>.Get(b, frame.Rotation.InverseRotate(-known), ref cornersB);
+        a.GetFace(known, ref cornersA);
+        b.GetFace(frame.Rotation.InverseRotate(-known), ref cornersB);
         bool isOfA = cornersA.SideRadius > 0;
         if (!isOfA && !(cornersB.SideRadius > 0)) return;
         for (int i = 0; i < cornersB.Count; i++)

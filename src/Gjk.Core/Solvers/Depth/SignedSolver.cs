@@ -25,29 +25,29 @@ internal static class SignedSolver
     /// <summary>Solves from the warm start, if there is one, and keeps where it ended.</summary>
     /// <remarks>The trace is told of the search for the depth alone; <c>Explain</c> tells of the distance.</remarks>
     public static void Solve<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref WarmStart warmStart, bool isWarm,
+        ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
-        if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, form, warmStart, isWarm, ref state, ref trace);
-        else SolveDistanceFirst(ref a, ref b, frame, form, warmStart, isWarm, ref state, ref trace);
+        if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
+        else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
         NoTrace untold = default;
         SideNormal.Sharpen(ref a, ref b, frame, ref state, ref untold);
     }
 
     private static void SolveDepthFirst<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, in WarmStart warmStart, bool isWarm,
+        ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         PairSize size = state.Size;
-        DepthVerdict depth = SolveDepth(ref a, ref b, frame, form, ref state, ref trace);
+        DepthVerdict depth = SolveDepth(ref a, ref b, frame, ref state, ref trace);
 
         // Within the band either answer could be rounding.
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
@@ -73,7 +73,7 @@ internal static class SignedSolver
     }
 
     private static void SolveDistanceFirst<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, in WarmStart warmStart, bool isWarm,
+        ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -85,7 +85,7 @@ internal static class SignedSolver
         Simplex common = state.Simplex;
         Weights weights = state.Weights;
         state.Feature.Normal = frame.FirstNormal;
-        DepthVerdict depth = SolveDepth(ref a, ref b, frame, form, ref state, ref trace);
+        DepthVerdict depth = SolveDepth(ref a, ref b, frame, ref state, ref trace);
         if (depth != DepthVerdict.Flat && depth != DepthVerdict.Apart)
         {
             Settle(ref state, depth);
@@ -105,26 +105,26 @@ internal static class SignedSolver
     /// where the depth is known.
     /// </summary>
     private static DepthVerdict SolveDepth<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state, ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         var verdict = DepthVerdict.Undecided;
-        if (frame.Margins == 0 && BoxOf<TA>.TryGet(ref a, out BoxCore boxA)
-            && BoxOf<TB>.TryGet(ref b, out BoxCore boxB))
+        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Vector3D halfA) == RayForm.Box
+            && ShapeTraits<TB>.Of.GetPlain(ref b, out Vector3D halfB) == RayForm.Box)
         {
             if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
-            verdict = BoxDepth.Solve(boxA.Half.Xyz, boxB.Half.Xyz, frame, ref state);
+            verdict = BoxDepth.Solve(halfA, halfB, frame, ref state);
         }
         else if (MayBeRound<TA>() && MayBeRound<TB>())
         {
-            verdict = SolveRound(ref a, ref b, frame, form, ref state, ref trace);
+            verdict = SolveRound(ref a, ref b, frame, ref state, ref trace);
             if (verdict != DepthVerdict.Undecided) return verdict;
         }
 
         if (verdict == DepthVerdict.Undecided) verdict = GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
-        if (verdict == DepthVerdict.Undecided) return SolveLarge(ref a, ref b, frame, form, ref state);
+        if (verdict == DepthVerdict.Undecided) return SolveLarge(ref a, ref b, frame, ref state);
         if (verdict == DepthVerdict.Enclosed) state.Weights = ClosestPointWeights.Of(state.Simplex);
         return verdict;
     }
@@ -132,17 +132,12 @@ internal static class SignedSolver
     /// <summary>Round bodies with a known way out, or a plane that it lies in; Undecided for all others.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static DepthVerdict SolveRound<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state, ref TTrace trace)
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        if (!form.IsKnown)
-        {
-            PairForm.Look(ref a, ref b, frame, out PairForm known);
-            return SolveRound(ref a, ref b, frame, known, ref state, ref trace);
-        }
-
+        PairForm.Look(ref a, ref b, frame, out PairForm form);
         if (!form.Way.IsKnown) return DepthVerdict.Undecided;
         if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
         return AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state);
@@ -151,16 +146,11 @@ internal static class SignedSolver
     /// <summary>What the general search has no room for.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static DepthVerdict SolveLarge<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state)
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (!form.IsKnown)
-        {
-            PairForm.Look(ref a, ref b, frame, out PairForm known);
-            return SolveLarge(ref a, ref b, frame, known, ref state);
-        }
-
+        PairForm.Look(ref a, ref b, frame, out PairForm form);
         if (form.AreFaceted) return HullDepth.Solve(ref a, ref b, frame, form, ref state);
         DepthVerdict verdict = CornerDepth.Solve(ref a, ref b, frame, form, ref state);
         return verdict == DepthVerdict.Undecided ? DepthCells.Solve(ref a, ref b, frame, ref state) : verdict;

@@ -66,7 +66,7 @@ internal static class CastPortal
     public static bool Takes<TA, TB>(in PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
-        TightBounds<TA>.Are && TightBounds<TB>.Are && frame.Margins == 0;
+        ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight && frame.Margins == 0;
 
     /// <summary>Looks for the entry.</summary>
     /// <param name="a">The first core.</param>

@@ -131,7 +131,7 @@ internal static class ContactFollower
         WarmStart unused = default;
         NoPolytopeTrace trace = default;
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
-        else SignedSolver.Solve(ref a, ref b, frame, default, ref unused, false, ref state, ref trace);
+        else SignedSolver.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
         impact.Iterations += state.Iterations;
         impact.Steps++;
         impact.Outcome = state.Verdict;

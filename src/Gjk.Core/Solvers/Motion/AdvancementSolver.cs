@@ -194,7 +194,7 @@ internal static class AdvancementSolver
         SolverState.Begin<TA, TB>(frame, out state);
         NoTrace trace = default;
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
-        else ConvexQuery.SolveCores(
+        else ProvedDistance.SolveCores(
             ref a, ref b, frame, float.PositiveInfinity, ref warmStart, true, ref state, ref trace);
         impact.Iterations += state.Iterations;
         impact.Steps++;

@@ -1,0 +1,82 @@
+namespace Gjk.Core;
+
+/// <summary>
+/// What a type of shape can do besides <see cref="ISupportMap"/>: the one place that queries ask, on every target. A
+/// user's type can do nothing more.
+/// </summary>
+/// <remarks>
+/// A struct of a type that is not known can only be cast to an interface through a copy on the heap, so it is done once
+/// for each type: the shape makes an object that calls it by its own type. Compilers that optimize see through it.
+/// </remarks>
+/// <typeparam name="T">The shape's type.</typeparam>
+internal class ShapeTraits<T>
+    where T : struct, ISupportMap
+{
+    /// <summary>Those of the type.</summary>
+    public static readonly ShapeTraits<T> Of =
+        default(T) is ILibraryShape shape ? (ShapeTraits<T>)shape.MakeTraits() : new ShapeTraits<T>();
+
+    /// <summary>
+    /// Whether <see cref="ISupportMap.BoundingRadius"/> is the distance of a point of the shape, or nearly so.
+    /// Tolerances follow a tight radius, so the library's own shapes report one, and decorators of these; a user's may
+    /// be generous, and is measured.
+    /// </summary>
+    public static readonly bool AreTight = Of.IsTight;
+
+    /// <inheritdoc cref="AreTight"/>
+    protected virtual bool IsTight => false;
+
+    /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
+    public virtual bool TryGetTarget(ref T shape, out RayTarget target)
+    {
+        target = default;
+        return false;
+    }
+
+    /// <inheritdoc cref="IPlainBody.GetPlain"/>
+    public virtual RayForm GetPlain(ref T shape, out Vector3D size)
+    {
+        size = default;
+        return RayForm.None;
+    }
+}
+
+/// <summary>One of the library's own shapes.</summary>
+internal interface ILibraryShape
+{
+    /// <summary>A <see cref="ShapeTraits{T}"/> of this type; asked of a <c>default</c> struct.</summary>
+    object MakeTraits();
+
+    /// <summary>What a ray sees of it.</summary>
+    /// <returns>False where it is none of the bodies that a ray meets in closed form.</returns>
+    bool TryGetTarget(out RayTarget target);
+}
+
+/// <summary>A shape that may be a ball or a box about its centre, and says so in short.</summary>
+internal interface IPlainBody : ILibraryShape
+{
+    /// <summary>Which body it is: a ball, a box (its margin apart), or None for everything else.</summary>
+    /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
+    RayForm GetPlain(out Vector3D size);
+}
+
+/// <inheritdoc/>
+internal class LibraryTraits<T> : ShapeTraits<T>
+    where T : struct, ISupportMap, ILibraryShape
+{
+    private readonly bool _isTight;
+
+    /// <summary>Of a shape whose radius is tight, or is as tight as that of the shape inside.</summary>
+    public LibraryTraits(bool isTight = true) => _isTight = isTight;
+
+    protected override bool IsTight => _isTight;
+
+    public override bool TryGetTarget(ref T shape, out RayTarget target) => shape.TryGetTarget(out target);
+}
+
+/// <inheritdoc/>
+internal sealed class PlainTraits<T> : LibraryTraits<T>
+    where T : struct, ISupportMap, IPlainBody
+{
+    public override RayForm GetPlain(ref T shape, out Vector3D size) => shape.GetPlain(out size);
+}

@@ -1,0 +1,145 @@
+#if NET
+using System.Runtime.CompilerServices;
+#endif
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Unwraps shapes to the cores that queries have a support of their own for, so that supports need not switch on the
+/// shape's kind. Which kinds a type can have is known when the code is compiled.
+/// </summary>
+/// <remarks>
+/// Each pair of cores has a method of its own, whose frame holds no more than these two: a method that held all of them
+/// would clear and copy them all. Ahead-of-time compilers would make all the methods of 25 pairs, so for netstandard
+/// shapes are asked as they are; the bits are the same.
+/// </remarks>
+internal static class CoreDispatch
+{
+#if NET
+    /// <summary>Asks about the cores that the shapes can be unwrapped to, or about the shapes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static TResult Ask<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult>
+    {
+        // Two capsules of that type have a cheaper support than segments: a sign.
+        if (typeof(TA) == typeof(CapsuleShape) && typeof(TB) == typeof(CapsuleShape))
+            return question.Ask(ref a, poseA, ref b, poseB);
+        return KindOf(ref a) switch
+        {
+            CoreKind.Box => Ask<TA, TB, BoxCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
+            CoreKind.Hull => Ask<TA, TB, HullCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
+            CoreKind.Segment => Ask<TA, TB, SegmentCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
+            CoreKind.Triangle =>
+                Ask<TA, TB, TriangleCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
+            _ => question.Ask(ref a, poseA, ref b, poseB),
+        };
+    }
+
+    /// <summary>The same where the first core is known.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static TResult Ask<TA, TB, TCoreA, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TCoreA : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult> =>
+        KindOf(ref b) switch
+        {
+            CoreKind.Box => AskCores<TA, TB, TCoreA, BoxCore, TQuestion, TResult>(
+                ref a, poseA, ref b, poseB, ref question),
+            CoreKind.Hull => AskCores<TA, TB, TCoreA, HullCore, TQuestion, TResult>(
+                ref a, poseA, ref b, poseB, ref question),
+            CoreKind.Segment => AskCores<TA, TB, TCoreA, SegmentCore, TQuestion, TResult>(
+                ref a, poseA, ref b, poseB, ref question),
+            CoreKind.Triangle => AskCores<TA, TB, TCoreA, TriangleCore, TQuestion, TResult>(
+                ref a, poseA, ref b, poseB, ref question),
+            _ => question.Ask(ref a, poseA, ref b, poseB),
+        };
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static TResult AskCores<TA, TB, TCoreA, TCoreB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TCoreA : struct, ISupportMap
+        where TCoreB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult>
+    {
+        Get(ref a, out TCoreA coreA);
+        Get(ref b, out TCoreB coreB);
+        return question.Ask(ref coreA, poseA, ref coreB, poseB);
+    }
+
+    /// <summary>What a shape can be unwrapped to.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static CoreKind KindOf<T>(ref T shape)
+        where T : struct, ISupportMap
+    {
+        if (typeof(T) == typeof(ConvexShape)) return Unsafe.As<T, ConvexShape>(ref shape).Core;
+        if (typeof(T) == typeof(ConvexMesh)) return Unsafe.As<T, ConvexMesh>(ref shape).Core;
+        if (typeof(T) == typeof(BoxShape)) return CoreKind.Box;
+        if (typeof(T) == typeof(TriangleShape)) return CoreKind.Triangle;
+        return typeof(T) == typeof(CapsuleShape) || typeof(T) == typeof(SegmentShape)
+            || typeof(T) == typeof(SphereShape) || typeof(T) == typeof(PointShape)
+            ? CoreKind.Segment
+            : CoreKind.Other;
+    }
+
+    /// <summary>The core of a shape that is known to have it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Get<T, TCore>(ref T shape, out TCore core)
+        where T : struct, ISupportMap
+        where TCore : struct, ISupportMap
+    {
+        Unsafe.SkipInit(out core);
+        if (typeof(TCore) == typeof(BoxCore)) GetBox(ref shape, out Unsafe.As<TCore, BoxCore>(ref core));
+        else if (typeof(TCore) == typeof(HullCore)) GetHull(ref shape, out Unsafe.As<TCore, HullCore>(ref core));
+        else if (typeof(TCore) == typeof(SegmentCore))
+            GetSegment(ref shape, out Unsafe.As<TCore, SegmentCore>(ref core));
+        else GetTriangle(ref shape, out Unsafe.As<TCore, TriangleCore>(ref core));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GetBox<T>(ref T shape, out BoxCore box)
+    {
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out box);
+        else if (typeof(T) == typeof(ConvexMesh)) Unsafe.As<T, ConvexMesh>(ref shape).Get(out box);
+        else Unsafe.As<T, BoxShape>(ref shape).Get(out box);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GetHull<T>(ref T shape, out HullCore hull)
+    {
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out hull);
+        else Unsafe.As<T, ConvexMesh>(ref shape).Get(out hull);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GetTriangle<T>(ref T shape, out TriangleCore triangle)
+    {
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out triangle);
+        else Unsafe.As<T, TriangleShape>(ref shape).Get(out triangle);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GetSegment<T>(ref T shape, out SegmentCore segment)
+    {
+        if (typeof(T) == typeof(ConvexShape)) Unsafe.As<T, ConvexShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(CapsuleShape)) Unsafe.As<T, CapsuleShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(SegmentShape)) Unsafe.As<T, SegmentShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(SphereShape)) Unsafe.As<T, SphereShape>(ref shape).Get(out segment);
+        else Unsafe.As<T, PointShape>(ref shape).Get(out segment);
+    }
+#else
+    /// <summary>Asks about the shapes.</summary>
+    public static TResult Ask<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult> =>
+        question.Ask(ref a, poseA, ref b, poseB);
+#endif
+}
