@@ -14,11 +14,8 @@ public sealed class BenchOptions
 
           dotnet run -c Release --project bench -- [options] [BenchmarkDotNet's options]
 
-          --filter GLOB     Run these benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*').
-          --quick           Run only the report's scenes (distance cold, warm and by the baseline) and the depths of
-                            overlapping boxes and hulls, in this process and in three short iterations. This takes
-                            about two minutes. Without it every benchmark runs in a process of its own, and '*' takes
-                            more than half an hour.
+          --filter GLOB     Run these benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*', which
+                            takes half an hour; BenchmarkDotNet's --job short takes a part of that).
           --table           Measure every figure that has a goal: the report's scenes, random pairs, primitives,
                             hulls of up to 100,000 vertices, the depths and contact points of overlapping pairs,
                             and casts and rays.
@@ -42,30 +39,21 @@ public sealed class BenchOptions
                             with --scale-worst per row (default 0.5), with --peers per row (default 2).
           --csv             Keep the figures. With --table they go to bench/results/MACHINE.csv, and docs/cost.svg is
                             drawn. With --scale they go to MACHINE-scale.csv and docs/scale.svg. With --worst they go
-                            to MACHINE-worst.csv, with --peers to MACHINE-peers.csv. Otherwise BenchmarkDotNet's
-                            figures go to MACHINE-benchmarkdotnet.csv, which is replaced as a whole, so use it with
-                            --filter '*'.
+                            to MACHINE-worst.csv, with --peers to MACHINE-peers.csv.
           --machine NAME    Use this name for those files and for their first line (default: the CPU's model).
           --factor          Check that both algorithms agree on the report's scenes, and that the library takes no more
                             supports there than it should, and no memory. Counts, not times, so a busy machine changes
                             nothing. Exit with 1 if a count is above its limit.
           --help            Print this text. '--help all' adds BenchmarkDotNet's.
 
-        Every run writes its figures to BenchmarkDotNet.Artifacts/summary.csv in the current folder. The columns are
-          benchmark
-          set               its parameter, or the category if it has no parameter
-          mean_ns, stddev_ns
-                            per pair, per call of SupportAlone, or per frame of 190 pairs in ReportSceneFrames
-          ratio             the mean divided by that of the baseline of the same group and set (below 1 is faster)
-          allocated_bytes   per pair, call or frame, as above
+        BenchmarkDotNet's figures are per pair, per call of SupportAlone, or per frame of 190 pairs in
+        ReportSceneFrames, and in BenchmarkDotNet.Artifacts, too.
         On one core (taskset), set DOTNET_TC_DelaySingleProcMultiplier=1, because .NET optimises ten times later there.
         Exit codes: 0 done, 1 a benchmark or a check failed or no benchmark was found, 2 bad arguments.
 
         """;
 
     public bool Help { get; private set; }
-
-    public bool Quick { get; private set; }
 
     public bool Csv { get; private set; }
 
@@ -100,9 +88,6 @@ public sealed class BenchOptions
             {
                 case "--help" or "-h" or "-?":
                     options.Help = true;
-                    break;
-                case "--quick":
-                    options.Quick = true;
                     break;
                 case "--csv":
                     options.Csv = true;
@@ -154,7 +139,7 @@ public sealed class BenchOptions
     private bool IsConsistent(out string error)
     {
         error = "";
-        bool hasForeign = Factor || Quick || Remaining.Count > 0;
+        bool hasForeign = Factor || Remaining.Count > 0;
         if (Peers && (hasForeign || Table || Scale || Worst || ScaleWorst))
             error = "--peers: takes --seconds, --csv and --machine only";
         else if (Worst && (hasForeign || Table || Scale || Seconds is not null))
@@ -167,8 +152,10 @@ public sealed class BenchOptions
             error = "--scale-worst: takes --seconds only";
         else if (Seconds is not null && !Table && !Scale && !ScaleWorst && !Peers)
             error = "--seconds: goes with --table, --scale, --scale-worst and --peers only";
-        else if (Factor && (Quick || Csv || MachineName is not null || Remaining.Count > 0))
+        else if (Factor && (Csv || MachineName is not null || Remaining.Count > 0))
             error = "--factor: takes no other option";
+        else if (Csv && !Table && !Scale && !Worst && !Peers)
+            error = "--csv: goes with --table, --scale, --worst and --peers only";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all"))
             error = "--help: takes nothing but 'all'";
         return error.Length == 0;

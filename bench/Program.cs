@@ -2,11 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using BenchmarkDotNet.Configs;
-using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
-using BenchmarkDotNet.Toolchains.InProcess.Emit;
 using Gjk.Bench.Peers;
 using Gjk.Bench.Reporting;
 using Gjk.Bench.Scale;
@@ -45,7 +42,7 @@ public static class Program
         if (options.Table) return PrintTable(options, project);
         if (options.Worst) return PrintWorst(options, project);
         if (options.Peers) return PrintPeers(options);
-        return options.Scale ? PrintScale(options, project) : Measure(options, project);
+        return options.Scale ? PrintScale(options, project) : Measure([.. options.Remaining]);
     }
 
     private static int PrintHelp(BenchOptions options)
@@ -108,7 +105,7 @@ public static class Program
         Console.Write(WorstReport.Markdown(rows));
         if (project is null) return Done;
         string file = ResultFile(options, project, "-worst");
-        SummaryCsv.Write(file, WorstReport.Csv(rows, MachineLine(options)));
+        KeptFile.Write(file, WorstReport.Csv(rows, MachineLine(options)));
         Console.Error.WriteLine($"Figures kept in {file}");
         return Done;
     }
@@ -124,7 +121,7 @@ public static class Program
             Console.Write(PeersReport.Markdown(rows, programs));
             if (!options.Csv) return Done;
             string file = ResultFile(options, project, "-peers");
-            SummaryCsv.Write(file, PeersReport.Csv(rows, MachineLine(options)));
+            KeptFile.Write(file, PeersReport.Csv(rows, MachineLine(options)));
             Console.Error.WriteLine($"Figures kept in {file}");
             return Done;
         }
@@ -136,43 +133,25 @@ public static class Program
 
     private static void Keep(string csvFile, string csv, string figureFile, string figure)
     {
-        SummaryCsv.Write(csvFile, csv);
-        SummaryCsv.Write(figureFile, figure);
+        KeptFile.Write(csvFile, csv);
+        KeptFile.Write(figureFile, figure);
         Console.Error.WriteLine($"Figures kept in {csvFile} and {figureFile}");
     }
 
-    private static int Measure(BenchOptions options, string? project)
+    private static int Measure(string[] args)
     {
-        string[] args = [.. options.Remaining];
         bool printOnly = args.Any(a => PrintOnly.Contains(a));
+
         // Without a filter BenchmarkDotNet asks a question on the console, which a script cannot answer.
         if (!printOnly && !args.Any(a => a is "--filter" or "-f")) args = [.. args, "--filter", "*"];
-
-        BenchmarkSwitcher benchmarks = BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly);
-        Summary[] summaries = [.. benchmarks.Run(args, Config(options.Quick))];
+        Summary[] summaries = [.. BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args)];
         if (summaries.Length == 0) return printOnly ? Done : Failed;
-
-        string text = SummaryCsv.Format(summaries, MachineLine(options) + (options.Quick ? ", quick run" : ""));
-        SummaryCsv.Write(Path.Combine(DefaultConfig.Instance.ArtifactsPath, "summary.csv"), text);
-        if (project is not null)
-        {
-            string file = ResultFile(options, project, "-benchmarkdotnet");
-            SummaryCsv.Write(file, text);
-            Console.WriteLine($"Figures kept in {file}");
-        }
-
         bool complete = summaries.All(s =>
             !s.HasCriticalValidationErrors
             && s.Reports.Length == s.BenchmarksCases.Length
             && s.Reports.All(r => r.Success));
         return complete ? Done : Failed;
     }
-
-    private static IConfig? Config(bool quick) => !quick
-        ? null
-        : DefaultConfig.Instance
-            .AddJob(Job.ShortRun.WithToolchain(InProcessEmitToolchain.Instance))
-            .AddFilter(new QuickFilter());
 
     private static string MachineLine(BenchOptions options) =>
         (options.MachineName is null ? "" : options.MachineName.ReplaceLineEndings(" ") + ": ") + Machine.Description;

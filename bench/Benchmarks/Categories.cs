@@ -10,7 +10,6 @@ public static class Categories
     public const string Depth = "Depth";
     public const string Cast = "Cast";
     public const string Support = "Support";
-    public const string Simplex = "Simplex";
     public const string SphereSphere = "SphereSphere";
     public const string CapsuleCapsule = "CapsuleCapsule";
     public const string Cubes = "Cubes";

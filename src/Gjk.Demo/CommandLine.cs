@@ -9,6 +9,7 @@ using System.Numerics;
 using System.Threading;
 using Gjk.Demo.Fuzz;
 using Gjk.Demo.Import;
+using Gjk.Demo.Output;
 using Gjk.Demo.Play;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
@@ -64,6 +65,7 @@ internal static class CommandLine
         {
             EnableDefaultExceptionHandler = false,
             ProcessTerminationTimeout = null,
+            Output = OutputConsole.Out,
         });
     }
 

@@ -13,7 +13,7 @@ public sealed class RecordTests
     [Fact]
     public void TheAnswerIsTheLibrarys()
     {
-        DemoRun run = DemoProcess.Run("query", "--record", Spheres);
+        DemoRun run = DemoRun.Of("query", "--record", Spheres);
         run.AssertDone();
         CsvRow row = Assert.Single(CsvRow.Parse(run.Out));
         DistanceResult expected = QueryRecord.Parse(Spheres).Distance();
@@ -28,7 +28,7 @@ public sealed class RecordTests
     {
         using var directory = new TempDirectory();
         string target = directory.File("out.csv");
-        DemoRun run = DemoProcess.Run("query", "--record", Spheres, "--out", target, "--max-distance", "1");
+        DemoRun run = DemoRun.Of("query", "--record", Spheres, "--out", target, "--max-distance", "1");
         run.AssertDone();
         Assert.Equal("", run.Out);
         Assert.Equal("BeyondMaxDistance", Assert.Single(CsvRow.Parse(File.ReadAllText(target))).Status);
@@ -42,26 +42,26 @@ public sealed class RecordTests
         "gjk1 point 1 @ 0 0 0 2 0 0 0 point 1 @ 0 0 0 1 0 0 0", "--record: Before word 12: The quaternion's length")]
     [InlineData(Spheres + "\nmore", "--record: Word 22, 'more', comes after the end")]
     public void WhatIsNoRecordIsRefused(string text, string message) =>
-        DemoProcess.Run("query", "--record", text).AssertRefused(message);
+        DemoRun.Of("query", "--record", text).AssertRefused(message);
 
     [Fact]
     public void NothingIsWrittenForABadRecord()
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("query", "--record", "nothing", "--out", directory.File("out.csv")).AssertRefused("nothing");
+        DemoRun.Of("query", "--record", "nothing", "--out", directory.File("out.csv")).AssertRefused("nothing");
         Assert.Empty(directory.Files);
     }
 
     [Fact]
     public void ASceneAndARecordExcludeEachOther()
     {
-        DemoProcess.Run("query", "scene.json", "--record", Spheres).AssertRefused("exclude each other");
-        DemoProcess.Run("query").AssertRefused("SCENE.json, --builtin or --record");
-        DemoProcess.Run("query", "--record").AssertRefused("--record");
+        DemoRun.Of("query", "scene.json", "--record", Spheres).AssertRefused("exclude each other");
+        DemoRun.Of("query").AssertRefused("SCENE.json, --builtin or --record");
+        DemoRun.Of("query", "--record").AssertRefused("--record");
     }
 
     /// <summary>The process has an empty standard input here.</summary>
     [Fact]
     public void ADashReadsStandardInput() =>
-        DemoProcess.Run("query", "--record", "-").AssertRefused("--record: The record ends where 'gjk1' should be.");
+        DemoRun.Of("query", "--record", "-").AssertRefused("--record: The record ends where 'gjk1' should be.");
 }

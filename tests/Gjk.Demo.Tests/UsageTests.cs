@@ -20,7 +20,7 @@ public sealed class UsageTests
     [InlineData("example --help", "--out", "scene-format.md", "scene.schema.json")]
     public void HelpSaysWhatThereIs(string args, string one, string two, string three)
     {
-        DemoRun run = DemoProcess.Run(args.Split(' '));
+        DemoRun run = DemoRun.Of(args.Split(' '));
         run.AssertDone();
         foreach (string word in new[] { one, two, three }) Assert.Contains(word, run.Out);
     }
@@ -67,17 +67,17 @@ public sealed class UsageTests
     [InlineData("query --builtin cubes --mesh unity", "--mesh is for --builtin spheres")]
     [InlineData("time a.json --mesh unity", "--mesh is for --builtin spheres")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+        DemoRun.Of(args.Split(' ')).AssertRefused(part);
 
     [Fact]
     public void FilesThatCannotBeReadAreNamed()
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("query", directory.File("none.json"))
+        DemoRun.Of("query", directory.File("none.json"))
             .AssertRefused(directory.File("none.json"), "no such file");
-        DemoProcess.Run("query", directory.Path).AssertRefused(directory.Path, "cannot be read");
-        DemoProcess.Run("time", directory.File("none.json")).AssertRefused(directory.File("none.json"));
-        DemoProcess.Run("query", "").AssertRefused("cannot be read");
+        DemoRun.Of("query", directory.Path).AssertRefused(directory.Path, "cannot be read");
+        DemoRun.Of("time", directory.File("none.json")).AssertRefused(directory.File("none.json"));
+        DemoRun.Of("query", "").AssertRefused("cannot be read");
     }
 
     [Fact]
@@ -86,9 +86,9 @@ public sealed class UsageTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", """{"version":1,"objects":[]}""");
         string nowhere = Path.Combine(directory.Path, "nowhere", "out");
-        DemoProcess.Run("query", scene, "--out", nowhere).AssertRefused(nowhere, "no such directory");
-        DemoProcess.Run("query", scene, "--out", directory.Path).AssertRefused(directory.Path, "directory");
-        DemoProcess.Run("--frames", "1", "--json", nowhere).AssertRefused(nowhere, "no such directory");
+        DemoRun.Of("query", scene, "--out", nowhere).AssertRefused(nowhere, "no such directory");
+        DemoRun.Of("query", scene, "--out", directory.Path).AssertRefused(directory.Path, "directory");
+        DemoRun.Of("--frames", "1", "--json", nowhere).AssertRefused(nowhere, "no such directory");
         Assert.Equal([scene], directory.Files);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Threading;
+using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Blocks;
@@ -25,10 +26,10 @@ internal static class BlockCommand
         var run = new BlockRun(log.Seed, log.Blocks, pairs, (block, finds) =>
         {
             log.Add(block, finds);
-            finds.ForEach(find => Console.Out.Write(find.Text));
+            finds.ForEach(find => OutputConsole.Out.Write(find.Text));
         });
         ProgressBar.Show(bar => run.Run(threads, bar.Add("pairs"), cancel));
-        Console.Out.Write(Summary(log, before, threads));
+        OutputConsole.Out.Write(Summary(log, before, threads));
         if (cancel.IsCancellationRequested) return ExitCode.Cancelled;
         return log.Blocks.Values.Any(b => b.Refuted > 0) ? ExitCode.Failed : ExitCode.Done;
     }

@@ -1,5 +1,5 @@
-using System;
 using System.Threading;
+using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Promises;
@@ -18,7 +18,7 @@ internal static class FuzzCommand
         BrokenPromise? broken = null;
         ProgressBar.Show(bar => broken = run.Search(bar.Add("pairs"), cancel));
         FuzzReport report = FuzzReport.Of(run, broken, cancel.IsCancellationRequested);
-        Console.Out.Write(report.Text);
+        OutputConsole.Out.Write(report.Text);
         return report.ExitCode;
     }
 }

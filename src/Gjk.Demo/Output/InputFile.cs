@@ -24,6 +24,6 @@ internal static class InputFile
     /// bytes.</exception>
     /// <exception cref="OperationCanceledException">Cancelled before the end was reached.</exception>
     public static byte[] Read(string file, CancellationToken cancel) => file == StandardInput
-        ? WholeFile.Read(NameOf(file), Console.OpenStandardInput, MostBytes, cancel)
+        ? WholeFile.Read(NameOf(file), OutputConsole.OpenInput, MostBytes, cancel)
         : WholeFile.Read(file, MostBytes, cancel);
 }

@@ -18,9 +18,15 @@ internal static class OutputConsole
     /// <summary>The file descriptor of standard output on Unix.</summary>
     private const int StandardOutput = 1;
 
-    public static bool IsPlain => Console.IsOutputRedirected;
+    public static bool IsPlain => StandardStreams.Current is not null || Console.IsOutputRedirected;
 
-    /// <summary>Turns a failed write to <see cref="Console.Out"/> into a refusal, unless it is a terminal.</summary>
+    /// <summary>Standard output for text.</summary>
+    public static TextWriter Out => StandardStreams.Current?.Out ?? Console.Out;
+
+    /// <summary>Standard input for bytes.</summary>
+    public static Stream OpenInput() => StandardStreams.Current?.Input ?? Console.OpenStandardInput();
+
+    /// <summary>Turns a failed write to <see cref="Out"/> into a refusal, unless it is a terminal.</summary>
     public static void RefuseFailures(CancellationToken cancel)
     {
         if (!IsPlain) return;
@@ -32,6 +38,9 @@ internal static class OutputConsole
     /// <param name="cancel">Ends the wait for a reader that does not read.</param>
     public static RefusingStream OpenStream(CancellationToken cancel)
     {
+        if (StandardStreams.Current is { } given)
+            return new RefusingStream("standard output", given.Output, CancellationToken.None);
+
         // Only a regular file has a position. The console's stream shares it with the other processes that write to
         // that file.
         bool isPipe = IsPlain && !OperatingSystem.IsWindows() && FileStatus.Of("/dev/stdout").Kind == FileKind.Stream;
@@ -43,7 +52,7 @@ internal static class OutputConsole
     }
 
     /// <summary>Standard error for progress, or null if it is not a terminal.</summary>
-    public static IAnsiConsole? ForProgress() => Console.IsErrorRedirected
+    public static IAnsiConsole? ForProgress() => StandardStreams.Current is not null || Console.IsErrorRedirected
         ? null
         : AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
 
@@ -55,7 +64,7 @@ internal static class OutputConsole
             Ansi = AnsiSupport.No,
             ColorSystem = ColorSystemSupport.NoColors,
             Interactive = InteractionSupport.No,
-            Out = new AnsiConsoleOutput(Console.Out),
+            Out = new AnsiConsoleOutput(Out),
         });
         console.Profile.Width = PlainWidth;
         return console;

@@ -32,7 +32,7 @@ internal static class StandardError
     {
         try
         {
-            Console.Error.Write($"gjk-demo: {message}\n");
+            (StandardStreams.Current?.Error ?? Console.Error).Write($"gjk-demo: {message}\n");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -21,7 +21,7 @@ public sealed class BlockTests
     [Fact]
     public void PairsAreJudgedAndCounted()
     {
-        DemoRun run = DemoProcess.Run("fuzz", "--certificate", "--pairs", "2e4", "--seed", "3", "--threads", "2");
+        DemoRun run = DemoRun.Of("fuzz", "--certificate", "--pairs", "2e4", "--seed", "3", "--threads", "2");
         run.AssertDone();
         Match said = Regex.Match(
             run.Out,
@@ -102,15 +102,15 @@ public sealed class BlockTests
     {
         using var directory = new TempDirectory();
         string file = Path.Combine(directory.Path, "log.csv");
-        DemoProcess.Run("fuzz", "--certificate", "--pairs", "500", "--seed", "3", "--resume", file).AssertDone();
+        DemoRun.Of("fuzz", "--certificate", "--pairs", "500", "--seed", "3", "--resume", file).AssertDone();
         string before = File.ReadAllText(file);
         Assert.StartsWith(Header + "\n0,", before);
-        DemoRun again = DemoProcess.Run("fuzz", "--certificate", "--pairs", "500", "--resume", file);
+        DemoRun again = DemoRun.Of("fuzz", "--certificate", "--pairs", "500", "--resume", file);
         again.AssertDone();
         Assert.StartsWith("500 pairs, seed 3: ", again.Out);
         Assert.Contains("1 blocks, 0 of them now", again.Out);
         Assert.Equal(before, File.ReadAllText(file));
-        DemoProcess.Run("fuzz", "--certificate", "--pairs", "500", "--seed", "4", "--resume", file)
+        DemoRun.Of("fuzz", "--certificate", "--pairs", "500", "--seed", "4", "--resume", file)
             .AssertRefused(file, "line 1", "3, not 4");
     }
 
@@ -127,7 +127,7 @@ public sealed class BlockTests
         using var directory = new TempDirectory();
         text = text.Replace("SEED0", $"{BlockResult.SeedOf(3, 0)}", StringComparison.Ordinal);
         string file = directory.Write("log.csv", text);
-        DemoProcess.Run("fuzz", "--certificate", "--pairs", "500", "--resume", file).AssertRefused(file, part);
+        DemoRun.Of("fuzz", "--certificate", "--pairs", "500", "--resume", file).AssertRefused(file, part);
         Assert.Equal(text, File.ReadAllText(file));
     }
 
@@ -135,11 +135,11 @@ public sealed class BlockTests
     public void ALogThatCannotBeIsRefused()
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("fuzz", "--certificate", "--pairs", "5", "--resume", directory.Path)
+        DemoRun.Of("fuzz", "--certificate", "--pairs", "5", "--resume", directory.Path)
             .AssertRefused(directory.Path, "cannot be continued");
         string file = Path.Combine(directory.Path, "log.csv");
         using var log = BlockLog.Open(file, 3, default);
-        DemoProcess.Run("fuzz", "--certificate", "--pairs", "5", "--resume", file).AssertRefused(file);
+        DemoRun.Of("fuzz", "--certificate", "--pairs", "5", "--resume", file).AssertRefused(file);
     }
 
     [Fact]
@@ -148,7 +148,7 @@ public sealed class BlockTests
         if (OperatingSystem.IsWindows()) return;
         using var directory = new TempDirectory();
         string file = Path.Combine(directory.Path, "log.csv");
-        using DemoProcess demo = DemoProcess.Start(
+        using RunningDemo demo = RunningDemo.Start(
             "fuzz", "--certificate", "--pairs", "1e9", "--seed", "3", "--resume", file);
         while (!File.Exists(file) || new FileInfo(file).Length == 0) Thread.Sleep(50);
         Thread.Sleep(500);
@@ -181,7 +181,7 @@ public sealed class BlockTests
         Assert.Equal("block 0, pair 7, cast: Refuted", lines[0]);
         Assert.True(QueryRecord.TryParse(lines[1], out QueryRecord record, out string? reason), reason);
         Assert.NotEqual(default, record.MotionB.Velocity);
-        DemoRun again = DemoProcess.Run("fuzz", "--certificate", "--pairs", "10", "--resume", file);
+        DemoRun again = DemoRun.Of("fuzz", "--certificate", "--pairs", "10", "--resume", file);
         Assert.Equal(1, again.ExitCode);
         Assert.StartsWith($"10 pairs, seed 3: 8 proved, 1 open, 1 refuted, see {file}.finds\n", again.Out);
     }
@@ -194,7 +194,7 @@ public sealed class BlockTests
     [InlineData("--resume log.csv", "--certificate")]
     [InlineData("--threads 2", "--certificate")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
-        DemoProcess.Run(["fuzz", .. args.Split(' ')]).AssertRefused("fuzz: ", part);
+        DemoRun.Of(["fuzz", .. args.Split(' ')]).AssertRefused("fuzz: ", part);
 
     private static IEnumerable<BlockResult> Blocks(string file)
     {

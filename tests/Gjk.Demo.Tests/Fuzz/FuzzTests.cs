@@ -13,7 +13,7 @@ public sealed class FuzzTests
     [Fact]
     public void ACountIsTriedAndNothingBreaks()
     {
-        DemoRun run = DemoProcess.Run("fuzz", "--count", "3000", "--seed", "5");
+        DemoRun run = DemoRun.Of("fuzz", "--count", "3000", "--seed", "5");
         run.AssertDone();
         Assert.Matches(@"^3000 pairs tried in \d+\.\d s, \d+ pairs per second, seed 5: no promise broken\n$", run.Out);
     }
@@ -21,7 +21,7 @@ public sealed class FuzzTests
     [Fact]
     public void SecondsEndIt()
     {
-        DemoRun run = DemoProcess.Run("fuzz", "--seconds", "1.5", "--seed", "6");
+        DemoRun run = DemoRun.Of("fuzz", "--seconds", "1.5", "--seed", "6");
         run.AssertDone();
         Assert.Matches(@"^\d+ pairs tried in [1-9]\.\d s, \d+ pairs per second, seed 6: no promise broken\n$", run.Out);
         Assert.NotEqual("0", run.Out.Split(' ')[0]);
@@ -30,7 +30,7 @@ public sealed class FuzzTests
     [Fact]
     public void TheFirstOfBothEndsIt()
     {
-        DemoRun run = DemoProcess.Run("fuzz", "--seconds", "600", "--count", "10");
+        DemoRun run = DemoRun.Of("fuzz", "--seconds", "600", "--count", "10");
         run.AssertDone();
         Assert.StartsWith("10 pairs tried", run.Out);
     }
@@ -38,7 +38,7 @@ public sealed class FuzzTests
     [Fact]
     public void WithoutASeedEachRunHasItsOwnAndSaysWhich()
     {
-        DemoRun run = DemoProcess.Run("fuzz", "--count", "1");
+        DemoRun run = DemoRun.Of("fuzz", "--count", "1");
         run.AssertDone();
         Assert.Matches("seed [0-9]+:", run.Out);
     }
@@ -47,8 +47,8 @@ public sealed class FuzzTests
     public void CtrlCPrintsWhatWasDone()
     {
         if (OperatingSystem.IsWindows()) return;
-        using DemoProcess demo = DemoProcess.Start("fuzz", "--seconds", "600", "--seed", "7");
-        System.Threading.Thread.Sleep(TimeSpan.FromSeconds(3));
+        using RunningDemo demo = RunningDemo.Start("fuzz", "--seconds", "600", "--seed", "7");
+        System.Threading.Thread.Sleep(TimeSpan.FromSeconds(1));
         demo.Interrupt();
         DemoRun run = demo.Wait();
         Assert.Equal((130, ""), (run.ExitCode, run.Error));
@@ -69,7 +69,7 @@ public sealed class FuzzTests
     [InlineData("--seed x")]
     [InlineData("--seed 99999999999999999999")]
     public void WrongNumbersAreOneLine(string args) =>
-        DemoProcess.Run(["fuzz", .. args.Split(' ')]).AssertRefused(
+        DemoRun.Of(["fuzz", .. args.Split(' ')]).AssertRefused(
             "fuzz: " + Regex.Replace(args, " .*", ""), args.Split(' ')[1]);
 
     [Theory]
@@ -77,5 +77,5 @@ public sealed class FuzzTests
     [InlineData("fuzz --nope", "--nope")]
     [InlineData("fuzz --count", "--count")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+        DemoRun.Of(args.Split(' ')).AssertRefused(part);
 }

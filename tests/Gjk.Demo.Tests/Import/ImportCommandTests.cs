@@ -39,14 +39,14 @@ public sealed class ImportCommandTests
     [InlineData("import none.unity", "none.unity: cannot be read")]
     [InlineData("import none.unity --project nowhere", "nowhere: --project: there is no such directory")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+        DemoRun.Of(args.Split(' ')).AssertRefused(part);
 
     [Fact]
     public void TheUsualCase()
     {
         using var directory = new TempDirectory();
         string file = directory.Write("cube.obj", Cube);
-        DemoRun run = DemoProcess.Run("import", file);
+        DemoRun run = DemoRun.Of("import", file);
         run.AssertDone();
         Assert.StartsWith("{ \"version\": 1, \"name\": \"cube\",\n  \"meshes\": {\n    \"default\": [\n", run.Out);
     }
@@ -57,7 +57,7 @@ public sealed class ImportCommandTests
     {
         using var directory = new TempDirectory();
         string file = directory.Write("open.obj", Cube.Replace("f 4 1 5 8\n", ""));
-        DemoRun run = DemoProcess.Run("import", file, "--out", directory.File("scene.json"));
+        DemoRun run = DemoRun.Of("import", file, "--out", directory.File("scene.json"));
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(
             $"gjk-demo: {file}: warning: the part \"default\" is not closed, so whether it is convex is not known: it "
@@ -76,13 +76,13 @@ public sealed class ImportCommandTests
         long id = text.Component(bad.GameObject, 154, "TerrainCollider");
         string scene = text.Save(directory, "scene.unity");
         string target = directory.File("scene.json");
-        DemoRun run = DemoProcess.Run("import", scene, "--out", target);
+        DemoRun run = DemoRun.Of("import", scene, "--out", target);
         Assert.Equal((1, ""), (run.ExitCode, run.Out));
         Assert.Equal(
             $"gjk-demo: {scene}:{line}: fileID {id} (TerrainCollider) of \"bad\": a TerrainCollider is not convex\n"
             + $"gjk-demo: {scene}: 1 thing could not be read; the scene has the other object\n",
             run.Error);
-        DemoProcess.Run("query", target).AssertDone();
+        DemoRun.Of("query", target).AssertDone();
     }
 
     [Fact]
@@ -93,7 +93,7 @@ public sealed class ImportCommandTests
         text.Component(text.Object("bad").GameObject, 154, "TerrainCollider");
         string scene = text.Save(directory, "scene.unity");
         string target = directory.Write("scene.json", "old");
-        DemoRun run = DemoProcess.Run("import", scene, "--out", target);
+        DemoRun run = DemoRun.Of("import", scene, "--out", target);
         Assert.Equal((1, ""), (run.ExitCode, run.Out));
         Assert.EndsWith("1 thing could not be read; nothing is left to write\n", run.Error);
         Assert.Equal("old", File.ReadAllText(target));
@@ -105,7 +105,7 @@ public sealed class ImportCommandTests
     {
         using var directory = new TempDirectory();
         string file = directory.Write("bad.obj", Cube + "f 1 2 9\n");
-        DemoProcess.Run("import", file, "--out", directory.File("scene.json")).AssertRefused(
+        DemoRun.Of("import", file, "--out", directory.File("scene.json")).AssertRefused(
             $"{file}:15: there is no vertex 9: 8 came before this face");
         Assert.Equal([file], directory.Files);
     }
@@ -127,7 +127,7 @@ public sealed class ImportCommandTests
         using var directory = new TempDirectory();
         string pipe = directory.File("slow.obj");
         DemoProcess.Shell("mkfifo \"$1\"", pipe).AssertDone();
-        using DemoProcess demo = DemoProcess.Start("import", pipe, "--out", directory.File("scene.json"));
+        using RunningDemo demo = RunningDemo.Start("import", pipe, "--out", directory.File("scene.json"));
         demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal)));
         demo.Interrupt();
         DemoRun run = demo.Wait();
@@ -140,6 +140,6 @@ public sealed class ImportCommandTests
     {
         using var directory = new TempDirectory();
         File.CreateSymbolicLink(directory.File("endless.stl"), "/dev/zero");
-        DemoProcess.Run("import", directory.File("endless.stl")).AssertRefused("more than 268435456 bytes");
+        DemoRun.Of("import", directory.File("endless.stl")).AssertRefused("more than 268435456 bytes");
     }
 }

@@ -37,17 +37,17 @@ public sealed class ReportSceneTests
         using var directory = new TempDirectory();
         string unity = Measured().Save(directory, "measure.unity");
         string scene = directory.File("scene.json");
-        DemoRun run = DemoProcess.Run("import", unity, "--out", scene);
+        DemoRun run = DemoRun.Of("import", unity, "--out", scene);
         run.AssertDone();
         Assert.Equal("", run.Out);
-        DemoRun query = DemoProcess.Run("query", scene);
+        DemoRun query = DemoRun.Of("query", scene);
         query.AssertDone();
         List<CsvRow> rows = CsvRow.Parse(query.Out);
         Assert.Equal(190, rows.Count);
         Assert.Equal(1.5f, rows[0].Distance);
 
         // Without --out the same scene goes to standard output.
-        DemoRun piped = DemoProcess.Run("import", unity);
+        DemoRun piped = DemoRun.Of("import", unity);
         piped.AssertDone();
         Assert.Equal(File.ReadAllText(scene), piped.Out);
         Assert.Equal(2, directory.Files.Length);
@@ -86,7 +86,7 @@ public sealed class ReportSceneTests
         text.ScriptCollider(text.Object("Cube", isActive: false), UnityText.Cube);
         text.Object("Light");
         string scene = text.Save(directory, "empty.unity");
-        DemoProcess.Run("import", scene, "--out", directory.File("out.json")).AssertRefused(scene, "no active object");
+        DemoRun.Of("import", scene, "--out", directory.File("out.json")).AssertRefused(scene, "no active object");
         Assert.Equal([scene], directory.Files);
     }
 

@@ -131,7 +131,7 @@ public sealed class UnityRefusalTests
         text.Box(text.Object("good"));
         text.Add(65, 4711, "BoxCollider:\n  deep: " + new string('[', 200_000));
         string scene = text.Save(directory, "deep.unity");
-        DemoRun run = DemoProcess.Run("import", scene, "--out", directory.File("scene.json"));
+        DemoRun run = DemoRun.Of("import", scene, "--out", directory.File("scene.json"));
         Assert.Equal(1, run.ExitCode);
         Assert.Contains("fileID 4711 (BoxCollider): ", run.Error, StringComparison.Ordinal);
         Assert.True(File.Exists(directory.File("scene.json")));

@@ -38,7 +38,7 @@ public sealed class FileModeTests
         foreach (string[] call in calls)
         {
             File.WriteAllText(target, "old");
-            DemoProcess.Run(call).AssertDone();
+            DemoRun.Of(call).AssertDone();
             Assert.NotEqual("old", File.ReadAllText(target));
             Assert.Equal(mode, File.GetUnixFileMode(target));
         }
@@ -50,7 +50,7 @@ public sealed class FileModeTests
         using var directory = new TempDirectory();
         string target = directory.Write("replay.json", "old");
         File.SetUnixFileMode(target, UnixFileMode.UserRead | UnixFileMode.UserWrite);
-        DemoProcess.Run("replay", "--frames", "1", "--json", target).AssertDone();
+        DemoRun.Of("replay", "--frames", "1", "--json", target).AssertDone();
         Assert.StartsWith("{\"scenes\":", File.ReadAllText(target));
         Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, File.GetUnixFileMode(target));
     }
@@ -75,9 +75,9 @@ public sealed class FileModeTests
         string scene = directory.Write("scene.json", Scene), target = directory.Write("target", "old");
         File.SetUnixFileMode(target, UnixFileMode.UserRead | UnixFileMode.GroupRead);
         Dictionary<string, string> before = directory.Contents();
-        DemoProcess.Run("query", scene, "--out", target).AssertRefused(target, "it is read-only");
-        DemoProcess.Run("view", scene, "--svg", target).AssertRefused(target, "it is read-only");
-        DemoProcess.Run("replay", "--seconds", "60", "--json", target).AssertRefused(target, "it is read-only");
+        DemoRun.Of("query", scene, "--out", target).AssertRefused(target, "it is read-only");
+        DemoRun.Of("view", scene, "--svg", target).AssertRefused(target, "it is read-only");
+        DemoRun.Of("replay", "--seconds", "60", "--json", target).AssertRefused(target, "it is read-only");
         Assert.Equal(before, directory.Contents());
     }
 
@@ -119,7 +119,7 @@ public sealed class FileModeTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene), target = directory.Write("target", "old");
         Shell("chown 12345:23456 \"$1\"; chmod 640 \"$1\"", target);
-        DemoProcess.Run("query", scene, "--out", target).AssertDone();
+        DemoRun.Of("query", scene, "--out", target).AssertDone();
         Assert.NotEqual("old", File.ReadAllText(target));
         Shell("test \"$(ls -n \"$1\" | cut -d ' ' -f 1,3,4)\" = '-rw-r----- 12345 23456'", target);
     }

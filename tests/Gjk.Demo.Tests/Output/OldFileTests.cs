@@ -18,22 +18,18 @@ public sealed class OldFileTests
     private const int ManyPoints = 20_000;
 
     [UnixTheory]
-    [InlineData("query SCENE --out TARGET", "INT")]
-    [InlineData("query SCENE --out TARGET", "TERM")]
-    [InlineData("query SCENE --out TARGET", "HUP")]
-    [InlineData("view SCENE --out TARGET --svg SECOND", "INT")]
-    [InlineData("view SCENE --out TARGET --svg SECOND", "TERM")]
-    [InlineData("view SCENE --out TARGET --svg SECOND", "HUP")]
-    public void ASignalLeavesTheOldFile(string command, string signal)
+    [InlineData("query SCENE --out TARGET")]
+    [InlineData("view SCENE --out TARGET --svg SECOND")]
+    public void AnInterruptLeavesTheOldFile(string command)
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", SceneTests.Points(ManyPoints, pairs: ""));
         string target = directory.Write("target", "old"), second = directory.Write("second", "old too");
         Dictionary<string, string> before = directory.Contents();
         command = command.Replace("SCENE", scene).Replace("TARGET", target).Replace("SECOND", second);
-        using DemoProcess demo = DemoProcess.Start(command.Split(' '));
+        using RunningDemo demo = RunningDemo.Start(command.Split(' '));
         demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal)));
-        demo.Signal(signal);
+        demo.Interrupt();
         DemoRun run = demo.Wait();
         Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
         Assert.Equal(before, directory.Contents());
@@ -58,11 +54,9 @@ public sealed class OldFileTests
     }
 
     [UnixTheory]
-    [InlineData("INT", "")]
-    [InlineData("TERM", "")]
-    [InlineData("HUP", "")]
-    [InlineData("INT", "--motion 0.1")]
-    public void AReplayWithoutACompleteSceneLeavesTheOldFile(string signal, string more)
+    [InlineData("")]
+    [InlineData("--motion 0.1")]
+    public void AReplayWithoutACompleteSceneLeavesTheOldFile(string more)
     {
         using var directory = new TempDirectory();
         string target = directory.Write("replay.json", "old"), unborn = directory.File("new.json");
@@ -70,9 +64,9 @@ public sealed class OldFileTests
         {
             string[] options = more.Split(' ', StringSplitOptions.RemoveEmptyEntries);
             using var watch = new TemporaryFileWatch(directory);
-            using DemoProcess demo = DemoProcess.Start(["replay", "--seconds", "60", "--json", json, .. options]);
+            using RunningDemo demo = RunningDemo.Start(["replay", "--seconds", "60", "--json", json, .. options]);
             demo.WaitUntil(_ => watch.HasSeenOne);
-            demo.Signal(signal);
+            demo.Interrupt();
             DemoRun run = demo.Wait();
             Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
             Assert.Equal(new Dictionary<string, string> { ["replay.json"] = "old" }, directory.Contents());
@@ -94,7 +88,7 @@ public sealed class OldFileTests
         double earliest = 0, seconds = 6, latest = double.PositiveInfinity;
         for (int tries = 0; tries < 8 && run is null; tries++)
         {
-            using DemoProcess demo = DemoProcess.Start("replay", "--seconds", "3", "--json", target);
+            using RunningDemo demo = RunningDemo.Start("replay", "--seconds", "3", "--json", target);
             Thread.Sleep(TimeSpan.FromSeconds(seconds));
             demo.Interrupt();
             run = demo.Wait();
@@ -154,7 +148,7 @@ public sealed class OldFileTests
         Directory.CreateDirectory(inner);
         string target = Path.Combine(inner, "target");
         File.WriteAllText(target, "old");
-        using DemoProcess demo = DemoProcess.Start("query", scene, "--out", target);
+        using RunningDemo demo = RunningDemo.Start("query", scene, "--out", target);
         demo.WaitUntil(_ => Array.Exists(Directory.GetFiles(inner), f => f.EndsWith(".tmp", StringComparison.Ordinal)));
         Directory.Move(inner, moved);
         demo.Wait().AssertRefused(target, "cannot be written", "removed meanwhile");
@@ -167,9 +161,9 @@ public sealed class OldFileTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", "{"), target = directory.Write("target", "old");
         Dictionary<string, string> before = directory.Contents();
-        DemoProcess.Run("query", scene, "--out", target).AssertRefused(scene);
-        DemoProcess.Run("view", scene, "--out", target).AssertRefused(scene);
-        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", target).AssertRefused(scene);
+        DemoRun.Of("query", scene, "--out", target).AssertRefused(scene);
+        DemoRun.Of("view", scene, "--out", target).AssertRefused(scene);
+        DemoRun.Of("trace", scene, "--pair", "0,1", "--out", target).AssertRefused(scene);
         Assert.Equal(before, directory.Contents());
     }
 }

@@ -35,7 +35,7 @@ public sealed class SameFileTests
         (string input, string output) = way == "input" ? (other, scene) : (scene, other);
         Dictionary<string, string> before = directory.Contents();
 
-        DemoRun run = DemoProcess.Run([.. command.Replace("SCENE", input).Split(' '), output]);
+        DemoRun run = DemoRun.Of([.. command.Replace("SCENE", input).Split(' '), output]);
         run.AssertRefused(output, "would overwrite the scene");
         Assert.Equal(before, directory.Contents());
         Assert.Equal(way is "symbolic" or "chain" or "input", new FileInfo(other).LinkTarget is not null);
@@ -102,7 +102,7 @@ public sealed class SameFileTests
         string scene = directory.Write("scene.json", Scene), copy = directory.File("copy.json");
         File.Copy(scene, copy);
         File.SetLastWriteTimeUtc(copy, File.GetLastWriteTimeUtc(scene));
-        DemoProcess.Run("query", scene, "--out", copy).AssertDone();
+        DemoRun.Of("query", scene, "--out", copy).AssertDone();
         Assert.StartsWith(CsvRow.Header, File.ReadAllText(copy));
         Assert.Equal(Scene, File.ReadAllText(scene));
         DemoRun nothing = DemoProcess.Shell("demo query --record - --out /dev/null < /dev/null");
@@ -111,7 +111,7 @@ public sealed class SameFileTests
 
     private static void AssertTwoRefused(string page, string picture)
     {
-        DemoRun run = DemoProcess.Run("view", "--builtin", "cubes", "--out", page, "--svg", picture);
+        DemoRun run = DemoRun.Of("view", "--builtin", "cubes", "--out", page, "--svg", picture);
         run.AssertRefused(picture, "would overwrite what --out writes");
     }
 

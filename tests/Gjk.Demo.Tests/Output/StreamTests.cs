@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using Gjk.Demo.Tests.Scenes;
 using Gjk.Demo.Tests.Support;
@@ -19,19 +20,29 @@ public sealed class StreamTests
     /// <summary>These points make 200 million pairs. No command finishes them.</summary>
     private const int ManyPoints = 20_000;
 
-    [UnixTheory]
+    [Theory]
     [InlineData("query -")]
     [InlineData("time - --seconds 0.1")]
-    [InlineData("view - --out \"$2\"")]
-    [InlineData("trace - --pair 0,1 --out \"$2\"")]
+    [InlineData("view - --out TARGET")]
+    [InlineData("trace - --pair 0,1 --out TARGET")]
     public void ADashIsStandardInput(string call)
     {
         using var directory = new TempDirectory();
-        string scene = directory.Write("scene.json", Scene), target = directory.File("target");
-        DemoRun run = DemoProcess.Shell($"demo {call} < \"$1\"", scene, target);
+        string target = directory.File("target");
+        string[] args = [.. call.Split(' ').Select(a => a == "TARGET" ? target : a)];
+        DemoRun run = DemoRun.Fed(Scene, args);
         run.AssertDone();
         Assert.True(File.Exists(target) || run.Out.Length > 0);
-        DemoProcess.Shell($"echo oops | demo {call}", scene, target).AssertRefused("standard input: ");
+        DemoRun.Fed("oops\n", args).AssertRefused("standard input: ");
+    }
+
+    [UnixFact]
+    public void ADashIsTheProcesssStandardInput()
+    {
+        using var directory = new TempDirectory();
+        DemoRun run = DemoProcess.Shell("demo query - < \"$1\"", directory.Write("scene.json", Scene));
+        run.AssertDone();
+        Assert.StartsWith(CsvRow.Header, run.Out);
     }
 
     [UnixTheory]
@@ -47,27 +58,47 @@ public sealed class StreamTests
         Assert.Equal(Scene, File.ReadAllText(scene));
     }
 
-    [LinuxTheory]
+    [Theory]
     [InlineData("--help")]
     [InlineData("--version")]
     [InlineData("replay --frames 1")]
     [InlineData("replay --frames 1 --motion 0.1")]
-    [InlineData("query \"$1\"")]
-    [InlineData("query \"$1\" --out /dev/stdout")]
-    [InlineData("time \"$1\" --seconds 0.1")]
+    [InlineData("query SCENE")]
+    [InlineData("time SCENE --seconds 0.1")]
     [InlineData("fuzz --count 1 --seed 1")]
     public void AFullStandardOutputIsOneLine(string call)
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", Scene);
+        string[] args = [.. call.Split(' ').Select(a => a == "SCENE" ? scene : a)];
+        using RunningDemo demo = RunningDemo.Start(args, Stream.Null, output: new FullStream());
+        demo.Wait().AssertRefused("cannot be written: No space left on device");
+    }
+
+    [LinuxTheory]
+    [InlineData("replay --frames 1")]
+    [InlineData("query \"$1\"")]
+    [InlineData("query \"$1\" --out /dev/stdout")]
+    public void AProcesssFullStandardOutputIsOneLine(string call)
     {
         using var directory = new TempDirectory();
         DemoRun run = DemoProcess.Shell($"demo {call} > /dev/full", directory.Write("scene.json", Scene));
         run.AssertRefused("cannot be written: No space left on device");
     }
 
+    [Theory]
+    [InlineData("query none.json", 2)]
+    [InlineData("frobnicate", 2)]
+    [InlineData("--version", 0)]
+    public void AFullStandardErrorLeavesTheExitCode(string call, int exitCode)
+    {
+        using RunningDemo demo = RunningDemo.Start(call.Split(' '), Stream.Null, error: new FullStream());
+        Assert.Equal(exitCode, demo.Wait().ExitCode);
+    }
+
     [UnixTheory]
     [InlineData("query none.json 2> /dev/full", 2)]
     [InlineData("query none.json 2>&-", 2)]
-    [InlineData("frobnicate 2> /dev/full", 2)]
-    [InlineData("--version 2>&-", 0)]
     public void AFullOrClosedStandardErrorLeavesTheExitCode(string call, int exitCode)
     {
         if (call.Contains("/dev/full") && !File.Exists("/dev/full")) call = call.Replace("/dev/full", "/dev/null");
@@ -109,20 +140,18 @@ public sealed class StreamTests
     }
 
     [UnixTheory]
-    [InlineData("query", "TERM")]
-    [InlineData("query", "INT")]
-    [InlineData("query", "HUP")]
-    [InlineData("time", "TERM")]
-    [InlineData("view", "TERM")]
-    public void ASignalEndsTheWaitForInput(string command, string signal)
+    [InlineData("query")]
+    [InlineData("time")]
+    [InlineData("view")]
+    public void AnInterruptEndsTheWaitForInput(string command)
     {
         using var directory = new TempDirectory();
         string pipe = MakePipe(directory);
         string[] more = command == "view" ? ["--out", directory.File("page.html")] : [];
-        using DemoProcess demo = DemoProcess.Start([command, pipe, .. more]);
+        using RunningDemo demo = RunningDemo.Start([command, pipe, .. more]);
         using FileStream writer = new(pipe, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0);
         writer.WriteByte((byte)'{');
-        demo.Signal(signal);
+        demo.Interrupt();
         DemoRun run = demo.Wait();
         Assert.Equal((130, "", ""), (run.ExitCode, run.Out, run.Error));
         Assert.Equal([pipe], directory.Files);
@@ -131,10 +160,8 @@ public sealed class StreamTests
     /// <summary>
     /// A signal that comes before the demo listens ends the process directly. The test then sends it later.
     /// </summary>
-    [UnixTheory]
-    [InlineData("query -")]
-    [InlineData("query --record -")]
-    public void ASignalEndsTheWaitForStandardInput(string call)
+    [UnixFact]
+    public void ASignalEndsTheWaitForStandardInput()
     {
         const int killed = 128 + 15;
         using var directory = new TempDirectory();
@@ -143,7 +170,7 @@ public sealed class StreamTests
         int seconds = 1;
         do
         {
-            string script = $"exec 3<> \"$1\"; exec \"$GJK_HOST\" \"$GJK_DEMO\" {call} <&3";
+            const string script = "exec 3<> \"$1\"; exec \"$GJK_HOST\" \"$GJK_DEMO\" query - <&3";
             using DemoProcess demo = DemoProcess.StartShell(script, pipe);
             Thread.Sleep(TimeSpan.FromSeconds(seconds));
             demo.Signal("TERM");

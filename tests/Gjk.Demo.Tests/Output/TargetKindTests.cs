@@ -22,7 +22,7 @@ public sealed class TargetKindTests
         try
         {
             File.WriteAllText(target, new string('x', 10_000));
-            DemoProcess.Run("query", scene, "--out", target).AssertDone();
+            DemoRun.Of("query", scene, "--out", target).AssertDone();
             Assert.Single(CsvRow.Parse(File.ReadAllText(target)));
         }
         finally
@@ -39,7 +39,7 @@ public sealed class TargetKindTests
         {
             File.WriteAllText(scene, Scene);
             string spelling = "/dev/shm/./" + Path.GetFileName(scene);
-            DemoProcess.Run("query", scene, "--out", spelling).AssertRefused("overwrite");
+            DemoRun.Of("query", scene, "--out", spelling).AssertRefused("overwrite");
             Assert.Equal(Scene, File.ReadAllText(scene));
         }
         finally
@@ -73,7 +73,7 @@ public sealed class TargetKindTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene), pipe = directory.File("pipe");
         using (var make = Process.Start("mkfifo", [pipe])) make.WaitForExit();
-        using DemoProcess demo = DemoProcess.Start("query", scene, "--out", pipe);
+        using RunningDemo demo = RunningDemo.Start("query", scene, "--out", pipe);
         System.Threading.Thread.Sleep(1000);
         demo.Interrupt();
         DemoRun run = demo.Wait();
@@ -102,7 +102,7 @@ public sealed class TargetKindTests
         string scene = directory.Write("scene.json", Scene);
         string link = directory.File("link"), target = directory.File("target.csv");
         File.CreateSymbolicLink(link, "target.csv");
-        DemoProcess.Run("query", scene, "--out", link).AssertDone();
+        DemoRun.Of("query", scene, "--out", link).AssertDone();
         Assert.Equal("target.csv", new FileInfo(link).LinkTarget);
         Assert.StartsWith(CsvRow.Header, File.ReadAllText(target));
         Assert.Equal(3, directory.Files.Length);
@@ -116,8 +116,8 @@ public sealed class TargetKindTests
         string circle = directory.File("circle"), lost = directory.File("lost");
         File.CreateSymbolicLink(circle, circle);
         File.CreateSymbolicLink(lost, directory.File("nowhere/out.csv"));
-        DemoProcess.Run("query", scene, "--out", circle).AssertRefused(circle, "too many symbolic links");
-        DemoProcess.Run("query", scene, "--out", lost).AssertRefused(lost, "no such directory");
+        DemoRun.Of("query", scene, "--out", circle).AssertRefused(circle, "too many symbolic links");
+        DemoRun.Of("query", scene, "--out", lost).AssertRefused(lost, "no such directory");
         Assert.Equal(3, directory.Files.Length);
     }
 
@@ -132,7 +132,7 @@ public sealed class TargetKindTests
         Directory.CreateDirectory(directory.File("real/deep"));
         Directory.CreateSymbolicLink(directory.File("short"), directory.File("real/deep"));
         File.CreateSymbolicLink(directory.File("real/deep/link"), "../out.csv");
-        DemoProcess.Run("query", scene, "--out", directory.File("short/link")).AssertDone();
+        DemoRun.Of("query", scene, "--out", directory.File("short/link")).AssertDone();
         Assert.StartsWith(CsvRow.Header, File.ReadAllText(directory.File("real/out.csv")));
         Assert.Equal("not this one", File.ReadAllText(bystander));
     }
@@ -143,9 +143,9 @@ public sealed class TargetKindTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene);
         string missing = directory.File("missing") + Path.DirectorySeparatorChar;
-        DemoProcess.Run("query", scene, "--out", directory.Path).AssertRefused(directory.Path, "it is a directory");
-        DemoProcess.Run("query", scene, "--out", missing).AssertRefused(missing, "it is a directory");
-        DemoRun replay = DemoProcess.Run("replay", "--frames", "1", "--json", directory.Path);
+        DemoRun.Of("query", scene, "--out", directory.Path).AssertRefused(directory.Path, "it is a directory");
+        DemoRun.Of("query", scene, "--out", missing).AssertRefused(missing, "it is a directory");
+        DemoRun replay = DemoRun.Of("replay", "--frames", "1", "--json", directory.Path);
         replay.AssertRefused(directory.Path, "it is a directory");
         Assert.Equal([scene], directory.Files);
     }
@@ -156,7 +156,7 @@ public sealed class TargetKindTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene), target = directory.File(new string('n', 251) + ".csv");
-        DemoProcess.Run("query", scene, "--out", target).AssertDone();
+        DemoRun.Of("query", scene, "--out", target).AssertDone();
         Assert.True(File.Exists(target));
     }
 

@@ -26,7 +26,7 @@ public sealed class UserErrorTests
         using var directory = new TempDirectory();
         string large = directory.File("large.json");
         using (FileStream file = File.Create(large)) file.SetLength(1L << 40);
-        DemoProcess.Run("query", large).AssertRefused(large, "more than 536870912 bytes");
+        DemoRun.Of("query", large).AssertRefused(large, "more than 536870912 bytes");
     }
 
     [UnixTheory]
@@ -63,7 +63,7 @@ public sealed class UserErrorTests
     {
         using var directory = new TempDirectory();
         string input = directory.Write("a.obj", "v 0 0 0\n");
-        DemoProcess.Run(command, input, "--out", input).AssertRefused($"--out would overwrite {what}");
+        DemoRun.Of(command, input, "--out", input).AssertRefused($"--out would overwrite {what}");
     }
 
     [Fact]
@@ -71,7 +71,7 @@ public sealed class UserErrorTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("s.json", """{"version":1,"objects":[],"a\u001b[31m\u009b\u202eb":1}""");
-        DemoRun run = DemoProcess.Run("query", scene);
+        DemoRun run = DemoRun.Of("query", scene);
         run.AssertRefused("""a\u001b[31m\u009b\u202eb""");
         Assert.DoesNotContain(run.Error.TrimEnd('\n'), char.IsControl);
     }
@@ -88,7 +88,7 @@ public sealed class UserErrorTests
               {"name":"two\u0008","shape":{"type":"sphere","radius":1},"position":[1,0,0]}]}
             """);
         string picture = directory.File("s.svg"), page = directory.File("s.html");
-        DemoProcess.Run("view", scene, "--svg", picture, "--out", page).AssertDone();
+        DemoRun.Of("view", scene, "--svg", picture, "--out", page).AssertDone();
         XDocument svg = XDocument.Load(picture);
         string[] titles = [.. svg.Descendants().Where(e => e.Name.LocalName == "title").Select(e => e.Value)];
         Assert.StartsWith("""a\u0000b\uffff<&: 2 objects""", titles[0]);

@@ -22,7 +22,7 @@ public sealed class CastTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Moving);
-        DemoRun run = DemoProcess.Run("cast", scene);
+        DemoRun run = DemoRun.Of("cast", scene);
         run.AssertDone();
         string[][] rows = [.. run.Out.TrimEnd().Split('\n').Select(line => line.Split(','))];
         Assert.Equal("a,b,status,fraction,px,py,pz,nx,ny,nz,iterations", string.Join(',', rows[0]));
@@ -37,7 +37,7 @@ public sealed class CastTests
         Assert.All(rows.Skip(1), row => Assert.InRange(int.Parse(row[10], CultureInfo.InvariantCulture), 0, 50));
 
         string file = Path.Combine(directory.Path, "out.csv");
-        DemoProcess.Run("cast", scene, "--out", file).AssertDone();
+        DemoRun.Of("cast", scene, "--out", file).AssertDone();
         Assert.Equal(run.Out, File.ReadAllText(file));
     }
 
@@ -57,7 +57,7 @@ public sealed class CastTests
             string motion = $"""
                 "position":[0,2,0],"velocity":{velocity},"angularVelocity":{turn}
                 """;
-            DemoRun run = DemoProcess.Run("cast", directory.Write("touching.json", $$$"""
+            DemoRun run = DemoRun.Of("cast", directory.Write("touching.json", $$$"""
                 {"version":1,"objects":[
                   {"shape":{"type":"box","halfExtents":[4,1,4]}},
                   {"shape":{"type":"box","halfExtents":[1,1,1]},{{{motion}}}},
@@ -90,7 +90,7 @@ public sealed class CastTests
              "pairs":[[0,1],[0,2],[1,3],[3,1]]}
             """;
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run("cast", directory.Write("turning.json", turning));
+        DemoRun run = DemoRun.Of("cast", directory.Write("turning.json", turning));
         run.AssertDone();
         string[][] rows = [.. run.Out.TrimEnd().Split('\n').Select(line => line.Split(','))];
         Assert.Equal(["0", "1", "Hit"], rows[1][..3]);
@@ -106,20 +106,20 @@ public sealed class CastTests
     {
         const string Record =
             "gjk1 box 1 1 1 @ 0 0 0 1 0 0 0 ~ 0 1 0 0 0 0 point 0.5 @ 0 0 0 1 0 4 0 ~ 0 -4 0 0 0 0";
-        DemoRun run = DemoProcess.Run("cast", "--record", Record);
+        DemoRun run = DemoRun.Of("cast", "--record", Record);
         run.AssertDone();
         Assert.StartsWith("0,1,Hit,0.5,0,1.5,0,0,1,0,", run.Out.Split('\n')[1]);
-        DemoProcess.Run("cast", "--record", Record + " 1").AssertRefused("--record: Word");
-        DemoRun turning = DemoProcess.Run("cast", "--record", Record[..^5] + "0 1 0");
+        DemoRun.Of("cast", "--record", Record + " 1").AssertRefused("--record: Word");
+        DemoRun turning = DemoRun.Of("cast", "--record", Record[..^5] + "0 1 0");
         turning.AssertDone();
         Assert.StartsWith("0,1,Hit,0.49999", turning.Out.Split('\n')[1]);
-        DemoProcess.Run("cast", "scene.json", "--record", Record).AssertRefused("exclude each other");
+        DemoRun.Of("cast", "scene.json", "--record", Record).AssertRefused("exclude each other");
     }
 
     [Fact]
     public void AMissingSceneIsRefused()
     {
-        DemoProcess.Run("cast").AssertRefused("SCENE.json, --builtin or --record");
-        DemoProcess.Run("cast", "no-such-file.json").AssertRefused("no-such-file.json");
+        DemoRun.Of("cast").AssertRefused("SCENE.json, --builtin or --record");
+        DemoRun.Of("cast", "no-such-file.json").AssertRefused("no-such-file.json");
     }
 }

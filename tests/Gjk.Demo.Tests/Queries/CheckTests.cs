@@ -48,7 +48,7 @@ public sealed class CheckTests
     [Fact]
     public void ARecordIsCheckedAsASceneIs()
     {
-        DemoRun run = DemoProcess.Run(
+        DemoRun run = DemoRun.Of(
             "query", "--check", "--record", "gjk1 box 1 1 1 @ 0 0 0 1 0 0 0 point 0.5 @ 0 0 0 1 0 4 0");
         run.AssertDone();
         Assert.EndsWith(",proved\n", run.Out);
@@ -77,7 +77,7 @@ public sealed class CheckTests
     private static string[] Rows(params string[] args)
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run([args[0], directory.Write("scene.json", Objects), .. args[1..]]);
+        DemoRun run = DemoRun.Of([args[0], directory.Write("scene.json", Objects), .. args[1..]]);
         run.AssertDone();
         return run.Out.TrimEnd('\n').Split('\n');
     }

@@ -22,7 +22,7 @@ public sealed class NamesTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("s.json", Scene);
-        DemoRun plain = DemoProcess.Run(command, scene), named = DemoProcess.Run(command, scene, "--names");
+        DemoRun plain = DemoRun.Of(command, scene), named = DemoRun.Of(command, scene, "--names");
         plain.AssertDone();
         named.AssertDone();
         Assert.Equal("", named.Error);
@@ -41,7 +41,7 @@ public sealed class NamesTests
         string scene = directory.Write("s.json", $$"""
             {"version":1,"objects":[{"name":"{{name}}","shape":{"type":"point"} },{"shape":{"type":"point"} }]}
             """);
-        DemoRun run = DemoProcess.Run("query", scene, "--names");
+        DemoRun run = DemoRun.Of("query", scene, "--names");
         run.AssertDone();
         Assert.EndsWith($",{name},\n", run.Out);
     }
@@ -54,11 +54,11 @@ public sealed class NamesTests
             {"version":1,"objects":[{"name":"a","shape":{"type":"point"}},{"name":"b","shape":{"type":"point"}},
               {"name":"b","shape":{"type":"point"}},{"name":"a","shape":{"type":"point"}},{"shape":{"type":"point"}}]}
             """);
-        DemoRun named = DemoProcess.Run("query", scene, "--names");
+        DemoRun named = DemoRun.Of("query", scene, "--names");
         Assert.Equal(0, named.ExitCode);
         Assert.Equal($"gjk-demo: {scene}: warning: 2 names appear again: \"b\" for the objects 1 and 2\n", named.Error);
-        Assert.Equal("", DemoProcess.Run("query", scene).Error);
-        Assert.Equal("", DemoProcess.Run("query", "--builtin", "cubes", "--names").Error);
+        Assert.Equal("", DemoRun.Of("query", scene).Error);
+        Assert.Equal("", DemoRun.Of("query", "--builtin", "cubes", "--names").Error);
     }
 
     [Fact]
@@ -68,11 +68,11 @@ public sealed class NamesTests
         string scene = directory.Write("s.json", Scene), json = directory.File("r.json");
         string[] outputs =
         [
-            DemoProcess.Run("query", scene).Out, DemoProcess.Run("query", scene, "--depth").Out,
-            DemoProcess.Run("query", "--builtin", "cubes", "--depth").Out, DemoProcess.Run("cast", scene).Out,
+            DemoRun.Of("query", scene).Out, DemoRun.Of("query", scene, "--depth").Out,
+            DemoRun.Of("query", "--builtin", "cubes", "--depth").Out, DemoRun.Of("cast", scene).Out,
         ];
         Assert.All(outputs, csv => Assert.DoesNotContain("-0", csv.Split(',', '\n')));
-        DemoProcess.Run("--frames", "1", "--json", json).AssertDone();
+        DemoRun.Of("--frames", "1", "--json", json).AssertDone();
         Assert.DoesNotMatch(":-0[,}]", File.ReadAllText(json));
     }
 
@@ -92,7 +92,7 @@ public sealed class NamesTests
         directory.Write("one.obj", "v 0 0 0\n");
         string target = directory.File("target");
         string[] args = [.. call.Split(' ').Select(a => a is "s.json" or "one.obj" ? directory.File(a) : a), target];
-        DemoRun run = DemoProcess.Run(args);
+        DemoRun run = DemoRun.Of(args);
         if (what.Length == 0)
         {
             run.AssertRefused("--record");

@@ -20,7 +20,7 @@ public sealed class QueryTests
     public void RowsSayWhatWasFound()
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run("query", directory.Write("scene.json", TwoSpheresAndABox));
+        DemoRun run = DemoRun.Of("query", directory.Write("scene.json", TwoSpheresAndABox));
         run.AssertDone();
         List<CsvRow> rows = CsvRow.Parse(run.Out);
         Assert.Equal(3, rows.Count);
@@ -40,7 +40,7 @@ public sealed class QueryTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheresAndABox);
-        DemoRun run = DemoProcess.Run("query", scene, "--depth");
+        DemoRun run = DemoRun.Of("query", scene, "--depth");
         run.AssertDone();
         List<CsvRow> rows = CsvRow.Parse(run.Out);
         Assert.Equal(("Separated", false, 4f), (rows[0].Status, rows[0].Overlap, rows[0].Distance));
@@ -49,7 +49,7 @@ public sealed class QueryTests
         Assert.Equal((0.5f, 0.25f), (rows[1].PointA.X, rows[1].PointB.X));
         Assert.InRange(rows[1].LowerBound, -0.2500001f, -0.25f);
 
-        run = DemoProcess.Run("query", scene, "--depth", "--max-distance", "3.5");
+        run = DemoRun.Of("query", scene, "--depth", "--max-distance", "3.5");
         run.AssertDone();
         rows = CsvRow.Parse(run.Out);
         Assert.Equal(("BeyondMaxDistance", -0.25f), (rows[0].Status, rows[1].Distance));
@@ -59,7 +59,7 @@ public sealed class QueryTests
     public void PairsBeyondTheMaximumSayOnlyThat()
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run(
+        DemoRun run = DemoRun.Of(
             "query", directory.Write("scene.json", TwoSpheresAndABox), "--max-distance", "3.5");
         run.AssertDone();
         CsvRow row = CsvRow.Parse(run.Out)[0];
@@ -76,10 +76,10 @@ public sealed class QueryTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheresAndABox);
-        DemoRun run = DemoProcess.Run("query", scene, "--max-distance", "Infinity");
+        DemoRun run = DemoRun.Of("query", scene, "--max-distance", "Infinity");
         run.AssertDone();
-        Assert.Equal(DemoProcess.Run("query", scene).Out, run.Out);
-        Assert.Contains("[default: Infinity]", DemoProcess.Run("query", "--help").Out);
+        Assert.Equal(DemoRun.Of("query", scene).Out, run.Out);
+        Assert.Contains("[default: Infinity]", DemoRun.Of("query", "--help").Out);
     }
 
     [Fact]
@@ -87,8 +87,8 @@ public sealed class QueryTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheresAndABox), target = directory.Write("out.csv", "old");
-        string printed = DemoProcess.Run("query", scene).Out;
-        DemoRun run = DemoProcess.Run("query", scene, "--out", target);
+        string printed = DemoRun.Of("query", scene).Out;
+        DemoRun run = DemoRun.Of("query", scene, "--out", target);
         run.AssertDone();
         Assert.Equal("", run.Out);
         Assert.Equal(printed, File.ReadAllText(target));
@@ -101,7 +101,7 @@ public sealed class QueryTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheresAndABox), link = directory.File("link.csv");
         File.CreateSymbolicLink(link, directory.File("target.csv"));
-        DemoProcess.Run("query", scene, "--out", link).AssertDone();
+        DemoRun.Of("query", scene, "--out", link).AssertDone();
         Assert.NotNull(new FileInfo(link).LinkTarget);
         Assert.StartsWith(CsvRow.Header, File.ReadAllText(directory.File("target.csv")));
     }
@@ -111,10 +111,10 @@ public sealed class QueryTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheresAndABox);
-        DemoProcess.Run("query", scene, "--out", "/dev/null").AssertDone();
+        DemoRun.Of("query", scene, "--out", "/dev/null").AssertDone();
         Assert.Equal(0, new FileInfo("/dev/null").Length);
         if (File.Exists("/dev/full"))
-            DemoProcess.Run("query", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
+            DemoRun.Of("query", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
     }
 
     /// <summary>The rows are about 60 MB of text. They would not fit into the heap that the process is given.</summary>
@@ -139,7 +139,7 @@ public sealed class QueryTests
         var pairs = new System.Text.StringBuilder();
         for (int i = 0; i < 1_000_000; i++) pairs.Append(i == 0 ? "[0,1]" : i % 2 == 0 ? ",[0,1]" : ",[1,0]");
         string scene = directory.Write("scene.json", SceneTests.Points(2, $""","pairs":[{pairs}]"""));
-        DemoRun run = DemoProcess.Run("query", scene, "--out", directory.File("out.csv"));
+        DemoRun run = DemoRun.Of("query", scene, "--out", directory.File("out.csv"));
         run.AssertDone();
         int lines = 0;
         foreach (string _ in File.ReadLines(directory.File("out.csv"))) lines++;
@@ -152,7 +152,7 @@ public sealed class QueryTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", SceneTests.Points(20_000, pairs: ""));
         string target = directory.File("out.csv");
-        using DemoProcess demo = DemoProcess.Start("query", scene, "--out", target);
+        using RunningDemo demo = RunningDemo.Start("query", scene, "--out", target);
         demo.WaitUntil(_ => Array.Exists(
             directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal) && new FileInfo(f).Length > 1_000_000));
         demo.Interrupt();
@@ -165,7 +165,7 @@ public sealed class QueryTests
     public void CtrlCEndsTheStream()
     {
         using var directory = new TempDirectory();
-        using DemoProcess demo = DemoProcess.Start(
+        using RunningDemo demo = RunningDemo.Start(
             "query", directory.Write("scene.json", SceneTests.Points(20_000, pairs: "")));
         demo.WaitUntil(text => text.Length > 100_000);
         demo.Interrupt();

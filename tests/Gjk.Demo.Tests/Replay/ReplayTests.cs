@@ -17,7 +17,7 @@ public sealed class ReplayFixture : IDisposable
 
     public ReplayFixture()
     {
-        Run = DemoProcess.Run("--frames", "2", "--json", _directory.File("replay.json"));
+        Run = DemoRun.Of("--frames", "2", "--json", _directory.File("replay.json"));
         Document = JsonDocument.Parse(File.ReadAllText(_directory.File("replay.json")));
         Files = _directory.Files.Length;
     }
@@ -142,7 +142,7 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
     [InlineData("replay --frames 1 --motion 0.01")]
     public void TheTableFitsATerminalOf80Columns(string call)
     {
-        DemoRun run = DemoProcess.Run(call.Split(' '));
+        DemoRun run = DemoRun.Of(call.Split(' '));
         run.AssertDone();
         string[] lines = run.Out.Split('\n');
         Assert.Contains(lines, line => line.StartsWith('|'));
@@ -152,7 +152,7 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
     [Fact]
     public void AnotherRunGivesTheSameHashes()
     {
-        DemoRun again = DemoProcess.Run("replay", "--frames", "1");
+        DemoRun again = DemoRun.Of("replay", "--frames", "1");
         again.AssertDone();
         Assert.Contains(_replay.Scene("cubes").GetProperty("hash").GetString()!, again.Out);
         Assert.Contains(_replay.Scene("spheres").GetProperty("hash").GetString()!, again.Out);

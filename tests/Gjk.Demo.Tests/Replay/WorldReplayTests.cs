@@ -87,7 +87,7 @@ public sealed class WorldReplayTests
     [Fact]
     public void TheTableIsPlainAndComplete()
     {
-        DemoRun run = DemoProcess.Run("replay", "--motion", "0.01", "--threads", "2", "--frames", "2");
+        DemoRun run = DemoRun.Of("replay", "--motion", "0.01", "--threads", "2", "--frames", "2");
         run.AssertDone();
         Assert.All(run.Out, c => Assert.True(c is '\n' or >= ' ' and <= '~'));
         string[] rows =
@@ -121,7 +121,7 @@ public sealed class WorldReplayTests
     public void ASettingThatMakesNoSenseIsOneLine(string option, string value, string reason)
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("replay", option, value, "--json", directory.File("out.json"))
+        DemoRun.Of("replay", option, value, "--json", directory.File("out.json"))
             .AssertRefused("replay: ", reason);
         Assert.Empty(directory.Files);
     }
@@ -133,12 +133,12 @@ public sealed class WorldReplayTests
     [InlineData("--broad tree --broad sort")]
     [InlineData("--threads 1 --threads 2")]
     public void AnOptionWithoutOneValueIsOneLine(string options) =>
-        DemoProcess.Run([.. options.Split(' ')]).AssertRefused(options.Split(' ')[0]);
+        DemoRun.Of([.. options.Split(' ')]).AssertRefused(options.Split(' ')[0]);
 
     [Fact]
     public void HelpNamesTheOptions()
     {
-        DemoRun run = DemoProcess.Run("replay", "--help");
+        DemoRun run = DemoRun.Of("replay", "--help");
         run.AssertDone();
         string[] words = ["--broad <sort|tree>", "--motion <SPEED>", "--objects <N>", "--threads <N>"];
         foreach (string word in words) Assert.Contains(word, run.Out);
@@ -151,7 +151,7 @@ public sealed class WorldReplayTests
     {
         using var directory = new TempDirectory();
         using var watch = new TemporaryFileWatch(directory);
-        using DemoProcess demo = DemoProcess.Start(
+        using RunningDemo demo = RunningDemo.Start(
             "--objects", "500", "--motion", "0.01", "--threads", threads, "--seconds", "60",
             "--json", directory.File("replay.json"));
         demo.WaitUntil(_ => watch.HasSeenOne);
@@ -164,7 +164,7 @@ public sealed class WorldReplayTests
     private static JsonDocument Replay(string[] options)
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run(["replay", .. options, "--json", directory.File("replay.json")]).AssertDone();
+        DemoRun.Of(["replay", .. options, "--json", directory.File("replay.json")]).AssertDone();
         return JsonDocument.Parse(File.ReadAllText(directory.File("replay.json")));
     }
 

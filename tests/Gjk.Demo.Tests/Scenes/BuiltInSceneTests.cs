@@ -48,31 +48,31 @@ public sealed class BuiltInSceneTests
     [InlineData("cast --builtin spheres")]
     public void TheMeshOfTheSpheresCanBeChosen(string call)
     {
-        DemoRun even = DemoProcess.Run(call.Split(' '));
-        DemoRun unity = DemoProcess.Run([.. call.Split(' '), "--mesh", "unity"]);
+        DemoRun even = DemoRun.Of(call.Split(' '));
+        DemoRun unity = DemoRun.Of([.. call.Split(' '), "--mesh", "unity"]);
         even.AssertDone();
         unity.AssertDone();
         Assert.Equal(191, unity.Out.TrimEnd('\n').Split('\n').Length);
         Assert.NotEqual(even.Out, unity.Out);
-        Assert.Equal(even.Out, DemoProcess.Run([.. call.Split(' '), "--mesh", "even"]).Out);
+        Assert.Equal(even.Out, DemoRun.Of([.. call.Split(' '), "--mesh", "even"]).Out);
     }
 
     [Fact]
     public void EveryCommandTakesTheBuiltInScenesAndTheMesh()
     {
         using var directory = new TempDirectory();
-        DemoRun time = DemoProcess.Run("time", "--builtin", "spheres", "--mesh", "unity", "--seconds", "0.1");
+        DemoRun time = DemoRun.Of("time", "--builtin", "spheres", "--mesh", "unity", "--seconds", "0.1");
         time.AssertDone();
         Assert.StartsWith("{\"scene\":\"spheres\",\"pairs\":190,\"overlapping\":5,", time.Out);
-        DemoRun replay = DemoProcess.Run("--mesh", "unity", "--frames", "1");
+        DemoRun replay = DemoRun.Of("--mesh", "unity", "--frames", "1");
         replay.AssertDone();
         Assert.Contains("515 (386)", replay.Out);
-        DemoRun world = DemoProcess.Run("--mesh", "unity", "--frames", "1", "--objects", "50");
+        DemoRun world = DemoRun.Of("--mesh", "unity", "--frames", "1", "--objects", "50");
         world.AssertDone();
         Assert.Contains("515 (386)", world.Out);
         string page = directory.File("p.html");
-        DemoProcess.Run("view", "--builtin", "spheres", "--mesh", "unity", "--out", page).AssertDone();
-        DemoProcess.Run("trace", "--builtin", "spheres", "--mesh", "unity", "--pair", "Sphere (1),19", "--out", page)
+        DemoRun.Of("view", "--builtin", "spheres", "--mesh", "unity", "--out", page).AssertDone();
+        DemoRun.Of("trace", "--builtin", "spheres", "--mesh", "unity", "--pair", "Sphere (1),19", "--out", page)
             .AssertDone();
     }
 

@@ -33,7 +33,7 @@ public sealed class RefusalTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("bad.json", json);
-        DemoRun run = DemoProcess.Run("query", scene, "--out", directory.File("out.csv"));
+        DemoRun run = DemoRun.Of("query", scene, "--out", directory.File("out.csv"));
         run.AssertRefused($"{scene}: {path}: ", reason);
         Assert.Equal([scene], directory.Files);
     }
@@ -46,7 +46,7 @@ public sealed class RefusalTests
         byte[] json = Encoding.ASCII.GetBytes("""{"version":1,"name":"?","objects":[]}""");
         json[System.Array.IndexOf(json, (byte)0x3F)] = 0xFF;
         File.WriteAllBytes(scene, json);
-        DemoProcess.Run("query", scene).AssertRefused($"{scene}: $.name: ", "Unicode");
+        DemoRun.Of("query", scene).AssertRefused($"{scene}: $.name: ", "Unicode");
     }
 
     [Fact]
@@ -54,7 +54,7 @@ public sealed class RefusalTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("bad.json", """{"version":1,"one\ntwo":3,"objects":[]}""");
-        DemoProcess.Run("query", scene).AssertRefused("$['one two']: unknown field");
+        DemoRun.Of("query", scene).AssertRefused("$['one two']: unknown field");
     }
 
     [Fact]
@@ -63,7 +63,7 @@ public sealed class RefusalTests
         using var directory = new TempDirectory();
         string good = directory.Write("good.json", """{"version":1,"objects":[]}""");
         string bad = directory.Write("bad.json", """{"version":2,"objects":[]}""");
-        DemoProcess.Run("time", good, bad, "--seconds", "0.1").AssertRefused($"{bad}: $.version: ");
+        DemoRun.Of("time", good, bad, "--seconds", "0.1").AssertRefused($"{bad}: $.version: ");
     }
 
     private static string WithObject(string body) => $$"""{"version":1,"objects":[{{Sphere}},{{body}}]}""";

@@ -103,7 +103,7 @@ public sealed class SceneFormatTests
         string[] columns = answer.Split('\n')[0].Split(',');
         string command = columns.Contains("fraction") ? "cast" : "query";
         string[] names = columns.Contains("a_name") ? ["--names"] : [];
-        DemoRun run = DemoProcess.Run([command, file, .. names]);
+        DemoRun run = DemoRun.Of([command, file, .. names]);
         run.AssertDone();
         Assert.Equal(Told(answer), Told(run.Out));
 
@@ -136,7 +136,7 @@ public sealed class SceneFormatTests
     public void TheExampleHasEveryShapeAndField()
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run("example");
+        DemoRun run = DemoRun.Of("example");
         run.AssertDone();
         Assert.Equal(Example, run.Out);
         Assert.True(Schema.Accepts(run.Out));
@@ -146,22 +146,22 @@ public sealed class SceneFormatTests
             Assert.Contains($"\"{field}\"", run.Out);
 
         string scene = directory.File("scene.json");
-        DemoRun written = DemoProcess.Run("example", "--out", scene);
+        DemoRun written = DemoRun.Of("example", "--out", scene);
         written.AssertDone();
         Assert.Equal($"gjk-demo: wrote 1 scene to {scene}\n", written.Error);
         Assert.Equal(Example, File.ReadAllText(scene));
-        DemoRun query = DemoProcess.Run("query", scene);
+        DemoRun query = DemoRun.Of("query", scene);
         query.AssertDone();
         Assert.Single(CsvRow.Parse(query.Out), row => row.Overlap);
-        DemoProcess.Run("view", scene, "--out", directory.File("s.html")).AssertDone();
+        DemoRun.Of("view", scene, "--out", directory.File("s.html")).AssertDone();
     }
 
     [Fact]
     public void TheExampleIsNotWrittenWhereItCannotBe()
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("example", "--out", directory.Path).AssertRefused(directory.Path, "directory");
-        DemoProcess.Run("example", "more").AssertRefused("more");
+        DemoRun.Of("example", "--out", directory.Path).AssertRefused(directory.Path, "directory");
+        DemoRun.Of("example", "more").AssertRefused("more");
     }
 
     private static void AssertFields(IEnumerable<string> fields, JsonObject schema)

@@ -151,7 +151,7 @@ public sealed class SceneTests
 
     private static List<CsvRow> Query(string scene)
     {
-        DemoRun run = DemoProcess.Run("query", scene);
+        DemoRun run = DemoRun.Of("query", scene);
         run.AssertDone();
         return CsvRow.Parse(run.Out);
     }

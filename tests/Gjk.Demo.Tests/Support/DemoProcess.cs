@@ -14,6 +14,16 @@ namespace Gjk.Demo.Tests.Support;
 /// <summary>The result of a finished run of the demo.</summary>
 public sealed record DemoRun(int ExitCode, string Out, string Error)
 {
+    /// <summary>Runs the demo in this process, to its end, with an empty standard input.</summary>
+    public static DemoRun Of(params string[] args) => Fed("", args);
+
+    /// <summary>As the other one, with a text as standard input.</summary>
+    public static DemoRun Fed(string input, params string[] args)
+    {
+        using RunningDemo demo = RunningDemo.Start(args, new MemoryStream(Encoding.UTF8.GetBytes(input)));
+        return demo.Wait();
+    }
+
     /// <summary>
     /// Asserts exit code 2, nothing on standard output, and one line on standard error that contains all the parts.
     /// </summary>
@@ -37,7 +47,9 @@ public sealed record DemoRun(int ExitCode, string Out, string Error)
     }
 }
 
-/// <summary>Runs the built demo as a process, as its user does.</summary>
+/// <summary>
+/// Runs the built demo as a process, as its user does: for signals, shells, terminals and the process's own streams.
+/// </summary>
 public sealed class DemoProcess : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(90);

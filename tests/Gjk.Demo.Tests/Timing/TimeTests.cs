@@ -29,7 +29,7 @@ public sealed class TimeTests
         using var directory = new TempDirectory();
         string boxes = directory.Write("boxes.v1.json", Boxes);
         string empty = directory.Write("empty.json", """{"version":1,"objects":[]}""");
-        DemoRun run = DemoProcess.Run("time", boxes, empty, "--seconds", "0.2");
+        DemoRun run = DemoRun.Of("time", boxes, empty, "--seconds", "0.2");
         run.AssertDone();
         string[] lines = run.Out.TrimEnd('\n').Split('\n');
         Assert.Equal(2, lines.Length);
@@ -63,7 +63,7 @@ public sealed class TimeTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("moving.json", Boxes.Replace(",\"velocity\":[1,0,0]", motion));
-        DemoRun run = DemoProcess.Run("time", scene, "--seconds", "0.1");
+        DemoRun run = DemoRun.Of("time", scene, "--seconds", "0.1");
         run.AssertDone();
         using JsonDocument timed = JsonDocument.Parse(run.Out);
         JsonElement cast = timed.RootElement.GetProperty("cast_ns");
@@ -77,7 +77,7 @@ public sealed class TimeTests
         using var directory = new TempDirectory();
         string empty = directory.Write("empty.json", """{"version":1,"objects":[]}""");
         string points = directory.Write("points.json", SceneTests.Points(40, pairs: ""));
-        using DemoProcess demo = DemoProcess.Start("time", empty, points, "--seconds", "60");
+        using RunningDemo demo = RunningDemo.Start("time", empty, points, "--seconds", "60");
         demo.WaitUntil(text => text.EndsWith('\n'));
         demo.Interrupt();
         DemoRun run = demo.Wait();

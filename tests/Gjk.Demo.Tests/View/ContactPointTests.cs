@@ -71,7 +71,7 @@ public sealed class ContactPointTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", $"{{\"version\":1,{frames}\"objects\":[{objects}]}}");
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html")).AssertDone();
+        DemoRun.Of("view", scene, "--out", directory.File("a.html")).AssertDone();
         return new PageText(directory.File("a.html"));
     }
 

@@ -68,7 +68,7 @@ public sealed class ImpactTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", $"{{\"version\":1,{frames}\"objects\":[{objects}]}}");
-        DemoRun run = DemoProcess.Run(
+        DemoRun run = DemoRun.Of(
             "view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));
         run.AssertDone();
         svg = File.ReadAllText(directory.File("a.svg"));

@@ -30,7 +30,7 @@ public sealed class NamedPairTests
     {
         using var directory = new TempDirectory();
         string page = directory.File("t.html");
-        DemoProcess.Run("trace", directory.Write("s.json", Scene), "--pair", pair, "--out", page).AssertDone();
+        DemoRun.Of("trace", directory.Write("s.json", Scene), "--pair", pair, "--out", page).AssertDone();
         var text = new PageText(page);
         Assert.Equal((a, b), ((int)text.Count("a"), (int)text.Count("b")));
     }
@@ -51,7 +51,7 @@ public sealed class NamedPairTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("s.json", Scene), page = directory.File("t.html");
-        DemoProcess.Run("trace", scene, "--pair=" + pair, "--out", page).AssertRefused(scene, "--pair", part);
+        DemoRun.Of("trace", scene, "--pair=" + pair, "--out", page).AssertRefused(scene, "--pair", part);
         Assert.False(File.Exists(page));
     }
 
@@ -64,7 +64,7 @@ public sealed class NamedPairTests
               {"shape":{"type":"sphere","radius":3e38},"scale":2},{"shape":{"type":"point"},"position":[3e38,0,0]}]}
             """);
         string page = directory.File("t.html");
-        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", page).AssertRefused(scene, "$.objects[1]");
-        DemoProcess.Run("trace", scene, "--pair", "0,2", "--out", page).AssertDone();
+        DemoRun.Of("trace", scene, "--pair", "0,1", "--out", page).AssertRefused(scene, "$.objects[1]");
+        DemoRun.Of("trace", scene, "--pair", "0,2", "--out", page).AssertDone();
     }
 }

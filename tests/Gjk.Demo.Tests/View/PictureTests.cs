@@ -33,7 +33,7 @@ public sealed class PictureTests
     public void ThePicturesInTheReadmeAreWhatTheDemoDraws(string scene)
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("view", "--builtin", scene, "--svg", directory.File("a.svg")).AssertDone();
+        DemoRun.Of("view", "--builtin", scene, "--svg", directory.File("a.svg")).AssertDone();
         string drawn = File.ReadAllText(directory.File("a.svg"));
         AssertSound(drawn);
         Assert.InRange(drawn.Length, 5_000, 300_000);
@@ -213,7 +213,7 @@ public sealed class PictureTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{objects}]}}");
-        DemoProcess.Run("view", scene, "--svg", directory.File("a.svg")).AssertDone();
+        DemoRun.Of("view", scene, "--svg", directory.File("a.svg")).AssertDone();
         string svg = File.ReadAllText(directory.File("a.svg"));
         AssertSound(svg);
         return svg;

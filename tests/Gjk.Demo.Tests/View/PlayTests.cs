@@ -31,7 +31,7 @@ public sealed class PlayTests
     [InlineData("play --scene a.json --out a.json", "overwrite the scene")]
     [InlineData("play --nope --out a.html", "--nope")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+        DemoRun.Of(args.Split(' ')).AssertRefused(part);
 
     [Fact]
     public void BadInputLeavesNoFile()
@@ -41,9 +41,9 @@ public sealed class PlayTests
         string mesh = directory.Write("part.obj", "v 1 2\n");
         string many = directory.Write("many.json", Many(5_001));
         string page = directory.File("a.html");
-        DemoProcess.Run("play", "--scene", scene, "--out", page).AssertRefused(scene, "$.objects[0].shape.type");
-        DemoProcess.Run("play", "--obj", mesh, "--out", page).AssertRefused(mesh, "three coordinates");
-        DemoProcess.Run("play", "--scene", many, "--out", page).AssertRefused(many, "5001 objects", "5000");
+        DemoRun.Of("play", "--scene", scene, "--out", page).AssertRefused(scene, "$.objects[0].shape.type");
+        DemoRun.Of("play", "--obj", mesh, "--out", page).AssertRefused(mesh, "three coordinates");
+        DemoRun.Of("play", "--scene", many, "--out", page).AssertRefused(many, "5001 objects", "5000");
         Assert.False(File.Exists(page));
         Assert.Equal(3, directory.Files.Count());
     }
@@ -101,14 +101,14 @@ public sealed class PlayTests
     [InlineData("view a.json --live --svg a.svg", "--live needs --out")]
     [InlineData("view none.json --live --out a.html", "no such file")]
     public void ALivePageNeedsAPage(string args, string part) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+        DemoRun.Of(args.Split(' ')).AssertRefused(part);
 
     [Fact]
     public void ALivePageHoldsTheLibraryAndALargeOneIsRefused()
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", TwoSpheres), page = directory.File("a.html");
-        DemoProcess.Run("view", directory.Write("many.json", Many(201)), "--live", "--out", page)
+        DemoRun.Of("view", directory.Write("many.json", Many(201)), "--live", "--out", page)
             .AssertRefused("many.json", "--live", "201 objects", "200");
         Assert.False(File.Exists(page));
         Assert.Equal(0, DemoProcess.Run("view", scene, "--live", "--out", page).ExitCode);
@@ -116,7 +116,7 @@ public sealed class PlayTests
         Assert.Contains("script-src 'unsafe-inline' 'wasm-unsafe-eval'", live);
         Assert.Contains("\"Gjk.Core.dll\":\"", live);
         Assert.Contains("Emscripten authors", live);
-        Assert.Equal(0, DemoProcess.Run("view", scene, "--out", page).ExitCode);
+        Assert.Equal(0, DemoRun.Of("view", scene, "--out", page).ExitCode);
         Assert.DoesNotContain("wasm", File.ReadAllText(page));
     }
 

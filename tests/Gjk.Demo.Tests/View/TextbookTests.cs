@@ -99,7 +99,7 @@ public sealed class TextbookTests
     {
         using var directory = new TempDirectory();
         string file = directory.File("t.html");
-        DemoProcess.Run("trace", "--example", name, "--out", file).AssertDone();
+        DemoRun.Of("trace", "--example", name, "--out", file).AssertDone();
         var page = new PageText(file);
         page.AssertSelfContained();
         JsonElement textbook = page.Data.GetProperty("textbook");

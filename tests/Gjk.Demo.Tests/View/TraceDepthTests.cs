@@ -39,10 +39,10 @@ public sealed class TraceDepthTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene.Insert(Scene.LastIndexOf('}'), $",\"pairs\":[[{a},{b}]]"));
-        DemoProcess.Run("trace", scene, "--pair", $"{a},{b}", "--out", directory.File("t.html")).AssertDone();
+        DemoRun.Of("trace", scene, "--pair", $"{a},{b}", "--out", directory.File("t.html")).AssertDone();
         var page = new PageText(directory.File("t.html"));
         JsonElement depth = page.Data.GetProperty("depth"), result = depth.GetProperty("result");
-        CsvRow row = Assert.Single(CsvRow.Parse(DemoProcess.Run("query", scene, "--depth").Out));
+        CsvRow row = Assert.Single(CsvRow.Parse(DemoRun.Of("query", scene, "--depth").Out));
         Assert.Equal((row.Status, row.Distance, row.LowerBound, row.Iterations), (
             result.GetProperty("status").GetString(), result.GetProperty("distance").GetSingle(),
             result.GetProperty("lowerBound").GetSingle(), result.GetProperty("iterations").GetInt32()));
@@ -65,7 +65,7 @@ public sealed class TraceDepthTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene);
-        DemoProcess.Run("trace", scene, "--pair", "0,6", "--out", directory.File("t.html")).AssertDone();
+        DemoRun.Of("trace", scene, "--pair", "0,6", "--out", directory.File("t.html")).AssertDone();
         var page = new PageText(directory.File("t.html"));
         Assert.False(page.Data.TryGetProperty("depth", out _));
         Assert.Equal(0, page.Count("depth-steps"));

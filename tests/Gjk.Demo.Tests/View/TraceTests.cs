@@ -36,7 +36,7 @@ public sealed class TraceTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene);
-        DemoRun run = DemoProcess.Run("trace", scene, "--pair", $"{a},{b}", "--out", directory.File("t.html"));
+        DemoRun run = DemoRun.Of("trace", scene, "--pair", $"{a},{b}", "--out", directory.File("t.html"));
         run.AssertDone();
         Assert.Equal("", run.Out);
         Assert.Equal([scene, directory.File("t.html")], directory.Files.Order());
@@ -44,7 +44,7 @@ public sealed class TraceTests
         page.AssertSelfContained();
 
         string listed = directory.Write("pair.json", Scene.Insert(Scene.LastIndexOf('}'), $",\"pairs\":[[{a},{b}]]"));
-        CsvRow row = Assert.Single(CsvRow.Parse(DemoProcess.Run("query", listed).Out));
+        CsvRow row = Assert.Single(CsvRow.Parse(DemoRun.Of("query", listed).Out));
         JsonElement result = page.Data.GetProperty("result");
         Assert.Equal((row.Status, row.Distance, row.LowerBound, row.Iterations), (
             result.GetProperty("status").GetString(), result.GetProperty("distance").GetSingle(),
@@ -61,7 +61,7 @@ public sealed class TraceTests
         using var directory = new TempDirectory();
         foreach (string scene in new[] { "cubes", "spheres" })
         {
-            DemoProcess.Run("trace", "--builtin", scene, "--pair", "0,19", "--out", directory.File("t.html"))
+            DemoRun.Of("trace", "--builtin", scene, "--pair", "0,19", "--out", directory.File("t.html"))
                 .AssertDone();
             Assert.InRange(new PageText(directory.File("t.html")).Count("steps"), 2, 20);
         }
@@ -83,7 +83,7 @@ public sealed class TraceTests
     [InlineData("trace none.json --pair 0,1 --out none.html", "no such file")]
     [InlineData("trace --builtin cubes --pair 0,20 --out none.html", "--pair 0,20: the scene has 20 objects")]
     public void WrongArgumentsAreOneLine(string args, params string[] parts) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(parts);
+        DemoRun.Of(args.Split(' ')).AssertRefused(parts);
 
     [Fact]
     public void RefusalsLeaveNoFile()
@@ -93,15 +93,15 @@ public sealed class TraceTests
         string bad = directory.Write(
             "bad.json", """{"version":1,"objects":[{"shape":{"type":"sphere","radius":-1}}]}""");
         string target = directory.File("t.html"), nowhere = Path.Combine(directory.Path, "nowhere", "t.html");
-        DemoProcess.Run("trace", scene, "--pair", "0,7", "--out", target)
+        DemoRun.Of("trace", scene, "--pair", "0,7", "--out", target)
             .AssertRefused(scene, "--pair 0,7", "7 objects");
-        DemoProcess.Run("trace", bad, "--pair", "0,1", "--out", target).AssertRefused(bad, "$.objects[0].shape.radius");
-        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", nowhere).AssertRefused(nowhere, "no such directory");
-        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", directory.Path)
+        DemoRun.Of("trace", bad, "--pair", "0,1", "--out", target).AssertRefused(bad, "$.objects[0].shape.radius");
+        DemoRun.Of("trace", scene, "--pair", "0,1", "--out", nowhere).AssertRefused(nowhere, "no such directory");
+        DemoRun.Of("trace", scene, "--pair", "0,1", "--out", directory.Path)
             .AssertRefused(directory.Path, "directory");
         if (File.Exists("/dev/full"))
         {
-            DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", "/dev/full")
+            DemoRun.Of("trace", scene, "--pair", "0,1", "--out", "/dev/full")
                 .AssertRefused("/dev/full", "cannot be written");
         }
 

@@ -23,7 +23,7 @@ public sealed class ViewRefusalTests
     [InlineData("view a.json --out b.html --svg b.html", "overwrite what --out writes")]
     [InlineData("view none.json --out none.html", "no such file")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
-        DemoProcess.Run(args.Split(' ')).AssertRefused(part);
+        DemoRun.Of(args.Split(' ')).AssertRefused(part);
 
     [Theory]
     [InlineData("{", "scene.json")]
@@ -60,7 +60,7 @@ public sealed class ViewRefusalTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", text);
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"))
+        DemoRun.Of("view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"))
             .AssertRefused(scene, part);
         Assert.Equal([scene], directory.Files);
     }
@@ -71,13 +71,13 @@ public sealed class ViewRefusalTests
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", """{"version":1,"objects":[]}""");
         string nowhere = Path.Combine(directory.Path, "nowhere", "a");
-        DemoProcess.Run("view", scene, "--out", nowhere).AssertRefused(nowhere, "no such directory");
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html"), "--svg", nowhere)
+        DemoRun.Of("view", scene, "--out", nowhere).AssertRefused(nowhere, "no such directory");
+        DemoRun.Of("view", scene, "--out", directory.File("a.html"), "--svg", nowhere)
             .AssertRefused(nowhere, "no such directory");
-        DemoProcess.Run("view", scene, "--svg", directory.Path).AssertRefused(directory.Path, "directory");
-        DemoProcess.Run("view", scene, "--out", "").AssertRefused("cannot be written");
+        DemoRun.Of("view", scene, "--svg", directory.Path).AssertRefused(directory.Path, "directory");
+        DemoRun.Of("view", scene, "--out", "").AssertRefused("cannot be written");
         if (File.Exists("/dev/full"))
-            DemoProcess.Run("view", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
+            DemoRun.Of("view", scene, "--out", "/dev/full").AssertRefused("/dev/full", "cannot be written");
         Assert.Equal([scene], directory.Files);
     }
 
@@ -86,7 +86,7 @@ public sealed class ViewRefusalTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", SceneTests.Points(20_000, pairs: ""));
-        using DemoProcess demo = DemoProcess.Start(
+        using RunningDemo demo = RunningDemo.Start(
             "view", scene, "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));
         demo.WaitUntil(_ => Array.Exists(directory.Files, f => f.EndsWith(".tmp", StringComparison.Ordinal)));
         demo.Interrupt();

@@ -30,7 +30,7 @@ public sealed class ViewTests
     public void BuiltInScenesHaveTheirCounts(string scene)
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run("view", "--builtin", scene, "--out", directory.File("a.html"));
+        DemoRun run = DemoRun.Of("view", "--builtin", scene, "--out", directory.File("a.html"));
         run.AssertDone();
         Assert.Equal("", run.Out);
         var page = new PageText(directory.File("a.html"));
@@ -48,10 +48,10 @@ public sealed class ViewTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Moving);
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html")).AssertDone();
+        DemoRun.Of("view", scene, "--out", directory.File("a.html")).AssertDone();
         var page = new PageText(directory.File("a.html"));
         page.AssertSelfContained();
-        AssertFrame(page, 0, CsvRow.Parse(DemoProcess.Run("query", scene, "--depth").Out));
+        AssertFrame(page, 0, CsvRow.Parse(DemoRun.Of("query", scene, "--depth").Out));
         Assert.Equal(
             ["box", null, "</script><b>&"], page.Data.GetProperty("names").EnumerateArray().Select(n => n.GetString()));
     }
@@ -68,7 +68,7 @@ public sealed class ViewTests
             "scene.json",
             $"{{\"version\":1,\"objects\":[{{{Box}}},{{{Box},\"position\":[1.5,0.25,0]}},"
             + $"{{{Box},\"position\":[-2,0,0]}}]}}");
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html")).AssertDone();
+        DemoRun.Of("view", scene, "--out", directory.File("a.html")).AssertDone();
         var page = new PageText(directory.File("a.html"));
         Assert.Equal(2, page.Count("overlapping"));
         Assert.Equal([1, 1, 0], page.Column<byte>("status"));
@@ -89,7 +89,7 @@ public sealed class ViewTests
         const string Round = "{\"shape\":{\"type\":\"ellipsoid\",\"radii\":[1,0.999,0.998]}}";
         string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{Round},{Round}]}}");
         string html = directory.File("a.html"), picture = directory.File("a.svg");
-        DemoProcess.Run("view", scene, "--out", html, "--svg", picture).AssertDone();
+        DemoRun.Of("view", scene, "--out", html, "--svg", picture).AssertDone();
         var page = new PageText(html);
         Assert.Equal(1, page.Count("overlapping"));
         Assert.Equal(GjkStatus.IterationLimit, (GjkStatus)(page.Column<byte>("status")[0] + 1));
@@ -105,7 +105,7 @@ public sealed class ViewTests
     public void FramesMoveAndTurnFromTheFirst()
     {
         using var directory = new TempDirectory();
-        DemoProcess.Run("view", directory.Write("scene.json", Moving), "--out", directory.File("a.html")).AssertDone();
+        DemoRun.Of("view", directory.Write("scene.json", Moving), "--out", directory.File("a.html")).AssertDone();
         var page = new PageText(directory.File("a.html"));
         Assert.Equal((3, 3, 5), (page.Count("objects"), page.Count("pairs"), page.Count("frames")));
         float[] poses = page.Column<float>("poses");
@@ -126,7 +126,7 @@ public sealed class ViewTests
                   {"shape":{"type":"capsule","radius":0.5,"halfHeight":1},"position":[0,3,0]}]}
                 """);
             string file = directory.Write("still.json", still);
-            AssertFrame(page, frame, CsvRow.Parse(DemoProcess.Run("query", file, "--depth").Out));
+            AssertFrame(page, frame, CsvRow.Parse(DemoRun.Of("query", file, "--depth").Out));
         }
 
         Assert.Equal([0, 0, 0, 0, 1], page.Column<int>("overlapping"));
@@ -142,9 +142,9 @@ public sealed class ViewTests
             $"{{\"shape\":{{\"type\":\"sphere\",\"radius\":0.3}},"
             + $"\"position\":[{random.NextSingle() * 10},{random.NextSingle() * 10},{random.NextSingle() * 10}]}}"));
         string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{string.Join(',', balls)}]}}");
-        DemoProcess.Run("view", scene, "--out", directory.File("a.html")).AssertDone();
+        DemoRun.Of("view", scene, "--out", directory.File("a.html")).AssertDone();
         var page = new PageText(directory.File("a.html"));
-        List<CsvRow> rows = CsvRow.Parse(DemoProcess.Run("query", scene).Out);
+        List<CsvRow> rows = CsvRow.Parse(DemoRun.Of("query", scene).Out);
         Assert.Equal(rows.Count, page.Count("pairs"));
         Assert.InRange(page.Count("listed"), 720, 720 * 6);
         Assert.InRange(page.Count("overlapping"), 50, 720);
@@ -183,7 +183,7 @@ public sealed class ViewTests
     public void ScenesOfAnySizeAndDimensionAreShown(string scene, int objects)
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run(
+        DemoRun run = DemoRun.Of(
             "view", directory.Write("scene.json", scene),
             "--out", directory.File("a.html"), "--svg", directory.File("a.svg"));
         run.AssertDone();
