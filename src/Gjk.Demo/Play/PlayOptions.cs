@@ -54,7 +54,8 @@ internal static class PlayOptions
             string? sceneFile = r.GetValue(scene), meshFile = r.GetValue(mesh);
             TargetFiles.Check(sceneFile ?? meshFile, ("--out", html));
             var log = new ImportLog();
-            Scene? bodies = sceneFile is not null ? SceneFile.Load(sceneFile, cancel)
+            Scene? bodies = sceneFile is not null
+                ? SceneFile.Load(sceneFile, cancel).Convex(InputFile.NameOf(sceneFile))
                 : meshFile is not null ? Parts(meshFile, log, cancel)
                 : null;
             Write(bodies, sceneFile ?? meshFile, html, cancel);

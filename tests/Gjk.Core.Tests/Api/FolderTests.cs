@@ -37,6 +37,13 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
                 "Contacts", "Queries/Rays",
             ]),
+        ("Concave/Trees", ["Arithmetic", "Geometry", "Minkowski"]),
+        (
+            "Concave",
+            [
+                "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Queries", "Queries/Rays",
+                "Concave/Trees",
+            ]),
         ("Diagnostics", ["Arithmetic", "Geometry", "Hulls", "Shapes", "Queries", "Queries/Rays"]),
         ("BroadPhase", ["Arithmetic", "Geometry", "Sorting"]),
         (
