@@ -165,15 +165,20 @@ internal static class CommandLine
         {
             Description = "Answer overlapping pairs with minus their depth, the deepest points and the way out.",
         };
+        var parts = new Option<bool>("--parts")
+        {
+            Description = "Add the columns part_a and part_b: between which triangles or parts the distance is.",
+        };
         var command = new Command("query", "Write the distance and the closest points of every pair of a scene as CSV.")
         {
-            max, depth,
+            max, depth, parts,
         };
         var input = new PairInput(command);
         command.SetAction(r =>
         {
             (Scene scene, PairTable table) = input.Read(r, cancel);
-            return QueryCommand.Run(scene, table, r.GetValue(max), r.GetValue(depth), cancel);
+            return QueryCommand.Run(
+                scene, table, r.GetValue(max), r.GetValue(depth), r.GetValue(parts), cancel);
         });
         return command;
     }

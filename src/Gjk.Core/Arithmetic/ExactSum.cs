@@ -17,11 +17,13 @@ namespace Gjk.Core;
 /// </remarks>
 internal sealed class ExactSum
 {
-    /// <summary>24 products of three floats, two parts each, is the longest sum asked for.</summary>
-    private const int MostParts = 48;
-
-    private readonly double[] _parts = new double[MostParts];
+    private readonly double[] _parts;
     private int _count;
+
+    /// <param name="mostParts">
+    /// How many numbers are added at most; 24 products of three floats have two parts each.
+    /// </param>
+    public ExactSum(int mostParts = 48) => _parts = new double[mostParts];
 
     /// <summary>-1, 0 or 1.</summary>
     public int Sign => _count == 0 ? 0 : Math.Sign(_parts[_count - 1]);

@@ -19,6 +19,9 @@ internal static class RoundOff
         return FromBits(f > 0 ? bits - 1 : f < 0 ? bits + 1 : unchecked((int)0x80000001));
     }
 
+    /// <summary>The float after a number that is not negative; +infinity stays.</summary>
+    public static float Up(float x) => float.IsInfinity(x) ? x : FromBits(Bits(x + 0f) + 1);
+
     private static unsafe int Bits(float f) => *(int*)&f;
 
     private static unsafe float FromBits(int bits) => *(float*)&bits;

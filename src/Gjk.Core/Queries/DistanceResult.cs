@@ -77,6 +77,14 @@ public readonly struct DistanceResult
     public DistanceResult Swapped => new(
         Status, Distance, LowerBound, PointB, PointA, Opposite.Of(Normal), LocalPointB, LocalPointA, Iterations);
 
+    /// <summary>Of a surface and a point beside it, what the solid and the point inside it have.</summary>
+    internal DistanceResult Inside => new(
+        GjkStatus.Overlapping, 0 - Distance, RoundOff.Down(-(double)Distance * (1 + 1.0 / (1 << 23))), PointA, PointB,
+        Opposite.Of(Normal), LocalPointA, LocalPointB, Iterations);
+
+    internal DistanceResult WithLowerBound(float bound) => new(
+        Status, Distance, bound, PointA, PointB, Normal, LocalPointA, LocalPointB, Iterations);
+
     /// <summary>The status, and what is valid under it, for people to read.</summary>
     public override string ToString()
     {

@@ -54,7 +54,8 @@ internal static class PlayOptions
             string? sceneFile = r.GetValue(scene), meshFile = r.GetValue(mesh);
             TargetFiles.Check(sceneFile ?? meshFile, ("--out", html));
             ImportResult? parts = meshFile is null ? null : Importer.Read(meshFile, null, cancel);
-            Scene? bodies = sceneFile is not null ? SceneFile.Load(sceneFile, cancel)
+            Scene? bodies = sceneFile is not null
+                ? SceneFile.Load(sceneFile, cancel).Convex(InputFile.NameOf(sceneFile))
                 : parts is not null ? Parts(meshFile!, parts.Objects)
                 : null;
             Write(bodies, sceneFile ?? meshFile, html, cancel);

@@ -19,6 +19,9 @@ internal sealed class CsvWriter
     /// <summary>The columns of casts, in order.</summary>
     public const string Casts = "a,b,status,fraction,px,py,pz,nx,ny,nz,iterations";
 
+    /// <summary>The columns that follow those of distances with the numbers of the parts.</summary>
+    public const string Parts = ",part_a,part_b";
+
     private const int BufferBytes = 1 << 16;
 
     /// <summary>The columns that follow the others with the names of the objects.</summary>
@@ -58,6 +61,21 @@ internal sealed class CsvWriter
     /// <summary>A row of <see cref="Distances"/>.</summary>
     public void Write(int a, int b, in DistanceResult result, CheckStatus verdict = default)
     {
+        AddRow(a, b, result);
+        EndRow(a, b, verdict);
+    }
+
+    /// <summary>A row of <see cref="Distances"/> and <see cref="Parts"/>.</summary>
+    public void Write(int a, int b, in PartDistance result, CheckStatus verdict = default)
+    {
+        AddRow(a, b, result.Result);
+        AddPart(result.PartA);
+        AddPart(result.PartB);
+        EndRow(a, b, verdict);
+    }
+
+    private void AddRow(int a, int b, in DistanceResult result)
+    {
         if (_used > BufferBytes - RowBytes) Flush();
         Add(a);
         Add(b);
@@ -69,7 +87,6 @@ internal sealed class CsvWriter
         Add(result.PointB);
         Add(result.Normal);
         Add(result.Iterations);
-        EndRow(a, b, verdict);
     }
 
     /// <summary>A row of <see cref="Casts"/>. What a status says nothing of is empty.</summary>
@@ -122,6 +139,13 @@ internal sealed class CsvWriter
     {
         if (!float.IsNaN(v.X)) Add(v);
         else for (int i = 0; i < 3; i++) _buffer[_used++] = (byte)',';
+    }
+
+    /// <summary>A part's number; empty where there is none.</summary>
+    private void AddPart(int part)
+    {
+        if (part >= 0) Add(part);
+        else _buffer[_used++] = (byte)',';
     }
 
     private void Add(Vector3 v)

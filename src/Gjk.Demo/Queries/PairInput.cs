@@ -75,6 +75,6 @@ internal sealed class PairInput
         }
 
         TargetFiles.Check(parsed.GetValue(_scene.File), ("--out", output));
-        return _scene.Load(parsed, cancel, out name);
+        return _scene.Load(parsed, cancel, out name, onlyConvex: false);
     }
 }

@@ -15,32 +15,44 @@ internal static class QueryCommand
     /// <param name="maxDistance">Pairs further apart are reported as such, without a distance. +infinity asks for all
     /// distances.</param>
     /// <param name="depth">Whether overlapping pairs are answered with their depth.</param>
+    /// <param name="parts">Whether two columns say which triangles or parts the distance is between.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
     /// <returns>The exit code.</returns>
-    public static int Run(Scene scene, PairTable table, float maxDistance, bool depth, CancellationToken cancel)
+    public static int Run(
+        Scene scene, PairTable table, float maxDistance, bool depth, bool parts, CancellationToken cancel)
     {
         SceneObject[] objects = scene.Objects;
+        var scratch = new ConcaveScratch();
         return table.Write(
-            CsvWriter.Distances,
+            CsvWriter.Distances + (parts ? CsvWriter.Parts : ""),
             (rows, a, b) =>
             {
-                DistanceResult answer = Answer(objects[a], objects[b], maxDistance, depth);
-                rows.Write(a, b, answer, table.IsChecked ? Check(objects[a], objects[b], answer, depth) : default);
+                PartDistance answer = Answer(objects[a], objects[b], maxDistance, depth, scratch);
+                CheckStatus verdict = table.IsChecked ? Check(objects[a], objects[b], answer.Result, depth) : default;
+                if (parts) rows.Write(a, b, answer, verdict);
+                else rows.Write(a, b, answer.Result, verdict);
             },
             cancel);
     }
 
-    private static DistanceResult Answer(SceneObject a, SceneObject b, float maxDistance, bool depth)
+    private static PartDistance Answer(
+        SceneObject a, SceneObject b, float maxDistance, bool depth, ConcaveScratch scratch)
     {
-        if (depth && float.IsPositiveInfinity(maxDistance))
-            return ConvexQuery.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose);
-        DistanceResult result = ConvexQuery.Distance(a.Shape, a.Pose, b.Shape, b.Pose, maxDistance);
-        return depth && result.IsOverlapping
-            ? ConvexQuery.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose)
-            : result;
+        if (!depth || !float.IsPositiveInfinity(maxDistance))
+        {
+            PartDistance result = ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, scratch, maxDistance);
+            if (!depth || !result.IsOverlapping) return result;
+        }
+
+        return ConcaveQuery.SignedDistance(a.Any, a.Pose, b.Any, b.Pose, scratch);
     }
 
-    private static CheckStatus Check(SceneObject a, SceneObject b, in DistanceResult answer, bool depth) => (depth
-        ? AnswerCheck.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose, answer)
-        : AnswerCheck.Distance(a.Shape, a.Pose, b.Shape, b.Pose, answer)).Status;
+    /// <summary>Supports of parts say nothing about the rest of a shape, so that its answer stays open.</summary>
+    private static CheckStatus Check(SceneObject a, SceneObject b, in DistanceResult answer, bool depth)
+    {
+        if (!a.IsConvex || !b.IsConvex) return CheckStatus.Open;
+        return (depth
+            ? AnswerCheck.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose, answer)
+            : AnswerCheck.Distance(a.Shape, a.Pose, b.Shape, b.Pose, answer)).Status;
+    }
 }

@@ -32,6 +32,19 @@ internal sealed class Scene
     /// <summary>True if an object turns.</summary>
     public bool HasTurns => Array.Exists(Objects, o => o.AngularVelocity != Vector3.Zero);
 
+    /// <summary>This, if all objects are convex, which most commands ask for.</summary>
+    /// <param name="name">The user's name for the scene.</param>
+    /// <exception cref="RefusedException">An object is a surface or a compound.</exception>
+    public Scene Convex(string name)
+    {
+        int other = Array.FindIndex(Objects, o => !o.IsConvex);
+        return other < 0
+            ? this
+            : throw new RefusedException(
+                $"{name}: $.objects[{other}].shape: this command takes convex shapes only, not a "
+                + (Objects[other].Any.Mesh is null ? "compound" : "surface"));
+    }
+
     public static Scene From(BuiltInScene scene)
     {
         ConvexShape shape = ConvexShape.Mesh(scene.Vertices);
@@ -46,9 +59,15 @@ internal sealed class Scene
 internal sealed class SceneObject
 {
     public SceneObject(string? name, in ConvexShape shape, in RigidPose pose, Vector3 velocity, Vector3 angularVelocity)
+        : this(name, AnyShape.Of(shape), pose, velocity, angularVelocity)
+    {
+    }
+
+    public SceneObject(string? name, in AnyShape shape, in RigidPose pose, Vector3 velocity, Vector3 angularVelocity)
     {
         Name = name;
-        Shape = shape;
+        Any = shape;
+        Shape = shape.Convex;
         Pose = pose;
         Velocity = velocity;
         AngularVelocity = angularVelocity;
@@ -56,7 +75,13 @@ internal sealed class SceneObject
 
     public string? Name { get; }
 
+    /// <summary>The shape.</summary>
+    public readonly AnyShape Any;
+
+    /// <summary>The shape of a convex object.</summary>
     public readonly ConvexShape Shape;
+
+    public bool IsConvex => Any.Kind == AnyShapeKind.Convex;
 
     public readonly RigidPose Pose;
 

@@ -1,11 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
-using Gjk.Demo.Replay;
 
 namespace Gjk.Demo.Scenes;
 
@@ -17,11 +17,7 @@ internal sealed class SceneFile
 {
     private const int Version = 1;
 
-    /// <summary>A mesh file of more vertices takes seconds to build, so that a terminal shows progress.</summary>
-    private const int ManyVertices = 100_000;
-
-    private readonly Dictionary<string, List<Vector3>> _meshes = [];
-    private readonly Dictionary<string, ConvexShape> _hulls = [];
+    private readonly SceneMeshes _meshes = new();
     private readonly List<ObjectDraft> _objects = [];
     private readonly HashSet<string> _objectFields = [];
     private List<int>? _pairs;
@@ -50,7 +46,7 @@ internal sealed class SceneFile
         json.Start();
         scene.ReadRoot(ref json);
         json.End();
-        scene.BuildHulls(Path.GetFileName(file));
+        scene._meshes.BuildHulls(scene._objects.SelectMany(o => o.Shape.Hulls), Path.GetFileName(file));
         return scene.Resolve(json, Path.GetFileNameWithoutExtension(file));
     }
 
@@ -89,7 +85,7 @@ internal sealed class SceneFile
                 _name = json.String("a string");
                 break;
             case "meshes":
-                ReadMeshes(ref json);
+                _meshes.Read(ref json);
                 break;
             case "objects":
                 json.BeginArray("an array of objects");
@@ -102,22 +98,6 @@ internal sealed class SceneFile
                 _frames = json.Whole("a whole number, at least 1");
                 if (_frames < 1) throw json.Refuse($"must be at least 1, but is {_frames}");
                 break;
-        }
-    }
-
-    private void ReadMeshes(ref StrictJsonReader json)
-    {
-        var seen = new HashSet<string>();
-        json.BeginObject("an object of vertex arrays");
-        while (json.NextField(seen, out string mesh))
-        {
-            json.Value();
-            var vertices = new List<Vector3>();
-            json.BeginArray("an array of vertices");
-            while (json.NextElement(vertices.Count)) vertices.Add(json.Vector());
-            if (vertices.Count == 0) throw json.Refuse("a mesh needs at least one vertex");
-            _meshes.Add(mesh, vertices);
-            json.EndField();
         }
     }
 
@@ -167,32 +147,6 @@ internal sealed class SceneFile
         }
     }
 
-    /// <summary>Builds the hulls of all meshes that an object names. Many vertices take a while.</summary>
-    private void BuildHulls(string title)
-    {
-        var used = new HashSet<string>();
-        long vertices = 0;
-        foreach (ObjectDraft draft in _objects)
-        {
-            if (draft.Shape.Mesh is { } name && _meshes.ContainsKey(name) && used.Add(name))
-                vertices += _meshes[name].Count;
-        }
-
-        if (vertices <= ManyVertices) Build(_ => { });
-        else ProgressBar.Show(bars => Build(bars.Add($"{title}: hulls")));
-
-        void Build(Action<double> progress)
-        {
-            long done = 0;
-            foreach (string name in used)
-            {
-                _hulls.Add(name, ConvexShape.Mesh(_meshes[name]));
-                done += _meshes[name].Count;
-                progress((double)done / vertices);
-            }
-        }
-    }
-
     private Scene Resolve(in StrictJsonReader json, string fileName)
     {
         var objects = new SceneObject[_objects.Count];
@@ -212,19 +166,20 @@ internal sealed class SceneFile
 
     private SceneObject Resolve(in StrictJsonReader json, ObjectDraft draft)
     {
-        ConvexShape mesh = draft.Shape.Mesh is null ? default : MeshNamed(json, draft.Shape.Mesh);
-        ConvexShape shape = draft.Shape.Build(mesh);
-        if (draft.Scale != Vector3.One) shape = shape.Scaled(draft.Scale);
-        return new SceneObject(draft.Name, shape, draft.Pose, draft.Velocity, draft.AngularVelocity);
-    }
-
-    /// <summary>A mesh by its name. All objects that name it share its hull.</summary>
-    private ConvexShape MeshNamed(in StrictJsonReader json, string name)
-    {
-        if (_hulls.TryGetValue(name, out ConvexShape known)) return known;
         json.Path.Enter("shape");
-        json.Path.Enter("mesh");
-        throw json.Refuse($"there is no mesh \"{name}\" in \"meshes\"");
+        AnyShape shape;
+        if (draft.Shape.IsConvex)
+        {
+            ConvexShape convex = draft.Shape.Build(json, _meshes);
+            shape = AnyShape.Of(draft.Scale != Vector3.One ? convex.Scaled(draft.Scale) : convex);
+        }
+        else
+        {
+            shape = draft.Shape.BuildConcave(json, _meshes, draft.Scale);
+        }
+
+        json.Path.Leave();
+        return new SceneObject(draft.Name, shape, draft.Pose, draft.Velocity, draft.AngularVelocity);
     }
 
     private void CheckPairs(in StrictJsonReader json, List<int> pairs)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using Gjk.Core;
 
@@ -11,10 +12,13 @@ namespace Gjk.Demo.Scenes;
 /// </summary>
 internal sealed class ShapeReader
 {
-    private const string Kinds = "point, segment, triangle, sphere, capsule, box, cylinder, cone, ellipsoid or mesh";
+    private const string Kinds =
+        "point, segment, triangle, sphere, capsule, box, cylinder, cone, ellipsoid, mesh, surface or compound";
 
     private static readonly string[] AllFields =
-        ["type", "mesh", "radius", "halfHeight", "halfExtents", "radii", "a", "b", "c", .. Decorations];
+    [
+        "type", "mesh", "radius", "halfHeight", "halfExtents", "radii", "a", "b", "c", "solid", "parts", .. Decorations,
+    ];
 
     private readonly HashSet<string> _seen = [];
     private string _type = "";
@@ -22,6 +26,8 @@ internal sealed class ShapeReader
     private float _radius, _halfHeight;
     private Vector3 _halfExtents, _radii, _a, _b, _c, _position;
     private float _rounding;
+    private bool _isSolid;
+    private List<PartReader> _parts = [];
     private Quaternion _rotation = Quaternion.Identity;
 
     private ShapeReader(ref StrictJsonReader json)
@@ -38,7 +44,7 @@ internal sealed class ShapeReader
         CheckFields(json);
     }
 
-    /// <summary>The optional fields that every type may have.</summary>
+    /// <summary>The optional fields that every convex type may have.</summary>
     public static string[] Decorations => ["rounding", "position", "rotation"];
 
     /// <summary>Reads a shape.</summary>
@@ -47,13 +53,39 @@ internal sealed class ShapeReader
     /// file.</returns>
     public static ShapeReader Read(ref StrictJsonReader json) => new(ref json);
 
-    /// <summary>The mesh's name in "meshes" if the shape is a mesh, otherwise null.</summary>
-    public string? Mesh => _type == "mesh" ? _mesh : null;
+    /// <summary>Whether the shape is neither a surface nor a compound.</summary>
+    public bool IsConvex => _type is not ("surface" or "compound");
 
-    /// <summary>Creates the shape.</summary>
-    /// <param name="mesh">The mesh, if the shape is one.</param>
-    public ConvexShape Build(in ConvexShape mesh) =>
-        (Mesh is null ? Primitive() : mesh).Rounded(_rounding).Placed(new RigidPose(_rotation, _position));
+    /// <summary>The names of the meshes whose hulls the shape needs.</summary>
+    public IEnumerable<string> Hulls => _type == "mesh" ? [_mesh] : _parts.SelectMany(part => part.Shape.Hulls);
+
+    /// <summary>Creates a convex shape.</summary>
+    /// <param name="json">At the shape.</param>
+    /// <param name="meshes">The scene's meshes.</param>
+    public ConvexShape Build(in StrictJsonReader json, SceneMeshes meshes) =>
+        (_type == "mesh" ? meshes.Hull(json, _mesh) : Primitive())
+            .Rounded(_rounding).Placed(new RigidPose(_rotation, _position));
+
+    /// <summary>Creates a surface or a compound, scaled.</summary>
+    /// <inheritdoc cref="Build"/>
+    public AnyShape BuildConcave(in StrictJsonReader json, SceneMeshes meshes, Vector3 scale)
+    {
+        if (_type == "compound")
+        {
+            var compound = new CompoundShape(BuildParts(json, meshes));
+            return AnyShape.Of(scale == Vector3.One ? compound : compound.Scaled(scale));
+        }
+
+        TriangleMesh mesh = meshes.Surface(json, _mesh);
+        if (_isSolid && mesh.WhyNoInside is { } reason)
+        {
+            json.Path.Enter("solid");
+            throw json.Refuse($"the mesh \"{_mesh}\" has no inside: {reason}");
+        }
+
+        if (scale != Vector3.One) mesh = mesh.Scaled(scale);
+        return _isSolid ? AnyShape.Solid(mesh) : AnyShape.Surface(mesh);
+    }
 
     /// <summary>The fields that a type needs besides "type", or null if there is no such type.</summary>
     public static string[]? FieldsOf(string type) => type switch
@@ -65,8 +97,17 @@ internal sealed class ShapeReader
         "capsule" or "cylinder" or "cone" => ["radius", "halfHeight"],
         "box" => ["halfExtents"],
         "ellipsoid" => ["radii"],
-        "mesh" => ["mesh"],
+        "mesh" or "surface" => ["mesh"],
+        "compound" => ["parts"],
         _ => null,
+    };
+
+    /// <summary>The fields that a type may have besides.</summary>
+    public static string[] OptionalOf(string type) => type switch
+    {
+        "surface" => ["solid"],
+        "compound" => [],
+        _ => Decorations,
     };
 
     private void Read(ref StrictJsonReader json, string field)
@@ -91,6 +132,12 @@ internal sealed class ShapeReader
                 break;
             case "radii":
                 _radii = json.Vector(NumberRule.NonNegative);
+                break;
+            case "solid":
+                _isSolid = json.Bool();
+                break;
+            case "parts":
+                _parts = PartReader.ReadAll(ref json);
                 break;
             case "rounding":
                 _rounding = json.NonNegative();
@@ -122,13 +169,30 @@ internal sealed class ShapeReader
             if (!_seen.Contains(field)) throw Missing(json, field);
         }
 
-        string[] known = ["type", .. wanted, .. Decorations];
+        string[] known = ["type", .. wanted, .. OptionalOf(_type)];
         foreach (string field in _seen)
         {
             if (Array.IndexOf(known, field) >= 0) continue;
             json.Path.Enter(field);
             throw json.Refuse($"unknown field for the type \"{_type}\"");
         }
+    }
+
+    private CompoundPart[] BuildParts(in StrictJsonReader json, SceneMeshes meshes)
+    {
+        var parts = new CompoundPart[_parts.Count];
+        json.Path.Enter("parts");
+        for (int i = 0; i < parts.Length; i++)
+        {
+            json.Path.Enter(i);
+            json.Path.Enter("shape");
+            parts[i] = new CompoundPart(_parts[i].Shape.Build(json, meshes), _parts[i].Pose);
+            json.Path.Leave();
+            json.Path.Leave();
+        }
+
+        json.Path.Leave();
+        return parts;
     }
 
     private static RefusedException Missing(in StrictJsonReader json, string field)

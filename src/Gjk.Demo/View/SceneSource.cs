@@ -45,13 +45,15 @@ internal sealed class SceneSource
     /// <param name="parsed">The command line.</param>
     /// <param name="cancel">Ends the wait for a pipe.</param>
     /// <param name="name">The user's name for the scene.</param>
-    public Scene Load(ParseResult parsed, CancellationToken cancel, out string name)
+    /// <param name="onlyConvex">Whether surfaces and compounds are refused.</param>
+    public Scene Load(ParseResult parsed, CancellationToken cancel, out string name, bool onlyConvex = true)
     {
         string? file = parsed.GetValue(File);
         if (file is not null)
         {
             name = InputFile.NameOf(file);
-            return SceneFile.Load(file, cancel);
+            Scene loaded = SceneFile.Load(file, cancel);
+            return onlyConvex ? loaded.Convex(name) : loaded;
         }
 
         Scene scene = _builtIn.Load(parsed);

@@ -45,6 +45,13 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers", "Solvers/Trace",
                 "Solvers/Depth", "Solvers/Motion", "Contacts", "Queries/Rays",
             ]),
+        ("Concave/Trees", ["Arithmetic", "Geometry", "Minkowski"]),
+        (
+            "Concave",
+            [
+                "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Queries", "Queries/Rays",
+                "Concave/Trees",
+            ]),
         (
             "Diagnostics",
             ["Arithmetic", "Geometry", "Hulls", "Cores", "Shapes", "Solvers/Motion", "Queries", "Queries/Rays"]),

@@ -1,0 +1,69 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Any shape, convex or not, as one type: a convex shape, the surface of a triangle mesh, the solid inside a closed
+/// one, or a compound of convex parts.
+/// </summary>
+/// <remarks>
+/// Immutable. Copies share the mesh or compound. Parts have numbers: those of the mesh's triangles or of the compound's
+/// parts, as the caller gave them; a convex shape's number is -1.
+/// </remarks>
+public readonly struct AnyShape
+{
+    private readonly ConvexShape _convex;
+
+    private AnyShape(AnyShapeKind kind, in ConvexShape convex, TriangleMesh? mesh, CompoundShape? compound)
+    {
+        Kind = kind;
+        _convex = convex;
+        Mesh = mesh;
+        Compound = compound;
+    }
+
+    /// <summary>What it is.</summary>
+    public AnyShapeKind Kind { get; }
+
+    /// <summary>The convex shape; a <c>default</c> struct in the other kinds.</summary>
+    public ConvexShape Convex => _convex;
+
+    /// <summary>The mesh of a surface or a solid, else null.</summary>
+    public TriangleMesh? Mesh { get; }
+
+    /// <summary>The compound, else null.</summary>
+    public CompoundShape? Compound { get; }
+
+    /// <summary>A convex shape.</summary>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
+    public static AnyShape Of(in ConvexShape shape) =>
+        shape.Kind != ShapeKind.None
+            ? new AnyShape(AnyShapeKind.Convex, shape, null, null)
+            : throw new ArgumentException("A default ConvexShape is no shape.", nameof(shape));
+
+    /// <summary>The union of a mesh's triangles, without what they enclose.</summary>
+    /// <exception cref="ArgumentNullException">The mesh is null.</exception>
+    public static AnyShape Surface(TriangleMesh mesh) =>
+        new(AnyShapeKind.Surface, default, Guard.NotNull(mesh, nameof(mesh)), null);
+
+    /// <summary>The triangles of a closed mesh, and what they enclose.</summary>
+    /// <exception cref="ArgumentNullException">The mesh is null.</exception>
+    /// <exception cref="ArgumentException">The mesh has no inside; the message names an edge.</exception>
+    public static AnyShape Solid(TriangleMesh mesh)
+    {
+        string? reason = Guard.NotNull(mesh, nameof(mesh)).WhyNoInside;
+        if (reason is not null) throw new ArgumentException(reason, nameof(mesh));
+        return new AnyShape(AnyShapeKind.Solid, default, mesh, null);
+    }
+
+    /// <summary>The union of convex parts.</summary>
+    /// <exception cref="ArgumentNullException">The compound is null.</exception>
+    public static AnyShape Of(CompoundShape compound) =>
+        new(AnyShapeKind.Compound, default, null, Guard.NotNull(compound, nameof(compound)));
+
+    /// <summary>How many parts it has: triangles, convex parts, or 1.</summary>
+    public int PartCount => Mesh?.TriangleCount ?? Compound?.PartCount ?? (Kind == AnyShapeKind.Convex ? 1 : 0);
+
+    /// <summary>The convex shape, without a copy.</summary>
+    internal static ref readonly ConvexShape ConvexOf(in AnyShape shape) => ref shape._convex;
+}

@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+public static partial class ConcaveQuery
+{
+    /// <summary>Where a ray first meets a shape.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="origin">Where the ray begins, in the world.</param>
+    /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <param name="maxDistance">
+    /// World units: how far the ray reaches, +infinity for all the way; less than 0 counts as 0.
+    /// </param>
+    /// <param name="options">Which contacts are passed, of each part; by default none.</param>
+    /// <returns>
+    /// The least distance over all parts, with the result that <c>ConvexQuery.RayCast</c> has for the part; of equal
+    /// distances the least number. From inside a solid: OverlappingAtStart, unless shallow contacts are passed. Invalid
+    /// input, or a scratch that is null, gives <see cref="CastStatus.InvalidInput"/>.
+    /// </returns>
+    public static PartRayHit RayCast(
+        in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
+        float maxDistance = float.PositiveInfinity, in CastOptions options = default)
+    {
+        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options))
+            return new PartRayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0), PartSide.NoPart);
+        PartCastSearch.Run(scratch);
+        ref PartCastSearch search = ref scratch.CastSearch;
+        if (scratch.A.IsSolid && !options.PassesShallow
+            && !(search.PartA >= 0 && search.Ray.Status == CastStatus.OverlappingAtStart))
+        {
+            PartDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
+            if (start.Distance < 0)
+            {
+                return new PartRayHit(
+                    new RayCastResult(
+                        CastStatus.OverlappingAtStart, 0, origin, start.Result.Normal, 0, -start.Distance),
+                    start.PartA);
+            }
+        }
+
+        return search.PartA >= 0
+            ? new PartRayHit(search.Ray, scratch.A.NumberOf(search.PartA))
+            : new PartRayHit(
+                RayCastResult.Nothing(CastStatus.Miss, Math.Max(maxDistance, 0), 0), PartSide.NoPart);
+    }
+
+    /// <summary>Where a ray meets each part of a shape.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="origin">Where the ray begins, in the world.</param>
+    /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <param name="hits">
+    /// Cleared, then one for each part that is met: what <c>ConvexQuery.RayCast</c> says of it, by distance and then by
+    /// number.
+    /// </param>
+    /// <param name="maxDistance">As of the first hit.</param>
+    /// <returns>False when the input is invalid.</returns>
+    public static bool RayCastAll(
+        in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
+        List<PartRayHit> hits, float maxDistance = float.PositiveInfinity)
+    {
+        if (hits is null) return false;
+        hits.Clear();
+        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, default)) return false;
+        scratch.CastSearch.All = hits;
+        PartCastSearch.Run(scratch);
+        scratch.CastSearch.All = null;
+        hits.Sort(RayOrder.Instance);
+        return true;
+    }
+
+    private static bool TryBeginRay(
+        in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
+        float maxDistance, in CastOptions options)
+    {
+        bool isRay = Guard.IsFinite(origin) && Guard.IsFinite(direction) && direction != Vector3.Zero
+            && !float.IsNaN(maxDistance);
+        if (!isRay || !TryBegin(shape, pose, Point, new RigidPose(origin), scratch)) return false;
+        scratch.CastSearch.Begin(
+            scratch, PartMotion.Ray, new RigidMotion(pose, Vector3.Zero),
+            new RigidMotion(new RigidPose(origin), direction), maxDistance, 0, options);
+        return true;
+    }
+
+    private sealed class RayOrder : IComparer<PartRayHit>
+    {
+        public static readonly RayOrder Instance = new();
+
+        public int Compare(PartRayHit x, PartRayHit y) =>
+            x.Distance != y.Distance ? x.Distance.CompareTo(y.Distance) : x.Part.CompareTo(y.Part);
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Queries on shapes of any kind: convex shapes, surfaces and solids of triangles, compounds.
+/// </summary>
+/// <remarks>
+/// An answer is the least over all pairs of parts, exact and rounded to float: trees leave out only what cannot matter,
+/// and <see cref="ConvexQuery"/> answers for the rest. It depends on the two shapes and poses alone. No method throws
+/// or allocates, but where the caller's scratch has to grow. All are thread-safe if each thread has a scratch of its
+/// own.
+/// </remarks>
+public static partial class ConcaveQuery
+{
+    /// <summary>The distance between two shapes, with the closest points and parts, or that they overlap.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <param name="maxDistance">
+    /// In world units. When the distance, rounded to float, is larger, the query ends early with
+    /// <see cref="GjkStatus.BeyondMaxDistance"/>. Below 0 counts as 0; NaN gives <see cref="GjkStatus.InvalidInput"/>.
+    /// </param>
+    /// <returns>
+    /// The least distance over all pairs of parts, which is what <c>ConvexQuery.Distance</c> says of these two. Shapes
+    /// overlap where two parts share a point, touching included, or where a piece of one lies inside a solid. Of pairs
+    /// that are equally near one is named, always the same. A <c>default</c> shape or pose, or a scratch that is null,
+    /// gives <see cref="GjkStatus.InvalidInput"/>.
+    /// </returns>
+    public static PartDistance Distance(
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch,
+        float maxDistance = float.PositiveInfinity)
+    {
+        if (AreConvex(a, b))
+            return Nothing(ConvexQuery.Distance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB, maxDistance));
+        if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
+        return Ask(scratch, maxDistance, false);
+    }
+
+    /// <summary>Whether two shapes share a point, touching included.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <returns>What <c>Distance</c> says; false too when the input is invalid.</returns>
+    public static bool Overlaps(
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
+        Distance(a, poseA, b, poseB, scratch, 0).IsOverlapping;
+
+    /// <summary>The distance, or the signed distance, of what the scratch holds.</summary>
+    private static PartDistance Ask(ConcaveScratch scratch, float maxDistance, bool isSigned)
+    {
+        PartSide a = scratch.A, b = scratch.B;
+        PartPairSearch.Run(scratch, maxDistance);
+        ref PartPairSearch search = ref scratch.Search;
+        bool isFound = search.PartA >= 0, isTouching = isFound && search.Best.IsOverlapping;
+        DistanceResult best = isFound
+            ? search.Best.WithLowerBound(Math.Min(search.Best.LowerBound, search.LowerBound))
+            : DistanceResult.Beyond(Math.Min(Math.Max(maxDistance, 0), search.LowerBound), Vector3.Zero, 0);
+        int partA = isFound ? a.NumberOf(search.PartA) : PartSide.NoPart;
+        int partB = isFound ? b.NumberOf(search.PartB) : PartSide.NoPart;
+        if (isTouching || !(a.IsSolid || b.IsSolid) || !Containment.TryFind(scratch, out PartDistance inside))
+            return new PartDistance(best, partA, partB);
+        return isSigned && (a.IsPoint || b.IsPoint) ? new PartDistance(best.Inside, partA, partB) : inside;
+    }
+
+    /// <summary>The distance between two shapes, negative where a point is inside a solid.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <returns>
+    /// Two convex shapes: what <c>ConvexQuery.SignedDistance</c> says. A point inside a solid: minus its distance to
+    /// the surface, with the nearest point of that and the way out as normal, as there. Else what <c>Distance</c>
+    /// says: no single number is the depth of shapes that are not convex, so theirs is 0;
+    /// <c>FindDepths</c> has those of the pairs of parts.
+    /// </returns>
+    public static PartDistance SignedDistance(
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
+        AreConvex(a, b)
+            ? Nothing(ConvexQuery.SignedDistance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB))
+            : TryBegin(a, poseA, b, poseB, scratch) ? Ask(scratch, float.PositiveInfinity, true) : Invalid;
+
+    private static PartDistance Invalid => Nothing(DistanceResult.Invalid(GjkStatus.InvalidInput, 0));
+
+    private static bool AreConvex(in AnyShape a, in AnyShape b) =>
+        a.Kind == AnyShapeKind.Convex && b.Kind == AnyShapeKind.Convex;
+
+    private static bool TryBegin(
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
+        scratch is not null && scratch.A.TrySet(a, poseA) && scratch.B.TrySet(b, poseB);
+
+    private static PartDistance Nothing(in DistanceResult result) =>
+        new(result, PartSide.NoPart, PartSide.NoPart);
+}

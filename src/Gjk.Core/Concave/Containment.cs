@@ -1,0 +1,92 @@
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Whether a piece of one shape lies inside the other, where their parts share no point: then each piece is inside or
+/// outside as a whole, and one point of it tells.
+/// </summary>
+internal static class Containment
+{
+    /// <summary>Finds the first piece of either that lies in the other's inside.</summary>
+    /// <param name="scratch">With both sides set, whose parts share no point.</param>
+    /// <param name="found">That they overlap, at a point of the piece.</param>
+    public static bool TryFind(ConcaveScratch scratch, out PartDistance found)
+    {
+        if (TryFind(scratch, scratch.A, scratch.B, out int part, out DistanceResult result))
+        {
+            found = new PartDistance(result, PartSide.NoPart, part);
+            return true;
+        }
+
+        bool isInB = TryFind(scratch, scratch.B, scratch.A, out part, out result);
+        found = new PartDistance(result.Swapped, part, PartSide.NoPart);
+        return isInB;
+    }
+
+    /// <summary>
+    /// Whether a piece of either is in the other's inside, after B has moved: asked at the middle of a piece, if that
+    /// is not on the surface.
+    /// </summary>
+    /// <param name="scratch">With both sides set, whose parts may touch.</param>
+    /// <param name="moved">How far B has moved from its pose, in the world.</param>
+    public static bool IsAnyInside(ConcaveScratch scratch, in Vector3D moved) =>
+        IsAnyInside(scratch, scratch.A, scratch.B, moved) || IsAnyInside(scratch, scratch.B, scratch.A, -moved);
+
+    private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Vector3D moved)
+    {
+        if (!outer.IsSolid) return false;
+        for (int piece = 0; piece < inner.PieceCount; piece++)
+        {
+            VectorDD world = VectorDD.Place(inner.Pose, inner.MiddleOf(piece, out _)) + (VectorDD)moved;
+            VectorDD local = ToFrame(outer.Pose, world);
+            if (scratch.Winding.About(outer.Mesh!, local) == 0 || IsOnSurface(outer, (Vector3D)local)) continue;
+            return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether a point touches a triangle; all are asked, as this is rare.</summary>
+    private static bool IsOnSurface(PartSide side, in Vector3D point)
+    {
+        PointShape shape = default;
+        var at = new RigidPose((Vector3)point);
+        for (int i = 0; i < side.Mesh!.TriangleCount; i++)
+        {
+            side.Mesh.GetCore(i, out TriangleCore triangle);
+            if (ConvexQuery.Distance(triangle, RigidPose.Identity, shape, at, 0).IsOverlapping) return true;
+        }
+
+        return false;
+    }
+
+    private static bool TryFind(
+        ConcaveScratch scratch, PartSide outer, PartSide inner, out int part, out DistanceResult result)
+    {
+        part = PartSide.NoPart;
+        result = default;
+        if (!outer.IsSolid) return false;
+        for (int piece = 0; piece < inner.PieceCount; piece++)
+        {
+            Vector3D point = inner.PointOf(piece, out int first);
+            VectorDD placed = VectorDD.Place(inner.Pose, point), local = ToFrame(outer.Pose, placed);
+            if (scratch.Winding.About(outer.Mesh!, local) == 0) continue;
+            part = inner.NumberOf(first);
+            var world = (Vector3)(Vector3D)placed;
+            result = new DistanceResult(
+                GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)(Vector3D)local, (Vector3)point, 0);
+            return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>A point of the world in a frame, in 106 bits.</summary>
+    private static VectorDD ToFrame(in RigidPose to, in VectorDD world)
+    {
+        Quaternion q = to.Rotation;
+        return VectorDD.Rotate(
+            new Quaternion(-q.X, -q.Y, -q.Z, q.W), world - (VectorDD)(Vector3D)to.Position);
+    }
+}

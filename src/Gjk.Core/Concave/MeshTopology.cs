@@ -1,0 +1,155 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// What a list of triangles is like: which edges they share, which are degenerate or repeated, and which hang together.
+/// Vertices at the same place are one vertex; no tolerance joins others.
+/// </summary>
+internal sealed class MeshTopology
+{
+    // While it is built; a mesh keeps what was found alone.
+    private readonly int[] _corners, _indices, _component;
+    private int _faulty;
+
+    /// <param name="vertices">The vertices.</param>
+    /// <param name="indices">Three of each triangle.</param>
+    public MeshTopology(Vector3[] vertices, int[] indices)
+    {
+        _indices = indices;
+        int[] joined = Joined(vertices);
+        _corners = Array.ConvertAll(indices, i => joined[i]);
+        _component = new int[vertices.Length];
+        CountEdges();
+        CountTriangles(vertices);
+        FindComponents();
+        _corners = _indices = _component = [];
+    }
+
+    /// <summary>How many edges belong to one triangle alone.</summary>
+    public int BorderEdges { get; private set; }
+
+    /// <summary>Whether each edge belongs to an even number of triangles.</summary>
+    public bool IsClosed { get; private set; } = true;
+
+    /// <summary>Whether triangles go along each edge as often in one direction as in the other, or once more.</summary>
+    public bool IsOriented { get; private set; } = true;
+
+    /// <summary>An edge that no closed and oriented surface has: two vertices; -1 where there is none.</summary>
+    public int FaultyA { get; private set; } = -1;
+
+    /// <inheritdoc cref="FaultyA"/>
+    public int FaultyB { get; private set; } = -1;
+
+    /// <summary>How often triangles go along that edge, and against it.</summary>
+    public int FaultyAlong { get; private set; }
+
+    /// <inheritdoc cref="FaultyAlong"/>
+    public int FaultyAgainst { get; private set; }
+
+    public int Degenerate { get; private set; }
+
+    public int Duplicate { get; private set; }
+
+    /// <summary>One triangle of each connected part: the first.</summary>
+    public int[] Components { get; private set; } = [];
+
+    /// <summary>The first vertex at each vertex's place.</summary>
+    private static int[] Joined(Vector3[] vertices)
+    {
+        var places = new Dictionary<Vector3, int>(vertices.Length);
+        int[] joined = new int[vertices.Length];
+        for (int i = 0; i < vertices.Length; i++)
+        {
+            // -0 + 0 is 0.
+            Vector3 place = vertices[i] + Vector3.Zero;
+            if (!places.TryGetValue(place, out joined[i])) places.Add(place, joined[i] = i);
+        }
+
+        return joined;
+    }
+
+    private void CountEdges()
+    {
+        var keys = new ulong[_corners.Length];
+        int[] sides = new int[_corners.Length];
+        for (int i = 0; i < keys.Length; i++)
+        {
+            int a = _corners[i], b = _corners[i % 3 == 2 ? i - 2 : i + 1];
+            keys[i] = ((ulong)(uint)Math.Min(a, b) << 32) | (uint)Math.Max(a, b);
+            sides[i] = i;
+        }
+
+        Array.Sort(keys, sides);
+        for (int begin = 0; begin < keys.Length;)
+        {
+            int end = begin, along = 0, first = int.MaxValue;
+            int low = (int)(keys[begin] >> 32), high = (int)(keys[begin] & uint.MaxValue);
+            for (; end < keys.Length && keys[end] == keys[begin]; end++)
+            {
+                if (_corners[sides[end]] == low) along++;
+                first = Math.Min(first, sides[end]);
+            }
+
+            if (low != high) CountEdge(along, end - begin - along, first);
+            begin = end;
+        }
+    }
+
+    private void CountEdge(int along, int against, int first)
+    {
+        int count = along + against;
+        if (count == 1) BorderEdges++;
+        if (count % 2 != 0) IsClosed = false;
+        if (Math.Abs(along - against) > 1) IsOriented = false;
+        if (along == against || (FaultyA >= 0 && first > _faulty)) return;
+        _faulty = first;
+        (FaultyA, FaultyB) = (_indices[first], _indices[first % 3 == 2 ? first - 2 : first + 1]);
+        bool isAlong = _corners[first] < _corners[first % 3 == 2 ? first - 2 : first + 1];
+        (FaultyAlong, FaultyAgainst) = isAlong ? (along, against) : (against, along);
+    }
+
+    private void CountTriangles(Vector3[] vertices)
+    {
+        var predicates = new HullPredicates(vertices);
+        var seen = new HashSet<(int Low, int Middle, int High)>();
+        for (int i = 0; i < _corners.Length; i += 3)
+        {
+            int a = _corners[i], b = _corners[i + 1], c = _corners[i + 2];
+            if (a == b || b == c || c == a || predicates.AreCollinear(a, b, c)) Degenerate++;
+            int low = Math.Min(Math.Min(a, b), c), high = Math.Max(Math.Max(a, b), c);
+            if (!seen.Add((low, a + b + c - low - high, high))) Duplicate++;
+        }
+    }
+
+    private void FindComponents()
+    {
+        for (int i = 0; i < _component.Length; i++) _component[i] = i;
+        for (int i = 0; i < _corners.Length; i += 3)
+        {
+            Join(_corners[i], _corners[i + 1]);
+            Join(_corners[i], _corners[i + 2]);
+        }
+
+        var firsts = new List<int>();
+        var seen = new HashSet<int>();
+        for (int i = 0; i < _corners.Length; i += 3)
+            if (seen.Add(Root(_corners[i]))) firsts.Add(i / 3);
+        Components = firsts.ToArray();
+    }
+
+    private void Join(int a, int b)
+    {
+        int rootA = Root(a), rootB = Root(b);
+        _component[Math.Max(rootA, rootB)] = Math.Min(rootA, rootB);
+    }
+
+    private int Root(int vertex)
+    {
+        while (_component[vertex] != vertex)
+            vertex = _component[vertex] = _component[_component[vertex]];
+        return vertex;
+    }
+}

@@ -1,0 +1,218 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>What a search for the first contact asks two parts.</summary>
+internal enum PartMotion : byte
+{
+    /// <summary>Both move along lines.</summary>
+    Cast,
+
+    /// <summary>Both move along lines and turn.</summary>
+    Impact,
+
+    /// <summary>B is a point that moves: a ray.</summary>
+    Ray,
+}
+
+/// <summary>
+/// The pair of parts that touches first: as <see cref="PartPairSearch"/>, with bounds of the fraction instead of the
+/// distance.
+/// </summary>
+/// <remarks>
+/// The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their distance
+/// at the start, which closes no faster than the velocities and the turns of the furthest points allow.
+/// Exactness: parts are asked up to the float after the least fraction so far, since a contact may be found behind it
+/// and still round to it; of equal fractions the least numbers stay. So the answer is that of all pairs asked in turn.
+/// </remarks>
+internal struct PartCastSearch
+{
+    /// <summary>Ratio: 2^-18; more than rounding makes of the products with a fraction. More only costs time.</summary>
+    private const double Beyond = 1 + 1.0 / (1 << 18);
+
+    /// <summary>
+    /// Ratio to the radii: 2^-14; more than the distance at which parts count as touching where the caller gives no
+    /// tolerance (<see cref="ConvexQuery.DefaultTolerance"/>). More only costs time.
+    /// </summary>
+    private const double ImpactRoom = 1.0 / (1 << 14);
+
+    private PartMotion _motion;
+    private RigidMotion _a, _b;
+    private CastOptions _options;
+    private TreeFrame _frame;
+    private Vector3 _wayInA, _wayInB;
+    private double _length, _maxFraction;
+    private float _reached, _room, _tolerance;
+
+    /// <summary>The best so far: the fraction of the whole motion, or a ray's distance.</summary>
+    private float _best;
+    private bool _isOverlapping;
+
+    /// <summary>Takes every hit of a ray, where it is not null.</summary>
+    public List<PartRayHit>? All;
+
+    /// <summary>What the parts said; of a ray the other one.</summary>
+    public CastResult Cast;
+
+    /// <inheritdoc cref="Cast"/>
+    public RayCastResult Ray;
+
+    /// <summary>The parts that touch first; negative where there are none.</summary>
+    public int PartA, PartB;
+
+    /// <summary>Prepares a search.</summary>
+    /// <param name="scratch">With both sides set.</param>
+    /// <param name="motion">What is asked.</param>
+    /// <param name="a">A's motion; its pose is the side's.</param>
+    /// <param name="b">B's motion; of a ray its direction.</param>
+    /// <param name="maxFraction">Of the motion; of a ray the largest distance.</param>
+    /// <param name="tolerance">Of an impact.</param>
+    /// <param name="options">Which contacts are passed.</param>
+    public void Begin(
+        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
+        float tolerance, in CastOptions options)
+    {
+        PartSide sideA = scratch.A, sideB = scratch.B;
+        (_motion, _a, _b, _options, _tolerance) = (motion, a, b, options, tolerance);
+        _maxFraction = Math.Max(maxFraction, 0);
+        double margins = sideA.Margin + sideB.Margin;
+        TreeFrame.Compose(sideA.Tree, sideA.Pose, sideB.Tree, sideB.Pose, margins, out _frame);
+        _room = (float)((margins / _frame.Unit + _frame.Room) * Beyond) + float.Epsilon;
+        Vector3D way = (Vector3D)b.Velocity - a.Velocity;
+        _length = motion == PartMotion.Impact
+            ? way.Length + Spin(sideA, a.AngularVelocity) + Spin(sideB, b.AngularVelocity)
+            : Length(way);
+        Vector3D unit = _length > 0 ? way * (1 / _length) : default;
+        Vector3D inA = _frame.RotationA.InverseRotate(unit);
+        _wayInA = (Vector3)inA;
+        _wayInB = (Vector3)_frame.Rotation.InverseRotate(-inA);
+        PartA = PartB = -1;
+        _isOverlapping = false;
+        _best = float.PositiveInfinity;
+        SetReached(_maxFraction);
+    }
+
+    /// <summary>Finds the first contact.</summary>
+    public static unsafe void Run(ConcaveScratch scratch)
+    {
+        ref PartCastSearch search = ref scratch.CastSearch;
+        PartTree a = scratch.A.Tree, b = scratch.B.Tree;
+        float* bounds = stackalloc float[PartTree.Lanes];
+        PartHeap heap = scratch.Heap;
+        heap.Clear();
+        heap.Add(0, 0, 0);
+        fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
+        {
+            while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search._reached)
+            {
+                int childA = a.Children[pair.A], childB = b.Children[pair.B];
+                if (childA < 0 && childB < 0)
+                {
+                    search.AskLeaves(scratch, childA, childB);
+                    continue;
+                }
+
+                bool isA = search.Bounds(boxesA, pair.A, childA, boxesB, pair.B, childB, bounds);
+                int first = PartTree.Lanes * (isA ? childA : childB);
+                int[] children = isA ? a.Children : b.Children;
+                for (int i = 0; i < PartTree.Lanes; i++)
+                {
+                    if (!(bounds[i] <= search._reached) || children[first + i] == PartTree.Empty) continue;
+                    heap.Add(isA ? first + i : pair.A, isA ? pair.B : first + i, bounds[i]);
+                }
+            }
+        }
+    }
+
+    /// <summary>A vector's length where its square may leave the range of double.</summary>
+    private static double Length(in Vector3D v)
+    {
+        double most = v.SumOfMagnitudes;
+        if (!(most > 0)) return 0;
+        double unit = PowerOfTwo.AtMost(most);
+        return (v * (1 / unit)).Length * unit;
+    }
+
+    /// <summary>How fast the furthest point of a side moves about its position.</summary>
+    private static double Spin(PartSide side, Vector3 turn) =>
+        Length(turn) * (Length(side.Tree.Origin) + side.Tree.Radius + side.Margin) * Beyond;
+
+    /// <summary>What bounds are compared with, for a fraction, or a ray's distance.</summary>
+    private void SetReached(double fraction)
+    {
+        double way = (_motion == PartMotion.Ray ? fraction : fraction * _length) * Beyond / _frame.Unit;
+        if (_motion == PartMotion.Impact)
+        {
+            double size = _frame.RadiusA + _frame.RadiusB + _room;
+            way += _room + Math.Max(_tolerance / _frame.Unit, ImpactRoom * size) * Beyond;
+        }
+
+        _reached = _motion == PartMotion.Impact ? BoxLanes.Squared(way) : (float)(way * Beyond) + float.Epsilon;
+        if (!(_reached < float.MaxValue)) _reached = float.MaxValue;
+    }
+
+    private readonly unsafe bool Bounds(
+        float* boxesA, int a, int childA, float* boxesB, int b, int childB, float* bounds)
+    {
+        TurnedBox.Read(boxesA, a, _frame.FactorA, out TurnedBox boxA);
+        TurnedBox.Read(boxesB, b, _frame.FactorB, out TurnedBox boxB);
+        bool isA = childB < 0 || (childA >= 0 && boxA.Size >= boxB.Size);
+        TurnedBox seen;
+        if (isA) _frame.SeenFromA(boxB, out seen);
+        else _frame.SeenFromB(boxA, out seen);
+        float* node = isA ? boxesA + childA * PartTree.Stride : boxesB + childB * PartTree.Stride;
+        float factor = isA ? _frame.FactorA : _frame.FactorB;
+        if (_motion == PartMotion.Impact) BoxLanes.DistanceSquared(node, factor, seen, _frame.Room, bounds);
+        else BoxLanes.Entries(node, factor, seen, isA ? _wayInA : _wayInB, _room, bounds);
+        return isA;
+    }
+
+    private void AskLeaves(ConcaveScratch scratch, int leafA, int leafB)
+    {
+        int firstA = PartTree.FirstOf(leafA), endA = firstA + PartTree.CountOf(leafA);
+        int firstB = PartTree.FirstOf(leafB), endB = firstB + PartTree.CountOf(leafB);
+        for (int i = firstA; i < endA; i++)
+            for (int j = firstB; j < endB; j++) Ask(scratch, scratch.A.Tree.Order[i], scratch.B.Tree.Order[j]);
+    }
+
+    private void Ask(ConcaveScratch scratch, int partA, int partB)
+    {
+        ConvexShape roomA = default, roomB = default;
+        ref readonly ConvexShape a = ref scratch.A.Part(partA, ref roomA);
+
+        // What is passed depends on the whole way, and so does where an impact's steps end.
+        bool isWhole = PartA < 0 || _options.PassesShallow || _motion == PartMotion.Impact;
+        var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up(_best));
+        if (_motion == PartMotion.Ray)
+        {
+            RayCastResult met = ConvexQuery.RayCast(a, _a.Pose, _b.Pose.Position, _b.Velocity, most, _options);
+            if (All is not null && met.IsHit) All.Add(new PartRayHit(met, scratch.A.NumberOf(partA)));
+            else if (Take(met.IsHit, met.Status, met.Distance, partA, partB)) Ray = met;
+            return;
+        }
+
+        ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
+        CastResult found = _motion == PartMotion.Cast
+            ? ConvexQuery.Cast(a, _a.Pose, _a.Velocity, b, _b.Pose, _b.Velocity, most, _options)
+            : ConvexQuery.TimeOfImpact(a, _a, b, _b, _tolerance, most, _options);
+        if (Take(found.MayHit, found.Status, found.Fraction, partA, partB)) Cast = found;
+    }
+
+    /// <summary>Whether an answer is before the best one; then it takes its place.</summary>
+    private bool Take(bool isHit, CastStatus status, float fraction, int partA, int partB)
+    {
+        if (!isHit || (PartA >= 0 && !(fraction <= _best))) return false;
+        bool isOverlapping = status == CastStatus.OverlappingAtStart;
+        if (PartA >= 0 && fraction == _best)
+        {
+            bool isLess = partA < PartA || (partA == PartA && partB < PartB);
+            if (isOverlapping != _isOverlapping ? !isOverlapping : !isLess) return false;
+        }
+
+        (_best, _isOverlapping, PartA, PartB) = (fraction, isOverlapping, partA, partB);
+        SetReached(fraction);
+        return true;
+    }
+}

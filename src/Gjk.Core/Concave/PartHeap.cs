@@ -1,0 +1,56 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>Pairs of boxes that wait, the least bound first: a binary heap (Williams 1964).</summary>
+/// <remarks>Equal bounds leave in an order that depends on the order of the calls alone.</remarks>
+internal sealed class PartHeap
+{
+    private Entry[] _entries = new Entry[256];
+    private int _count;
+
+    /// <summary>Two boxes, each as eight times its node and the lane, and a bound of theirs.</summary>
+    public struct Entry
+    {
+        public int A, B;
+        public float Bound;
+    }
+
+    public void Clear() => _count = 0;
+
+    public void Add(int a, int b, float bound)
+    {
+        if (_count + 1 >= _entries.Length) Array.Resize(ref _entries, 2 * _entries.Length);
+        Entry[] entries = _entries;
+        int at = ++_count;
+        while (at > 1 && entries[at >> 1].Bound > bound)
+        {
+            entries[at] = entries[at >> 1];
+            at >>= 1;
+        }
+
+        entries[at].A = a;
+        entries[at].B = b;
+        entries[at].Bound = bound;
+    }
+
+    public bool TryTake(out Entry top)
+    {
+        Entry[] entries = _entries;
+        top = entries[1];
+        if (_count == 0) return false;
+        Entry last = entries[_count--];
+        int at = 1;
+        while (2 * at <= _count)
+        {
+            int child = 2 * at;
+            if (child < _count && entries[child + 1].Bound < entries[child].Bound) child++;
+            if (entries[child].Bound >= last.Bound) break;
+            entries[at] = entries[child];
+            at = child;
+        }
+
+        entries[at] = last;
+        return true;
+    }
+}

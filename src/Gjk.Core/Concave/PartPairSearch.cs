@@ -1,0 +1,147 @@
+using System;
+using System.Collections.Generic;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The pair of parts with the least distance: pairs of boxes wait in a heap, the least bound first, the larger box of a
+/// pair is opened, and two leaves' parts are asked one by one, by the exact query.
+/// </summary>
+/// <remarks>
+/// Source: branch and bound over two trees (Quinlan, "Efficient distance computation between non-convex objects", 1994;
+/// Johnson and Cohen, 1998, best first).
+/// Exactness: a pair of boxes is dropped only if its bound, which is proved, exceeds the least distance that a query of
+/// two parts has given. So the answer is the least of all pairs' answers, whatever the trees are like.
+/// It ends: each pair of boxes enters the heap once at most, and each step takes one out.
+/// Which of several pairs with the same float distance is named depends on the trees, which depend on the input alone.
+/// </remarks>
+internal struct PartPairSearch
+{
+    /// <summary>In pair units, squared and rounded up: bounds above it cannot matter.</summary>
+    public float Reached;
+
+    /// <summary>World units: pairs further apart are not looked for.</summary>
+    public float Limit;
+
+    /// <summary>The least distance; valid if <see cref="PartA"/> is not negative.</summary>
+    public DistanceResult Best;
+
+    /// <summary>The parts that have it.</summary>
+    public int PartA, PartB;
+
+    /// <summary>No pair that was asked is nearer than this.</summary>
+    public float LowerBound;
+
+    public TreeFrame Frame;
+
+    /// <summary>Takes every pair within the limit, where it is not null.</summary>
+    public List<PartDistance>? All;
+
+    /// <summary>Finds the least distance that is at most the limit.</summary>
+    public static unsafe void Run(ConcaveScratch scratch, float maxDistance)
+    {
+        ref PartPairSearch search = ref scratch.Search;
+        PartTree a = scratch.A.Tree, b = scratch.B.Tree;
+        search.Begin(scratch, maxDistance);
+        float* bounds = stackalloc float[PartTree.Lanes];
+        PartHeap heap = scratch.Heap;
+        heap.Clear();
+        heap.Add(0, 0, 0);
+        fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
+        {
+            while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search.Reached)
+            {
+                int childA = a.Children[pair.A], childB = b.Children[pair.B];
+                if (childA < 0 && childB < 0)
+                {
+                    search.AskLeaves(scratch, childA, childB);
+                    if (search.PartA >= 0 && search.Best.IsOverlapping) return;
+                    continue;
+                }
+
+                bool isA = search.Bounds(boxesA, pair.A, childA, boxesB, pair.B, childB, bounds);
+                int first = PartTree.Lanes * (isA ? childA : childB);
+                int[] children = isA ? a.Children : b.Children;
+                for (int i = 0; i < PartTree.Lanes; i++)
+                {
+                    if (!(bounds[i] <= search.Reached) || children[first + i] == PartTree.Empty) continue;
+                    heap.Add(isA ? first + i : pair.A, isA ? pair.B : first + i, bounds[i]);
+                }
+            }
+        }
+    }
+
+    private void Begin(ConcaveScratch scratch, float maxDistance)
+    {
+        TreeFrame.Compose(
+            scratch.A.Tree, scratch.A.Pose, scratch.B.Tree, scratch.B.Pose, scratch.A.Margin + scratch.B.Margin,
+            out Frame);
+        PartA = PartB = -1;
+        Best = default;
+        LowerBound = float.PositiveInfinity;
+        SetLimit(scratch, Math.Max(maxDistance, 0));
+    }
+
+    private void SetLimit(ConcaveScratch scratch, float distance)
+    {
+        Limit = distance;
+        Reached = BoxLanes.Squared((distance + scratch.A.Margin + scratch.B.Margin) / Frame.Unit);
+    }
+
+    /// <summary>Bounds for the eight boxes below one of a pair.</summary>
+    /// <returns>Whether it is A's that was opened: the larger one, or the one that is no leaf.</returns>
+    public readonly unsafe bool Bounds(
+        float* boxesA, int a, int childA, float* boxesB, int b, int childB, float* bounds)
+    {
+        TurnedBox.Read(boxesA, a, Frame.FactorA, out TurnedBox boxA);
+        TurnedBox.Read(boxesB, b, Frame.FactorB, out TurnedBox boxB);
+        bool isA = childB < 0 || (childA >= 0 && boxA.Size >= boxB.Size);
+        TurnedBox seen;
+        if (isA)
+        {
+            Frame.SeenFromA(boxB, out seen);
+            BoxLanes.DistanceSquared(
+                boxesA + childA * PartTree.Stride, Frame.FactorA, seen, Frame.Room, bounds);
+        }
+        else
+        {
+            Frame.SeenFromB(boxA, out seen);
+            BoxLanes.DistanceSquared(
+                boxesB + childB * PartTree.Stride, Frame.FactorB, seen, Frame.Room, bounds);
+        }
+
+        return isA;
+    }
+
+    private void AskLeaves(ConcaveScratch scratch, int leafA, int leafB)
+    {
+        int firstA = PartTree.FirstOf(leafA), endA = firstA + PartTree.CountOf(leafA);
+        int firstB = PartTree.FirstOf(leafB), endB = firstB + PartTree.CountOf(leafB);
+        for (int i = firstA; i < endA; i++)
+            for (int j = firstB; j < endB; j++) Ask(scratch, scratch.A.Tree.Order[i], scratch.B.Tree.Order[j]);
+    }
+
+    /// <summary>Asks about two parts.</summary>
+    private void Ask(ConcaveScratch scratch, int partA, int partB)
+    {
+        DistanceResult found = PartQuery.Distance(scratch.A, partA, scratch.B, partB, Limit);
+        if (found.LowerBound < LowerBound) LowerBound = found.LowerBound;
+        if (found.Status is GjkStatus.BeyondMaxDistance or GjkStatus.InvalidInput or GjkStatus.InvalidShape) return;
+        if (All is not null)
+        {
+            All.Add(new PartDistance(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB)));
+            return;
+        }
+
+        bool isBetter = PartA < 0 || found.Distance < Best.Distance
+            || (found.Distance == Best.Distance && IsBefore(found.IsOverlapping, partA, partB));
+        if (!isBetter) return;
+        Best = found;
+        (PartA, PartB) = (partA, partB);
+        SetLimit(scratch, found.Distance);
+    }
+
+    private readonly bool IsBefore(bool isOverlapping, int partA, int partB) =>
+        isOverlapping != Best.IsOverlapping ? isOverlapping
+        : partA < PartA || (partA == PartA && partB < PartB);
+}

@@ -1,0 +1,110 @@
+namespace Gjk.Core;
+
+/// <summary>One of a query's two shapes: its parts, their tree and its pose.</summary>
+internal sealed class PartSide
+{
+    private readonly PartTree _single = PartTree.Single();
+    private ConvexShape _convex;
+
+    public RigidPose Pose;
+
+    public PartTree Tree = null!;
+
+    public TriangleMesh? Mesh;
+
+    public CompoundShape? Compound;
+
+    /// <summary>Whether it has an inside that its parts do not hold.</summary>
+    public bool IsSolid;
+
+    /// <summary>World units: by so much the parts reach beyond their boxes.</summary>
+    public double Margin;
+
+    /// <summary>The number that a convex shape has instead of a part's.</summary>
+    public const int NoPart = -1;
+
+    /// <summary>Whether it is a single point.</summary>
+    public bool IsPoint =>
+        IsConvex && _convex.Kind is (ShapeKind.Point or ShapeKind.Sphere) && _convex.Margin == 0;
+
+    public bool IsConvex => Mesh is null && Compound is null;
+
+    /// <returns>False where the shape or the pose is a <c>default</c> struct.</returns>
+    public bool TrySet(in AnyShape shape, in RigidPose pose)
+    {
+        if (shape.Kind == AnyShapeKind.None || !pose.IsValid) return false;
+        Pose = pose;
+        Mesh = shape.Mesh;
+        Compound = shape.Compound;
+        IsSolid = shape.Kind == AnyShapeKind.Solid;
+        Margin = 0;
+        if (!IsConvex)
+        {
+            Tree = Mesh is not null ? Mesh.Tree : Compound!.Tree;
+            return true;
+        }
+
+        _convex = AnyShape.ConvexOf(shape);
+        Margin = _convex.Margin;
+        CompoundShape.Box(_convex, 0, out Vector3D min, out Vector3D max);
+        SinglePart.Write(_single, min, max);
+        Tree = _single;
+        return true;
+    }
+
+    /// <summary>A part as a convex shape; it may be written to the room that is given.</summary>
+    public ref readonly ConvexShape Part(int part, ref ConvexShape room)
+    {
+        if (Compound is not null) return ref Compound.Parts[part];
+        if (Mesh is null) return ref _convex;
+        room = Mesh.GetShape(part);
+        return ref room;
+    }
+
+    /// <summary>The number of a part in results.</summary>
+    public int NumberOf(int part) => IsConvex ? NoPart : part;
+
+    /// <summary>How many connected pieces its parts have, at most.</summary>
+    public int PieceCount => Mesh is not null ? Mesh.Components.Length : Compound?.PartCount ?? 1;
+
+    /// <summary>A point of a piece, as exact as the piece is given, and the part that it is of.</summary>
+    public Vector3D PointOf(int piece, out int part)
+    {
+        part = Mesh is not null ? Mesh.Components[piece] : piece;
+        if (Mesh is not null)
+        {
+            Mesh.GetCorners(part, out Vector3D corner, out _, out _);
+            return corner;
+        }
+
+        // Not the centre, which is the middle of a hull's box and need not be in the hull.
+        ConvexShape room = default;
+        ref readonly ConvexShape shape = ref Part(part, ref room);
+        shape.Support(new Vector3D(1, 0, 0), out Vector3D point);
+        return shape.Center + point;
+    }
+
+    /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
+    public Vector3D MiddleOf(int piece, out int part)
+    {
+        part = Mesh is not null ? Mesh.Components[piece] : piece;
+        if (Mesh is not null)
+        {
+            Mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
+            return TriangleShape.Centroid(a, b, c);
+        }
+
+        ConvexShape room = default;
+        ref readonly ConvexShape shape = ref Part(part, ref room);
+        Vector3D sum = default;
+        for (int i = 0; i < 6; i++)
+        {
+            double sign = i < 3 ? 1 : -1;
+            shape.Support(
+                new Vector3D(i % 3 == 0 ? sign : 0, i % 3 == 1 ? sign : 0, i % 3 == 2 ? sign : 0), out Vector3D point);
+            sum += point;
+        }
+
+        return shape.Center + sum * (1.0 / 6);
+    }
+}

@@ -1,0 +1,147 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The box of a range of parts: along the axes, or of triangles along their spread, whichever has less surface.
+/// </summary>
+/// <remarks>
+/// A box is written in float and still holds its parts: the axes are rounded first, and the parts are then measured
+/// along the rounded axes, in double, from the rounded centre. <see cref="Outward"/> covers what double loses then and
+/// the rounding of the half side.
+/// </remarks>
+internal sealed class BoxFit
+{
+    /// <summary>
+    /// Ratio to the half side and to the radius: 2^-23, twice what rounding to float takes; double's own errors, below
+    /// 2^-49 of the radius, vanish in the rest. Less would lose a part's corner, as PartTreeTests show; four times as
+    /// much costs time only.
+    /// </summary>
+    private const double Outward = 1.0 / (1 << 23);
+
+    /// <summary>Ratio to the origin's distance: 2^-50, eight times what measuring from it rounds away.</summary>
+    private const double FromFar = 1.0 / (1L << 50);
+
+    private readonly IPartSource _source;
+    private readonly PartItem[] _items;
+    private readonly double _inverse;
+    private Vector3D _u, _v, _w, _center, _half;
+
+    /// <param name="source">The parts.</param>
+    /// <param name="items">Their boxes, in the shape's frame; they are brought to the tree's.</param>
+    /// <param name="all">The box of all.</param>
+    public BoxFit(IPartSource source, PartItem[] items, in PartBox all)
+    {
+        _source = source;
+        _items = items;
+        Origin = (all.Min + all.Max) * 0.5;
+        Vector3D half = (all.Max - all.Min) * 0.5;
+        double most = half.SumOfMagnitudes;
+        Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
+        _inverse = 1 / Unit;
+
+        // In tree units, where no square leaves the range of double.
+        Radius = (half * _inverse).Length * (1 + Outward) * Unit;
+        for (int i = 0; i < items.Length; i++)
+        {
+            ref PartBox box = ref items[i].Box;
+            box = new PartBox(Local(box.Min), Local(box.Max));
+        }
+    }
+
+    public Vector3D Origin { get; }
+
+    public double Unit { get; }
+
+    public double Radius { get; }
+
+    /// <summary>Finds the box of a range.</summary>
+    public void Measure(int begin, int end)
+    {
+        PartBox box = PartBox.Nothing;
+        for (int i = begin; i < end; i++) box.Add(_items[i].Box);
+        SetAlongAxes(box);
+        if (!TryGetSpread(begin, end, out Vector3D u, out Vector3D v, out Vector3D w)) return;
+        (u, v, w) = (ToFloats(u), ToFloats(v), ToFloats(w));
+        MeasureAlong(begin, end, u, v, w, out Vector3D low, out Vector3D high);
+        Vector3D size = high - low;
+        if (size.X * size.Y + size.Y * size.Z + size.Z * size.X >= box.Area) return;
+        Vector3D middle = (low + high) * 0.5;
+        Vector3D center = ToFloats(u * middle.X + v * middle.Y + w * middle.Z);
+        Vector3D along = Along(center, u, v, w);
+        (_u, _v, _w, _center) = (u, v, w, center);
+        _half = Widened(high - along, along - low);
+    }
+
+    /// <summary>Writes the box to a lane.</summary>
+    public void Write(float[] boxes, int at)
+    {
+        Write(boxes, at, _center);
+        Write(boxes, at + PartTree.Halves, _half);
+        Write(boxes, at + PartTree.Axes, _u);
+        Write(boxes, at + PartTree.Axes + 3 * PartTree.Lanes, _v);
+        Write(boxes, at + PartTree.Axes + 6 * PartTree.Lanes, _w);
+    }
+
+    private static void Write(float[] boxes, int at, in Vector3D v)
+    {
+        boxes[at] = (float)v.X;
+        boxes[at + PartTree.Lanes] = (float)v.Y;
+        boxes[at + 2 * PartTree.Lanes] = (float)v.Z;
+    }
+
+    private void SetAlongAxes(in PartBox box)
+    {
+        (_u, _v, _w) = (new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1));
+        _center = ToFloats((box.Min + box.Max) * 0.5);
+        _half = Widened(box.Max - _center, _center - box.Min);
+    }
+
+    private bool TryGetSpread(int begin, int end, out Vector3D u, out Vector3D v, out Vector3D w)
+    {
+        BoxSpread spread = default;
+        for (int i = begin; i < end; i++)
+        {
+            if (!_source.TryGetTriangle(_items[i].Part, out Vector3D a, out Vector3D b, out Vector3D c))
+            {
+                u = v = w = default;
+                return false;
+            }
+
+            spread.Add(Local(a) - _center, Local(b) - _center, Local(c) - _center);
+        }
+
+        return spread.TryGetAxes(out u, out v, out w);
+    }
+
+    private void MeasureAlong(
+        int begin, int end, in Vector3D u, in Vector3D v, in Vector3D w, out Vector3D low, out Vector3D high)
+    {
+        PartBox box = PartBox.Nothing;
+        for (int i = begin; i < end; i++)
+        {
+            _source.TryGetTriangle(_items[i].Part, out Vector3D a, out Vector3D b, out Vector3D c);
+            box.Add(Along(Local(a), u, v, w));
+            box.Add(Along(Local(b), u, v, w));
+            box.Add(Along(Local(c), u, v, w));
+        }
+
+        (low, high) = (box.Min, box.Max);
+    }
+
+    private static Vector3D Along(in Vector3D p, in Vector3D u, in Vector3D v, in Vector3D w) =>
+        new(Vector3D.Dot(p, u), Vector3D.Dot(p, v), Vector3D.Dot(p, w));
+
+    private Vector3D Local(in Vector3D p) => (p - Origin) * _inverse;
+
+    private static Vector3D ToFloats(in Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
+
+    /// <summary>The larger of both ways along each axis, and a little more.</summary>
+    private Vector3D Widened(in Vector3D up, in Vector3D down)
+    {
+        double radius = Radius * _inverse * (Outward / 2) + Origin.SumOfMagnitudes * _inverse * FromFar;
+        return new Vector3D(
+            Math.Max(up.X, down.X) * (1 + Outward) + radius, Math.Max(up.Y, down.Y) * (1 + Outward) + radius,
+            Math.Max(up.Z, down.Z) * (1 + Outward) + radius);
+    }
+}

@@ -1,0 +1,55 @@
+namespace Gjk.Core;
+
+/// <summary>A box that grows.</summary>
+internal struct PartBox
+{
+    public double MinX, MinY, MinZ, MaxX, MaxY, MaxZ;
+
+    public PartBox(in Vector3D min, in Vector3D max)
+    {
+        (MinX, MinY, MinZ) = (min.X, min.Y, min.Z);
+        (MaxX, MaxY, MaxZ) = (max.X, max.Y, max.Z);
+    }
+
+    /// <summary>Holds no point.</summary>
+    public static PartBox Nothing { get; } = new(
+        new Vector3D(double.MaxValue, double.MaxValue, double.MaxValue),
+        new Vector3D(double.MinValue, double.MinValue, double.MinValue));
+
+    public readonly Vector3D Min => new(MinX, MinY, MinZ);
+
+    public readonly Vector3D Max => new(MaxX, MaxY, MaxZ);
+
+    /// <summary>Half the surface.</summary>
+    public readonly double Area
+    {
+        get
+        {
+            double x = MaxX - MinX, y = MaxY - MinY, z = MaxZ - MinZ;
+            return x * y + y * z + z * x;
+        }
+    }
+
+    public void Add(in PartBox box)
+    {
+        if (box.MinX < MinX) MinX = box.MinX;
+        if (box.MinY < MinY) MinY = box.MinY;
+        if (box.MinZ < MinZ) MinZ = box.MinZ;
+        if (box.MaxX > MaxX) MaxX = box.MaxX;
+        if (box.MaxY > MaxY) MaxY = box.MaxY;
+        if (box.MaxZ > MaxZ) MaxZ = box.MaxZ;
+    }
+
+    public void Add(in Vector3D point)
+    {
+        if (point.X < MinX) MinX = point.X;
+        if (point.Y < MinY) MinY = point.Y;
+        if (point.Z < MinZ) MinZ = point.Z;
+        if (point.X > MaxX) MaxX = point.X;
+        if (point.Y > MaxY) MaxY = point.Y;
+        if (point.Z > MaxZ) MaxZ = point.Z;
+    }
+
+    /// <summary>Twice the middle along an axis.</summary>
+    public readonly double Middle(int axis) => axis == 0 ? MinX + MaxX : axis == 1 ? MinY + MaxY : MinZ + MaxZ;
+}

@@ -1,0 +1,21 @@
+namespace Gjk.Core;
+
+/// <summary>A part while a tree is built: its box, in tree units.</summary>
+internal struct PartItem
+{
+    public PartBox Box;
+    public int Part;
+}
+
+/// <summary>What gives the parts of a shape to the builder of a tree.</summary>
+internal interface IPartSource
+{
+    /// <summary>How many parts there are; at least 1.</summary>
+    int Count { get; }
+
+    /// <summary>A part's box in the shape's frame; holds it for certain.</summary>
+    void GetBox(int part, out Vector3D min, out Vector3D max);
+
+    /// <summary>A part's three corners, where it is a triangle.</summary>
+    bool TryGetTriangle(int part, out Vector3D a, out Vector3D b, out Vector3D c);
+}

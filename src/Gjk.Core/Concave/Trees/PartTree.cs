@@ -1,0 +1,72 @@
+namespace Gjk.Core;
+
+/// <summary>
+/// A tree over the parts of a shape: nodes of eight oriented boxes in float, leaves of a few parts. Each box holds its
+/// parts for certain: a part's points p have |(p - centre) · axis| &lt;= half side along each of the three axes as they
+/// are stored, which are perpendicular and of unit length but for float's rounding.
+/// </summary>
+/// <remarks>
+/// Lengths are in units of a power of two, and measured from <see cref="Origin"/>, so that no square of one leaves the
+/// range of float. Lane 0 of node 0 is the whole. Immutable once built, but for the tree of a single part.
+/// </remarks>
+internal sealed class PartTree
+{
+    /// <summary>How many boxes a node has.</summary>
+    public const int Lanes = 8;
+
+    /// <summary>Floats per node: centre (3), half sides (3) and axes (9), eight of each.</summary>
+    public const int Stride = 15 * Lanes;
+
+    /// <summary>The first half side and the first axis in a node.</summary>
+    public const int Halves = 3 * Lanes, Axes = 6 * Lanes;
+
+    /// <summary>A lane without a box.</summary>
+    public const int Empty = int.MinValue;
+
+    public readonly float[] Boxes;
+
+    /// <summary>Per lane: a node (at least 0), a leaf (see <see cref="Leaf"/>), or <see cref="Empty"/>.</summary>
+    public readonly int[] Children;
+
+    /// <summary>The parts in the order of the leaves.</summary>
+    public readonly int[] Order;
+
+    /// <summary>The frame's origin in the shape's own frame.</summary>
+    public Vector3D Origin;
+
+    /// <summary>The shape's units per tree unit: a power of two.</summary>
+    public double Unit = 1;
+
+    /// <summary>In the shape's units: no point of the parts is further from the origin.</summary>
+    public double Radius;
+
+    public PartTree(float[] boxes, int[] children, int[] order)
+    {
+        Boxes = boxes;
+        Children = children;
+        Order = order;
+    }
+
+    /// <summary>The tree of one part, to be written by <see cref="SinglePart"/>.</summary>
+    public static PartTree Single()
+    {
+        var tree = new PartTree(new float[Stride], new int[Lanes], new int[1]);
+        for (int lane = 0; lane < Lanes; lane++)
+        {
+            tree.Children[lane] = lane == 0 ? Leaf(0, 1) : Empty;
+            for (int i = 0; i < 3; i++) tree.Boxes[Axes + (4 * i) * Lanes + lane] = 1;
+        }
+
+        return tree;
+    }
+
+    /// <summary>A leaf with some of the parts, in their order.</summary>
+    public static int Leaf(int first, int count) => ~(first * Lanes + count);
+
+    public static int FirstOf(int leaf) => ~leaf / Lanes;
+
+    public static int CountOf(int leaf) => ~leaf % Lanes;
+
+    /// <summary>Bytes of its arrays.</summary>
+    public long Bytes => 4L * (Boxes.Length + Children.Length + Order.Length);
+}

@@ -1,0 +1,85 @@
+using System;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii and the
+/// distance of the trees' origins, so that all lengths in it are a few units at most.
+/// </summary>
+internal struct TreeFrame
+{
+    /// <summary>
+    /// Ratio to the radii and the distance of the origins: 2^-18, 64 units of u = 2^-24. What float's rounding does to
+    /// a bound of <see cref="BoxLanes"/> is no more than that; its header counts. Pinned by BoxLanesTests.
+    /// </summary>
+    public const float Slack = 1f / (1 << 18);
+
+    /// <summary>Ratio to the positions: 2^-45; double rounds less away where trees lie far from poses.</summary>
+    private const double FarSlack = 1.0 / (1L << 45);
+
+    /// <summary>B's axes in A's frame.</summary>
+    public RotationD Rotation;
+
+    /// <summary>A's axes in the world.</summary>
+    public RotationD RotationA;
+
+    /// <summary>From A's tree's origin to B's, in A's frame and pair units.</summary>
+    public Vector3D Translation;
+
+    /// <summary>World units per pair unit.</summary>
+    public double Unit;
+
+    /// <summary>Pair units per tree unit.</summary>
+    public float FactorA, FactorB;
+
+    /// <summary>In pair units: the trees' radii.</summary>
+    public double RadiusA, RadiusB;
+
+    /// <summary>In pair units: by so much each bound of a length is lowered.</summary>
+    public float Room;
+
+    public static void Compose(
+        PartTree a, in RigidPose poseA, PartTree b, in RigidPose poseB, double reach, out TreeFrame frame)
+    {
+        frame = default;
+        PoseComposition.Compose(
+            poseA, poseB, out frame.RotationA, out frame.Rotation, out _, out _);
+        Vector3D between = (Vector3D)poseB.Position - poseA.Position;
+        Vector3D originB = frame.Rotation.Rotate(b.Origin);
+        Vector3D translation = frame.RotationA.InverseRotate(between) + (originB - a.Origin);
+        double far = between.SumOfMagnitudes + a.Origin.SumOfMagnitudes + b.Origin.SumOfMagnitudes;
+        double most = Math.Max(Math.Max(a.Radius, b.Radius), Math.Max(translation.SumOfMagnitudes, reach));
+        frame.Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
+        double inverse = 1 / frame.Unit;
+        frame.Translation = translation * inverse;
+        frame.FactorA = (float)(a.Unit * inverse);
+        frame.FactorB = (float)(b.Unit * inverse);
+        frame.RadiusA = a.Radius * inverse;
+        frame.RadiusB = b.Radius * inverse;
+        frame.Room = (float)(Slack * (frame.RadiusA + frame.RadiusB + frame.Translation.Length)
+            + FarSlack * far * inverse) + float.Epsilon;
+    }
+
+    /// <summary>A box of A's tree in pair units, as B's tree sees it.</summary>
+    public readonly void SeenFromB(in TurnedBox box, out TurnedBox seen)
+    {
+        seen.Center = Narrow(Rotation.InverseRotate((Vector3D)box.Center - Translation));
+        seen.Half = box.Half;
+        seen.U = Narrow(Rotation.InverseRotate(box.U));
+        seen.V = Narrow(Rotation.InverseRotate(box.V));
+        seen.W = Narrow(Rotation.InverseRotate(box.W));
+    }
+
+    /// <summary>A box of B's tree in pair units, as A's tree sees it.</summary>
+    public readonly void SeenFromA(in TurnedBox box, out TurnedBox seen)
+    {
+        seen.Center = Narrow(Rotation.Rotate(box.Center) + Translation);
+        seen.Half = box.Half;
+        seen.U = Narrow(Rotation.Rotate(box.U));
+        seen.V = Narrow(Rotation.Rotate(box.V));
+        seen.W = Narrow(Rotation.Rotate(box.W));
+    }
+
+    private static Vector3 Narrow(in Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
+}

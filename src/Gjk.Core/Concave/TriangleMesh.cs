@@ -1,0 +1,246 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using System.Diagnostics.CodeAnalysis;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Triangles, kept as they are given: the surface that is their union, with a tree for queries. Build it once and share
+/// it: it is immutable, and any number of shapes and threads may use it.
+/// </summary>
+/// <remarks>
+/// Triangles keep the caller's numbers; degenerate and repeated ones count like all others. The largest triangle
+/// numbers are limited by memory alone: at most 70 bytes a triangle in meshes with half as many vertices as triangles.
+/// </remarks>
+public sealed class TriangleMesh
+{
+    /// <summary>Count: what fills the lanes of the triangle filter well, and keeps the tree small.</summary>
+    private const int LeafSize = 4, MostInLeaf = 7;
+
+    private readonly Vector3[] _vertices;
+    private readonly int[] _indices;
+    private readonly MeshTopology _topology;
+
+    /// <summary>The tree over the triangles.</summary>
+    internal readonly PartTree Tree;
+
+    /// <summary>The scale in double, so that products with vertices are exact.</summary>
+    private readonly Vector3D _scale;
+
+    /// <summary>Builds a mesh.</summary>
+    /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
+    /// <param name="indices">
+    /// Three for each triangle, at least one triangle, each at least 0 and below the number of vertices. Copied.
+    /// </param>
+    /// <exception cref="ArgumentNullException">A list is null.</exception>
+    /// <exception cref="ArgumentException">
+    /// <see cref="TryCreate"/> would refuse the lists; the message says why.
+    /// </exception>
+    public TriangleMesh(IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices)
+    {
+        Guard.NotNull(vertices, nameof(vertices));
+        Guard.NotNull(indices, nameof(indices));
+        string? reason = Refusal(vertices, indices, out _vertices, out _indices);
+        if (reason is not null) throw new ArgumentException(reason);
+        _topology = new MeshTopology(_vertices, _indices);
+        Scale = Vector3.One;
+        _scale = Scale;
+        Tree = BuildTree();
+    }
+
+    private TriangleMesh(Vector3[] vertices, int[] indices, MeshTopology topology, Vector3 scale)
+    {
+        (_vertices, _indices, _topology) = (vertices, indices, topology);
+        Scale = scale;
+        _scale = scale;
+        Tree = BuildTree();
+    }
+
+    /// <summary>How many triangles there are, at least one.</summary>
+    public int TriangleCount => _indices.Length / 3;
+
+    /// <summary>How many vertices there are, the unused ones included.</summary>
+    public int VertexCount => _vertices.Length;
+
+    /// <summary>The factors that the vertices are multiplied with, exactly; 1 unless <see cref="Scaled"/>.</summary>
+    public Vector3 Scale { get; }
+
+    /// <summary>
+    /// Whether each edge belongs to an even number of triangles. Vertices with equal coordinates are one.
+    /// </summary>
+    public bool IsClosed => _topology.IsClosed;
+
+    /// <summary>
+    /// Whether the triangles go along each edge as often in one direction as in the other, or once more where their
+    /// number is odd.
+    /// </summary>
+    public bool IsOriented => _topology.IsOriented;
+
+    /// <summary>How many edges belong to one triangle alone.</summary>
+    public int BorderEdgeCount => _topology.BorderEdges;
+
+    /// <summary>How many triangles have no area: their corners are on one line, exactly.</summary>
+    public int DegenerateCount => _topology.Degenerate;
+
+    /// <summary>How many triangles have the corners of an earlier one, in whichever order.</summary>
+    public int DuplicateCount => _topology.Duplicate;
+
+    /// <summary>In how many pieces the triangles hang together by common vertices.</summary>
+    public int ComponentCount => _topology.Components.Length;
+
+    /// <summary>
+    /// Whether the mesh has an inside: it is closed and consistently oriented, so that triangles go along each edge as
+    /// often in one direction as in the other.
+    /// </summary>
+    public bool HasInside => _topology.FaultyA < 0;
+
+    /// <summary>Null, or which edge keeps the mesh from having an inside, in one sentence.</summary>
+    public string? WhyNoInside
+    {
+        get
+        {
+            MeshTopology found = _topology;
+            return HasInside
+                ? null
+                : $"The edge from vertex {found.FaultyA} to vertex {found.FaultyB} has "
+                    + $"{Triangles(found.FaultyAlong)} along it and {Triangles(found.FaultyAgainst)} against it.";
+        }
+    }
+
+    /// <summary>Builds a mesh, or says why it cannot.</summary>
+    /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
+    /// <param name="indices">Three for each triangle, at least one triangle. Copied.</param>
+    /// <param name="mesh">The mesh, or null.</param>
+    /// <param name="reason">Null, or what is wrong with the lists, in one sentence.</param>
+    /// <returns>True when there is a mesh.</returns>
+    public static bool TryCreate(
+        IReadOnlyList<Vector3>? vertices, IReadOnlyList<int>? indices, [NotNullWhen(true)] out TriangleMesh? mesh,
+        [NotNullWhen(false)] out string? reason)
+    {
+        mesh = null;
+        reason = vertices is null || indices is null
+            ? "There is no list of vertices, or none of indices."
+            : Refusal(vertices, indices, out _, out _);
+        if (reason is not null) return false;
+        mesh = new TriangleMesh(vertices!, indices!);
+        return true;
+    }
+
+    /// <summary>
+    /// The same triangles scaled about the local origin, exactly; factors of an earlier call are multiplied.
+    /// </summary>
+    /// <param name="scale">Along the local axes; negative factors mirror.</param>
+    /// <returns>A mesh that shares the vertices and has a tree of its own.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A factor, or its product with an earlier one, is 0, NaN or infinite.
+    /// </exception>
+    public TriangleMesh Scaled(Vector3 scale)
+    {
+        Guard.Scale(scale, nameof(scale));
+        return new TriangleMesh(_vertices, _indices, _topology, Guard.Scale(Scale * scale, nameof(scale)));
+    }
+
+    /// <summary>A vertex in the local frame, before the scale.</summary>
+    /// <param name="index">From 0 to <see cref="VertexCount"/> - 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such vertex.</exception>
+    public Vector3 GetVertex(int index)
+    {
+        if ((uint)index >= (uint)_vertices.Length)
+            throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+        return _vertices[index];
+    }
+
+    /// <summary>The vertices of a triangle.</summary>
+    /// <param name="index">From 0 to <see cref="TriangleCount"/> - 1, as given.</param>
+    /// <param name="a">The first vertex.</param>
+    /// <param name="b">The second vertex.</param>
+    /// <param name="c">The third vertex.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such triangle.</exception>
+    public void GetTriangle(int index, out int a, out int b, out int c)
+    {
+        if ((uint)index >= (uint)TriangleCount)
+            throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
+        (a, b, c) = (_indices[3 * index], _indices[3 * index + 1], _indices[3 * index + 2]);
+    }
+
+    /// <summary>One triangle of each connected piece.</summary>
+    internal int[] Components => _topology.Components;
+
+    internal bool IsScaled => Scale != Vector3.One;
+
+    /// <summary>The corners of a triangle with the scale.</summary>
+    internal void GetCorners(int triangle, out Vector3D a, out Vector3D b, out Vector3D c)
+    {
+        int i = 3 * triangle;
+        a = Vector3D.Multiply(_vertices[_indices[i]], _scale);
+        b = Vector3D.Multiply(_vertices[_indices[i + 1]], _scale);
+        c = Vector3D.Multiply(_vertices[_indices[i + 2]], _scale);
+    }
+
+    /// <summary>A triangle as a shape of its own.</summary>
+    internal ConvexShape GetShape(int triangle)
+    {
+        int i = 3 * triangle;
+        Vector3 a = _vertices[_indices[i]], b = _vertices[_indices[i + 1]], c = _vertices[_indices[i + 2]];
+        var shape = ConvexShape.Triangle(a, b, c);
+        return IsScaled ? shape.Scaled(Scale) : shape;
+    }
+
+    /// <summary>A triangle as queries ask it.</summary>
+    internal void GetCore(int triangle, out TriangleCore core)
+    {
+        GetCorners(triangle, out Vector3D a, out Vector3D b, out Vector3D c);
+        Vector3D center = TriangleShape.Centroid(a, b, c);
+        TriangleCore.Make(a, b, c, center, TriangleShape.RadiusAbout(center, a, b, c), 0, out core);
+    }
+
+    private static string Triangles(int count) => count == 1 ? "1 triangle" : $"{count} triangles";
+
+    private PartTree BuildTree() => PartTreeBuilder.Build(new TriangleSource(this), LeafSize, MostInLeaf);
+
+    private static string? Refusal(
+        IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, out Vector3[] points, out int[] corners)
+    {
+        points = new Vector3[Math.Max(vertices.Count, 0)];
+        corners = new int[Math.Max(indices.Count, 0)];
+        for (int i = 0; i < points.Length; i++)
+        {
+            points[i] = vertices[i];
+            if (!Guard.IsFinite(points[i])) return $"Vertex {i} has a coordinate that is NaN or infinite.";
+        }
+
+        if (corners.Length == 0) return "At least one triangle is needed.";
+        if (corners.Length % 3 != 0) return $"There are {corners.Length} indices, which is not a multiple of 3.";
+        for (int i = 0; i < corners.Length; i++)
+        {
+            corners[i] = indices[i];
+            if ((uint)corners[i] < (uint)points.Length) continue;
+            return $"Triangle {i / 3} names vertex {corners[i]}, but there are {points.Length}, counted from 0.";
+        }
+
+        return null;
+    }
+
+    private sealed class TriangleSource(TriangleMesh mesh) : IPartSource
+    {
+        public int Count => mesh.TriangleCount;
+
+        public void GetBox(int part, out Vector3D min, out Vector3D max)
+        {
+            mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
+            min = new Vector3D(
+                Math.Min(Math.Min(a.X, b.X), c.X), Math.Min(Math.Min(a.Y, b.Y), c.Y),
+                Math.Min(Math.Min(a.Z, b.Z), c.Z));
+            max = new Vector3D(
+                Math.Max(Math.Max(a.X, b.X), c.X), Math.Max(Math.Max(a.Y, b.Y), c.Y),
+                Math.Max(Math.Max(a.Z, b.Z), c.Z));
+        }
+
+        public bool TryGetTriangle(int part, out Vector3D a, out Vector3D b, out Vector3D c)
+        {
+            mesh.GetCorners(part, out a, out b, out c);
+            return true;
+        }
+    }
+}
