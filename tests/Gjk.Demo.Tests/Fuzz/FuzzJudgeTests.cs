@@ -15,7 +15,7 @@ public sealed class FuzzJudgeTests
         + " mesh 1 -0.826645851 -0.958721638 -0.352537036 @ 0.310775518 0.916098893 -0.0389634147 0.251926839"
         + " 0.199117318 0.795615733 -0.784781456 ~ -4.81623794E-17 3.33331457E-15 -3.51336328E-15 0 0 0")));
 
-    /// <summary>An edge of a box grazes the rim of a cap that lies in a face: only the plane of the hit shows it.</summary>
+    /// <summary>An edge of a box grazes the rim of a cap that lies in a face: the plane of the hit shows it.</summary>
     [Fact]
     public void AnEdgeThatGrazesARimIsApartBeforeTheHit() => Assert.Null(CastProof.Broken(Of(
         "gjk1 box 1 1 1 @ 0 0 0 1 0 0 0 ~ -2.00000003E-16 1.18119264 -0.470637172 0 0 0"
