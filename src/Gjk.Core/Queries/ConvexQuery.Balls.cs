@@ -19,7 +19,7 @@ public static partial class ConvexQuery
         a.BoundingRadius + b.BoundingRadius == a.Margin + b.Margin;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DistanceResult AskBalls<TA, TB>(
+    private static DistanceResult DistanceOfBalls<TA, TB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, bool isSigned = false)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -66,7 +66,7 @@ public static partial class ConvexQuery
         return new DistanceResult(GjkStatus.Overlapping, 0, 0, common, common, Vector3.Zero, localA, localB, 1);
     }
 
-    /// <summary>Overlapping, separated or invalid, as <see cref="AskBalls"/> says.</summary>
+    /// <summary>Overlapping, separated or invalid, as <see cref="DistanceOfBalls"/> says.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static GjkStatus StatusOfBalls<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap

@@ -153,11 +153,11 @@ public static unsafe partial class ConvexQuery
     /// <summary>What a solver's verdict on a motion means.</summary>
     /// <param name="verdict">The verdict.</param>
     /// <param name="fraction">Where it ended; 0 for a contact at the start.</param>
-    private static CastStatus StatusOf(Verdict verdict, double fraction) => verdict switch
+    private static CastStatus StatusOf(MotionVerdict verdict, double fraction) => verdict switch
     {
-        Verdict.Contradiction => CastStatus.InvalidShape,
-        Verdict.Apart => CastStatus.Miss,
-        Verdict.Undecided => CastStatus.IterationLimit,
+        MotionVerdict.Contradiction => CastStatus.InvalidShape,
+        MotionVerdict.Miss => CastStatus.Miss,
+        MotionVerdict.Undecided => CastStatus.IterationLimit,
         _ => fraction > 0 ? CastStatus.Hit : CastStatus.OverlappingAtStart,
     };
 

@@ -26,7 +26,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         Vector3D motion = (Vector3D)translationB - translationA;
-        DistanceResult start = AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity);
+        DistanceResult start = DistanceOfBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity);
         if (start.Status == GjkStatus.InvalidInput || float.IsNaN(maxFraction)
             || !Guard.IsFinite(translationA) || !motion.IsFinite)
         {

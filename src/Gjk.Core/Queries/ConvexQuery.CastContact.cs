@@ -98,16 +98,16 @@ public static unsafe partial class ConvexQuery
             ? new DeepeningPart(fraction, most, options.AllowedDepth, AllowedSlope)
             : new DeepeningPart(0, double.PositiveInfinity, 0, 0);
         var question = new DeepeningQuestion(motion, part);
-        Verdict verdict =
-            CoreDispatch.Ask<TA, TB, DeepeningQuestion, Verdict>(ref a, poseA, ref b, poseB, ref question);
+        MotionVerdict verdict =
+            CoreDispatch.Ask<TA, TB, DeepeningQuestion, MotionVerdict>(ref a, poseA, ref b, poseB, ref question);
         contact.Iterations += question.Iterations;
-        if (verdict == Verdict.Contradiction) contact.Status = CastStatus.InvalidShape;
-        else if (verdict == Verdict.Apart) contact.Status = CastStatus.Miss;
+        if (verdict == MotionVerdict.Contradiction) contact.Status = CastStatus.InvalidShape;
+        else if (verdict == MotionVerdict.Miss) contact.Status = CastStatus.Miss;
         else if (isStart && !isDeep) contact.Status = CastStatus.Hit;
     }
 
     /// <summary>Whether a contact deepens.</summary>
-    private struct DeepeningQuestion : IPairProblem<Verdict, Verdict>
+    private struct DeepeningQuestion : IPairProblem<MotionVerdict, MotionVerdict>
     {
         public int Iterations;
         private readonly Vector3D _motion;
@@ -122,15 +122,16 @@ public static unsafe partial class ConvexQuery
 
         public readonly bool IsValid => true;
 
-        public readonly Verdict Refuse() => Verdict.Undecided;
+        public readonly MotionVerdict Refuse() => MotionVerdict.Undecided;
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public Verdict Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public MotionVerdict Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap =>
-            PairProblem.Answer<TA, TB, DeepeningQuestion, Verdict, Verdict>(ref a, poseA, ref b, poseB, ref this);
+            PairProblem.Answer<TA, TB, DeepeningQuestion, MotionVerdict, MotionVerdict>(
+                ref a, poseA, ref b, poseB, ref this);
 
-        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out Verdict verdict)
+        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out MotionVerdict verdict)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
@@ -139,7 +140,7 @@ public static unsafe partial class ConvexQuery
             verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
         }
 
-        public readonly Verdict Finish(
-            in Verdict verdict, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => verdict;
+        public readonly MotionVerdict Finish(
+            in MotionVerdict verdict, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => verdict;
     }
 }

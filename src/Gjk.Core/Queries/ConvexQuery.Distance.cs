@@ -96,7 +96,7 @@ public static unsafe partial class ConvexQuery
         if (AreBalls(ref shapeA, ref shapeB))
         {
             if (question.WantsPoints) question.Ask(ref shapeA, poseA, ref shapeB, poseB);
-            return AskBalls(ref shapeA, poseA, ref shapeB, poseB, question.MaxDistance);
+            return DistanceOfBalls(ref shapeA, poseA, ref shapeB, poseB, question.MaxDistance);
         }
 
         return CoreDispatch.Ask<TA, TB, DistanceQuestion<TTrace>, DistanceResult>(

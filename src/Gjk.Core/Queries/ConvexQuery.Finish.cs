@@ -27,7 +27,8 @@ public static partial class ConvexQuery
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance,
         bool isSigned = false)
     {
-        if (state.Verdict == Verdict.Contradiction) return Invalid(state);
+        if (state.Verdict == Verdict.Contradiction)
+            return DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
         if (state.Verdict == Verdict.Beyond) return Beyond(state, frame);
         if (state.Verdict == Verdict.Enclosed)
         {
@@ -106,10 +107,6 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsFarApart(double distance, double radius, in Vector3D center) =>
         distance > FarApart * radius && distance > FarApart * center.SumOfMagnitudes;
-
-    private static DistanceResult Invalid(in SolverState state) =>
-        DistanceResult.Invalid(
-            state.Iterations == 0 ? GjkStatus.InvalidInput : GjkStatus.InvalidShape, state.Iterations);
 
     /// <summary>
     /// A common point, given on both cores, and placed from the pose that the two points of shapes apart would be.

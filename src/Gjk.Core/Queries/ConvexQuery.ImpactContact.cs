@@ -43,7 +43,7 @@ public static unsafe partial class ConvexQuery
         {
             found = default;
             if (!AreBalls(ref a, ref b) || !IsValid) return false;
-            DistanceResult start = AskBalls(ref a, _motionA.Pose, ref b, _motionB.Pose, float.PositiveInfinity);
+            DistanceResult start = DistanceOfBalls(ref a, _motionA.Pose, ref b, _motionB.Pose, float.PositiveInfinity);
             if (!start.IsOverlapping) return false;
             found = new CastResult(CastStatus.OverlappingAtStart, 0, start.PointA, Vector3.Zero, 1);
             return true;
@@ -72,7 +72,7 @@ public static unsafe partial class ConvexQuery
             {
                 ContactFollower.Solve(
                     ref a, ref b, ref frame, ref motion, interval, tolerance, allowed, ref impact);
-                if (impact.Outcome != Verdict.Beyond) break;
+                if (impact.Outcome != MotionVerdict.Over) break;
                 Impact past = impact;
                 AdvancementSolver.Solve(
                     ref a, ref b, ref frame, ref motion, new FractionInterval(impact.Fraction, interval.End), tolerance,
@@ -82,11 +82,11 @@ public static unsafe partial class ConvexQuery
                 contact = Finish(impact, state, ref frame, motion, isWhole);
                 if (contact.Status != CastStatus.Hit || !_options.PassesShallow) return contact;
                 interval = new FractionInterval(contact.Fraction, interval.End);
-                impact.Outcome = Verdict.Undecided;
+                impact.Outcome = MotionVerdict.Undecided;
                 if (impact.Steps >= AdvancementSolver.MaxSteps) break;
             }
 
-            if (impact.Outcome == Verdict.Enclosed)
+            if (impact.Outcome == MotionVerdict.Hit)
             {
                 return new CastResult(
                     contact.Status, contact.Fraction, contact.Point, contact.Normal, impact.Iterations, contact.Depth);

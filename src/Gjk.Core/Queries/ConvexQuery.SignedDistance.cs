@@ -127,12 +127,12 @@ public static unsafe partial class ConvexQuery
         {
             if (Plane != null) Plane->Normal = default;
             if (AreBalls(ref a, ref b) && Simplex == null)
-                return AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true);
+                return DistanceOfBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true);
             DistanceResult result =
                 PairProblem.Answer<TA, TB, SignedQuestion<TTrace>, SolverState, DistanceResult>(
                     ref a, poseA, ref b, poseB, ref this);
             return AreBalls(ref a, ref b)
-                ? AskBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
+                ? DistanceOfBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
                 : result;
         }
 

@@ -219,8 +219,8 @@ public static unsafe partial class ConvexQuery
 
         private readonly CastResult Nothing(in Impact impact, bool isWhole)
         {
-            bool isMiss = impact.Outcome == Verdict.Apart && isWhole;
-            CastStatus status = impact.Outcome == Verdict.Contradiction ? CastStatus.InvalidShape
+            bool isMiss = impact.Outcome == MotionVerdict.Miss && isWhole;
+            CastStatus status = impact.Outcome == MotionVerdict.Contradiction ? CastStatus.InvalidShape
                 : isMiss ? CastStatus.Miss : CastStatus.IterationLimit;
             return CastResult.Nothing(status, FractionOf(status, impact.Fraction, _maxFraction), impact.Iterations);
         }
@@ -228,7 +228,7 @@ public static unsafe partial class ConvexQuery
         private readonly CastResult Finish(
             in Impact impact, in SolverState state, ref PairFrame frame, in PairMotion motion, bool isWhole)
         {
-            if (impact.Outcome != Verdict.Enclosed) return Nothing(impact, isWhole);
+            if (impact.Outcome != MotionVerdict.Hit) return Nothing(impact, isWhole);
             int iterations = impact.Iterations;
             float fraction = RoundOff.Down(impact.Fraction);
             if (impact.Fraction == 0 && impact.Normal == default)

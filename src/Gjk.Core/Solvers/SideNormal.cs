@@ -101,9 +101,9 @@ internal static class SideNormal
         where TTrace : struct, IGjkTrace
     {
         Simplex.Begin(out Simplex ends);
-        Vector3D p = Ask(ref a, ref b, frame, axis * Lean - normal, ref state, ref trace, ref ends, 0);
-        Vector3D q = Ask(ref a, ref b, frame, axis * -Lean - normal, ref state, ref trace, ref ends, 1);
-        Vector3D w = Ask(ref a, ref b, frame, -normal, ref state, ref trace, ref ends, 2);
+        Vector3D p = Support(ref a, ref b, frame, axis * Lean - normal, ref state, ref trace, ref ends, 0);
+        Vector3D q = Support(ref a, ref b, frame, axis * -Lean - normal, ref state, ref trace, ref ends, 1);
+        Vector3D w = Support(ref a, ref b, frame, -normal, ref state, ref trace, ref ends, 2);
         double gap = -Vector3D.Dot(normal, w), level = Level * state.Size.Value;
         if (!(gap >= state.Plane.Distance && Vector3D.Dot(normal, known) >= LeastCosine)) return;
         bool isLevel = -Vector3D.Dot(normal, p) - gap <= level && -Vector3D.Dot(normal, q) - gap <= level;
@@ -153,7 +153,7 @@ internal static class SideNormal
         return true;
     }
 
-    private static Vector3D Ask<TA, TB, TTrace>(
+    private static Vector3D Support<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref SolverState state, ref TTrace trace,
         ref Simplex ends, int slot)
         where TA : struct, ISupportMap

@@ -25,7 +25,7 @@ internal static class WideDistance
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
-        Ask(ref a, ref b, ref s);
+        Support(ref a, ref b, ref s);
         JudgeFirst(ref s);
         WideStep.First(ref s);
         Progress(ref s);
@@ -40,7 +40,7 @@ internal static class WideDistance
     {
         for (; rounds < GjkTolerances.MaxIterations && s.Live != Lanes.Zero; rounds++)
         {
-            Ask(ref a, ref b, ref s);
+            Support(ref a, ref b, ref s);
             Judge(ref s);
             if (s.Live == Lanes.Zero) return;
             WideStep.Advance(ref s, nearest: true);
@@ -50,7 +50,7 @@ internal static class WideDistance
 
     /// <summary>As <see cref="MinkowskiDifference.Support"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Ask<TA, TB>(ref TA a, ref TB b, ref WidePairs s)
+    public static void Support<TA, TB>(ref TA a, ref TB b, ref WidePairs s)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {

@@ -23,12 +23,12 @@ internal static class WideOverlap
     {
         Lanes band = Vector256.Create(GjkTolerances.SeparatedBand) * (s.RadiusA + s.RadiusB);
         Lanes bandSquared = band * band;
-        WideDistance.Ask(ref a, ref b, ref s);
+        WideDistance.Support(ref a, ref b, ref s);
         Test(ref s, bandSquared);
         WideStep.First(ref s);
         for (int round = 1; round < MaxRounds && s.Live != Lanes.Zero; round++)
         {
-            WideDistance.Ask(ref a, ref b, ref s);
+            WideDistance.Support(ref a, ref b, ref s);
             Test(ref s, bandSquared);
             if (s.Live != Lanes.Zero) WideStep.Advance(ref s, nearest: false);
         }

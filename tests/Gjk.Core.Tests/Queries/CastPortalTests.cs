@@ -137,12 +137,12 @@ public class CastPortalTests
         var mesh = new ConvexMesh(corners);
         var point = new PointShape();
         PairFrame.Compose(ref mesh, RigidPose.Identity, ref point, new RigidPose(from), out PairFrame frame);
-        Assert.Equal(Verdict.Enclosed, CastLine.Make(frame, motion, out CastLine line));
+        Assert.Equal(MotionVerdict.Hit, CastLine.Make(frame, motion, out CastLine line));
         frame.Translation = line.Nearest;
         SolverState.Begin<ConvexMesh, PointShape>(frame, out SolverState state);
         CastFinding cast = default;
-        Verdict verdict = CastPortal.Solve(ref mesh, ref point, frame, line, 1, ref cast, ref state);
-        Assert.Equal(isPortal ? Verdict.Enclosed : Verdict.Undecided, verdict);
+        MotionVerdict verdict = CastPortal.Solve(ref mesh, ref point, frame, line, 1, ref cast, ref state);
+        Assert.Equal(isPortal ? MotionVerdict.Hit : MotionVerdict.Undecided, verdict);
     }
 
     private static CastResult Cast(TestPair p, Vector3 motion) =>

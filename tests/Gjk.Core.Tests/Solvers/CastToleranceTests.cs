@@ -14,7 +14,7 @@ public class CastToleranceTests
     public void TheLineIsKnownToThirtyTwoRoundings()
     {
         CastLine line = Line();
-        Assert.Equal(Verdict.Enclosed, CastLine.Make(Frame(), new Vector3D(4, 0, 0), out _));
+        Assert.Equal(MotionVerdict.Hit, CastLine.Make(Frame(), new Vector3D(4, 0, 0), out _));
         Assert.InRange(line.Error, 20 * U * (1 + 3), 45 * U * (1 + 3));
     }
 
@@ -30,7 +30,7 @@ public class CastToleranceTests
     {
         PairFrame frame = Frame();
         frame.Translation = new Vector3D(1e150, 0, 0);
-        Assert.Equal(Verdict.Undecided, CastLine.Make(frame, new Vector3D(1e-161, 0, 0), out CastLine line));
+        Assert.Equal(MotionVerdict.Undecided, CastLine.Make(frame, new Vector3D(1e-161, 0, 0), out CastLine line));
         Assert.Equal(default, line.Axis);
     }
 
@@ -55,7 +55,7 @@ public class CastToleranceTests
         CastFinding cast = default;
         Assert.False(place.TryEnd(Apart(1, 0.5), frame, line, 0, ref cast));
         Assert.True(place.TryEnd(Apart(-1, errors * line.Error), frame, line, 0, ref cast));
-        Assert.Equal(isMet ? Verdict.Enclosed : Verdict.Apart, cast.Outcome);
+        Assert.Equal(isMet ? MotionVerdict.Hit : MotionVerdict.Miss, cast.Outcome);
     }
 
     /// <summary>Two balls, of radius 1 in all, that pass each other on a way of 1, a little further apart.</summary>

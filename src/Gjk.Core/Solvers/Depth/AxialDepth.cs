@@ -25,7 +25,7 @@ namespace Gjk.Core;
 /// </para>
 /// <para>
 /// It terminates because a support point lies above its chord by more than the noise, so that a curve of A - B is cut
-/// into finitely many pieces, and because supports are counted. Verdicts: Enclosed when the bounds met and Apart as
+/// into finitely many pieces, and because supports are counted. Verdicts: Found when the bounds met and Apart as
 /// those of the general search; Contradiction when a support was NaN or lay below its chord; Undecided hands over to
 /// it, where the shapes touch by rounding or the supports are spent.
 /// </para>
@@ -62,7 +62,7 @@ internal static unsafe class AxialDepth
             ? Look(ref a, ref b, frame, plane, ref state, ref depth)
             : Turn(ref a, ref b, frame, plane, ref state, ref depth);
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
-        if (verdict == DepthVerdict.Enclosed && !(depth.Above > band)) verdict = DepthVerdict.Undecided;
+        if (verdict == DepthVerdict.Found && !(depth.Above > band)) verdict = DepthVerdict.Undecided;
         if (verdict == DepthVerdict.Undecided) state.Iterations = before;
         else verdict = DepthEnd.Settle(ref a, ref b, frame, depth, verdict, ref state);
         return verdict;
@@ -83,9 +83,9 @@ internal static unsafe class AxialDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Ask(ref a, ref b, frame, way, 1, 0, ref state, ref depth);
+        Look(ref a, ref b, frame, way, 1, 0, ref state, ref depth);
         return !(depth.Above <= double.MaxValue) ? DepthVerdict.Contradiction
-            : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Enclosed;
+            : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Found;
     }
 
     /// <summary>
@@ -100,14 +100,14 @@ internal static unsafe class AxialDepth
         int limit = state.Iterations + MostSupports;
         DepthVerdict verdict = Walk(ref a, ref b, frame, way, 0, limit, ref state, ref depth);
         double angle = 0, half = Math.PI / 4, known = double.PositiveInfinity, noise = Noise * state.Size.Value;
-        while (way.Slope > 0 && angle < 2 * Math.PI && verdict == DepthVerdict.Enclosed)
+        while (way.Slope > 0 && angle < 2 * Math.PI && verdict == DepthVerdict.Found)
         {
             if (depth.Above < known - noise) Descend(ref a, ref b, frame, way, ref state, ref depth);
             known = depth.Above;
             WayOut plane = way.Turned(angle + half);
             verdict = Walk(ref a, ref b, frame, plane, half, limit, ref state, ref depth);
             bool isTooWide = verdict == DepthVerdict.Flat;
-            if (isTooWide) verdict = DepthVerdict.Enclosed;
+            if (isTooWide) verdict = DepthVerdict.Found;
             else angle += 2 * half;
             half = isTooWide ? half / 2 : Math.Min(2 * half, Math.PI / 4);
         }
@@ -133,7 +133,7 @@ internal static unsafe class AxialDepth
                 Vector3D normal = best + (i < 2 ? around : along) * ((i & 1) == 0 ? step : -step);
                 normal *= 1 / normal.Length;
                 Simplex.Begin(out Simplex simplex);
-                depth.See(normal, Vector3D.Dot(normal, Ask(ref a, ref b, frame, normal, ref state, ref simplex)));
+                depth.See(normal, Vector3D.Dot(normal, Support(ref a, ref b, frame, normal, ref state, ref simplex)));
             }
         }
     }
@@ -150,9 +150,9 @@ internal static unsafe class AxialDepth
         where TB : struct, ISupportMap
     {
         AxialSide* waiting = stackalloc AxialSide[MostWaiting];
-        AxialSide begin = Ask(ref a, ref b, frame, plane, 0, -1, ref state, ref depth), south = begin;
-        waiting[1] = Ask(ref a, ref b, frame, plane, 1, 0, ref state, ref depth);
-        waiting[0] = Ask(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
+        AxialSide begin = Look(ref a, ref b, frame, plane, 0, -1, ref state, ref depth), south = begin;
+        waiting[1] = Look(ref a, ref b, frame, plane, 1, 0, ref state, ref depth);
+        waiting[0] = Look(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
         if (!(depth.Above <= double.MaxValue)) return DepthVerdict.Contradiction;
         int count = 2;
         double noise = Noise * state.Size.Value, contradiction = GjkTolerances.Contradiction * state.Size.Value;
@@ -169,7 +169,7 @@ internal static unsafe class AxialDepth
                 if (count == MostWaiting || state.Iterations >= limit) return DepthVerdict.Undecided;
                 if (isChord)
                 {
-                    AxialSide between = Ask(ref a, ref b, frame, plane, x, y, ref state, ref depth);
+                    AxialSide between = Look(ref a, ref b, frame, plane, x, y, ref state, ref depth);
                     if (!(between.Height - height >= -contradiction)) return DepthVerdict.Contradiction;
                     if (between.Height - height > noise)
                     {
@@ -188,17 +188,17 @@ internal static unsafe class AxialDepth
 
         bool isAlong = south.IsHigh(half, plane.Slope, depth.Above - noise)
             && begin.IsHigh(half, plane.Slope, depth.Above - noise);
-        return isAlong ? DepthVerdict.Enclosed : DepthVerdict.Flat;
+        return isAlong ? DepthVerdict.Found : DepthVerdict.Flat;
     }
 
-    private static AxialSide Ask<TA, TB>(
+    private static AxialSide Look<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double across, double along, ref SolverState state,
         ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         Simplex.Begin(out Simplex simplex);
-        Vector3D normal = plane.At(across, along), w = Ask(ref a, ref b, frame, normal, ref state, ref simplex);
+        Vector3D normal = plane.At(across, along), w = Support(ref a, ref b, frame, normal, ref state, ref simplex);
         depth.See(normal, Vector3D.Dot(normal, w));
         Vector3D moved = default, bent = default;
         if (plane.Slope > 0)
@@ -210,7 +210,7 @@ internal static unsafe class AxialDepth
         return new AxialSide(plane, across, along, w, moved, bent);
     }
 
-    private static Vector3D Ask<TA, TB>(
+    private static Vector3D Support<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref SolverState state, ref Simplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

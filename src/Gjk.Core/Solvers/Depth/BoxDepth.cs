@@ -57,6 +57,6 @@ internal static unsafe class BoxDepth
         BoxDepthPoints.Find(pair, depth, state.Size.Value, out Vector3D onA, out Vector3D inB);
         state.Simplex.Fill(0, depth.Normal * above, onA, inB, -1, -1);
         state.Simplex.Select(1, 0, 0, 0, 0);
-        return DepthVerdict.Enclosed;
+        return DepthVerdict.Found;
     }
 }

@@ -21,7 +21,7 @@ namespace Gjk.Core;
 /// </para>
 /// <para>
 /// It terminates because there are so many corners and neighbours only, and a half circle has its own end. Verdicts:
-/// Enclosed when all was seen; Apart and Contradiction as those of the general search; Undecided, as before, when there
+/// Found when all was seen; Apart and Contradiction as those of the general search; Undecided, as before, when there
 /// are too many corners, the supports are spent, or an ellipsoid is flat.
 /// </para>
 /// </remarks>
@@ -51,8 +51,8 @@ internal static class CornerDepth
         var depth = DepthBounds.Of(state);
         int limit = before + AxialDepth.MostSupports;
         Vector3D dear = default;
-        var verdict = DepthVerdict.Enclosed;
-        for (int i = 0; i < count && verdict == DepthVerdict.Enclosed; i++)
+        var verdict = DepthVerdict.Found;
+        for (int i = 0; i < count && verdict == DepthVerdict.Found; i++)
             verdict = Turn(ref a, ref b, frame, form, i, limit, ref state, ref depth, ref dear);
         if (depth.IsApart(state)) verdict = DepthVerdict.Apart;
         if (verdict == DepthVerdict.Undecided) state.Iterations = before;
@@ -78,7 +78,7 @@ internal static class CornerDepth
         {
             Vector3D edge = Offset(ref a, ref b, frame, form, body.Neighbor(id, i)) - corner;
             if (!(edge.LengthSquared > 0)) continue;
-            if (verdict != DepthVerdict.Enclosed) return verdict;
+            if (verdict != DepthVerdict.Found) return verdict;
             edge *= 1 / edge.Length;
             double same = Vector3D.Dot(edge, dear);
             if (same * same >= 1 - PairForm.Parallel * PairForm.Parallel) continue;
@@ -109,7 +109,7 @@ internal static class CornerDepth
         WayOut way = form.WayAcross(frame, corner, edge, false), other = form.WayAcross(frame, corner, edge, true);
         if (!way.IsKnown) return DepthVerdict.Undecided;
         DepthVerdict verdict = AxialDepth.Look(ref a, ref b, frame, way, limit, ref state, ref depth);
-        return verdict == DepthVerdict.Enclosed
+        return verdict == DepthVerdict.Found
             ? AxialDepth.Look(ref a, ref b, frame, other, limit, ref state, ref depth)
             : verdict;
     }

@@ -79,7 +79,7 @@ internal static unsafe class DepthCells
             {
                 int cut = polytope.CutCount - 1;
                 while (cut >= 0 && (crossed >> cut & 1) != 0) cut--;
-                if (cut < 0) return DepthVerdict.Enclosed;
+                if (cut < 0) return DepthVerdict.Found;
                 crossed = (crossed | 1UL << cut) & ~(~0UL << cut << 1);
                 if (!polytope.TryCross(cut)) return DepthVerdict.Undecided;
                 continue;
@@ -95,7 +95,7 @@ internal static unsafe class DepthCells
 
             if (state.Iterations >= limit) return DepthVerdict.Undecided;
             Vector3D normal = polytope.Face(face).UnitNormal;
-            int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
+            int vertex = PolytopeStart.Support(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
             depth.See(normal, height);
             if (depth.IsApart(state)) return DepthVerdict.Apart;

@@ -31,7 +31,7 @@ internal static class DepthEnd
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (verdict == DepthVerdict.Enclosed || verdict == DepthVerdict.Undecided)
+        if (verdict == DepthVerdict.Found || verdict == DepthVerdict.Undecided)
         {
             PairFrame apart = frame;
             apart.Translation += depth.Normal * (depth.Above + Beyond * state.Size.Value);

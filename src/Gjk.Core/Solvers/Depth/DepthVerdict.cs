@@ -7,7 +7,7 @@ internal enum DepthVerdict
     Undecided = 0,
 
     /// <summary>The bounds met.</summary>
-    Enclosed,
+    Found,
 
     /// <summary>A plane separates the shapes.</summary>
     Apart,

@@ -26,7 +26,7 @@ namespace Gjk.Core;
 /// thread changes which that is.
 /// </para>
 /// <para>
-/// Verdicts. Enclosed: both bounds met. Apart: a plane separates the shapes by more than rounding could. Undecided:
+/// Verdicts. Found: both bounds met. Apart: a plane separates the shapes by more than rounding could. Undecided:
 /// there was no room, and the bounds are what was found. Flat: A - B has no inside, so the depth is 0 if they touch.
 /// Contradiction: a support point was NaN, or lay behind one that the same support had given before.
 /// </para>
@@ -70,7 +70,7 @@ internal static unsafe class GjkDepth
             double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared);
             double lowest = polytope.Face(face).Offset * scale;
             depth.Below = Math.Max(depth.Below, lowest);
-            int vertex = PolytopeStart.Ask(ref a, ref b, frame, normal, ref state, ref polytope);
+            int vertex = PolytopeStart.Support(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;
             if (height < depth.Above) depth.Settle(normal * scale, height);
             if (depth.IsApart(state))
@@ -92,7 +92,7 @@ internal static unsafe class GjkDepth
                 Tell(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
                 if (hasMet) depth.Settle(normal * scale, height);
                 Settle(ref state, polytope, face, depth, depth.Above);
-                return DepthVerdict.Enclosed;
+                return DepthVerdict.Found;
             }
 
             Tell(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);

@@ -24,7 +24,7 @@ namespace Gjk.Core;
 /// edge, which is walked from both sides then.
 /// </para>
 /// <para>
-/// It terminates because looks are counted. Verdicts: Enclosed when every facet and arc was proved to be no cheaper
+/// It terminates because looks are counted. Verdicts: Found when every facet and arc was proved to be no cheaper
 /// than the cheapest way out, which a support of both hulls has confirmed; Apart as those of the general search;
 /// Undecided when the looks are spent, or rounding has led a walk astray.
 /// </para>
@@ -59,7 +59,7 @@ internal static class HullDepth
         search.Depth.Below = Math.Max(
             search.Depth.Below, search.InnerA + search.InnerB - frame.Translation.Length);
         DepthVerdict verdict = search.Depth.IsApart(state) ? DepthVerdict.Apart
-            : isProved ? DepthVerdict.Enclosed : DepthVerdict.Undecided;
+            : isProved ? DepthVerdict.Found : DepthVerdict.Undecided;
         return DepthEnd.Settle(ref a, ref b, frame, search.Depth, verdict, ref state);
     }
 

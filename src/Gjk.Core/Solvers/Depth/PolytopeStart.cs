@@ -55,9 +55,9 @@ internal static unsafe class PolytopeStart
             : End(state, depth);
     }
 
-    /// <summary>Asks for the point of A - B that is furthest in a direction; returns its index.</summary>
+    /// <summary>Adds the point of A - B that is furthest in a direction; returns its index.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Ask<TA, TB>(
+    public static int Support<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, ref SolverState state, ref Polytope polytope)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -131,7 +131,7 @@ internal static unsafe class PolytopeStart
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        int added = Ask(ref a, ref b, frame, unit, ref state, ref polytope);
+        int added = Support(ref a, ref b, frame, unit, ref state, ref polytope);
         depth.See(unit, Vector3D.Dot(unit, polytope.Vertex(added).W));
         return added;
     }

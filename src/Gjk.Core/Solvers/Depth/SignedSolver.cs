@@ -51,7 +51,7 @@ internal static class SignedSolver
 
         // Within the band either answer could be rounding.
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
-        bool isKnown = depth == DepthVerdict.Enclosed || depth == DepthVerdict.Undecided;
+        bool isKnown = depth == DepthVerdict.Found || depth == DepthVerdict.Undecided;
         if (depth == DepthVerdict.Contradiction || (isKnown && -state.Feature.Height > band))
         {
             Settle(ref state, depth);
@@ -125,7 +125,7 @@ internal static class SignedSolver
 
         if (verdict == DepthVerdict.Undecided) verdict = GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
         if (verdict == DepthVerdict.Undecided) return SolveLarge(ref a, ref b, frame, ref state);
-        if (verdict == DepthVerdict.Enclosed) state.Weights = ClosestPointWeights.Of(state.Simplex);
+        if (verdict == DepthVerdict.Found) state.Weights = ClosestPointWeights.Of(state.Simplex);
         return verdict;
     }
 
@@ -189,7 +189,7 @@ internal static class SignedSolver
             return;
         }
 
-        state.Verdict = depth == DepthVerdict.Enclosed ? Verdict.Apart : Verdict.Undecided;
+        state.Verdict = depth == DepthVerdict.Found ? Verdict.Apart : Verdict.Undecided;
     }
 
     /// <summary>

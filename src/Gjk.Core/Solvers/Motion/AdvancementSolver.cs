@@ -25,7 +25,7 @@ namespace Gjk.Core;
 /// each other for many turns.
 /// </para>
 /// <para>
-/// Verdicts. Enclosed: at the fraction they are within the tolerance, or they touch at the start. Apart: they are not
+/// Verdicts. Hit: at the fraction they are within the tolerance, or they touch at the start. Miss: they are not
 /// up to the end. Undecided: the steps ran out, and they are apart up to the fraction. Contradiction: as the distance
 /// has it.
 /// </para>
@@ -199,10 +199,10 @@ internal static class AdvancementSolver
         impact.Iterations += state.Iterations;
         impact.Steps++;
         gap = 0;
-        impact.Outcome = state.Verdict;
+        impact.Outcome = (MotionVerdict)state.Verdict;
         if (state.Verdict != Verdict.Apart) return false;
         gap = state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins;
-        impact.Outcome = Verdict.Enclosed;
+        impact.Outcome = MotionVerdict.Hit;
         if (Proofs.IsTouching(state, gap)) return false;
         impact.Normal = state.Plane.Normal * (-1 / Math.Sqrt(state.Plane.NormalSquared));
         return true;
@@ -225,7 +225,7 @@ internal readonly struct FractionInterval
 internal struct Impact
 {
     /// <summary>Enclosed where the shapes come within the tolerance, Apart where they do not.</summary>
-    public Verdict Outcome;
+    public MotionVerdict Outcome;
 
     /// <summary>Up to here they are apart.</summary>
     public double Fraction;
@@ -244,9 +244,9 @@ internal struct Impact
     public bool TryGoTo(double fraction, double end)
     {
         Iterations++;
-        Outcome = fraction >= end ? Verdict.Apart : Verdict.Undecided;
+        Outcome = fraction >= end ? MotionVerdict.Miss : MotionVerdict.Undecided;
         bool isLater = fraction > Fraction;
         Fraction = Math.Max(Fraction, Math.Min(fraction, end));
-        return isLater && Outcome != Verdict.Apart && Steps < AdvancementSolver.MaxSteps;
+        return isLater && Outcome != MotionVerdict.Miss && Steps < AdvancementSolver.MaxSteps;
     }
 }

@@ -1,10 +1,32 @@
 namespace Gjk.Core;
 
+/// <summary>
+/// What a solver can say about two cores that move. The numbers are those of <see cref="Verdict"/>, whose distance at
+/// one fraction says what the whole motion is known to be so far.
+/// </summary>
+internal enum MotionVerdict : byte
+{
+    /// <summary>The search ended at its limit; up to the fraction there is no contact.</summary>
+    Undecided = Verdict.Undecided,
+
+    /// <summary>They are apart up to the end.</summary>
+    Miss = Verdict.Apart,
+
+    /// <summary>They touch at the fraction, or get too deep there.</summary>
+    Hit = Verdict.Enclosed,
+
+    /// <summary>A contact that was followed is over at the fraction.</summary>
+    Over = Verdict.Beyond,
+
+    /// <summary>A support function contradicted itself or gave NaN.</summary>
+    Contradiction = Verdict.Contradiction,
+}
+
 /// <summary>What a cast found.</summary>
 internal struct CastFinding
 {
-    /// <summary>Enclosed where the shapes touch, Apart where they do not.</summary>
-    public Verdict Outcome;
+    /// <summary>Whether the shapes touch.</summary>
+    public MotionVerdict Outcome;
 
     /// <summary>Up to here they are apart.</summary>
     public double Fraction;

@@ -79,7 +79,7 @@ internal struct CastJump
         if (isTouching && (!_isJump || (slope > 0 && -ahead <= gap)))
         {
             if (isApart && frame.Margins > 0 && IsPastStart && slope > 0) cast.Normal = -normal;
-            return End(line, Verdict.Enclosed, ref cast);
+            return End(line, MotionVerdict.Hit, ref cast);
         }
 
         if (!isTouching && slope > 0)
@@ -87,12 +87,12 @@ internal struct CastJump
             cast.Normal = -normal;
             Left = Along;
             _safe = Along + ahead;
-            if (_safe > _end) return End(line, Verdict.Apart, ref cast);
+            if (_safe > _end) return End(line, MotionVerdict.Miss, ref cast);
             if (!(_safe > Along))
             {
                 // The bounds of a curved core's distance can be on either side of touching: what is not overlapping at
                 // the start is hit, however soon.
-                End(line, Verdict.Enclosed, ref cast);
+                End(line, MotionVerdict.Hit, ref cast);
                 cast.Fraction = Math.Max(cast.Fraction, double.Epsilon);
                 return true;
             }
@@ -105,7 +105,7 @@ internal struct CastJump
         {
             // Where nothing is behind the plane that was crossed, rounding may have gone through it.
             bool isThrough = Left < Along && away <= Through * line.Error;
-            return End(line, isThrough ? Verdict.Enclosed : Verdict.Apart, ref cast);
+            return End(line, isThrough ? MotionVerdict.Hit : MotionVerdict.Miss, ref cast);
         }
 
         // The first contact, if there is one, is behind.
@@ -114,10 +114,10 @@ internal struct CastJump
         return false;
     }
 
-    private readonly bool End(in CastLine line, Verdict outcome, ref CastFinding cast)
+    private readonly bool End(in CastLine line, MotionVerdict outcome, ref CastFinding cast)
     {
         // A jump may have gone past the end: where it went does not depend on the end.
-        cast.Outcome = Along > _end ? Verdict.Apart : outcome;
+        cast.Outcome = Along > _end ? MotionVerdict.Miss : outcome;
         cast.Fraction = FractionOf(line, Along);
         return true;
     }

@@ -47,7 +47,7 @@ internal struct CastLine
     /// Enclosed where the bounding balls overlap somewhere on it, Apart where they do not. Undecided where there is no
     /// motion; the line then is a point, the start.
     /// </returns>
-    public static Verdict Make(in PairFrame frame, in Vector3D motion, out CastLine line)
+    public static MotionVerdict Make(in PairFrame frame, in Vector3D motion, out CastLine line)
     {
         line = default;
         double squared = motion.LengthSquared;
@@ -58,7 +58,7 @@ internal struct CastLine
         if (!line.Axis.IsFinite || !Guard.IsFinite(line.Middle))
         {
             line = default;
-            return Verdict.Undecided;
+            return MotionVerdict.Undecided;
         }
 
         // Twice, since the first time leaves what rounding does to the way.
@@ -67,9 +67,9 @@ internal struct CastLine
         line.Error = Rounding * (frame.Radius + Math.Abs(way));
         double reach = frame.Radius * (1 + BallBand) + line.Error;
         double free = reach * reach - line.Nearest.LengthSquared;
-        if (free < 0) return Verdict.Apart;
+        if (free < 0) return MotionVerdict.Miss;
         line.HalfChord = Math.Sqrt(free);
-        return Verdict.Enclosed;
+        return MotionVerdict.Hit;
     }
 
     /// <summary>The translation so far along the line.</summary>

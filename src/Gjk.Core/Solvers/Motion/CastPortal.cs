@@ -27,7 +27,7 @@ namespace Gjk.Core;
 /// what rounding would turn in a circle.
 /// </para>
 /// <para>
-/// Verdicts. Enclosed: the line enters at the fraction, which is above 0. Apart: it does not up to the most. Undecided:
+/// Verdicts. Hit: the line enters at the fraction, which is above 0. Miss: it does not up to the most. Undecided:
 /// the caller is to hand over.
 /// </para>
 /// </remarks>
@@ -77,45 +77,46 @@ internal static class CastPortal
     /// <param name="cast">Gets fraction, normal and iterations.</param>
     /// <param name="state">Gets the simplex and the weights of the point that the shapes share.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static Verdict Solve<TA, TB>(
+    public static MotionVerdict Solve<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in CastLine line, double most, ref CastFinding cast,
         ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         // A start behind the middle, or so near it, hits nothing or is inside.
-        if (!(line.Middle > 0)) return Verdict.Undecided;
+        if (!(line.Middle > 0)) return MotionVerdict.Undecided;
         FeatureVertices.Begin(out FeatureVertices portal);
-        Verdict verdict = Enclose(ref a, ref b, frame, line, ref portal, ref cast, ref state.Simplex, out double turn);
-        if (verdict != Verdict.Enclosed) return verdict;
+        MotionVerdict verdict = Enclose(
+            ref a, ref b, frame, line, ref portal, ref cast, ref state.Simplex, out double turn);
+        if (verdict != MotionVerdict.Hit) return verdict;
         double end = (most - line.Middle) * line.Speed, gap = EntryGap * frame.Radius;
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
             Vector3D corner = portal.A.W;
             Vector3D normal = Vector3D.Cross(portal.B.W - corner, portal.C.W - corner) * turn;
             double slope = Vector3D.Dot(normal, line.Axis), squared = normal.LengthSquared;
-            if (!(slope > 0 && slope * slope > LeastSlope * LeastSlope * squared)) return Verdict.Undecided;
+            if (!(slope > 0 && slope * slope > LeastSlope * LeastSlope * squared)) return MotionVerdict.Undecided;
             double height = Vector3D.Dot(normal, corner);
-            if (!(line.FractionAt(height / slope) > 0)) return Verdict.Undecided;
+            if (!(line.FractionAt(height / slope) > 0)) return MotionVerdict.Undecided;
             int slot = portal.FreeSlot;
             Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref state.Simplex, slot, out int ids);
             cast.Iterations++;
             double plane = Vector3D.Dot(normal, w), entry = plane / slope;
-            if (entry > end + gap) return Verdict.Apart;
-            if (ids < 0) return Verdict.Undecided;
+            if (entry > end + gap) return MotionVerdict.Miss;
+            if (ids < 0) return MotionVerdict.Undecided;
             if (height - plane <= gap * slope || IsCorner(state.Simplex, portal, slot))
             {
                 cast.Fraction = line.FractionAt(entry);
                 cast.Normal = normal * (-1 / Math.Sqrt(squared));
-                if (!IsCertain(frame, line, portal, normal, plane, entry, ref state)) return Verdict.Undecided;
-                if (!(cast.Fraction * line.Speed > gap)) return Verdict.Undecided;
-                return Verdict.Enclosed;
+                if (!IsCertain(frame, line, portal, normal, plane, entry, ref state)) return MotionVerdict.Undecided;
+                if (!(cast.Fraction * line.Speed > gap)) return MotionVerdict.Undecided;
+                return MotionVerdict.Hit;
             }
 
             Replace(ref portal, new MinkowskiVertex(w, slot), line.Axis, turn);
         }
 
-        return Verdict.Undecided;
+        return MotionVerdict.Undecided;
     }
 
     /// <summary>Finds three vertices that have the line between them.</summary>
@@ -127,7 +128,7 @@ internal static class CastPortal
     /// <param name="cast">Its iterations are counted.</param>
     /// <param name="simplex">Gets the support points.</param>
     /// <param name="turn">The sign that makes (B - A) × (C - A) point along the motion.</param>
-    private static Verdict Enclose<TA, TB>(
+    private static MotionVerdict Enclose<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in CastLine line, ref FeatureVertices portal, ref CastFinding cast,
         ref Simplex simplex, out double turn)
         where TA : struct, ISupportMap
@@ -144,18 +145,18 @@ internal static class CastPortal
             int slot = portal.FreeSlot;
             Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out int ids);
             cast.Iterations++;
-            if (ids < 0) return Verdict.Undecided;
+            if (ids < 0) return MotionVerdict.Undecided;
             double beyond = Vector3D.Dot(side, w);
             if (portal.Count > 0 && beyond > 0)
             {
-                if (!isTilted) return IsBeside(line, side, beyond) ? Verdict.Apart : Verdict.Undecided;
+                if (!isTilted) return IsBeside(line, side, beyond) ? MotionVerdict.Miss : MotionVerdict.Undecided;
                 isTilted = false;
                 normal = side;
                 continue;
             }
 
             var newest = new MinkowskiVertex(w, slot);
-            if (portal.Count == 2 && Surround(ref portal, newest, axis, ref turn)) return Verdict.Enclosed;
+            if (portal.Count == 2 && Surround(ref portal, newest, axis, ref turn)) return MotionVerdict.Hit;
             if (portal.Count == 1)
             {
                 portal.B.Set(portal.A);
@@ -170,10 +171,10 @@ internal static class CastPortal
 
             isTilted = true;
             normal = Aim(portal, axis, out side);
-            if (!(side.LengthSquared > line.Error * line.Error)) return Verdict.Undecided;
+            if (!(side.LengthSquared > line.Error * line.Error)) return MotionVerdict.Undecided;
         }
 
-        return Verdict.Undecided;
+        return MotionVerdict.Undecided;
     }
 
     /// <summary>

@@ -26,7 +26,7 @@ namespace Gjk.Core;
 /// Newton's. MaxRounds is a backstop for a line that is tangent to one.
 /// </para>
 /// <para>
-/// Verdicts. Enclosed: they touch at the fraction, which is 0 at the start. Apart: they do not up to the most.
+/// Verdicts. Hit: they touch at the fraction, which is 0 at the start. Miss: they do not up to the most.
 /// Undecided: the rounds ran out, and they are apart up to the fraction. Contradiction: as the distance has it.
 /// </para>
 /// </remarks>
@@ -69,7 +69,7 @@ internal static class CastSolver
     {
         double beyond = most * (1 + GjkTolerances.FloatBand);
         Find(ref a, ref b, ref frame, motion, beyond, ref warmStart, out cast);
-        if (cast.Outcome == Verdict.Enclosed && IsBeyond(cast.Fraction, most)) cast.Outcome = Verdict.Apart;
+        if (cast.Outcome == MotionVerdict.Hit && IsBeyond(cast.Fraction, most)) cast.Outcome = MotionVerdict.Miss;
     }
 
     /// <summary>Whether a fraction is larger than the most, by more than rounding in double does.</summary>
@@ -82,9 +82,10 @@ internal static class CastSolver
         where TB : struct, ISupportMap
     {
         cast = default;
-        if (CastLine.Make(frame, motion, out CastLine line) == Verdict.Apart || line.FractionAt(-line.HalfChord) > most)
+        bool mayMeet = CastLine.Make(frame, motion, out CastLine line) != MotionVerdict.Miss;
+        if (!mayMeet || line.FractionAt(-line.HalfChord) > most)
         {
-            cast.Outcome = Verdict.Apart;
+            cast.Outcome = MotionVerdict.Miss;
             return;
         }
 
@@ -102,12 +103,12 @@ internal static class CastSolver
         {
             Measure(ref a, ref b, frame, ref state);
             cast.Iterations += state.Iterations;
-            cast.Outcome = state.Verdict;
+            cast.Outcome = (MotionVerdict)state.Verdict;
             if (state.Verdict == Verdict.Contradiction || state.Verdict == Verdict.Undecided) break;
             if (place.TryEnd(state, frame, line, JumpGap * frame.Radius, ref cast))
             {
                 warmStart.Keep(state);
-                if (cast.Outcome == Verdict.Apart) return;
+                if (cast.Outcome == MotionVerdict.Miss) return;
                 cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
                 if (cast.Fraction == 0) cast.OnA += ToCommon(state, frame);
                 else if (state.IsCurved) CastNormal.Sharpen(ref a, ref b, ref frame, line, ref state, ref cast);
@@ -126,7 +127,7 @@ internal static class CastSolver
 
             frame.Translation = line.At(place.Along);
             MinkowskiDifference.Move(frame, ref state.Simplex);
-            cast.Outcome = Verdict.Undecided;
+            cast.Outcome = MotionVerdict.Undecided;
         }
 
         cast.Fraction = place.FractionOf(line, place.Left);
@@ -143,8 +144,8 @@ internal static class CastSolver
         Vector3D before = frame.Translation;
         frame.Translation = line.Nearest;
         cast.Outcome = CastPortal.Solve(ref a, ref b, frame, line, most, ref cast, ref state);
-        if (cast.Outcome == Verdict.Enclosed) cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
-        if (cast.Outcome != Verdict.Undecided) return true;
+        if (cast.Outcome == MotionVerdict.Hit) cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+        if (cast.Outcome != MotionVerdict.Undecided) return true;
         frame.Translation = before;
         cast.Fraction = 0;
         state.Simplex.Clear();

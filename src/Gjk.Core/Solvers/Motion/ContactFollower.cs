@@ -20,7 +20,7 @@ namespace Gjk.Core;
 /// It terminates as the advancement does: what is allowed is several floors.
 /// </para>
 /// <para>
-/// Verdicts. Enclosed: it gets deeper. Beyond: it ends at the fraction, and the bodies are apart there. Apart: neither,
+/// Verdicts. Hit: it gets deeper. Beyond: it ends at the fraction, and the bodies are apart there. Miss: neither,
 /// up to the end. Undecided: the steps ran out; it is no deeper up to the fraction. Contradiction: as the signed
 /// distance has it.
 /// </para>
@@ -77,7 +77,7 @@ internal static class ContactFollower
                 shrunk = Math.Max(allowed, depth) + tolerance + accepted + DepthRoom * state.DepthNoise;
             }
 
-            impact.Outcome = gap > 0 ? Verdict.Beyond : Verdict.Enclosed;
+            impact.Outcome = gap > 0 ? MotionVerdict.Over : MotionVerdict.Hit;
             if (gap + shrunk <= accepted || gap >= Ended * tolerance) return;
             frame.MarginA = margin - shrunk;
             TurningPlane.Choose(
@@ -93,7 +93,7 @@ internal static class ContactFollower
 
             frame.MarginA = margin;
             bool goesOn = impact.TryGoTo(next, interval.End);
-            if (isOver && impact.Outcome != Verdict.Apart) impact.Outcome = Verdict.Beyond;
+            if (isOver && impact.Outcome != MotionVerdict.Miss) impact.Outcome = MotionVerdict.Over;
             if (isOver || !goesOn) return;
         }
     }
@@ -134,7 +134,7 @@ internal static class ContactFollower
         else SignedSolver.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
         impact.Iterations += state.Iterations;
         impact.Steps++;
-        impact.Outcome = state.Verdict;
+        impact.Outcome = (MotionVerdict)state.Verdict;
         gap = 0;
         if (state.Verdict == Verdict.Contradiction) return false;
         if (state.Verdict == Verdict.Enclosed)

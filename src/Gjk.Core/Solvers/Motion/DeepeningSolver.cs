@@ -24,7 +24,7 @@ namespace Gjk.Core;
 /// curved shape it falls with the square of the bracket. MaxRounds is a backstop.
 /// </para>
 /// <para>
-/// Verdicts. Enclosed: they get deeper, or nothing proves that they do not, so that no contact is lost. Apart: they
+/// Verdicts. Hit: they get deeper, or nothing proves that they do not, so that no contact is lost. Miss: they
 /// do not. Contradiction: as the signed distance has it.
 /// </para>
 /// </remarks>
@@ -43,12 +43,12 @@ internal static class DeepeningSolver
     /// <param name="motion">Of B, seen from A, in A's frame, for the fraction 1.</param>
     /// <param name="part">From where on, to where, and what is allowed, in solver units.</param>
     /// <param name="iterations">Support calls made on each shape are added.</param>
-    public static Verdict Solve<TA, TB>(
+    public static MotionVerdict Solve<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, in DeepeningPart part, ref int iterations)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (CastLine.Make(frame, motion, out CastLine line) != Verdict.Enclosed) return Verdict.Apart;
+        if (CastLine.Make(frame, motion, out CastLine line) != MotionVerdict.Hit) return MotionVerdict.Miss;
         double begin = (part.From - line.Middle) * line.Speed, end = (part.To - line.Middle) * line.Speed;
 
         // A fraction that is no float stands for where the bounding balls meet.
@@ -56,11 +56,11 @@ internal static class DeepeningSolver
         if (part.From > 0) frame.Translation = line.At(begin);
         bool isSharp = part.Slope == 0;
         if (!TryLook(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out DepthLook look))
-            return Verdict.Contradiction;
+            return MotionVerdict.Contradiction;
         double limit = look.Touch + look.Noise + line.Error + Math.Max(part.Allowed, part.From > 0 ? 0 : -look.Most);
         var left = new DepthCut(begin, look.Least, look.Slope + part.Slope);
-        if (look.Most < -limit) return Verdict.Enclosed;
-        if (left.Slope >= 0 || !(end > begin)) return Verdict.Apart;
+        if (look.Most < -limit) return MotionVerdict.Hit;
+        if (left.Slope >= 0 || !(end > begin)) return MotionVerdict.Miss;
         bool isCut = end < line.HalfChord;
         DepthCut right = isCut ? default : AtExit(line, begin, part.Slope);
         double along = end;
@@ -69,23 +69,23 @@ internal static class DeepeningSolver
             if (!isCut || rounds > 0)
             {
                 along = DepthCut.Lowest(left, right);
-                if (!(along > left.Along && along < right.Along) || left.At(along) >= -limit) return Verdict.Apart;
+                if (!(along > left.Along && along < right.Along) || left.At(along) >= -limit) return MotionVerdict.Miss;
             }
 
             frame.Translation = line.At(along);
             if (!TryLook(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out look))
-                return Verdict.Contradiction;
+                return MotionVerdict.Contradiction;
             double added = part.Slope * (along - begin);
-            if (look.Most + added < -limit - look.Noise) return Verdict.Enclosed;
+            if (look.Most + added < -limit - look.Noise) return MotionVerdict.Hit;
             var cut = new DepthCut(along, look.Least + added, look.Slope + part.Slope);
             double known = left.At(along);
-            if (rounds > 0 && look.Most + added - known <= 2 * look.Noise) return Verdict.Apart;
+            if (rounds > 0 && look.Most + added - known <= 2 * look.Noise) return MotionVerdict.Miss;
             if (cut.Slope >= 0) right = cut;
-            else if (along == end) return Verdict.Apart;
+            else if (along == end) return MotionVerdict.Miss;
             else left = cut;
         }
 
-        return Verdict.Enclosed;
+        return MotionVerdict.Hit;
     }
 
     /// <summary>Where the bounding balls part they are apart, and go on parting.</summary>
