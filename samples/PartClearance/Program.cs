@@ -44,7 +44,10 @@ internal static class Program
 
     private static int Run(string[] args, CancellationToken cancel)
     {
-        var folder = new Argument<string>("FOLDER") { Description = $"The folder with the parts: files that end in {Importer.Endings}." };
+        var folder = new Argument<string>("FOLDER")
+        {
+            Description = $"The folder with the parts: files that end in {Importer.Endings}.",
+        };
         var within = new Option<float>("--within")
         {
             Description = "The largest clearance that is reported, in the unit of the files.",

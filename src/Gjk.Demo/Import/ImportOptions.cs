@@ -13,8 +13,8 @@ internal static class ImportOptions
         var file = new Argument<string>("FILE")
         {
             Description = "What to import. Its name must end in " + Importer.Endings + ". Each part of a mesh file is "
-                + "an object (o and g of an OBJ, a solid of an STL, a primitive in its place of a GLB). A mesh counts as its "
-                + "convex hull; a part that is not convex gets a warning.",
+                + "an object (o and g of an OBJ, a solid of an STL, a primitive in its place of a GLB). A mesh counts "
+                + "as its convex hull; a part that is not convex gets a warning.",
         };
         var output = new Option<string?>("--out")
         {
