@@ -23,19 +23,23 @@ internal static class FuzzOptions
         {
             Description = "How long to search. Without it and without --count: 60.",
             HelpName = "S",
-            CustomParser = Seconds,
+            CustomParser = r => OptionValue.Parse<double>(
+                r, NumberStyles.Float, s => s > 0 && s <= MostSeconds,
+                $"must be a number above 0, at most {MostSeconds:F0}"),
         };
         var count = new Option<long?>("--count", "--pairs")
         {
             Description = "End after so many pairs; 1e6 is a million.",
             HelpName = "N",
-            CustomParser = Count,
+            CustomParser = r => OptionValue.Parse<long>(
+                r, NumberStyles.AllowExponent, n => n >= 1, "must be a whole number, at least 1"),
         };
         var seed = new Option<ulong?>("--seed")
         {
             Description = "Which sequence of pairs; a seed always gives the same. Without it: another one each time.",
             HelpName = "S",
-            CustomParser = Seed,
+            CustomParser = r => OptionValue.Parse<ulong>(
+                r, NumberStyles.None, _ => true, "must be a whole number, at least 0"),
         };
         var certificate = new Option<bool>("--certificate")
         {
@@ -52,7 +56,9 @@ internal static class FuzzOptions
         {
             Description = "With --certificate: on how many threads; all cores without it.",
             HelpName = "T",
-            CustomParser = Threads,
+            CustomParser = r => OptionValue.Parse<int>(
+                r, NumberStyles.None, n => n is >= 1 and <= MostThreads,
+                $"must be a whole number from 1 to {MostThreads}"),
         };
         const string Purpose =
             "Search at random for a pair of shapes whose distance, depth or cast breaks a promise of the library, and "
@@ -86,37 +92,5 @@ internal static class FuzzOptions
         if (!isJudged && Has(threads)) result.AddError("--threads needs --certificate.");
         if (isJudged && !Has(count)) result.AddError("--certificate needs --pairs.");
         if (isJudged && Has(seconds)) result.AddError("--certificate and --seconds exclude each other.");
-    }
-
-    private static double? Seconds(ArgumentResult result) =>
-        double.TryParse(Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double s) && s > 0
-            && s <= MostSeconds
-            ? s
-            : Refuse<double>(result, $"must be a number above 0, at most {MostSeconds:F0}");
-
-    private static long? Count(ArgumentResult result) =>
-        long.TryParse(Text(result), NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out long n) && n >= 1
-            ? n
-            : Refuse<long>(result, "must be a whole number, at least 1");
-
-    private static int? Threads(ArgumentResult result) =>
-        int.TryParse(Text(result), NumberStyles.None, CultureInfo.InvariantCulture, out int n) && n >= 1
-            && n <= MostThreads
-            ? n
-            : Refuse<int>(result, $"must be a whole number from 1 to {MostThreads}");
-
-    private static ulong? Seed(ArgumentResult result) =>
-        ulong.TryParse(Text(result), NumberStyles.None, CultureInfo.InvariantCulture, out ulong s)
-            ? s
-            : Refuse<ulong>(result, "must be a whole number, at least 0");
-
-    private static string Text(ArgumentResult result) => result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
-
-    private static T? Refuse<T>(ArgumentResult result, string reason)
-        where T : struct
-    {
-        string name = result.Parent is OptionResult option ? option.IdentifierToken?.Value ?? option.Option.Name : "";
-        result.AddError($"{name} {Text(result)}: {reason}.");
-        return null;
     }
 }

@@ -38,7 +38,9 @@ internal sealed class WorldOptions
             Description = "Move each object by this many of its sizes per frame (0) and turn it. Find the intersecting "
                 + "pairs of every frame.",
             HelpName = "SPEED",
-            CustomParser = Speed,
+            CustomParser = r => OptionValue.Parse<double>(
+                r, NumberStyles.Float, s => s is >= 0 and <= MostSpeed,
+                $"must be a number, at least 0, at most {MostSpeed:F0}"),
         };
         _objects = new("--objects")
         {
@@ -78,37 +80,13 @@ internal sealed class WorldOptions
 
     private static BroadPhaseKind? BroadPhase(ArgumentResult result)
     {
-        int kind = Array.IndexOf(WorldSettings.BroadPhaseNames, Text(result));
-        return kind >= 0
-            ? (BroadPhaseKind)kind
-            : Refused<BroadPhaseKind>(result, $"must be one of {string.Join(", ", WorldSettings.BroadPhaseNames)}");
-    }
-
-    private static double? Speed(ArgumentResult result)
-    {
-        bool isNumber = double.TryParse(
-            Text(result), NumberStyles.Float, CultureInfo.InvariantCulture, out double speed);
-        return isNumber && speed >= 0 && speed <= MostSpeed
-            ? speed
-            : Refused<double>(result, $"must be a number, at least 0, at most {MostSpeed:F0}");
-    }
-
-    private static int? Whole(ArgumentResult result, int least, int most)
-    {
-        bool isNumber = int.TryParse(
-            Text(result), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number);
-        return isNumber && number >= least && number <= most
-            ? number
-            : Refused<int>(result, $"must be a whole number, at least {least}, at most {most}");
-    }
-
-    private static string Text(ArgumentResult result) => result.Tokens.Count == 0 ? "" : result.Tokens[0].Value;
-
-    private static T? Refused<T>(ArgumentResult result, string reason)
-        where T : struct
-    {
-        string option = result.Parent is OptionResult parent ? parent.Option.Name : "";
-        result.AddError(FormattableString.Invariant($"{option} {Text(result)}: {reason}."));
+        int kind = Array.IndexOf(WorldSettings.BroadPhaseNames, result.Tokens is [{ Value: var name }] ? name : "");
+        if (kind >= 0) return (BroadPhaseKind)kind;
+        OptionValue.Refuse(result, $"must be one of {string.Join(", ", WorldSettings.BroadPhaseNames)}");
         return null;
     }
+
+    private static int? Whole(ArgumentResult result, int least, int most) => OptionValue.Parse<int>(
+        result, NumberStyles.AllowLeadingSign, n => n >= least && n <= most,
+        $"must be a whole number, at least {least}, at most {most}");
 }
