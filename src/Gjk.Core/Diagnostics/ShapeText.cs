@@ -19,7 +19,7 @@ internal static class ShapeText
         else Write(text, p.Layer.Inner);
         if (p.Layer is PlacedLayer placed) Add(text.Append(" >"), placed.Shape.Pose);
         if (p.Layer is ScaledLayer scaled) Add(text.Append(" *"), scaled.Shape.Factors);
-        if (p.Layer is null && p.Scale != new Vector3D(1, 1, 1)) Add(text.Append(" *"), p.Scale);
+        if (p.Scaling is not null) Add(text.Append(" *"), p.Scale);
         if (p.Rounding > 0) Add(text.Append(" +"), p.Rounding);
     }
 
@@ -111,7 +111,7 @@ internal static class ShapeText
 
     private static ShapeParts ReadCore(RecordReader words)
     {
-        var p = new ShapeParts { Kind = ReadKind(words), Scale = new Vector3D(1, 1, 1) };
+        var p = new ShapeParts { Kind = ReadKind(words) };
         switch (p.Kind)
         {
             case ShapeKind.Point or ShapeKind.Sphere:

@@ -56,7 +56,7 @@ public readonly partial struct ConvexShape
     /// <summary>A convex mesh from a hull that was built before.</summary>
     /// <exception cref="ArgumentNullException">The hull is null.</exception>
     public static ConvexShape Mesh(ConvexHull hull) =>
-        new(new ShapeParts { Kind = ShapeKind.Mesh, Hull = Guard.NotNull(hull, nameof(hull)), Scale = Unscaled });
+        new(new ShapeParts { Kind = ShapeKind.Mesh, Hull = Guard.NotNull(hull, nameof(hull)) });
 
     /// <summary>A convex mesh; builds the hull of the vertices.</summary>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
@@ -65,7 +65,7 @@ public readonly partial struct ConvexShape
 
     private static ConvexShape Make(
         ShapeKind kind, in Vector3D a, in Vector3D b = default, in Vector3D c = default, double margin = 0) =>
-        new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin, Scale = Unscaled });
+        new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin });
 
     private static Vector3D RadiusAndHeight(float radius, float halfHeight) =>
         new(Guard.NonNegative(radius, nameof(radius)), Guard.NonNegative(halfHeight, nameof(halfHeight)), 0);

@@ -23,7 +23,7 @@ public readonly partial struct ConvexShape
         if (parts.Layer is not null || (parts.Rounding > 0 && !change.KeepsBalls))
         {
             var layer = new ScaledLayer(new Scaled<ConvexShape>(this, scale));
-            return new(new ShapeParts { Kind = Kind, Layer = layer, Scale = Unscaled });
+            return new(new ShapeParts { Kind = Kind, Layer = layer });
         }
 
         parts.Rounding *= change.Largest;
@@ -84,7 +84,7 @@ public readonly partial struct ConvexShape
         CheckIsShape();
         if (pose == RigidPose.Identity) return this;
         var layer = new PlacedLayer(new Placed<ConvexShape>(this, pose));
-        return new(new ShapeParts { Kind = Kind, Layer = layer, Scale = Unscaled });
+        return new(new ShapeParts { Kind = Kind, Layer = layer });
     }
 
     private void CheckIsShape()

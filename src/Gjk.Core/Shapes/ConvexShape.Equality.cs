@@ -36,7 +36,7 @@ public readonly partial struct ConvexShape
         var text = new StringBuilder(p.Layer is null ? CoreText(p) : p.Layer.Inner.ToString());
         if (p.Layer is PlacedLayer placed) text.Append(" placed at ").Append(placed.Shape.Pose);
         if (p.Layer is ScaledLayer scaled) text.Append(" scaled by ").Append(Text(scaled.Shape.Factors));
-        if (p.Layer is null && p.Kind != ShapeKind.None && p.Scale != Unscaled)
+        if (p.Scaling is not null)
             text.Append(" scaled by ").Append(Text(p.Scale));
         if (p.Rounding > 0) text.Append(" rounded by ").Append(Text(p.Rounding));
         return text.ToString();

@@ -11,10 +11,17 @@ public readonly partial struct ConvexShape
             return;
         }
 
+        ShapeScale? scaling = _parts.Scaling;
+        if (scaling is null)
+        {
+            CoreFace(direction, ref corners);
+            return;
+        }
+
         // Uneven factors make a margin part of a core that has no corners then.
-        if (_parts.InnerMargin > 0 && !_scale.KeepsBalls) return;
-        CoreFace(_isPlain ? direction : _scale.Inward(direction), ref corners);
-        if (!_isPlain) _scale.Outward(ref corners, _centerError);
+        if (_parts.InnerMargin > 0 && !scaling.Axes.KeepsBalls) return;
+        CoreFace(scaling.Axes.Inward(direction), ref corners);
+        scaling.Axes.Outward(ref corners, scaling.CenterError);
     }
 
     /// <summary>The face of the core before the scale, measured from the core's centre.</summary>

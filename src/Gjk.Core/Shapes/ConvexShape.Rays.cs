@@ -59,9 +59,9 @@ public readonly partial struct ConvexShape
                 return false;
         }
 
-        if (_isPlain) return true;
+        if (_parts.Scaling is null) return true;
         target.Center = _center;
-        target.CenterError = _centerError;
-        return target.Scale(_scale);
+        target.CenterError = _parts.Scaling.CenterError;
+        return target.Scale(_parts.Scaling.Axes);
     }
 }

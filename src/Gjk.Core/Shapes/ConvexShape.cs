@@ -15,12 +15,9 @@ namespace Gjk.Core;
 public readonly partial struct ConvexShape
     : ISupportMap, IPlainBody, IEquatable<ConvexShape>
 {
-    private static readonly Vector3D Unscaled = new(1, 1, 1);
-
     private readonly ShapeParts _parts;
-    private readonly AxisScale _scale;
     private readonly double _margin;
-    private readonly Vector3D _center, _centerError;
+    private readonly Vector3D _center;
     private readonly double _boundingRadius;
     private readonly bool _isPlain;
     private readonly CoreKind _core;
@@ -28,7 +25,6 @@ public readonly partial struct ConvexShape
     internal ConvexShape(in ShapeParts parts)
     {
         _parts = parts;
-        _scale = new AxisScale(parts.Scale);
         if (parts.Layer is not null)
         {
             _isPlain = false;
@@ -38,7 +34,7 @@ public readonly partial struct ConvexShape
             return;
         }
 
-        _isPlain = parts.Scale == Unscaled;
+        _isPlain = parts.Scaling is null;
         _core = !_isPlain ? CoreKind.Other
             : parts.Kind == ShapeKind.Box ? CoreKind.Box
             : parts.Kind is ShapeKind.Segment or ShapeKind.Capsule or ShapeKind.Point or ShapeKind.Sphere
@@ -46,11 +42,19 @@ public readonly partial struct ConvexShape
             : parts.Kind == ShapeKind.Triangle ? CoreKind.Triangle
             : parts.Kind != ShapeKind.Mesh ? CoreKind.Other
             : parts.Hull!.IsExactBox ? CoreKind.Box : CoreKind.Hull;
-        _margin = _scale.Margin(parts.InnerMargin) + parts.Rounding;
-        Vector3D center = CoreCenter(parts);
-        _scale.Place(center, out _center, out _centerError);
-        _boundingRadius = (CoreRadius(parts, center) + parts.InnerMargin) * _scale.Largest + _centerError.Length;
-        if (!_scale.KeepsBalls) _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this));
+        _center = CoreCenter(parts);
+        _margin = parts.InnerMargin + parts.Rounding;
+        _boundingRadius = CoreRadius(parts, _center) + parts.InnerMargin;
+        if (parts.Scaling is not null)
+        {
+            var scaling = new ShapeScale(parts.Scale, _center);
+            _parts.Scaling = scaling;
+            _center = scaling.Center;
+            _margin = scaling.Axes.Margin(parts.InnerMargin) + parts.Rounding;
+            _boundingRadius = _boundingRadius * scaling.Axes.Largest + scaling.CenterError.Length;
+            if (!scaling.Axes.KeepsBalls) _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this));
+        }
+
         _boundingRadius += parts.Rounding;
     }
 
@@ -95,11 +99,12 @@ public readonly partial struct ConvexShape
         }
 
         if (_parts.Layer is not null) return _parts.Layer.Support(direction, out point);
-        Vector3D inward = _scale.Inward(direction);
+        ShapeScale scaling = _parts.Scaling!;
+        Vector3D inward = scaling.Axes.Inward(direction);
         id = CoreSupport(inward, out point);
         point -= CoreCenter(_parts);
-        id = _scale.Outward(id, _parts.InnerMargin, inward, ref point);
-        point += _centerError;
+        id = scaling.Axes.Outward(id, _parts.InnerMargin, inward, ref point);
+        point += scaling.CenterError;
         return id;
     }
 
@@ -107,14 +112,17 @@ public readonly partial struct ConvexShape
     public bool TryGetVertex(int id, out Vector3D point)
     {
         if (_parts.Layer is not null) return _parts.Layer.TryGetVertex(id, out point);
-        if (!_isPlain && _parts.InnerMargin > 0 && !_scale.KeepsBalls)
+        ShapeScale? scaling = _parts.Scaling;
+        if (scaling is not null && _parts.InnerMargin > 0 && !scaling.Axes.KeepsBalls)
         {
             point = default;
             return false;
         }
 
         bool found = CoreVertex(id, out point);
-        point = _isPlain ? point - _center : Vector3D.Multiply(_parts.Scale, point - CoreCenter(_parts)) + _centerError;
+        point = scaling is null
+            ? point - _center
+            : Vector3D.Multiply(scaling.Axes.Factors, point - CoreCenter(_parts)) + scaling.CenterError;
         return found;
     }
 

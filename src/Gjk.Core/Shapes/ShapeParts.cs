@@ -12,8 +12,15 @@ internal struct ShapeParts
     /// </summary>
     public Vector3D A, B, C;
 
+    /// <summary>What is applied to each support; null where it was multiplied in, or nothing is scaled.</summary>
+    public ShapeScale? Scaling;
+
     /// <summary>The factors that are applied to each support; 1 where they were multiplied in.</summary>
-    public Vector3D Scale;
+    public Vector3D Scale
+    {
+        readonly get => Scaling is null ? new Vector3D(1, 1, 1) : Scaling.Axes.Factors;
+        set => Scaling = value == new Vector3D(1, 1, 1) ? null : new ShapeScale(value, default);
+    }
 
     /// <summary>The radius of a sphere or capsule, before the scale.</summary>
     public double InnerMargin;

@@ -1,0 +1,19 @@
+namespace Gjk.Core;
+
+/// <summary>
+/// The scale of a <see cref="ConvexShape"/> that its own numbers cannot take. Immutable; few shapes have one, so it is
+/// no part of all of them.
+/// </summary>
+internal sealed class ShapeScale
+{
+    public readonly AxisScale Axes;
+
+    /// <summary>The scaled centre, and what its rounding took away.</summary>
+    public readonly Vector3D Center, CenterError;
+
+    public ShapeScale(in Vector3D factors, in Vector3D center)
+    {
+        Axes = new AxisScale(factors);
+        Axes.Place(center, out Center, out CenterError);
+    }
+}
