@@ -41,25 +41,9 @@ internal static class FuzzOptions
             CustomParser = r => OptionValue.Parse<ulong>(
                 r, NumberStyles.None, _ => true, "must be a whole number, at least 0"),
         };
-        var certificate = new Option<bool>("--certificate")
-        {
-            Description = "Judge each answer by its certificate alone, in some 15 microseconds a pair. Needs "
-                + "--pairs; goes on when an answer is refuted, and ends with exit code 1 then.",
-        };
-        var resume = new Option<string?>("--resume")
-        {
-            Description = "With --certificate: keep a log, a line for each finished block of a million pairs, and "
-                + "continue where it ends. What is refuted is written to FILE.finds, too.",
-            HelpName = "FILE",
-        };
-        var threads = new Option<int?>("--threads")
-        {
-            Description = "With --certificate: on how many threads; all cores without it.",
-            HelpName = "T",
-            CustomParser = r => OptionValue.Parse<int>(
-                r, NumberStyles.None, n => n is >= 1 and <= MostThreads,
-                $"must be a whole number from 1 to {MostThreads}"),
-        };
+        Option<bool> certificate = Certificate();
+        Option<string?> resume = Resume();
+        Option<int?> threads = Threads();
         const string Purpose =
             "Search at random for a pair of shapes whose distance, depth or cast breaks a promise of the library, and "
             + "shrink what is found.";
@@ -82,6 +66,27 @@ internal static class FuzzOptions
         });
         return command;
     }
+
+    private static Option<bool> Certificate() => new("--certificate")
+    {
+        Description = "Judge each answer by its certificate alone, in some 15 microseconds a pair. Needs --pairs; goes "
+            + "on when an answer is refuted, and ends with exit code 1 then.",
+    };
+
+    private static Option<string?> Resume() => new("--resume")
+    {
+        Description = "With --certificate: keep a log, a line for each finished block of a million pairs, and continue "
+            + "where it ends. What is refuted is written to FILE.finds, too.",
+        HelpName = "FILE",
+    };
+
+    private static Option<int?> Threads() => new("--threads")
+    {
+        Description = "With --certificate: on how many threads; all cores without it.",
+        HelpName = "T",
+        CustomParser = r => OptionValue.Parse<int>(
+            r, NumberStyles.None, n => n is >= 1 and <= MostThreads, $"must be a whole number from 1 to {MostThreads}"),
+    };
 
     private static void Validate(
         CommandResult result, Option seconds, Option count, Option<bool> certificate, Option resume, Option threads)

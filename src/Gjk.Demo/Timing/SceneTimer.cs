@@ -55,10 +55,10 @@ internal sealed class SceneTimer
         times.BytesPerCall = BytesPerCall();
         times.WarmNs = Measure(() => _pairs.Warm(), _pairs.Count, OtherShare).MinimumNs;
         times.MovingNs = Measure(Move, (long)_pairs.Count * _path.FramesPerRound, OtherShare).MinimumNs;
-        times.BooleanNs = Measure(_pairs.Boolean, _pairs.Count, OtherShare).MinimumNs;
+        times.BoolNs = Measure(_pairs.Boolean, _pairs.Count, OtherShare).MinimumNs;
         times.BatchNs = Measure(_pairs.Batch, _pairs.Count, BatchShare).MinimumNs;
         times.BatchWarmNs = Measure(_pairs.BatchWarm, _pairs.Count, BatchShare).MinimumNs;
-        times.BatchBooleanNs = Measure(_pairs.BatchBoolean, _pairs.Count, BatchShare).MinimumNs;
+        times.BatchBoolNs = Measure(_pairs.BatchBoolean, _pairs.Count, BatchShare).MinimumNs;
         int overlapping = _pairs.CollectOverlapping();
         if (overlapping > 0) times.DepthNs = Measure(_pairs.Depth, overlapping, OtherShare).MinimumNs;
         if (_isCast) times.CastNs = Measure(_pairs.Casts, _pairs.Count, OtherShare).MinimumNs;

@@ -6,8 +6,17 @@ namespace Gjk.Demo.Timing;
 /// <summary>
 /// The times measured on one scene, in nanoseconds per pair. A time is null if there was nothing to measure.
 /// </summary>
+/// <remarks>The line has the properties in the order in which they stand here.</remarks>
 internal sealed class SceneTimes
 {
+    private static readonly JsonSerializerOptions Format = new()
+    {
+        PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower,
+    };
+
+    /// <summary>The name of the file, without its ending.</summary>
+    public string Scene { get; set; } = "";
+
     public int Pairs { get; init; }
 
     public int Overlapping { get; set; }
@@ -22,7 +31,7 @@ internal sealed class SceneTimes
 
     public double? MovingNs { get; set; }
 
-    public double? BooleanNs { get; set; }
+    public double? BoolNs { get; set; }
 
     /// <summary>The mean iterations of the queries without warm starts.</summary>
     public double? Iterations { get; set; }
@@ -36,7 +45,7 @@ internal sealed class SceneTimes
     public double? BatchWarmNs { get; set; }
 
     /// <inheritdoc cref="BatchNs"/>
-    public double? BatchBooleanNs { get; set; }
+    public double? BatchBoolNs { get; set; }
 
     /// <summary>The signed distance of the pairs that overlap, without warm starts. Null if none does.</summary>
     public double? DepthNs { get; set; }
@@ -48,36 +57,10 @@ internal sealed class SceneTimes
     public double? CastNs { get; set; }
 
     /// <summary>Writes one line of JSON and flushes it.</summary>
-    public void Write(Stream stream, string scene)
+    public void Write(Stream stream)
     {
-        using (var json = new Utf8JsonWriter(stream))
-        {
-            json.WriteStartObject();
-            json.WriteString("scene", scene);
-            json.WriteNumber("pairs", Pairs);
-            json.WriteNumber("overlapping", Overlapping);
-            Write(json, "cold_ns", ColdNs);
-            Write(json, "cold_median_ns", ColdMedianNs);
-            Write(json, "warm_ns", WarmNs);
-            Write(json, "moving_ns", MovingNs);
-            Write(json, "bool_ns", BooleanNs);
-            Write(json, "iterations", Iterations);
-            Write(json, "bytes_per_call", BytesPerCall);
-            Write(json, "batch_ns", BatchNs);
-            Write(json, "batch_warm_ns", BatchWarmNs);
-            Write(json, "batch_bool_ns", BatchBooleanNs);
-            Write(json, "depth_ns", DepthNs);
-            Write(json, "cast_ns", CastNs);
-            json.WriteEndObject();
-        }
-
+        JsonSerializer.Serialize(stream, this, Format);
         stream.WriteByte((byte)'\n');
         stream.Flush();
-    }
-
-    private static void Write(Utf8JsonWriter json, string name, double? value)
-    {
-        if (value is null) json.WriteNull(name);
-        else json.WriteNumber(name, value.Value);
     }
 }

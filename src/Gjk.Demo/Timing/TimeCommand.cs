@@ -34,7 +34,8 @@ internal static class TimeCommand
         {
             SceneTimes? times = null;
             ProgressBar.Show(bars => times = new SceneTimer(scene, duration, bars.Add(scene.Name), cancel).Run());
-            times!.Write(stdout, Path.GetFileNameWithoutExtension(name));
+            times!.Scene = Path.GetFileNameWithoutExtension(name);
+            times.Write(stdout);
         }
 
         return ExitCode.Done;

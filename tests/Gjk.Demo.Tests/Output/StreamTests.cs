@@ -76,7 +76,6 @@ public sealed class StreamTests
     }
 
     [LinuxTheory]
-    [InlineData("replay --frames 1")]
     [InlineData("query \"$1\"")]
     [InlineData("query \"$1\" --out /dev/stdout")]
     public void AProcesssFullStandardOutputIsOneLine(string call)
