@@ -100,7 +100,7 @@ public static unsafe partial class ConvexQuery
     }
 
     /// <summary>When two cores that do not turn touch.</summary>
-    private readonly struct CastQuestion : IPairProblem<CastFinding, CastResult>
+    private struct CastQuestion : IPairProblem<CastFinding, CastResult>
     {
         private readonly WarmStart* _warm;
         private readonly Vector3D _translationA, _motion;
@@ -114,21 +114,17 @@ public static unsafe partial class ConvexQuery
             _maxFraction = maxFraction < 0 ? 0 : maxFraction;
         }
 
-        public bool IsValid => (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
+        public readonly bool IsValid => (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
 
-        public CastResult Refuse() => CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+        public readonly CastResult Refuse() => CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
         public CastResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            CastQuestion problem = this;
-            return PairProblem.Answer<TA, TB, CastQuestion, CastFinding, CastResult>(
-                ref a, poseA, ref b, poseB, ref problem);
-        }
+            where TB : struct, ISupportMap =>
+            PairProblem.Answer<TA, TB, CastQuestion, CastFinding, CastResult>(ref a, poseA, ref b, poseB, ref this);
 
-        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
+        public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
@@ -137,7 +133,7 @@ public static unsafe partial class ConvexQuery
         }
 
         /// <summary>Where A's surface is met, with A as it has moved.</summary>
-        public CastResult Finish(
+        public readonly CastResult Finish(
             in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
         {
             CastStatus status = StatusOf(cast.Outcome, cast.Fraction);
