@@ -8,6 +8,8 @@ public sealed class ConcaveScratch
 {
     internal readonly PartSide A = new(), B = new();
     internal readonly PartHeap Heap = new();
+    internal readonly TriangleFilter Filter = new();
+    internal readonly PlaneProof Plane = new();
     internal readonly WindingNumber Winding = new();
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;

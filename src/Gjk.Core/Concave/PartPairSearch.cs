@@ -17,6 +17,17 @@ namespace Gjk.Core;
 /// </remarks>
 internal struct PartPairSearch
 {
+    /// <summary>
+    /// Count: so many parts are asked in vain before planes are tried on whole boxes, where they cost a look at each
+    /// corner below. It changes no answer but the names of equals.
+    /// </summary>
+    private const int IdleBeforeProof = 16;
+
+    private int _idle;
+
+    /// <summary>How many pairs of parts the exact query answered.</summary>
+    public int Asked;
+
     /// <summary>In pair units, squared and rounded up: bounds above it cannot matter.</summary>
     public float Reached;
 
@@ -52,9 +63,10 @@ internal struct PartPairSearch
             while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search.Reached)
             {
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
+                if (search._idle >= IdleBeforeProof && search.IsNoNearer(scratch, pair.A, pair.B)) continue;
                 if (childA < 0 && childB < 0)
                 {
-                    search.AskLeaves(scratch, childA, childB);
+                    search.AskLeaves(scratch, pair.A, childA, pair.B, childB);
                     if (search.PartA >= 0 && search.Best.IsOverlapping) return;
                     continue;
                 }
@@ -76,6 +88,9 @@ internal struct PartPairSearch
         TreeFrame.Compose(
             scratch.A.Tree, scratch.A.Pose, scratch.B.Tree, scratch.B.Pose, scratch.A.Margin + scratch.B.Margin,
             out Frame);
+        if (scratch.A.Mesh is not null && scratch.B.Mesh is not null) scratch.Filter.Begin(Frame);
+        scratch.Plane.Clear();
+        _idle = Asked = 0;
         PartA = PartB = -1;
         Best = default;
         LowerBound = float.PositiveInfinity;
@@ -113,17 +128,58 @@ internal struct PartPairSearch
         return isA;
     }
 
-    private void AskLeaves(ConcaveScratch scratch, int leafA, int leafB)
+    /// <summary>Whether a plane shows that the pairs below two boxes are no nearer.</summary>
+    private bool IsNoNearer(ConcaveScratch scratch, int a, int b)
     {
+        if (!scratch.Plane.IsSet || !scratch.Plane.IsNoNearer(scratch.A, a, scratch.B, b)) return false;
+        LowerBound = Math.Min(LowerBound, scratch.Plane.LowerBound);
+        return true;
+    }
+
+    private void AskLeaves(ConcaveScratch scratch, int boxA, int leafA, int boxB, int leafB)
+    {
+        if (scratch.A.Mesh is not null && scratch.B.Mesh is not null)
+        {
+            AskTriangles(scratch, leafA, leafB);
+            return;
+        }
+
+        // What is left of either is a single part: a plane tells most pairs apart, and costs little.
+        PlaneProof plane = scratch.Plane;
         int firstA = PartTree.FirstOf(leafA), endA = firstA + PartTree.CountOf(leafA);
         int firstB = PartTree.FirstOf(leafB), endB = firstB + PartTree.CountOf(leafB);
+        bool isOneA = endA == firstA + 1;
         for (int i = firstA; i < endA; i++)
-            for (int j = firstB; j < endB; j++) Ask(scratch, scratch.A.Tree.Order[i], scratch.B.Tree.Order[j]);
+        {
+            for (int j = firstB; j < endB; j++)
+            {
+                int partA = scratch.A.Tree.Order[i], partB = scratch.B.Tree.Order[j];
+                bool isDropped = plane.IsSet && All is null && (isOneA
+                    ? plane.IsPartNoNearer(scratch.A, boxA, scratch.B, partB)
+                    : plane.IsNoNearerPart(scratch.A, partA, scratch.B, boxB));
+                if (isDropped) LowerBound = Math.Min(LowerBound, plane.LowerBound);
+                else Ask(scratch, partA, partB);
+            }
+        }
+    }
+
+    private void AskTriangles(ConcaveScratch scratch, int leafA, int leafB)
+    {
+        TriangleFilter filter = scratch.Filter;
+        filter.Measure(Frame, scratch.A, leafA, scratch.B, leafB, Reached);
+        int firstA = PartTree.FirstOf(leafA), firstB = PartTree.FirstOf(leafB);
+        while (filter.TryTake(Reached, out int i, out int j))
+        {
+            Ask(scratch, scratch.A.Tree.Order[firstA + i], scratch.B.Tree.Order[firstB + j]);
+            if (All is null && PartA >= 0 && Best.IsOverlapping) return;
+        }
     }
 
     /// <summary>Asks about two parts.</summary>
     private void Ask(ConcaveScratch scratch, int partA, int partB)
     {
+        _idle++;
+        Asked++;
         DistanceResult found = PartQuery.Distance(scratch.A, partA, scratch.B, partB, Limit);
         if (found.LowerBound < LowerBound) LowerBound = found.LowerBound;
         if (found.Status is GjkStatus.BeyondMaxDistance or GjkStatus.InvalidInput or GjkStatus.InvalidShape) return;
@@ -135,7 +191,10 @@ internal struct PartPairSearch
 
         bool isBetter = PartA < 0 || found.Distance < Best.Distance
             || (found.Distance == Best.Distance && IsBefore(found.IsOverlapping, partA, partB));
+        bool isNearer = PartA < 0 || found.Distance < Best.Distance;
+        if (isNearer) _idle = 0;
         if (!isBetter) return;
+        if (isNearer) scratch.Plane.Set(scratch.A, partA, scratch.B, partB, found);
         Best = found;
         (PartA, PartB) = (partA, partB);
         SetLimit(scratch, found.Distance);

@@ -13,6 +13,18 @@ internal static class PartQuery
         }
 
         ConvexShape roomA = default, roomB = default;
+        if (a.Mesh is { IsScaled: false })
+        {
+            TriangleShape triangle = a.Mesh.GetPlain(partA);
+            return ConvexQuery.Distance(triangle, a.Pose, b.Part(partB, ref roomB), b.Pose, maxDistance);
+        }
+
+        if (b.Mesh is { IsScaled: false })
+        {
+            TriangleShape triangle = b.Mesh.GetPlain(partB);
+            return ConvexQuery.Distance(a.Part(partA, ref roomA), a.Pose, triangle, b.Pose, maxDistance);
+        }
+
         return ConvexQuery.Distance(a.Part(partA, ref roomA), a.Pose, b.Part(partB, ref roomB), b.Pose, maxDistance);
     }
 

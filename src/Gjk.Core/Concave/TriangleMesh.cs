@@ -187,6 +187,13 @@ public sealed class TriangleMesh
         return IsScaled ? shape.Scaled(Scale) : shape;
     }
 
+    /// <summary>A triangle as a shape of its own, where there is no scale.</summary>
+    internal TriangleShape GetPlain(int triangle)
+    {
+        int i = 3 * triangle;
+        return new TriangleShape(_vertices[_indices[i]], _vertices[_indices[i + 1]], _vertices[_indices[i + 2]]);
+    }
+
     /// <summary>A triangle as queries ask it.</summary>
     internal void GetCore(int triangle, out TriangleCore core)
     {

@@ -14,7 +14,7 @@ internal sealed class BoxFit
 {
     /// <summary>
     /// Ratio to the half side and to the radius: 2^-23, twice what rounding to float takes; double's own errors, below
-    /// 2^-49 of the radius, vanish in the rest. Less would lose a part's corner, as PartTreeTests show; four times as
+    /// 2^-49 of the radius, vanish in the rest. Less would lose a part's corner, as BoxLanesTests shows; four times as
     /// much costs time only.
     /// </summary>
     private const double Outward = 1.0 / (1 << 23);

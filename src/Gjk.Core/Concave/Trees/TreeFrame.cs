@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -39,6 +40,9 @@ internal struct TreeFrame
     /// <summary>In pair units: by so much each bound of a length is lowered.</summary>
     public float Room;
 
+    /// <summary>The part of <see cref="Room"/> that double takes, where the trees lie far from their frames.</summary>
+    public float FarRoom;
+
     public static void Compose(
         PartTree a, in RigidPose poseA, PartTree b, in RigidPose poseB, double reach, out TreeFrame frame)
     {
@@ -57,11 +61,12 @@ internal struct TreeFrame
         frame.FactorB = (float)(b.Unit * inverse);
         frame.RadiusA = a.Radius * inverse;
         frame.RadiusB = b.Radius * inverse;
-        frame.Room = (float)(Slack * (frame.RadiusA + frame.RadiusB + frame.Translation.Length)
-            + FarSlack * far * inverse) + float.Epsilon;
+        frame.FarRoom = (float)(FarSlack * far * inverse) + float.Epsilon;
+        frame.Room = (float)(Slack * (frame.RadiusA + frame.RadiusB + frame.Translation.Length)) + frame.FarRoom;
     }
 
     /// <summary>A box of A's tree in pair units, as B's tree sees it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void SeenFromB(in TurnedBox box, out TurnedBox seen)
     {
         seen.Center = Narrow(Rotation.InverseRotate((Vector3D)box.Center - Translation));
@@ -71,7 +76,11 @@ internal struct TreeFrame
         seen.W = Narrow(Rotation.InverseRotate(box.W));
     }
 
+    /// <summary>A point of A's tree in pair units, as B's tree sees it.</summary>
+    public readonly Vector3D PlacedInB(in Vector3D point) => Rotation.InverseRotate(point - Translation);
+
     /// <summary>A box of B's tree in pair units, as A's tree sees it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void SeenFromA(in TurnedBox box, out TurnedBox seen)
     {
         seen.Center = Narrow(Rotation.Rotate(box.Center) + Translation);
@@ -81,5 +90,6 @@ internal struct TreeFrame
         seen.W = Narrow(Rotation.Rotate(box.W));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3 Narrow(in Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -15,6 +16,7 @@ internal struct TurnedBox
     /// <param name="reference">Eight times the node, and the lane.</param>
     /// <param name="factor">A power of two, for the lengths.</param>
     /// <param name="box">The box.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Read(float* boxes, int reference, float factor, out TurnedBox box)
     {
         float* p = boxes + (reference >> 3) * PartTree.Stride + (reference & 7);

@@ -1,0 +1,141 @@
+using System;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// Shows that parts are no nearer than the least distance so far: a plane across its normal leaves a gap between them.
+/// </summary>
+/// <remarks>
+/// Between parallel plates as many pairs of triangles are equally near as there are triangles, and the boxes' bounds in
+/// float let all of them pass. Here corners are measured in double, so that a whole subtree is dropped if its gap
+/// exceeds the middle between the distance and the float before it: what it has rounds to the distance or more.
+/// What a subtree reaches is kept until the normal changes.
+/// </remarks>
+internal sealed class PlaneProof
+{
+    /// <summary>
+    /// Ratio to the lengths: 2^-46. Rotating a corner, its product with the normal and the sums lose 2^-49 at most.
+    /// More only costs time.
+    /// </summary>
+    private const double Error = 1.0 / (1L << 46);
+
+    /// <summary>
+    /// A cosine: normals no further apart than by 2e-4 are meant to be one; between plates a millionth of their size
+    /// apart a distance's accuracy allows so much. Any unit vector is a proof, another only fails more often.
+    /// </summary>
+    private const double Aligned = 1 - 2e-8;
+
+    private readonly Reaches _a = new(), _b = new();
+    private Vector3D _alongA, _alongB;
+    private double _limit, _between;
+    private int _version;
+
+    /// <summary>Whether there is a plane.</summary>
+    public bool IsSet { get; private set; }
+
+    /// <summary>No pair that is dropped is nearer than this, rounded down.</summary>
+    public float LowerBound => RoundOff.Down(_limit);
+
+    /// <summary>Forgets the last query's plane.</summary>
+    public void Clear() => IsSet = false;
+
+    /// <summary>Takes the plane of two parts that are apart.</summary>
+    public void Set(PartSide a, int partA, PartSide b, int partB, in DistanceResult best)
+    {
+        IsSet = !best.IsOverlapping && best.Distance > 0;
+        if (!IsSet) return;
+        Vector3D normal = best.Normal;
+        normal *= 1 / normal.Length;
+        if (!TryFace(a, partA, ref normal)) TryFace(b, partB, ref normal);
+        _alongA = new RotationD(a.Pose.Rotation).InverseRotate(normal);
+        _alongB = -new RotationD(b.Pose.Rotation).InverseRotate(normal);
+        Vector3D between = (Vector3D)b.Pose.Position - a.Pose.Position;
+        double lengths = between.SumOfMagnitudes + Length(a) + Length(b);
+        _between = Vector3D.Dot(normal, between) - Error * lengths;
+        _limit = 0.5 * ((double)best.Distance + RoundOff.Down(best.Distance * (1 - 1.0 / (1 << 26))));
+        _version++;
+    }
+
+    /// <summary>Whether no pair of parts below two boxes is nearer.</summary>
+    public bool IsNoNearer(PartSide a, int boxA, PartSide b, int boxB) =>
+        _between - _a.Of(a, boxA, _alongA, _version) - _b.Of(b, boxB, _alongB, _version) > _limit;
+
+    /// <summary>Whether a part of A is no nearer than what is below a box of B.</summary>
+    public bool IsNoNearerPart(PartSide a, int partA, PartSide b, int boxB) =>
+        _between - Reaches.OfPart(a, partA, _alongA) - _b.Of(b, boxB, _alongB, _version) > _limit;
+
+    /// <inheritdoc cref="IsNoNearerPart"/>
+    public bool IsPartNoNearer(PartSide a, int boxA, PartSide b, int partB) =>
+        _between - _a.Of(a, boxA, _alongA, _version) - Reaches.OfPart(b, partB, _alongB) > _limit;
+
+    /// <summary>Takes a triangle's own normal if it is the one, since a float's rounding tilts a plane.</summary>
+    private static bool TryFace(PartSide side, int part, ref Vector3D normal)
+    {
+        if (side.Mesh is null) return false;
+        side.Mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
+        Vector3D face = new RotationD(side.Pose.Rotation).Rotate(Vector3D.Cross(b - a, c - a));
+        face *= 1 / face.Length;
+        double along = Vector3D.Dot(face, normal);
+        if (!(Math.Abs(along) > Aligned)) return false;
+        normal = along > 0 ? face : -face;
+        return true;
+    }
+
+    private static double Length(PartSide side) =>
+        side.Tree.Origin.SumOfMagnitudes + 2 * side.Tree.Radius + side.Margin;
+
+    /// <summary>How far the parts below each box of a side reach along the normal.</summary>
+    private sealed class Reaches
+    {
+        private double[] _values = [];
+        private int[] _versions = [];
+
+        public double Of(PartSide side, int box, in Vector3D along, int version)
+        {
+            int boxes = side.Tree.Children.Length;
+            if (_values.Length < boxes)
+            {
+                _values = new double[boxes];
+                _versions = new int[boxes];
+            }
+
+            return Find(side, box, along, version);
+        }
+
+        public static double OfPart(PartSide side, int part, in Vector3D along)
+        {
+            if (side.Mesh is not null)
+            {
+                side.Mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
+                return Math.Max(
+                    Math.Max(Vector3D.Dot(along, a), Vector3D.Dot(along, b)), Vector3D.Dot(along, c));
+            }
+
+            ConvexShape room = default;
+            ref readonly ConvexShape shape = ref side.Part(part, ref room);
+            shape.Support(along, out Vector3D point);
+            return Vector3D.Dot(along, shape.Center + point) + shape.Margin;
+        }
+
+        private double Find(PartSide side, int box, in Vector3D along, int version)
+        {
+            if (_versions[box] == version) return _values[box];
+            PartTree tree = side.Tree;
+            int child = tree.Children[box];
+            double most = double.NegativeInfinity;
+            if (child >= 0)
+            {
+                for (int i = PartTree.Lanes * child; i < PartTree.Lanes * (child + 1); i++)
+                    if (tree.Children[i] != PartTree.Empty) most = Math.Max(most, Find(side, i, along, version));
+            }
+            else
+            {
+                int first = PartTree.FirstOf(child), end = first + PartTree.CountOf(child);
+                for (int i = first; i < end; i++) most = Math.Max(most, OfPart(side, tree.Order[i], along));
+            }
+
+            _versions[box] = version;
+            return _values[box] = most;
+        }
+    }
+}
