@@ -96,7 +96,8 @@ internal unsafe ref struct ContactPlaces
         }
         while (IsLittleOf(width = Measure(count, areFaces), ref a, ref b));
         if ((a.IsOnSide || b.IsOnSide) && width <= _least) return;
-        for (int i = 0; i < count; i++) Name(ref _places[i], ref a, ref b);
+        for (int i = 0; i < count; i++)
+            if (SharpTips.TryKeep(ref _places[i], ref a, ref b, _slack)) Name(ref _places[i], ref a, ref b);
         for (int i = 0; i < Count; i++) _places[i].TakeMiddle();
         RemoveFlat();
     }
@@ -248,45 +249,5 @@ internal unsafe ref struct ContactPlaces
         place.Id = ContactFeature.Of(
             CornerOf(ref a, shared.EndOfA(along, _reach)), CornerOf(ref b, shared.EndOfB(along, _reach)));
         _places[Count++] = place;
-    }
-}
-
-/// <summary>A place in the plane across the normal where both shapes have a surface.</summary>
-internal struct ContactPlace
-{
-    /// <summary>The place in the plane.</summary>
-    public double U, V;
-
-    /// <summary>Its name.</summary>
-    public long Id;
-
-    /// <summary>How many corners it is the middle of.</summary>
-    public int Count;
-
-    /// <summary>The corner that it is exactly at; -1 where it is at none.</summary>
-    public int CornerA, CornerB;
-
-    /// <summary>The edge on which it lies; -1 at the other's corner.</summary>
-    public int EdgeA, EdgeB;
-
-    /// <summary>Whether nearly parallel edges cross here.</summary>
-    public bool IsFlat;
-
-    /// <summary>Takes in another corner with the same name.</summary>
-    public void Join(in ContactPlace other)
-    {
-        U += other.U;
-        V += other.V;
-        Count++;
-        CornerA = -1;
-        CornerB = -1;
-    }
-
-    /// <summary>From the sum of its corners to their middle.</summary>
-    public void TakeMiddle()
-    {
-        if (Count == 1) return;
-        U /= Count;
-        V /= Count;
     }
 }

@@ -22,6 +22,12 @@ internal unsafe struct FlatFeature
     /// </summary>
     private const double Level = 1e-7;
 
+    /// <summary>
+    /// Cosine between the inner sides of two edges that meet at 45 degrees: beyond sharper corners there is more than 1e-6
+    /// of the size within a slack of both. A few times sharper ones would do no harm, and blunter ones only cost time.
+    /// </summary>
+    private const double Sharp = -0.7;
+
     /// <summary>How many corners there are: two are an edge, more a face.</summary>
     public int Count { get; private set; }
 
@@ -148,6 +154,9 @@ internal unsafe struct FlatFeature
         return along >= -part && along <= 1 + part;
     }
 
+    /// <summary>Whether edges meet so sharply that what is near both may lie far beyond their tip.</summary>
+    public bool IsSharp { get; private set; }
+
     /// <summary>Whether a place is in the face or on the edge, or beside it by no more than a slack.</summary>
     public readonly bool Holds(double u, double v, double slack)
     {
@@ -219,6 +228,13 @@ internal unsafe struct FlatFeature
             p.InwardU = -v * turn / _length;
             p.InwardV = u * turn / _length;
         }
+
+        IsSharp = false;
+        for (int i = 0; i < Count && Count > 2; i++)
+        {
+            ref FlatCorner p = ref _corners[i], q = ref After(i);
+            IsSharp |= p.InwardU * q.InwardU + p.InwardV * q.InwardV < Sharp;
+        }
     }
 
     /// <summary>
@@ -276,20 +292,4 @@ internal unsafe struct FlatFeature
 
         return furthest;
     }
-}
-
-/// <summary>A corner of a flat feature.</summary>
-internal struct FlatCorner
-{
-    /// <summary>Along the plane's axes, and how far it reaches towards the other shape.</summary>
-    public double U, V, Height;
-
-    /// <summary>Across the edge that begins here, of unit length, to the inner side.</summary>
-    public double InwardU, InwardV;
-
-    /// <summary>What tells it from the feature's others.</summary>
-    public int Id;
-
-    /// <summary>The squared distance of a place, seen along the normal.</summary>
-    public readonly double SquaredTo(double u, double v) => (U - u) * (U - u) + (V - v) * (V - v);
 }

@@ -31,6 +31,10 @@ internal readonly struct AxisScale
         for (int i = 0; i < corners.Count; i++) corners[i] = Outward(corners[i]) + centerError;
     }
 
+    /// <summary>How a face inside the scale is seen, and from where; it counts where balls are not kept.</summary>
+    public unsafe OuterFrame Frame(in FaceCorners corners, in Vector3D direction) => KeepsBalls ? default
+        : corners.Outer == null ? new OuterFrame(Factors, direction) : corners.Outer->Scaled(Factors);
+
     /// <summary>
     /// The radius of a round side after the scale, which is known where the side is still round: the axis is the one
     /// that a cylinder's line lies along, or that has the tip of a cone on it.

@@ -30,9 +30,10 @@ internal static class BoxSupport
     /// <summary>A box's face, its corners by their signs as in <see cref="TryGetVertex"/>.</summary>
     public static void Face(in Vector3D half, in Vector3D direction, ref FaceCorners corners)
     {
-        double x = Math.Abs(direction.X), y = Math.Abs(direction.Y), z = Math.Abs(direction.Z);
+        Vector3D seen = corners.AlongAxes(direction);
+        double x = Math.Abs(seen.X), y = Math.Abs(seen.Y), z = Math.Abs(seen.Z);
         int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        double along = axis == 0 ? direction.X : axis == 1 ? direction.Y : direction.Z;
+        double along = axis == 0 ? seen.X : axis == 1 ? seen.Y : seen.Z;
         int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
         int first = along < 0 ? 1 << axis : 0;
         bool hasU = HalfOf(half, u) > 0, hasV = HalfOf(half, v) > 0;

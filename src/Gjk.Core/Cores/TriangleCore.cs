@@ -108,7 +108,7 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
         in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, ref FaceCorners corners)
     {
         Vector3D normal = Vector3D.Cross(b - a, c - a);
-        if (FaceTilt.IsLevelFace(normal, direction) || FaceTilt.IsLevelFace(-normal, direction))
+        if (FaceTilt.IsLevelFace(normal, direction, corners) || FaceTilt.IsLevelFace(-normal, direction, corners))
         {
             corners.Add(a, 0);
             corners.Add(b, 1);
@@ -119,9 +119,10 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
         // The more level of the two edges at the furthest corner, as for a hull.
         int id = Furthest(b - a, c - a, direction);
         Vector3D point = id == 0 ? a : id == 1 ? b : c;
-        Vector3D next = (id == 0 ? b : id == 1 ? c : a) - point, last = (id == 0 ? c : id == 1 ? a : b) - point;
-        bool isNext = FaceTilt.Rise(next, direction) <= FaceTilt.Rise(last, direction);
-        bool isEdge = FaceTilt.IsLevelEdge(isNext ? next : last, direction);
+        Vector3D next = corners.Seen((id == 0 ? b : id == 1 ? c : a) - point), up = corners.SeenFrom(direction);
+        Vector3D last = corners.Seen((id == 0 ? c : id == 1 ? a : b) - point);
+        bool isNext = FaceTilt.Rise(next, up) <= FaceTilt.Rise(last, up);
+        bool isEdge = FaceTilt.IsLevelEdge(isNext ? next : last, up);
         int end = !isEdge ? id : isNext ? (id + 1) % 3 : (id + 2) % 3;
         if (id == 0 || end == 0) corners.Add(a, 0);
         if (id == 1 || end == 1) corners.Add(b, 1);

@@ -29,6 +29,7 @@ public unsafe ref struct FaceCorners
         SideRadius = 0;
         Side = RoundSide.None;
         IsDisc = false;
+        Outer = null;
     }
 
     /// <summary>How many corners there are: none, a corner, an edge's two ends, or a face's.</summary>
@@ -46,6 +47,9 @@ public unsafe ref struct FaceCorners
     /// <summary>The same from the first corner, which is a cone's tip.</summary>
     internal readonly double FirstRadius => Side == RoundSide.Cylinder ? SideRadius : 0;
 
+    /// <summary>How the shape that is asked is seen from outside; null where angles are the same there.</summary>
+    internal OuterFrame* Outer { get; set; }
+
     /// <summary>Whether the corners are those of a disc, or of what scaling has made of one.</summary>
     internal bool IsDisc { get; set; }
 
@@ -59,6 +63,26 @@ public unsafe ref struct FaceCorners
         if (_corners == null || Count == Capacity) return;
         _corners[Count++] = new FaceCorner(point, id);
     }
+
+    /// <summary>An edge as it is seen from outside.</summary>
+    internal readonly Vector3D Seen(in Vector3D edge) => Outer == null ? edge : Outer->Outward(edge);
+
+    /// <summary>The direction in which the face is asked for as it is outside.</summary>
+    internal readonly Vector3D SeenFrom(in Vector3D direction) => Outer == null ? direction : Outer->Direction;
+
+    /// <summary>
+    /// How far a unit normal looks along the direction: to be compared with that of others, whatever the direction's
+    /// length.
+    /// </summary>
+    internal readonly double Along(in Vector3D normal, in Vector3D direction) =>
+        Outer == null ? Vector3D.Dot(normal, direction) : Outer->Cosine(normal);
+
+    /// <summary><see cref="Along"/> for the local axes as normals.</summary>
+    internal readonly Vector3D AlongAxes(in Vector3D direction) => Outer == null
+        ? direction
+        : new(
+            Outer->Cosine(new Vector3D(1, 0, 0)), Outer->Cosine(new Vector3D(0, 1, 0)),
+            Outer->Cosine(new Vector3D(0, 0, 1)));
 
     /// <summary>A corner's place.</summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1, unchecked.</param>

@@ -3,7 +3,7 @@ using System;
 namespace Gjk.Core;
 
 /// <summary>Which faces and edges lie level enough across a direction to carry contact points.</summary>
-internal static class FaceTilt
+internal static unsafe class FaceTilt
 {
     /// <summary>
     /// Cosine and sine: a face's normal may be 60 degrees off the direction, an edge may rise by 30 degrees. Steeper
@@ -24,6 +24,13 @@ internal static class FaceTilt
         return along > 0
             && along * along >= LeastCosine * LeastCosine * normal.LengthSquared * direction.LengthSquared;
     }
+
+    /// <summary>Whether a face lies level enough as it is seen from outside.</summary>
+    /// <param name="normal">Outward, of any length.</param>
+    /// <param name="direction">Of any length.</param>
+    /// <param name="corners">Which know how the face is seen.</param>
+    public static bool IsLevelFace(in Vector3D normal, in Vector3D direction, in FaceCorners corners) =>
+        corners.Outer == null ? IsLevelFace(normal, direction) : corners.Outer->Cosine(normal) >= LeastCosine;
 
     /// <summary>How steep an edge is, for comparing: the sine, infinite for an edge without length.</summary>
     /// <param name="edge">Of any length.</param>

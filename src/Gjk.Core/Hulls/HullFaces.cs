@@ -49,13 +49,13 @@ internal sealed class HullFaces
         double most = 0;
         for (int i = _vertexStart[vertex]; i < _vertexStart[vertex + 1]; i++)
         {
-            double along = Vector3D.Dot(_normals[_vertexFaces[i]], direction);
+            double along = corners.Along(_normals[_vertexFaces[i]], direction);
             if (along <= most) continue;
             most = along;
             face = _vertexFaces[i];
         }
 
-        if (face >= 0 && FaceTilt.IsLevelFace(_normals[face], direction)) GetFace(face, ref corners);
+        if (face >= 0 && FaceTilt.IsLevelFace(_normals[face], direction, corners)) GetFace(face, ref corners);
         else GetEdge(vertex, direction, ref corners);
     }
 
@@ -73,12 +73,13 @@ internal sealed class HullFaces
         _hull.GetVertex(vertex, out Vector3D point);
         int end = -1;
         double least = double.PositiveInfinity;
+        Vector3D up = corners.SeenFrom(direction);
         for (int i = _hull.NeighborStart[vertex]; i < _hull.NeighborStart[vertex + 1]; i++)
         {
             _hull.GetVertex(_hull.Neighbors[i], out Vector3D other);
-            Vector3D edge = other - point;
-            double rise = FaceTilt.Rise(edge, direction);
-            if (!FaceTilt.IsLevelEdge(edge, direction) || rise >= least) continue;
+            Vector3D edge = corners.Seen(other - point);
+            double rise = FaceTilt.Rise(edge, up);
+            if (!FaceTilt.IsLevelEdge(edge, up) || rise >= least) continue;
             least = rise;
             end = _hull.Neighbors[i];
         }

@@ -3,7 +3,7 @@ namespace Gjk.Core;
 public readonly partial struct ConvexShape
 {
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public unsafe void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
         if (_parts.Layer is not null)
         {
@@ -20,7 +20,11 @@ public readonly partial struct ConvexShape
 
         // Uneven factors make a margin part of a core that has no corners then.
         if (_parts.InnerMargin > 0 && !scaling.Axes.KeepsBalls) return;
+        OuterFrame outer = scaling.Axes.Frame(corners, direction);
+        OuterFrame* around = corners.Outer;
+        if (!scaling.Axes.KeepsBalls) corners.Outer = &outer;
         CoreFace(scaling.Axes.Inward(direction), ref corners);
+        corners.Outer = around;
         scaling.Axes.Outward(ref corners, scaling.CenterError);
     }
 

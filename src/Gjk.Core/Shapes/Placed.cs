@@ -82,9 +82,18 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public unsafe void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
+        OuterFrame turned = default;
+        OuterFrame* around = corners.Outer;
+        if (around != null)
+        {
+            turned = around->Turned(_rotation);
+            corners.Outer = &turned;
+        }
+
         _inner.GetFace(_rotation.InverseRotate(DirectionRange.ToSafe(direction)), ref corners);
+        corners.Outer = around;
         for (int i = 0; i < corners.Count; i++) corners[i] = _rotation.Rotate(corners[i]) + _centerError;
     }
 

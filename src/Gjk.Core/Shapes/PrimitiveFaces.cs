@@ -17,7 +17,7 @@ internal static class PrimitiveFaces
     /// <summary>A segment, or the end of it that lies further.</summary>
     public static void Segment(in Vector3D a, in Vector3D b, in Vector3D direction, ref FaceCorners corners)
     {
-        bool isEdge = FaceTilt.IsLevelEdge(b - a, direction);
+        bool isEdge = FaceTilt.IsLevelEdge(corners.Seen(b - a), corners.SeenFrom(direction));
         int id = PrimitiveSupport.Segment(a, b, direction, out _);
         if (isEdge || id == 0) corners.Add(a, 0);
         if (isEdge || id == 1) corners.Add(b, 1);
@@ -28,7 +28,7 @@ internal static class PrimitiveFaces
     {
         Vector3D d = DirectionRange.ToUnit(direction);
         double radial = Math.Sqrt(d.X * d.X + d.Z * d.Z);
-        if (Math.Abs(d.Y) >= radial)
+        if (IsCap(d, radial, corners))
         {
             Disc(radius, d.Y < 0 ? -halfHeight : halfHeight, ref corners);
             return;
@@ -41,6 +41,11 @@ internal static class PrimitiveFaces
         corners.Side = RoundSide.Cylinder;
         corners.SideRadius = radius;
     }
+
+    /// <summary>Whether a cylinder's cap lies more level than the furthest line of its side.</summary>
+    private static bool IsCap(in Vector3D d, double radial, in FaceCorners corners) => radial == 0
+        || Math.Abs(corners.Along(new Vector3D(0, 1, 0), d))
+            >= corners.Along(new Vector3D(d.X / radial, 0, d.Z / radial), d);
 
     /// <summary>A cone's base, or the line of its side that lies furthest.</summary>
     public static void Cone(double radius, double halfHeight, in Vector3D direction, ref FaceCorners corners)

@@ -84,10 +84,14 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public unsafe void GetFace(in Vector3D direction, ref FaceCorners corners)
     {
         if (_inner.Margin > 0 && !_scale.KeepsBalls) return;
+        OuterFrame outer = _scale.Frame(corners, direction);
+        OuterFrame* around = corners.Outer;
+        if (!_scale.KeepsBalls) corners.Outer = &outer;
         _inner.GetFace(_scale.Inward(direction), ref corners);
+        corners.Outer = around;
         _scale.Outward(ref corners, _centerError);
     }
 
