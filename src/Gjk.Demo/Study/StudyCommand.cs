@@ -9,6 +9,7 @@ using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Plan;
+using Gjk.Demo.Study.Saves;
 using Gjk.Demo.Study.Simulate;
 using Gjk.Demo.View;
 
@@ -24,7 +25,8 @@ internal static class StudyCommand
         "A perceptual study: how near two objects come before people see them touch. Plan it, run it in a browser, and "
         + "fit the answers.")
     {
-        BuildPlan(cancel), FitCommand.Build(cancel), BuildSimulate(cancel), BuildPower(cancel),
+        BuildPlan(cancel), StudyPage.Build(cancel), FitCommand.Build(cancel), BuildSimulate(cancel), BuildPower(cancel),
+        SavesCommand.Build(cancel),
     };
 
     /// <summary>Writes texts to files or standard output. No file appears before all are complete.</summary>
@@ -176,7 +178,7 @@ internal static class StudyCommand
         return option;
     }
 
-    private static Option<int> Whole(string name, string description, int standard, int least, int most) =>
+    public static Option<int> Whole(string name, string description, int standard, int least, int most) =>
         Number(name, description, standard, least, most, "a whole number");
 
     public static Option<double> Real(string name, string description, double standard, double least, double most) =>

@@ -37,15 +37,22 @@ internal static class Collider
             case "sphere":
                 return ConvexShape.Sphere(points.Max(p => Vector3.Distance(p, center))).Placed(place);
             default:
-                float radius = points.Max(p => MathF.Sqrt(
-                    (p.X - center.X) * (p.X - center.X) + (p.Z - center.Z) * (p.Z - center.Z)));
-                return ConvexShape.Capsule(radius, MathF.Max(half.Y - radius, 0)).Placed(place);
+                float radius = points.Max(p => Across(p - center));
+                float halfHeight = points.Max(
+                    p => MathF.Abs(p.Y - center.Y) - MathF.Sqrt(
+                        MathF.Max(0, radius * radius - Square(Across(p - center)))));
+                return ConvexShape.Capsule(radius, MathF.Max(halfHeight, 0)).Placed(place);
         }
     }
 
     private static int Directions(string name) =>
         name.StartsWith(Hull, StringComparison.Ordinal)
         && int.TryParse(name.AsSpan(Hull.Length), NumberStyles.None, CultureInfo.InvariantCulture, out int n) ? n : 0;
+
+    /// <summary>The distance from the y axis.</summary>
+    private static float Across(Vector3 v) => MathF.Sqrt(v.X * v.X + v.Z * v.Z);
+
+    private static float Square(float x) => x * x;
 
     private static Vector3 Ends(in ConvexShape shape, int sign) => new(
         (float)SupportSamples.Support(shape, new Vector3D(sign, 0, 0)).X,

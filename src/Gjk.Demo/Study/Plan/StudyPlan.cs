@@ -14,9 +14,9 @@ internal sealed record ViewPlan(string Name)
     /// <summary>One of <see cref="StudyPlanFile.Cameras"/>.</summary>
     public string Camera { get; init; } = "fixed";
 
-    public float Yaw { get; init; } = 25;
+    public float Yaw { get; init; }
 
-    public float Pitch { get; init; } = 15;
+    public float Pitch { get; init; } = 12;
 
     public bool HasShadow { get; init; } = true;
 
@@ -44,6 +44,9 @@ internal sealed record ConstantPlan
     public int Repeats { get; init; } = 1;
 
     public float[] Gaps { get; init; } = [];
+
+    /// <summary>How long a cross says where to look, before the view.</summary>
+    public int Cross { get; init; } = 300;
 
     public int Milliseconds { get; init; } = 500;
 

@@ -96,13 +96,15 @@ internal sealed partial class StudyPlanFile
     {
         var task = new ConstantPlan();
         ReadObject(
-            ref json, "an object: the task constant", ["repeats", "gaps", "milliseconds", "mask"], ["repeats", "gaps"],
+            ref json, "an object: the task constant", ["repeats", "gaps", "cross", "milliseconds", "mask"],
+                ["repeats", "gaps"],
             (ref StrictJsonReader j, string field) =>
             {
                 switch (field)
                 {
                     case "repeats": task = task with { Repeats = Count(j, 1, 1000) }; break;
                     case "gaps": task = task with { Gaps = Gaps(ref j) }; break;
+                    case "cross": task = task with { Cross = Count(j, 0, 60_000) }; break;
                     case "milliseconds": task = task with { Milliseconds = Count(j, 10, 60_000) }; break;
                     default: task = task with { Mask = Count(j, 0, 60_000) }; break;
                 }
