@@ -31,6 +31,9 @@ public sealed class SavesTests
         Assert.True(
             tolerant.Queries < proved.Queries || proved.Queries == 0, $"{tolerant.Queries} of {proved.Queries}");
         Assert.Equal(0, only.Queries);
+
+        // Each of its errors is a gap below the threshold, which at most half of the people see.
+        Assert.True(tolerant.Seen <= tolerant.Wrong / 2, $"{tolerant.Seen} of {tolerant.Wrong}");
         foreach (RuleCost cost in (RuleCost[])[exact, proved, tolerant, only])
         {
             Assert.Equal(exact.Pairs, cost.Pairs);

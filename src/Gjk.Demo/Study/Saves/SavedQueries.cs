@@ -17,7 +17,10 @@ internal enum PairRule
     /// <summary>Two spheres around each centre, inside and outside, decide where they prove the answer.</summary>
     ProvedSpheres,
 
-    /// <summary>The same spheres decide also where they can be wrong by less than the threshold.</summary>
+    /// <summary>
+    /// As well, what is nearer than the threshold by its inner spheres touches: a gap that most people do not see. An
+    /// overlap is never called apart, because an overlap is seen.
+    /// </summary>
     TolerantSpheres,
 
     /// <summary>A sphere of middle size is the collider, and nothing is asked.</summary>
@@ -97,7 +100,7 @@ internal sealed class SavedQueries
             float centers = Vector3.Distance(a.Position, b.Position);
             if (rule == PairRule.SpheresOnly) return centers <= _inner + _outer;
             float unseen = rule == PairRule.TolerantSpheres ? _unseen : 0;
-            if (centers - 2 * _outer > -unseen) return false;
+            if (centers - 2 * _outer > 0) return false;
             if (centers - 2 * _inner < unseen) return true;
         }
 
