@@ -23,6 +23,7 @@ const questions = [
   { text: 'How deep, and why EPA?', link: '/book/depth' },
   { text: 'Spheres and scaled shapes', link: '/book/round-and-scaled' },
   { text: 'Concave meshes, and speed', link: '/book/concave' },
+  { text: 'Who sees that they touch?', link: '/book/nearly-touching' },
 ]
 
 const tasks = [
@@ -31,6 +32,7 @@ const tasks = [
   { text: 'Clearance of parts', link: '/tasks/clearance' },
   { text: 'A character that sweeps', link: '/tasks/character-sweep' },
   { text: 'A scene of 100,000', link: '/tasks/large-scene' },
+  { text: 'A perceptual study', link: '/study' },
   { text: 'Unity', link: '/tasks/unity' },
 ]
 

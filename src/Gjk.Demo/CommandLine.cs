@@ -14,6 +14,7 @@ using Gjk.Demo.Play;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
+using Gjk.Demo.Study;
 using Gjk.Demo.Timing;
 using Gjk.Demo.Trace;
 using Gjk.Demo.View;
@@ -49,6 +50,7 @@ internal static class CommandLine
             ViewOptions.Build(cancel),
             TraceOptions.Build(cancel),
             PlayOptions.Build(cancel),
+            StudyCommand.Build(cancel),
         };
 
         // A file name may begin with @. It must not be taken for a response file with more arguments.

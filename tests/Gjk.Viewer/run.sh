@@ -48,5 +48,6 @@ demo query TestResults/deep.json --depth --out TestResults/deep.csv
 status=0
 node pages.mjs TestResults | tee TestResults/pages.log || status=1
 bash play.sh | tee TestResults/play.log || status=1
+bash study.sh | tee TestResults/study.log || status=1
 awk '/^[0-9]+ passed, [0-9]+ failed$/ { p += $1; f += $3 } END { print p " passed, " f " failed" }' TestResults/*.log
 exit $status

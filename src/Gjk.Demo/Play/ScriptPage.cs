@@ -15,15 +15,20 @@ namespace Gjk.Demo.Play;
 /// </summary>
 internal static class ScriptPage
 {
-    private static readonly string[] Assets = ["play.css", "play.js", "three.LICENSE.txt"];
+    private static readonly string[] Licences = ["three.LICENSE.txt"];
 
     /// <param name="stream">Where to write.</param>
     /// <param name="title">Shown as plain text.</param>
     /// <param name="json">The data that the page shows.</param>
-    public static void Write(Stream stream, string title, ReadOnlySpan<byte> json)
+    /// <param name="name">The name of its style and its script.</param>
+    /// <param name="licences">The licences of what is in its script, besides that of three.js.</param>
+    public static void Write(
+        Stream stream, string title, ReadOnlySpan<byte> json, string name = "play", params string[] licences)
     {
-        string style = PageText.Asset(Assets[0]);
-        List<string> scripts = [.. BrowserRuntime.Scripts(), PageText.Asset(Assets[1])];
+        string style = PageText.Asset($"{name}.css");
+        List<string> scripts = [.. BrowserRuntime.Scripts(), PageText.Asset($"{name}.js")];
+        string notices =
+            string.Join("\n", [BrowserRuntime.Notices(), .. Licences.Concat(licences).Select(PageText.Asset)]);
         string policy = $"default-src 'none'; script-src {string.Join(" ", scripts.Select(Hash))} 'wasm-unsafe-eval'; "
             + $"style-src {Hash(style)}; img-src data:";
         PageText.Add(stream, $"""
@@ -43,7 +48,7 @@ internal static class ScriptPage
             """.ReplaceLineEndings("\n"));
         stream.Write(json);
         PageText.Add(stream, "</script>\n");
-        BrowserRuntime.Write(stream, BrowserRuntime.Notices() + "\n" + PageText.Asset(Assets[2]), scripts);
+        BrowserRuntime.Write(stream, notices, scripts);
         PageText.Add(stream, "</body>\n</html>\n");
         stream.Flush();
     }

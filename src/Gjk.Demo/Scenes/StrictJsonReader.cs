@@ -135,6 +135,13 @@ internal ref struct StrictJsonReader
         throw Refuse($"must be {what}");
     }
 
+    public readonly bool Bool()
+    {
+        if (_reader.TokenType == JsonTokenType.False) return false;
+        Expect(JsonTokenType.True, "true or false");
+        return true;
+    }
+
     public readonly bool IsArray => _reader.TokenType == JsonTokenType.StartArray;
 
     public Vector3 Vector(NumberRule rule = NumberRule.Any)

@@ -1,0 +1,123 @@
+// A scripted observer does whole studies in Chromium, with keys at 1280 x 800 and with touch at 390 x 844. What the
+// page stored is fitted by the demo, which asks the library again and refuses a distance that differs in one bit.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { openPage, startBrowser, until } from './play-browser.mjs';
+import { check, finish } from './check.mjs';
+import { demo } from './play-demo.mjs';
+import { Observer, ready } from './study-observer.mjs';
+
+const folder = process.argv[2], file = join(folder, 'study.html');
+
+if (existsSync(join(folder, 'study.js'))) {
+  await check('study: the bundle study.js is what its sources make', () => {
+    assert.ok(readFileSync(join(folder, 'study.js')).equals(readFileSync('../../src/Gjk.Demo/viewer/dist/study.js')));
+  });
+}
+
+const { browser } = await startBrowser();
+const plan = JSON.parse(readFileSync(join(folder, 'study-plan.json')));
+
+const screens = [['wide', { width: 1280, height: 800 }, false], ['phone', { width: 390, height: 844 }, true]];
+await Promise.all(screens.map(async ([name, viewport, hasTouch]) => {
+  const context = await browser.newContext({ viewport, hasTouch, acceptDownloads: true });
+  context.setDefaultTimeout(60_000);
+  await context.setOffline(true);
+  await check(`study: ${name}: a whole study, closed half-way, loses nothing`, () =>
+    whole(context, name, hasTouch, viewport.width));
+  await context.close();
+}));
+await browser.close();
+finish();
+
+async function whole(context, name, isTouch, width) {
+  const opened = async () => {
+    const page = await openPage(context, file);
+    await ready(page);
+    const keep = async (screen) => {
+      await page.screenshot({ path: join(folder, `study-${name}-${screen}.png`) });
+      assert.deepEqual(await faultsOf(page, width), [], screen);
+    };
+    return new Observer({ page, isTouch, keep });
+  };
+  const first = await opened();
+  await first.begin('scripted');
+  const half = await first.answer(40);
+  const before = await first.page.evaluate(() => window.__gjk.store.csv());
+  assert.deepEqual(first.page.complaints, []);
+  await first.page.close();
+
+  const second = await opened();
+  assert.equal((await second.state()).screen, 'Welcome back');
+  assert.equal(await second.page.evaluate(() => window.__gjk.store.csv()), before);
+  const { stored } = await second.answer();
+  await second.see('end');
+  const expected = trialsOf(plan);
+  assert.ok(half.stored >= 40 && half.stored < expected, `${half.stored}`);
+  assert.equal(stored, expected);
+  const files = await saved(second, name);
+  assert.ok(files.csv.startsWith(before), 'the first half is what it was');
+  assertRows(files);
+  assert.deepEqual(second.page.complaints, []);
+  for (const kind of ['csv', 'json']) {
+    const figures = demo('study', 'fit', join(folder, `study-${name}.${kind}`));
+    assert.match(figures, /constant,box-box,all,pse,/);
+  }
+}
+
+/** Nothing is cut off, and every control is large enough for a finger. */
+function faultsOf(page, width) {
+  return page.evaluate((wide) => {
+    const found = document.documentElement.scrollWidth > wide ? ['the page scrolls sideways'] : [];
+    for (const each of document.querySelectorAll('button, select, input')) {
+      const box = (each.closest('label') ?? each).getBoundingClientRect();
+      if (box.height < 44 || box.width < 44) found.push(`${each.outerHTML} is ${box.width} x ${box.height}`);
+      if (box.left < 0 || box.right > wide) found.push(`${each.outerHTML} is cut off`);
+    }
+    return found;
+  }, width);
+}
+
+async function saved({ page }, name) {
+  const downloads = [];
+  page.on('download', (download) => downloads.push(download));
+  await page.locator('button', { hasText: /^Save the data$/ }).click();
+  await until({ evaluate: () => downloads.length >= 2 }, () => true);
+  const files = {};
+  for (const download of downloads) {
+    const kind = download.suggestedFilename().split('.').at(-1);
+    files[kind] = readFileSync(await download.path(), 'utf8');
+    writeFileSync(join(folder, `study-${name}.${kind}`), files[kind]);
+  }
+  return files;
+}
+
+function trialsOf({ pairs, views, adjustment, constant, mismatch, practice, catch: caught }) {
+  const each = adjustment.repeats * adjustment.starts.length + constant.repeats * constant.gaps.length
+    + mismatch.repeats * mismatch.colliders.length;
+  return pairs.length * views.length * each + caught.trials + 3 * practice;
+}
+
+/** Both files say the same; gaps are met to the last bit; the answers follow the gaps; the screen is measured. */
+function assertRows({ csv, json }) {
+  const [head, ...lines] = csv.trim().split('\n').map((line) => line.split(','));
+  const rows = lines.map((line) => Object.fromEntries(head.map((column, i) => [column, line[i]])));
+  const { trials, person, pixelsPerMillimetre } = JSON.parse(json);
+  assert.equal(person, 'scripted');
+  assert.equal(pixelsPerMillimetre, 4);
+  assert.deepEqual(trials.map((row) => [row.trial, row.distance, row.record]),
+    rows.map((row) => [Number(row.trial), Number(row.distance), row.record]));
+  assert.deepEqual(rows.map(({ trial }) => Number(trial)), rows.map((_, i) => i + 1));
+  const constant = rows.filter(({ task }) => task === 'constant');
+  for (const { gap, distance } of constant) assert.equal(Number(distance), Math.fround(Number(gap)));
+  for (const { distance, pixels, arcminutes } of rows) {
+    const minutes = Math.atan(Number(pixels) / 4 / 570) * (180 * 60) / Math.PI;
+    assert.ok(Math.abs(minutes - Number(arcminutes)) < 1e-9, `${pixels} pixels are ${arcminutes} minutes of arc`);
+    assert.equal(Math.sign(Number(pixels)), Math.sign(Number(distance)));
+  }
+  for (const kind of ['trial', 'practice', 'catch']) assert.ok(rows.some((row) => row.kind === kind), kind);
+  const adjusted = rows.filter(({ task, kind }) => task === 'adjustment' && kind === 'trial');
+  assert.ok(adjusted.every(({ start }, i) => Number(start) > 0 === (i % 2 === 0)), 'the starts take turns');
+  assert.ok(adjusted.some(({ start, distance }) => Number(start) !== Number(distance)));
+}

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# The study's part of run.sh, which has built the demo and found the browser.
+set -euo pipefail
+cd "$(dirname "$0")"
+demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
+
+# The default study, whole, but nobody needs to see each view for so long.
+short='s|"cross": 300, "milliseconds": 500, "mask": 300|"cross": 0, "milliseconds": 20, "mask": 0|'
+demo study plan | sed "$short" > TestResults/study-plan.json
+demo study page --plan TestResults/study-plan.json --out TestResults/study.html
+exec node study.mjs TestResults
