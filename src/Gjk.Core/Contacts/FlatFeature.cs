@@ -23,8 +23,8 @@ internal unsafe struct FlatFeature
     private const double Level = 1e-7;
 
     /// <summary>
-    /// Cosine between the inner sides of two edges that meet at 45 degrees: beyond sharper corners there is more than 1e-6
-    /// of the size within a slack of both. A few times sharper ones would do no harm, and blunter ones only cost time.
+    /// Cosine between the inner sides of two edges that meet at 45 degrees: beyond sharper corners more than 1e-6
+    /// of the size is within a slack of both. A few times sharper ones would do no harm; blunter ones only cost time.
     /// </summary>
     private const double Sharp = -0.7;
 
