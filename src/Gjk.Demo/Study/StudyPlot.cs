@@ -12,7 +12,7 @@ namespace Gjk.Demo.Study;
 /// <summary>Draws the results as SVG: one panel with curves for each condition, and the thresholds of all.</summary>
 internal static class StudyPlot
 {
-    private const int Wide = 360, High = 240, Left = 48, Bottom = 44, Top = 30, Right = 14;
+    private const int Wide = 360, High = 240, Left = 48, Bottom = 44, Top = 30, Right = 22;
 
     private const string Ink = "#1d2733", Grid = "#c9d1db", Curves = "#2b6cd4", Mean = "#c2410c";
 
