@@ -96,12 +96,6 @@ internal ref struct StrictJsonReader
         return Text();
     }
 
-    public readonly bool Bool()
-    {
-        if (_reader.TokenType is JsonTokenType.True or JsonTokenType.False) return _reader.GetBoolean();
-        throw Refuse("must be true or false");
-    }
-
     /// <summary>The number under the cursor. It is rounded once, from its decimal digits to float.</summary>
     public readonly float Float()
     {
