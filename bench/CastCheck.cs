@@ -104,18 +104,18 @@ public static class CastCheck
     private static double GapAcross(CastScene scene, int pair, in CastResult cast)
     {
         (int a, int b) = (scene.Pairs[pair].A, scene.Pairs[pair].B);
-        Vector3D normal = cast.Normal, toB = (Vector3D)scene.Poses[b].Position - scene.Poses[a].Position;
-        toB += (Vector3D)scene.Motions[pair] * cast.Fraction;
-        return Vector3D.Dot(normal, toB) - Height(scene, a, normal) - Height(scene, b, -normal);
+        Double3 normal = cast.Normal, toB = (Double3)scene.Poses[b].Position - scene.Poses[a].Position;
+        toB += (Double3)scene.Motions[pair] * cast.Fraction;
+        return Double3.Dot(normal, toB) - Height(scene, a, normal) - Height(scene, b, -normal);
     }
 
     /// <summary>How far a shape reaches beyond its position.</summary>
-    private static double Height(CastScene scene, int index, in Vector3D direction)
+    private static double Height(CastScene scene, int index, in Double3 direction)
     {
         ref ConvexShape shape = ref scene.Shapes[index];
-        Vector3D local = new RotationD(scene.Poses[index].Rotation).InverseRotate(direction);
-        shape.Support(local, out Vector3D furthest);
-        return Vector3D.Dot(local, shape.Center + furthest) + shape.Margin;
+        Double3 local = new RotationD(scene.Poses[index].Rotation).InverseRotate(direction);
+        shape.Support(local, out Double3 furthest);
+        return Double3.Dot(local, shape.Center + furthest) + shape.Margin;
     }
 
     private static bool IsIn(CastScene scene, int index, Vector3 moved, in CastResult cast, double band)
@@ -149,7 +149,7 @@ public static class CastCheck
     }
 
     private static Vector3 Moved(CastScene scene, int pair, double fraction) =>
-        (Vector3)((Vector3D)scene.Motions[pair] * fraction);
+        (Vector3)((Double3)scene.Motions[pair] * fraction);
 
     private static double SizeOf(CastScene scene, int pair) =>
         Math.Max(Motion.Size(scene.Shapes[scene.Pairs[pair].A]), Motion.Size(scene.Shapes[scene.Pairs[pair].B]));

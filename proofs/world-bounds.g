@@ -1,6 +1,6 @@
 # A box in the world is widened by more than its centre is off.
-# constant: WorldBounds.DoubleSlack = 64 * 2^-53
-# code: src/Gjk.Core/World/WorldBounds.cs, BoxAt and Around
+# constant: ShapeBounds.DoubleSlack = 64 * 2^-53
+# code: src/Gjk.Core/World/ShapeBounds.cs, BoxAt and Around
 # assumed: the local centre's distance and the position's together are 1, since nothing here knows a scale
 # control: c = 16b-53;
 c = 64b-53;

@@ -22,7 +22,7 @@ public class SupportAlone
     private const ulong Seed = 31;
 
     private readonly Vector3[] _directions = new Vector3[DirectionCount];
-    private readonly Vector3D[] _wideDirections = new Vector3D[DirectionCount];
+    private readonly Double3[] _wideDirections = new Double3[DirectionCount];
     private ConvexHull _hull = null!;
     private SupportCollider _collider = null!;
 
@@ -55,7 +55,7 @@ public class SupportAlone
     public int PlainScan()
     {
         int sum = 0;
-        foreach (ref readonly Vector3D direction in _wideDirections.AsSpan())
+        foreach (ref readonly Double3 direction in _wideDirections.AsSpan())
             sum += HullSupport.Scan(_hull.Cells, direction);
         return sum;
     }
@@ -64,9 +64,9 @@ public class SupportAlone
     public double Find()
     {
         double sum = 0;
-        foreach (ref readonly Vector3D direction in _wideDirections.AsSpan())
+        foreach (ref readonly Double3 direction in _wideDirections.AsSpan())
         {
-            sum += HullSupport.Find(_hull.Cells, direction, out Vector3D point) + point.X;
+            sum += HullSupport.Find(_hull.Cells, direction, out Double3 point) + point.X;
         }
 
         return sum;

@@ -32,7 +32,7 @@ internal static class PairFile
     private static void Write(BinaryWriter output, in ConvexShape shape)
     {
         if (shape.IsDecorated) throw new NotSupportedException("The other engines know no decorated shapes.");
-        shape.Support(new Vector3D(1, 1, 1), out Vector3D corner);
+        shape.Support(new Double3(1, 1, 1), out Double3 corner);
         switch (shape.Kind)
         {
             case ShapeKind.Sphere:

@@ -29,9 +29,9 @@ internal readonly struct CastCourse
     /// <summary>At this distance of the bodies' inner points they are apart, however they are turned.</summary>
     public double Reach => RadiusOf(_a) + RadiusOf(_b);
 
-    private Vector3D MiddleA => _turnA.Rotate(_a.Inside);
+    private Double3 MiddleA => _turnA.Rotate(_a.Inside);
 
-    private Vector3D MiddleB => _turnB.Rotate(_b.Inside);
+    private Double3 MiddleB => _turnB.Rotate(_b.Inside);
 
     /// <summary>
     /// From any side, the bodies apart by up to a number of units, at a point of A or beside it, and on.
@@ -45,9 +45,9 @@ internal readonly struct CastCourse
     /// <param name="share">How far B goes, 1 being to that point.</param>
     public void Aim(CastScene scene, Prng prng, float aside, float apart, float share)
     {
-        Vector3D from = prng.Direction();
-        Vector3D start = from * (Reach + prng.Range(0.05f, 1) * apart);
-        Vector3D outward = _turnA.Rotate(_a.Furthest(_turnA.InverseRotate((Vector3D)prng.Direction()))) - MiddleA;
+        Double3 from = prng.Direction();
+        Double3 start = from * (Reach + prng.Range(0.05f, 1) * apart);
+        Double3 outward = _turnA.Rotate(_a.Furthest(_turnA.InverseRotate((Double3)prng.Direction()))) - MiddleA;
         Add(scene, start, (outward * aside - start) * share);
     }
 
@@ -57,7 +57,7 @@ internal readonly struct CastCourse
     /// </summary>
     public void Pass(CastScene scene, Prng prng, double gap)
     {
-        Vector3D up = prng.Direction(), along = Vector3D.Cross(up, prng.Direction());
+        Double3 up = prng.Direction(), along = Double3.Cross(up, prng.Direction());
         along *= (Reach + prng.Range(0, 1)) / along.Length;
         Add(scene, Above(up, gap) - along, along * 2);
     }
@@ -67,8 +67,8 @@ internal readonly struct CastCourse
     /// </summary>
     public void Sink(CastScene scene, Prng prng, double depth, double way)
     {
-        Vector3D up = prng.Direction();
-        Vector3D onA = HighestOf(_a, _turnA, up) - MiddleA, onB = HighestOf(_b, _turnB, -up) - MiddleB;
+        Double3 up = prng.Direction();
+        Double3 onA = HighestOf(_a, _turnA, up) - MiddleA, onB = HighestOf(_b, _turnB, -up) - MiddleB;
         onA *= 1 - Math.Min(0.5, depth / onA.Length);
         onB *= 1 - Math.Min(0.5, depth / onB.Length);
         Add(scene, onA - onB, prng.Direction() * (float)way);
@@ -79,21 +79,21 @@ internal readonly struct CastCourse
     /// </summary>
     public void Drop(CastScene scene, Prng prng, double gap, double way)
     {
-        Vector3D up = prng.Direction();
+        Double3 up = prng.Direction();
         Add(scene, Above(up, gap), up * -way);
     }
 
     /// <summary>From where the inner points are the given vector apart.</summary>
-    public void Add(CastScene scene, in Vector3D middles, in Vector3D motion) =>
+    public void Add(CastScene scene, in Double3 middles, in Double3 motion) =>
         scene.Add(
             _a.Shape, new RigidPose(_rotationA, Vector3.Zero), _b.Shape,
             new RigidPose(_rotationB, (Vector3)(MiddleA + middles - MiddleB)), (Vector3)motion);
 
     /// <summary>Where B's inner point is from A's when its lowest point is a gap above A's highest.</summary>
-    private Vector3D Above(in Vector3D up, double gap) =>
+    private Double3 Above(in Double3 up, double gap) =>
         HighestOf(_a, _turnA, up) - MiddleA + up * gap - (HighestOf(_b, _turnB, -up) - MiddleB);
 
-    private static Vector3D HighestOf(DepthBody body, in RotationD turn, in Vector3D up) =>
+    private static Double3 HighestOf(DepthBody body, in RotationD turn, in Double3 up) =>
         turn.Rotate(body.Furthest(turn.InverseRotate(up)));
 
     private static double RadiusOf(DepthBody body) =>

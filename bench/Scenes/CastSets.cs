@@ -53,7 +53,7 @@ internal static class CastSets
         };
         var turn = new RotationD(rotation);
         new CastCourse(DepthBody.Box(a), rotation, DepthBody.Box(b), rotation).Add(
-            scene, turn.Rotate((Vector3D)start), turn.Rotate((Vector3D)way));
+            scene, turn.Rotate((Double3)start), turn.Rotate((Double3)way));
     };
 
     /// <summary>B begins in A, by 1e-5 to 0.4.</summary>

@@ -10,7 +10,7 @@ internal sealed class DepthBody
 {
     private readonly ConvexHull? _surface;
 
-    private DepthBody(in ConvexShape shape, ConvexHull? surface, Vector3D inside)
+    private DepthBody(in ConvexShape shape, ConvexHull? surface, Double3 inside)
     {
         Shape = shape;
         _surface = surface;
@@ -20,7 +20,7 @@ internal sealed class DepthBody
     public ConvexShape Shape { get; }
 
     /// <summary>The mean of the corners. It lies inside, unlike the middle of the bounding box.</summary>
-    public Vector3D Inside { get; }
+    public Double3 Inside { get; }
 
     /// <summary>Half the sides of a box. Zero for other shapes.</summary>
     public Vector3 Half { get; private init; }
@@ -34,7 +34,7 @@ internal sealed class DepthBody
     public static DepthBody Mesh(Vector3[] vertices)
     {
         var hull = new ConvexHull(vertices);
-        Vector3D sum = vertices.Aggregate(default(Vector3D), (total, v) => total + v);
+        Double3 sum = vertices.Aggregate(default(Double3), (total, v) => total + v);
         return new DepthBody(ConvexShape.Mesh(hull), hull, sum * (1.0 / vertices.Length));
     }
 
@@ -51,19 +51,19 @@ internal sealed class DepthBody
     public static DepthBody Curved(in ConvexShape shape) => new(shape, null, default);
 
     /// <summary>The furthest point of the surface, margin included, in the shape's frame.</summary>
-    public Vector3D Furthest(in Vector3D direction)
+    public Double3 Furthest(in Double3 direction)
     {
-        Shape.Support(direction, out Vector3D fromCenter);
+        Shape.Support(direction, out Double3 fromCenter);
         return Shape.Center + fromCenter + direction * (Shape.Margin / direction.Length);
     }
 
     /// <summary>A random point of a random face, and the face's outward unit normal.</summary>
-    public Vector3D OnFace(Prng prng, out Vector3D normal)
+    public Double3 OnFace(Prng prng, out Double3 normal)
     {
         ConvexHull surface = _surface ?? throw new InvalidOperationException("The shape has no faces.");
         surface.GetTriangle(prng.Index(surface.TriangleCount), out int a, out int b, out int c);
-        Vector3D first = surface.GetVertex(a), toB = surface.GetVertex(b) - first, toC = surface.GetVertex(c) - first;
-        normal = Vector3D.Cross(toB, toC);
+        Double3 first = surface.GetVertex(a), toB = surface.GetVertex(b) - first, toC = surface.GetVertex(c) - first;
+        normal = Double3.Cross(toB, toC);
         normal *= 1 / normal.Length;
         double u = prng.Range(0, 1), v = prng.Range(0, 1);
         if (u + v > 1) (u, v) = (1 - u, 1 - v);

@@ -17,9 +17,9 @@ internal readonly struct DepthContact
     private readonly DepthBody _a, _b;
     private readonly RotationD _turnA, _turnB;
     private readonly Quaternion _rotationA, _rotationB;
-    private readonly Vector3D _onA, _onB;
+    private readonly Double3 _onA, _onB;
 
-    private DepthContact(in DepthContact turned, in Vector3D onA, in Vector3D onB)
+    private DepthContact(in DepthContact turned, in Double3 onA, in Double3 onB)
     {
         this = turned;
         _onA = onA;
@@ -40,7 +40,7 @@ internal readonly struct DepthContact
     {
         if (!a.HasFaces) return AtCorners(prng, a, b);
         DepthContact turned = Turned(prng, a, b);
-        Vector3D onFace = a.OnFace(prng, out Vector3D normal);
+        Double3 onFace = a.OnFace(prng, out Double3 normal);
         return new DepthContact(turned, turned._turnA.Rotate(onFace), turned.LowestOfB(turned._turnA.Rotate(normal)));
     }
 
@@ -49,9 +49,9 @@ internal readonly struct DepthContact
     {
         DepthContact turned = Turned(prng, a, b);
         int axisA = prng.Index(3), axisB = prng.Index(3);
-        Vector3D across = Vector3D.Cross(turned._turnA.Rotate(Axis(axisA)), turned._turnB.Rotate(Axis(axisB)));
-        Vector3D onA = OnEdge(prng, a.Half, turned._turnA.InverseRotate(across), axisA);
-        Vector3D onB = OnEdge(prng, b.Half, turned._turnB.InverseRotate(-across), axisB);
+        Double3 across = Double3.Cross(turned._turnA.Rotate(Axis(axisA)), turned._turnB.Rotate(Axis(axisB)));
+        Double3 onA = OnEdge(prng, a.Half, turned._turnA.InverseRotate(across), axisA);
+        Double3 onB = OnEdge(prng, b.Half, turned._turnB.InverseRotate(-across), axisB);
         return new DepthContact(turned, turned._turnA.Rotate(onA), turned._turnB.Rotate(onB));
     }
 
@@ -59,8 +59,8 @@ internal readonly struct DepthContact
     public static DepthContact AtCorners(Prng prng, DepthBody a, DepthBody b)
     {
         DepthContact turned = Turned(prng, a, b);
-        Vector3D direction = prng.Direction();
-        Vector3D onA = turned._turnA.Rotate(a.Furthest(turned._turnA.InverseRotate(direction)));
+        Double3 direction = prng.Direction();
+        Double3 onA = turned._turnA.Rotate(a.Furthest(turned._turnA.InverseRotate(direction)));
         return new DepthContact(turned, onA, turned.LowestOfB(direction));
     }
 
@@ -68,7 +68,7 @@ internal readonly struct DepthContact
     public static DepthContact Inside(Prng prng, DepthBody a, DepthBody b, float mostShareA, float mostShareB)
     {
         DepthContact turned = Turned(prng, a, b);
-        Vector3D onA = Off(prng, a, mostShareA), onB = Off(prng, b, mostShareB);
+        Double3 onA = Off(prng, a, mostShareA), onB = Off(prng, b, mostShareB);
         return new DepthContact(turned, turned._turnA.Rotate(onA), turned._turnB.Rotate(onB));
     }
 
@@ -83,7 +83,7 @@ internal readonly struct DepthContact
     public void AddTo(BenchScene scene, Vector3 position, bool swap)
     {
         int a = scene.Add(_a.Shape, new RigidPose(_rotationA, position));
-        int b = scene.Add(_b.Shape, new RigidPose(_rotationB, (Vector3)((Vector3D)position + _onA - _onB)));
+        int b = scene.Add(_b.Shape, new RigidPose(_rotationB, (Vector3)((Double3)position + _onA - _onB)));
         if (swap) scene.AddPair(b, a);
         else scene.AddPair(a, b);
     }
@@ -91,28 +91,28 @@ internal readonly struct DepthContact
     private static DepthContact Turned(Prng prng, DepthBody a, DepthBody b) =>
         new(a, prng.Rotation(), b, prng.Rotation());
 
-    private static Vector3D Off(Prng prng, DepthBody body, float mostShare) =>
+    private static Double3 Off(Prng prng, DepthBody body, float mostShare) =>
         body.Inside + prng.Range(0, mostShare) * (body.Furthest(prng.Direction()) - body.Inside);
 
-    private static Vector3D Into(in Vector3D inside, in Vector3D surface, double depth)
+    private static Double3 Into(in Double3 inside, in Double3 surface, double depth)
     {
-        Vector3D way = inside - surface;
+        Double3 way = inside - surface;
         double length = way.Length;
         return length > 0 ? surface + way * Math.Min(depth / length, 0.5) : surface;
     }
 
-    private static Vector3D Axis(int axis) => new(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+    private static Double3 Axis(int axis) => new(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
 
-    private static Vector3D OnEdge(Prng prng, Vector3 half, in Vector3D direction, int axis)
+    private static Double3 OnEdge(Prng prng, Vector3 half, in Double3 direction, int axis)
     {
         float along = prng.Range(-EdgeMiddle, EdgeMiddle);
-        return new Vector3D(
+        return new Double3(
             axis == 0 ? along * half.X : Math.CopySign(half.X, direction.X),
             axis == 1 ? along * half.Y : Math.CopySign(half.Y, direction.Y),
             axis == 2 ? along * half.Z : Math.CopySign(half.Z, direction.Z));
     }
 
     /// <summary>The point of B furthest against a direction.</summary>
-    private Vector3D LowestOfB(in Vector3D direction) =>
+    private Double3 LowestOfB(in Double3 direction) =>
         _turnB.Rotate(_b.Furthest(_turnB.InverseRotate(-direction)));
 }

@@ -58,10 +58,10 @@ public sealed class Motion
     internal static double Size(in ConvexShape shape) =>
         Math.Max(Math.Max(Extent(shape, new(1, 0, 0)), Extent(shape, new(0, 1, 0))), Extent(shape, new(0, 0, 1)));
 
-    private static double Extent(in ConvexShape shape, in Vector3D axis)
+    private static double Extent(in ConvexShape shape, in Double3 axis)
     {
-        shape.Support(axis, out Vector3D furthest);
-        shape.Support(-axis, out Vector3D nearest);
-        return Vector3D.Dot(axis, furthest - nearest) + 2 * shape.Margin;
+        shape.Support(axis, out Double3 furthest);
+        shape.Support(-axis, out Double3 nearest);
+        return Double3.Dot(axis, furthest - nearest) + 2 * shape.Margin;
     }
 }

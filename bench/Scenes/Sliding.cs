@@ -53,24 +53,24 @@ public sealed class Sliding
         ref ConvexShape a = ref scene.Shapes[pair.A], b = ref scene.Shapes[pair.B];
         RigidPose poseA = scene.Poses[pair.A], middle = scene.Poses[pair.B];
         DistanceResult start = ConvexQuery.SignedDistance(a, poseA, b, middle);
-        Vector3D wayOut = start.Normal, across = Vector3D.Cross(wayOut, prng.Direction());
+        Double3 wayOut = start.Normal, across = Double3.Cross(wayOut, prng.Direction());
         double step = SizesPerFrame * Math.Min(Motion.Size(a), Motion.Size(b));
         for (int i = 0; i < path.Length; i++)
         {
-            Vector3D place = middle.Position + across * ((i - StepsAside) * step / across.Length);
+            Double3 place = middle.Position + across * ((i - StepsAside) * step / across.Length);
             path[i] = PushedIn(a, poseA, b, middle.Rotation, place, -start.Distance);
         }
     }
 
     private static RigidPose PushedIn(
-        in ConvexShape a, in RigidPose poseA, in ConvexShape b, Quaternion rotation, Vector3D place, double depth)
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, Quaternion rotation, Double3 place, double depth)
     {
         for (int push = 0; push < MostPushes; push++)
         {
             var pose = new RigidPose(rotation, (Vector3)place);
             DistanceResult result = ConvexQuery.SignedDistance(a, poseA, b, pose);
             if (DepthCheck.IsDepth(result)) return pose;
-            place -= (Vector3D)result.Normal * (result.Distance + depth);
+            place -= (Double3)result.Normal * (result.Distance + depth);
             depth *= 0.5;
         }
 

@@ -40,12 +40,12 @@ internal static class SupportClock
         var prng = new Prng(Seed);
         return Measure(hull, i =>
         {
-            Vector3D normal = Normal(hull, prng);
-            return normal + normal.Length * Math.Pow(10, LeastOffset + i % -LeastOffset) * (Vector3D)prng.Direction();
+            Double3 normal = Normal(hull, prng);
+            return normal + normal.Length * Math.Pow(10, LeastOffset + i % -LeastOffset) * (Double3)prng.Direction();
         });
     }
 
-    private static SupportCost Measure(ConvexHull hull, Func<int, Vector3D> direction)
+    private static SupportCost Measure(ConvexHull hull, Func<int, Double3> direction)
     {
         double sum = 0, worst = 0;
         var mesh = new ConvexMesh(hull);
@@ -59,7 +59,7 @@ internal static class SupportClock
         return new SupportCost(sum / Directions, worst);
     }
 
-    private static double Nanoseconds(in ConvexMesh mesh, in Vector3D direction)
+    private static double Nanoseconds(in ConvexMesh mesh, in Double3 direction)
     {
         double best = double.PositiveInfinity;
         long ids = 0;
@@ -74,12 +74,12 @@ internal static class SupportClock
     }
 
     /// <summary>The normal of a random triangle in double. A hull without triangles gets a random direction.</summary>
-    private static Vector3D Normal(ConvexHull hull, Prng prng)
+    private static Double3 Normal(ConvexHull hull, Prng prng)
     {
         if (hull.TriangleCount == 0) return prng.Direction();
         hull.GetTriangle(prng.Index(hull.TriangleCount), out int a, out int b, out int c);
-        Vector3D origin = hull.GetVertex(a);
-        Vector3D normal = Vector3D.Cross(hull.GetVertex(b) - origin, hull.GetVertex(c) - origin);
+        Double3 origin = hull.GetVertex(a);
+        Double3 normal = Double3.Cross(hull.GetVertex(b) - origin, hull.GetVertex(c) - origin);
         return normal.LengthSquared > 0 ? normal : prng.Direction();
     }
 }

@@ -33,7 +33,7 @@ public sealed record ImportedObject
     /// <summary>Pose in the file's world.</summary>
     public RigidPose Pose => new(Rotation, Position);
 
-    internal bool IsFinite => Shape.IsFinite && ((Vector3D)Position).IsFinite && ((Vector3D)Scale).IsFinite;
+    internal bool IsFinite => Shape.IsFinite && ((Double3)Position).IsFinite && ((Double3)Scale).IsFinite;
 
     /// <summary>The shape with its scale, for queries at <see cref="Pose"/>. Objects that share a mesh share its hull.
     /// </summary>

@@ -50,7 +50,7 @@ internal sealed class SceneBuilder
     public void AddMesh(string name, ImportedMesh part, in Affine world, in TurnD rotation)
     {
         Affine local = world.SeenFrom(rotation);
-        if (Placement.IsAlongAxes(local, out Vector3D factors) && Placement.IsUsableScale(factors))
+        if (Placement.IsAlongAxes(local, out Double3 factors) && Placement.IsUsableScale(factors))
         {
             if (!IsInRange(part.Vertices, world)) throw TooLarge();
             var placed = new ImportedObject(name, ImportedShape.OfMesh(MeshOf(part)), world, rotation);
@@ -63,9 +63,9 @@ internal sealed class SceneBuilder
         var vertices = new Vector3[part.Vertices.Count];
         for (int i = 0; i < vertices.Length; i++)
         {
-            Vector3D vertex = local.Turn(part.Vertices[i]);
+            Double3 vertex = local.Turn(part.Vertices[i]);
             vertices[i] = (Vector3)vertex;
-            if (!((Vector3D)vertices[i]).IsFinite) throw TooLarge();
+            if (!((Double3)vertices[i]).IsFinite) throw TooLarge();
         }
 
         ImportedMesh mesh = AddMesh($"{part.Name} of {name}", n => part.With(n, vertices));
@@ -78,7 +78,7 @@ internal sealed class SceneBuilder
     {
         foreach (Vector3 vertex in vertices)
         {
-            if (!((Vector3D)(Vector3)world.Apply(vertex)).IsFinite) return false;
+            if (!((Double3)(Vector3)world.Apply(vertex)).IsFinite) return false;
         }
 
         return true;

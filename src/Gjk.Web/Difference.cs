@@ -55,8 +55,8 @@ internal static class Difference
             for (int i = 0; i < meridians; i++)
             {
                 (double z, double x) = Math.SinCos(2 * Math.PI * i / meridians);
-                var direction = new Vector3D(outward * x, up, outward * z);
-                Vector3D onB = SupportSamples.Support(b, bInA.Inverse(-direction));
+                var direction = new Double3(outward * x, up, outward * z);
+                Double3 onB = SupportSamples.Support(b, bInA.Inverse(-direction));
                 points.Add((Vector3)(SupportSamples.Support(a, direction) - bInA.Apply(onB)));
             }
         }
@@ -71,16 +71,16 @@ internal static class Difference
 
         public Turn(Quaternion aInWorld, Quaternion bInWorld) => (_aInWorld, _bInWorld) = (aInWorld, bInWorld);
 
-        public Vector3D Apply(in Vector3D v) => Turned(Turned(v, _bInWorld, 1), _aInWorld, -1);
+        public Double3 Apply(in Double3 v) => Turned(Turned(v, _bInWorld, 1), _aInWorld, -1);
 
-        public Vector3D Inverse(in Vector3D v) => Turned(Turned(v, _aInWorld, 1), _bInWorld, -1);
+        public Double3 Inverse(in Double3 v) => Turned(Turned(v, _aInWorld, 1), _bInWorld, -1);
 
         /// <summary>The rotation v + 2 u × (u × v + w v) / |q|², or its inverse.</summary>
-        private static Vector3D Turned(in Vector3D v, Quaternion q, double sign)
+        private static Double3 Turned(in Double3 v, Quaternion q, double sign)
         {
-            var u = new Vector3D(sign * q.X, sign * q.Y, sign * q.Z);
+            var u = new Double3(sign * q.X, sign * q.Y, sign * q.Z);
             double w = q.W;
-            return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * w) * (2 / (u.LengthSquared + w * w));
+            return v + Double3.Cross(u, Double3.Cross(u, v) + v * w) * (2 / (u.LengthSquared + w * w));
         }
     }
 }

@@ -40,5 +40,5 @@ internal readonly struct StepNumbers : IGjkTrace
         Numbers.Add(simplex.UpperBound);
     }
 
-    private void Add(in Vector3D v) => Numbers.AddRange([v.X, v.Y, v.Z]);
+    private void Add(in Double3 v) => Numbers.AddRange([v.X, v.Y, v.Z]);
 }

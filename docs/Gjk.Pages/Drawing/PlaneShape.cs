@@ -105,5 +105,5 @@ internal static class Plane
 {
     public static Vector2 Of(Vector3 v) => new(v.X, v.Y);
 
-    public static Vector2 Of(in Vector3D v) => new((float)v.X, (float)v.Y);
+    public static Vector2 Of(in Double3 v) => new((float)v.X, (float)v.Y);
 }

@@ -44,12 +44,12 @@ public readonly struct RayQuery
     internal bool IsValid => Direction != Vector3.Zero;
 
     /// <summary>World units for a fraction of 1.</summary>
-    internal double Length => ((Vector3D)Direction).Length;
+    internal double Length => ((Double3)Direction).Length;
 
     /// <summary>Origin, direction and reach, for people to read.</summary>
     public override string ToString()
     {
-        string origin = ((Vector3D)Origin).ToString("G9"), direction = ((Vector3D)Direction).ToString("G9");
+        string origin = ((Double3)Origin).ToString("G9"), direction = ((Double3)Direction).ToString("G9");
         return FormattableString.Invariant($"From {origin} along {direction} up to {MaxDistance:G9}");
     }
 

@@ -87,21 +87,21 @@ internal sealed class CurveOrder(BoundsTable table)
     private void SetCells(int begin, int end)
     {
         // Sums of two floats: twice the centres, exact in double but for the last bits.
-        var low = new Vector3D(double.MaxValue, double.MaxValue, double.MaxValue);
-        Vector3D high = -low;
+        var low = new Double3(double.MaxValue, double.MaxValue, double.MaxValue);
+        Double3 high = -low;
         long exponents = 0;
         for (int i = begin; i < end; i++)
         {
-            Vector3D centre = Centre(i);
-            low = new Vector3D(Math.Min(low.X, centre.X), Math.Min(low.Y, centre.Y), Math.Min(low.Z, centre.Z));
-            high = new Vector3D(Math.Max(high.X, centre.X), Math.Max(high.Y, centre.Y), Math.Max(high.Z, centre.Z));
+            Double3 centre = Centre(i);
+            low = new Double3(Math.Min(low.X, centre.X), Math.Min(low.Y, centre.Y), Math.Min(low.Z, centre.Z));
+            high = new Double3(Math.Max(high.X, centre.X), Math.Max(high.Y, centre.Y), Math.Max(high.Z, centre.Z));
             exponents += Exponent(i);
         }
 
-        Vector3D sides = high - low;
+        Double3 sides = high - low;
         double perX = MortonCurve.PerUnit(sides.X), perY = MortonCurve.PerUnit(sides.Y);
         double perZ = MortonCurve.PerUnit(sides.Z);
-        var perUnit = new Vector3D(perX, perY, perZ);
+        var perUnit = new Double3(perX, perY, perZ);
         int mean = (int)(exponents / (end - begin));
         for (int i = begin; i < end; i++)
         {
@@ -120,9 +120,9 @@ internal sealed class CurveOrder(BoundsTable table)
         return (int)(SortKeys.Ordered(Math.Max(Math.Max(side.X, side.Y), side.Z)) >> FractionBits);
     }
 
-    private Vector3D Centre(int place)
+    private Double3 Centre(int place)
     {
         ref readonly Aabb box = ref table.Boxes[this[place]];
-        return (Vector3D)box.Min + box.Max;
+        return (Double3)box.Min + box.Max;
     }
 }

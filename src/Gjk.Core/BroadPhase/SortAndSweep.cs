@@ -122,7 +122,7 @@ public sealed class SortAndSweep : IBroadPhase
 
     private static float Component(in System.Numerics.Vector3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 
-    private static double Component(in Vector3D v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
+    private static double Component(in Double3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 
     /// <summary>
     /// The axis along which the fewest boxes overlap by chance: the one with the most standard deviation of the centres
@@ -130,20 +130,20 @@ public sealed class SortAndSweep : IBroadPhase
     /// </summary>
     private static int LargestSpread(BoundsTable table, float margin)
     {
-        Vector3D sum = default, squares = default, sides = default;
+        Double3 sum = default, squares = default, sides = default;
         for (int id = 0; id < table.End; id++)
         {
             if (!table.Present[id]) continue;
             ref readonly Aabb box = ref table.Boxes[id];
-            Vector3D centre = (Vector3D)box.Min + box.Max;
+            Double3 centre = (Double3)box.Min + box.Max;
             sum += centre;
-            squares += Vector3D.Multiply(centre, centre);
-            sides += (Vector3D)box.Max - box.Min;
+            squares += Double3.Multiply(centre, centre);
+            sides += (Double3)box.Max - box.Min;
         }
 
         double n = table.Count;
-        Vector3D spread = squares * n - Vector3D.Multiply(sum, sum);
-        var reach = new Vector3D(sides.X + n * margin, sides.Y + n * margin, sides.Z + n * margin);
+        Double3 spread = squares * n - Double3.Multiply(sum, sum);
+        var reach = new Double3(sides.X + n * margin, sides.Y + n * margin, sides.Z + n * margin);
         int best = IsBetter(spread.Y, reach.Y, spread.X, reach.X) ? 1 : 0;
         return IsBetter(spread.Z, reach.Z, Component(spread, best), Component(reach, best)) ? 2 : best;
     }

@@ -40,7 +40,7 @@ public readonly struct SweptBox
     /// </summary>
     private const double NoMotion = 1e200;
 
-    private readonly Vector3D _min, _max, _inverse;
+    private readonly Double3 _min, _max, _inverse;
 #if NET
     private readonly Vector256<double> _wideMin, _wideMax, _wideInverse;
 #endif
@@ -76,7 +76,7 @@ public readonly struct SweptBox
     {
         _min = min;
         _max = max;
-        _inverse = new Vector3D(Inverse(motion.X), Inverse(motion.Y), Inverse(motion.Z));
+        _inverse = new Double3(Inverse(motion.X), Inverse(motion.Y), Inverse(motion.Z));
 #if NET
         _wideMin = Vector256.Create(_min.X, _min.Y, _min.Z, 0);
         _wideMax = Vector256.Create(_max.X, _max.Y, _max.Z, 0);

@@ -62,12 +62,12 @@ public sealed class CompoundShape
     internal ConvexShape[] Parts => _parts;
 
     /// <summary>A box of a convex shape in its own frame, margin included; holds it for certain.</summary>
-    internal static void Box(in ConvexShape shape, double margin, out Vector3D min, out Vector3D max)
+    internal static void Box(in ConvexShape shape, double margin, out Double3 min, out Double3 max)
     {
         ConvexShape copy = shape;
         CoreExtent.Box(ref copy, out min, out max);
         double room = Outward * (max - min).SumOfMagnitudes + margin * (1 + Outward);
-        var all = new Vector3D(room, room, room);
+        var all = new Double3(room, room, room);
         min = shape.Center + min - all;
         max = shape.Center + max + all;
     }
@@ -91,10 +91,10 @@ public sealed class CompoundShape
     {
         public int Count => compound.PartCount;
 
-        public void GetBox(int part, out Vector3D min, out Vector3D max) =>
+        public void GetBox(int part, out Double3 min, out Double3 max) =>
             Box(compound._parts[part], compound._parts[part].Margin, out min, out max);
 
-        public bool TryGetTriangle(int part, out Vector3D a, out Vector3D b, out Vector3D c)
+        public bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
         {
             a = b = c = default;
             return false;

@@ -121,7 +121,7 @@ public static partial class ConcaveQuery
         // Between the touch and the next contact no surface is crossed: a piece is inside all along, or never.
         if (!found.IsHit && found.Status != CastStatus.Miss) return false;
         double middle = 0.5 * found.Fraction;
-        Vector3D moved = ((Vector3D)b.Velocity - a.Velocity) * middle;
+        Double3 moved = ((Double3)b.Velocity - a.Velocity) * middle;
         bool isInside = Containment.IsAnyInside(scratch, moved);
         bool wasInside = isInside && Containment.IsAnyInside(scratch, default);
         if (!isInside) return false;

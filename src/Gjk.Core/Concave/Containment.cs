@@ -30,17 +30,17 @@ internal static class Containment
     /// </summary>
     /// <param name="scratch">With both sides set, whose parts may touch.</param>
     /// <param name="moved">How far B has moved from its pose, in the world.</param>
-    public static bool IsAnyInside(ConcaveScratch scratch, in Vector3D moved) =>
+    public static bool IsAnyInside(ConcaveScratch scratch, in Double3 moved) =>
         IsAnyInside(scratch, scratch.A, scratch.B, moved) || IsAnyInside(scratch, scratch.B, scratch.A, -moved);
 
-    private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Vector3D moved)
+    private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved)
     {
         if (!outer.IsSolid) return false;
         for (int piece = 0; piece < inner.PieceCount; piece++)
         {
             VectorDD world = VectorDD.Place(inner.Pose, inner.MiddleOf(piece, out _)) + (VectorDD)moved;
             VectorDD local = ToFrame(outer.Pose, world);
-            if (scratch.Winding.About(outer.Mesh!, local) == 0 || IsOnSurface(outer, (Vector3D)local)) continue;
+            if (scratch.Winding.About(outer.Mesh!, local) == 0 || IsOnSurface(outer, (Double3)local)) continue;
             return true;
         }
 
@@ -48,7 +48,7 @@ internal static class Containment
     }
 
     /// <summary>Whether a point touches a triangle; all are asked, as this is rare.</summary>
-    private static bool IsOnSurface(PartSide side, in Vector3D point)
+    private static bool IsOnSurface(PartSide side, in Double3 point)
     {
         PointShape shape = default;
         var at = new RigidPose((Vector3)point);
@@ -69,13 +69,13 @@ internal static class Containment
         if (!outer.IsSolid) return false;
         for (int piece = 0; piece < inner.PieceCount; piece++)
         {
-            Vector3D point = inner.PointOf(piece, out int first);
+            Double3 point = inner.PointOf(piece, out int first);
             VectorDD placed = VectorDD.Place(inner.Pose, point), local = ToFrame(outer.Pose, placed);
             if (scratch.Winding.About(outer.Mesh!, local) == 0) continue;
             part = inner.NumberOf(first);
-            var world = (Vector3)(Vector3D)placed;
+            var world = (Vector3)(Double3)placed;
             result = new DistanceResult(
-                GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)(Vector3D)local, (Vector3)point, 0);
+                GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)(Double3)local, (Vector3)point, 0);
             return true;
         }
 
@@ -87,6 +87,6 @@ internal static class Containment
     {
         Quaternion q = to.Rotation;
         return VectorDD.Rotate(
-            new Quaternion(-q.X, -q.Y, -q.Z, q.W), world - (VectorDD)(Vector3D)to.Position);
+            new Quaternion(-q.X, -q.Y, -q.Z, q.W), world - (VectorDD)(Double3)to.Position);
     }
 }

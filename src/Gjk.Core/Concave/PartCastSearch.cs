@@ -80,12 +80,12 @@ internal struct PartCastSearch
         double margins = sideA.Margin + sideB.Margin;
         TreeFrame.Compose(sideA.Tree, sideA.Pose, sideB.Tree, sideB.Pose, margins, out _frame);
         _room = (float)((margins / _frame.Unit + _frame.Room) * Beyond) + float.Epsilon;
-        Vector3D way = (Vector3D)b.Velocity - a.Velocity;
+        Double3 way = (Double3)b.Velocity - a.Velocity;
         _length = motion == PartMotion.Impact
             ? way.Length + Spin(sideA, a.AngularVelocity) + Spin(sideB, b.AngularVelocity)
             : Length(way);
-        Vector3D unit = _length > 0 ? way * (1 / _length) : default;
-        Vector3D inA = _frame.RotationA.InverseRotate(unit);
+        Double3 unit = _length > 0 ? way * (1 / _length) : default;
+        Double3 inA = _frame.RotationA.InverseRotate(unit);
         _wayInA = (Vector3)inA;
         _wayInB = (Vector3)_frame.Rotation.InverseRotate(-inA);
         PartA = PartB = -1;
@@ -127,7 +127,7 @@ internal struct PartCastSearch
     }
 
     /// <summary>A vector's length where its square may leave the range of double.</summary>
-    private static double Length(in Vector3D v)
+    private static double Length(in Double3 v)
     {
         double most = v.SumOfMagnitudes;
         if (!(most > 0)) return 0;

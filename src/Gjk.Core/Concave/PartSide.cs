@@ -46,7 +46,7 @@ internal sealed class PartSide
 
         _convex = AnyShape.ConvexOf(shape);
         Margin = _convex.Margin;
-        CompoundShape.Box(_convex, 0, out Vector3D min, out Vector3D max);
+        CompoundShape.Box(_convex, 0, out Double3 min, out Double3 max);
         SinglePart.Write(_single, min, max);
         Tree = _single;
         return true;
@@ -68,40 +68,40 @@ internal sealed class PartSide
     public int PieceCount => Mesh is not null ? Mesh.Components.Length : Compound?.PartCount ?? 1;
 
     /// <summary>A point of a piece, as exact as the piece is given, and the part that it is of.</summary>
-    public Vector3D PointOf(int piece, out int part)
+    public Double3 PointOf(int piece, out int part)
     {
         part = Mesh is not null ? Mesh.Components[piece] : piece;
         if (Mesh is not null)
         {
-            Mesh.GetCorners(part, out Vector3D corner, out _, out _);
+            Mesh.GetCorners(part, out Double3 corner, out _, out _);
             return corner;
         }
 
         // Not the centre, which is the middle of a hull's box and need not be in the hull.
         ConvexShape room = default;
         ref readonly ConvexShape shape = ref Part(part, ref room);
-        shape.Support(new Vector3D(1, 0, 0), out Vector3D point);
+        shape.Support(new Double3(1, 0, 0), out Double3 point);
         return shape.Center + point;
     }
 
     /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
-    public Vector3D MiddleOf(int piece, out int part)
+    public Double3 MiddleOf(int piece, out int part)
     {
         part = Mesh is not null ? Mesh.Components[piece] : piece;
         if (Mesh is not null)
         {
-            Mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
+            Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
             return TriangleShape.Centroid(a, b, c);
         }
 
         ConvexShape room = default;
         ref readonly ConvexShape shape = ref Part(part, ref room);
-        Vector3D sum = default;
+        Double3 sum = default;
         for (int i = 0; i < 6; i++)
         {
             double sign = i < 3 ? 1 : -1;
             shape.Support(
-                new Vector3D(i % 3 == 0 ? sign : 0, i % 3 == 1 ? sign : 0, i % 3 == 2 ? sign : 0), out Vector3D point);
+                new Double3(i % 3 == 0 ? sign : 0, i % 3 == 1 ? sign : 0, i % 3 == 2 ? sign : 0), out Double3 point);
             sum += point;
         }
 

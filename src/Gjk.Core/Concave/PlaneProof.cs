@@ -26,7 +26,7 @@ internal sealed class PlaneProof
     private const double Aligned = 1 - 2e-8;
 
     private readonly Reaches _a = new(), _b = new();
-    private Vector3D _alongA, _alongB;
+    private Double3 _alongA, _alongB;
     private double _limit, _between;
     private int _version;
 
@@ -44,14 +44,14 @@ internal sealed class PlaneProof
     {
         IsSet = !best.IsOverlapping && best.Distance > 0;
         if (!IsSet) return;
-        Vector3D normal = best.Normal;
+        Double3 normal = best.Normal;
         normal *= 1 / normal.Length;
         if (!TryFace(a, partA, ref normal)) TryFace(b, partB, ref normal);
         _alongA = new RotationD(a.Pose.Rotation).InverseRotate(normal);
         _alongB = -new RotationD(b.Pose.Rotation).InverseRotate(normal);
-        Vector3D between = (Vector3D)b.Pose.Position - a.Pose.Position;
+        Double3 between = (Double3)b.Pose.Position - a.Pose.Position;
         double lengths = between.SumOfMagnitudes + Length(a) + Length(b);
-        _between = Vector3D.Dot(normal, between) - Error * lengths;
+        _between = Double3.Dot(normal, between) - Error * lengths;
         _limit = 0.5 * ((double)best.Distance + RoundOff.Down(best.Distance * (1 - 1.0 / (1 << 26))));
         _version++;
     }
@@ -69,13 +69,13 @@ internal sealed class PlaneProof
         _between - _a.Of(a, boxA, _alongA, _version) - Reaches.OfPart(b, partB, _alongB) > _limit;
 
     /// <summary>Takes a triangle's own normal if it is the one, since a float's rounding tilts a plane.</summary>
-    private static bool TryFace(PartSide side, int part, ref Vector3D normal)
+    private static bool TryFace(PartSide side, int part, ref Double3 normal)
     {
         if (side.Mesh is null) return false;
-        side.Mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
-        Vector3D face = new RotationD(side.Pose.Rotation).Rotate(Vector3D.Cross(b - a, c - a));
+        side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+        Double3 face = new RotationD(side.Pose.Rotation).Rotate(Double3.Cross(b - a, c - a));
         face *= 1 / face.Length;
-        double along = Vector3D.Dot(face, normal);
+        double along = Double3.Dot(face, normal);
         if (!(Math.Abs(along) > Aligned)) return false;
         normal = along > 0 ? face : -face;
         return true;
@@ -90,7 +90,7 @@ internal sealed class PlaneProof
         private double[] _values = [];
         private int[] _versions = [];
 
-        public double Of(PartSide side, int box, in Vector3D along, int version)
+        public double Of(PartSide side, int box, in Double3 along, int version)
         {
             int boxes = side.Tree.Children.Length;
             if (_values.Length < boxes)
@@ -102,22 +102,22 @@ internal sealed class PlaneProof
             return Find(side, box, along, version);
         }
 
-        public static double OfPart(PartSide side, int part, in Vector3D along)
+        public static double OfPart(PartSide side, int part, in Double3 along)
         {
             if (side.Mesh is not null)
             {
-                side.Mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
+                side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
                 return Math.Max(
-                    Math.Max(Vector3D.Dot(along, a), Vector3D.Dot(along, b)), Vector3D.Dot(along, c));
+                    Math.Max(Double3.Dot(along, a), Double3.Dot(along, b)), Double3.Dot(along, c));
             }
 
             ConvexShape room = default;
             ref readonly ConvexShape shape = ref side.Part(part, ref room);
-            shape.Support(along, out Vector3D point);
-            return Vector3D.Dot(along, shape.Center + point) + shape.Margin;
+            shape.Support(along, out Double3 point);
+            return Double3.Dot(along, shape.Center + point) + shape.Margin;
         }
 
-        private double Find(PartSide side, int box, in Vector3D along, int version)
+        private double Find(PartSide side, int box, in Double3 along, int version)
         {
             if (_versions[box] == version) return _values[box];
             PartTree tree = side.Tree;

@@ -90,7 +90,7 @@ internal sealed unsafe class TriangleFilter
         double inverse = 1 / frame.Unit;
         for (int i = 0; i < count; i++)
         {
-            a.Mesh!.GetCorners(a.Tree.Order[first + i], out Vector3D p, out Vector3D q, out Vector3D r);
+            a.Mesh!.GetCorners(a.Tree.Order[first + i], out Double3 p, out Double3 q, out Double3 r);
             Write(_turned, 9 * i, frame.PlacedInB((p - a.Tree.Origin) * inverse));
             Write(_turned, 9 * i + 3, frame.PlacedInB((q - a.Tree.Origin) * inverse));
             Write(_turned, 9 * i + 6, frame.PlacedInB((r - a.Tree.Origin) * inverse));
@@ -102,17 +102,17 @@ internal sealed unsafe class TriangleFilter
     {
         int first = PartTree.FirstOf(leaf);
         double inverse = 1 / frame.Unit;
-        Vector3D origin = default;
+        Double3 origin = default;
         for (int i = 0; i < _countB; i++)
         {
-            b.Mesh!.GetCorners(b.Tree.Order[first + i], out Vector3D p, out Vector3D q, out Vector3D r);
+            b.Mesh!.GetCorners(b.Tree.Order[first + i], out Double3 p, out Double3 q, out Double3 r);
             if (i == 0) origin = p;
             Write(_second, 9 * i, (p - origin) * inverse);
             Write(_second, 9 * i + 3, (q - origin) * inverse);
             Write(_second, 9 * i + 6, (r - origin) * inverse);
         }
 
-        Vector3D from = (origin - b.Tree.Origin) * inverse;
+        Double3 from = (origin - b.Tree.Origin) * inverse;
         for (int i = 0; i < 9 * countA; i += 3)
         {
             _first[i] = (float)(_turned[i] - from.X);
@@ -121,8 +121,8 @@ internal sealed unsafe class TriangleFilter
         }
     }
 
-    private static void Write(double[] to, int at, in Vector3D v) => (to[at], to[at + 1], to[at + 2]) = (v.X, v.Y, v.Z);
+    private static void Write(double[] to, int at, in Double3 v) => (to[at], to[at + 1], to[at + 2]) = (v.X, v.Y, v.Z);
 
-    private static void Write(float[] to, int at, in Vector3D v) =>
+    private static void Write(float[] to, int at, in Double3 v) =>
         (to[at], to[at + 1], to[at + 2]) = ((float)v.X, (float)v.Y, (float)v.Z);
 }

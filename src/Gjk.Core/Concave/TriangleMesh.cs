@@ -26,7 +26,7 @@ public sealed class TriangleMesh
     internal readonly PartTree Tree;
 
     /// <summary>The scale in double, so that products with vertices are exact.</summary>
-    private readonly Vector3D _scale;
+    private readonly Double3 _scale;
 
     /// <summary>Builds a mesh.</summary>
     /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
@@ -170,12 +170,12 @@ public sealed class TriangleMesh
     internal bool IsScaled => Scale != Vector3.One;
 
     /// <summary>The corners of a triangle with the scale.</summary>
-    internal void GetCorners(int triangle, out Vector3D a, out Vector3D b, out Vector3D c)
+    internal void GetCorners(int triangle, out Double3 a, out Double3 b, out Double3 c)
     {
         int i = 3 * triangle;
-        a = Vector3D.Multiply(_vertices[_indices[i]], _scale);
-        b = Vector3D.Multiply(_vertices[_indices[i + 1]], _scale);
-        c = Vector3D.Multiply(_vertices[_indices[i + 2]], _scale);
+        a = Double3.Multiply(_vertices[_indices[i]], _scale);
+        b = Double3.Multiply(_vertices[_indices[i + 1]], _scale);
+        c = Double3.Multiply(_vertices[_indices[i + 2]], _scale);
     }
 
     /// <summary>A triangle as a shape of its own.</summary>
@@ -197,8 +197,8 @@ public sealed class TriangleMesh
     /// <summary>A triangle as queries ask it.</summary>
     internal void GetCore(int triangle, out TriangleCore core)
     {
-        GetCorners(triangle, out Vector3D a, out Vector3D b, out Vector3D c);
-        Vector3D center = TriangleShape.Centroid(a, b, c);
+        GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        Double3 center = TriangleShape.Centroid(a, b, c);
         TriangleCore.Make(a, b, c, center, TriangleShape.RadiusAbout(center, a, b, c), 0, out core);
     }
 
@@ -233,18 +233,18 @@ public sealed class TriangleMesh
     {
         public int Count => mesh.TriangleCount;
 
-        public void GetBox(int part, out Vector3D min, out Vector3D max)
+        public void GetBox(int part, out Double3 min, out Double3 max)
         {
-            mesh.GetCorners(part, out Vector3D a, out Vector3D b, out Vector3D c);
-            min = new Vector3D(
+            mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+            min = new Double3(
                 Math.Min(Math.Min(a.X, b.X), c.X), Math.Min(Math.Min(a.Y, b.Y), c.Y),
                 Math.Min(Math.Min(a.Z, b.Z), c.Z));
-            max = new Vector3D(
+            max = new Double3(
                 Math.Max(Math.Max(a.X, b.X), c.X), Math.Max(Math.Max(a.Y, b.Y), c.Y),
                 Math.Max(Math.Max(a.Z, b.Z), c.Z));
         }
 
-        public bool TryGetTriangle(int part, out Vector3D a, out Vector3D b, out Vector3D c)
+        public bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
         {
             mesh.GetCorners(part, out a, out b, out c);
             return true;

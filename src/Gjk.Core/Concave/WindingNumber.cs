@@ -38,7 +38,7 @@ internal sealed class WindingNumber
     public int About(TriangleMesh mesh, in VectorDD point)
     {
         PartTree tree = mesh.Tree;
-        Vector3D p = ((Vector3D)point - tree.Origin) * (1 / tree.Unit);
+        Double3 p = ((Double3)point - tree.Origin) * (1 / tree.Unit);
         int winding = 0, waiting = 0;
         _nodes[waiting++] = 0;
         while (waiting > 0)
@@ -64,7 +64,7 @@ internal sealed class WindingNumber
     }
 
     /// <summary>Whether the ray from the point along x may meet a box.</summary>
-    private static bool MayCross(float[] boxes, int at, in Vector3D p)
+    private static bool MayCross(float[] boxes, int at, in Double3 p)
     {
         double x = 0, y = 0, z = 0;
         for (int i = 0; i < 3; i++)
@@ -83,7 +83,7 @@ internal sealed class WindingNumber
 
     private int Crossing(TriangleMesh mesh, int triangle, in VectorDD p)
     {
-        mesh.GetCorners(triangle, out Vector3D a, out Vector3D b, out Vector3D c);
+        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
         bool isA = IsAbove(a.Z, p.Z), isB = IsAbove(b.Z, p.Z), isC = IsAbove(c.Z, p.Z);
         if (isA == isB && isB == isC) return 0;
         int turns = Edge(a, isA, b, isB, p) + Edge(b, isB, c, isC, p) + Edge(c, isC, a, isA, p);
@@ -93,7 +93,7 @@ internal sealed class WindingNumber
     private static bool IsAbove(double z, in DoubleDouble p) => z > p.High || (z == p.High && p.Low < 0);
 
     /// <summary>Whether the edge crosses the half line from the point along y: 1 upward, -1 downward, 0 not.</summary>
-    private int Edge(in Vector3D u, bool isU, in Vector3D v, bool isV, in VectorDD p)
+    private int Edge(in Double3 u, bool isU, in Double3 v, bool isV, in VectorDD p)
     {
         if (isU == isV) return 0;
         int turn = Turn(u, v, p);
@@ -101,7 +101,7 @@ internal sealed class WindingNumber
     }
 
     /// <summary>On which side of the line from u to v the point lies, seen along x: 1 left, -1 right.</summary>
-    private int Turn(in Vector3D u, in Vector3D v, in VectorDD p)
+    private int Turn(in Double3 u, in Double3 v, in VectorDD p)
     {
         double left = (v.Y - u.Y) * (p.Z.High - u.Z), right = (v.Z - u.Z) * (p.Y.High - u.Y), turn = left - right;
         double lengths = Math.Abs(v.Y - u.Y) * Math.Abs(p.Z.High) + Math.Abs(v.Z - u.Z) * Math.Abs(p.Y.High);
@@ -123,9 +123,9 @@ internal sealed class WindingNumber
     }
 
     /// <summary>On which side of the triangle's plane the point lies: 1 where the normal points.</summary>
-    private int Side(in Vector3D a, in Vector3D b, in Vector3D c, in VectorDD p)
+    private int Side(in Double3 a, in Double3 b, in Double3 c, in VectorDD p)
     {
-        Vector3D u = b - a, v = c - a, to = (Vector3D)p - a;
+        Double3 u = b - a, v = c - a, to = (Double3)p - a;
         double yz = u.Y * v.Z, zy = u.Z * v.Y, zx = u.Z * v.X, xz = u.X * v.Z, xy = u.X * v.Y, yx = u.Y * v.X;
         double height = (yz - zy) * to.X + (zx - xz) * to.Y + (xy - yx) * to.Z;
         double largest = (Math.Abs(yz) + Math.Abs(zy)) * (Math.Abs(to.X) + Math.Abs(p.X.High))
@@ -142,13 +142,13 @@ internal sealed class WindingNumber
         return _sum.Sign;
     }
 
-    private void AddCross(in Vector3D a, in Vector3D b, in VectorDD p)
+    private void AddCross(in Double3 a, in Double3 b, in VectorDD p)
     {
         AddTriple(a, b, p.X.High, p.Y.High, p.Z.High, 1);
         AddTriple(a, b, p.X.Low, p.Y.Low, p.Z.Low, 1);
     }
 
-    private void AddTriple(in Vector3D a, in Vector3D b, double x, double y, double z, int sign)
+    private void AddTriple(in Double3 a, in Double3 b, double x, double y, double z, int sign)
     {
         _sum.AddProduct(a.Y, b.Z, sign * x);
         _sum.AddProduct(a.Z, b.Y, -sign * x);

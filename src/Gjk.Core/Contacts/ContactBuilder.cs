@@ -96,18 +96,18 @@ internal static unsafe class ContactBuilder
     }
 
     /// <summary>Back from the plane to the shapes and to the world.</summary>
-    private static ContactPoint Point(
+    private static ManifoldPoint Point(
         in Candidate candidate, in ContactPlane plane, in RigidPose poseA, float distance)
     {
         ref readonly PairFrame frame = ref plane.Frame;
-        Vector3D onA = plane.OnA + plane.Direction(candidate.U, candidate.V, candidate.HeightA);
-        Vector3D onB = plane.OnA + plane.Direction(candidate.U, candidate.V, -candidate.HeightB);
-        Vector3D localA = (onA + frame.CenterA) * frame.Unit;
-        Vector3D localB = (frame.Rotation.InverseRotate(onB - frame.Translation) + frame.CenterB) * frame.Unit;
+        Double3 onA = plane.OnA + plane.Direction(candidate.U, candidate.V, candidate.HeightA);
+        Double3 onB = plane.OnA + plane.Direction(candidate.U, candidate.V, -candidate.HeightB);
+        Double3 localA = (onA + frame.CenterA) * frame.Unit;
+        Double3 localB = (frame.Rotation.InverseRotate(onB - frame.Translation) + frame.CenterB) * frame.Unit;
         double gap = candidate.Gap * frame.Unit;
-        Vector3D worldA = frame.RotationA.Rotate(localA) + poseA.Position;
-        Vector3D worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
-        return new ContactPoint(
+        Double3 worldA = frame.RotationA.Rotate(localA) + poseA.Position;
+        Double3 worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
+        return new ManifoldPoint(
             (Vector3)worldA, (Vector3)worldB, (Vector3)localA, (Vector3)localB, Math.Max((float)gap, distance),
             candidate.Id);
     }

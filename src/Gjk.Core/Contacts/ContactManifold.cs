@@ -12,7 +12,7 @@ public struct ContactManifold
     /// <summary>The most points that a manifold has: four carry any flat contact.</summary>
     public const int Capacity = 4;
 
-    private ContactPoint _first, _second, _third, _fourth;
+    private ManifoldPoint _first, _second, _third, _fourth;
 
     /// <summary>How many points there are, from 0 to <see cref="Capacity"/>.</summary>
     public int Count { get; private set; }
@@ -21,13 +21,13 @@ public struct ContactManifold
     public Vector3 Normal { get; private set; }
 
     /// <summary>
-    /// A point. They are in an order of their <see cref="ContactPoint.FeatureId"/>s, by the lesser half and then by the
-    /// greater one, so that it stays from frame to frame and hardly changes when A and B are exchanged. One of them is
-    /// the deepest, or as deep to within 1e-6 of the size.
+    /// A point. They are in an order of their <see cref="ManifoldPoint.FeatureId"/>s, by the lesser half and then by
+    /// the greater one, so that it stays from frame to frame and hardly changes when A and B are exchanged. One of them
+    /// is the deepest, or as deep to within 1e-6 of the size.
     /// </summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>
-    public readonly ContactPoint this[int index]
+    public readonly ManifoldPoint this[int index]
     {
         get
         {
@@ -58,7 +58,7 @@ public struct ContactManifold
 
     /// <summary>The points, for people to read.</summary>
     public override readonly string ToString() =>
-        FormattableString.Invariant($"{Count} points along {((Vector3D)Normal).ToString("G9")}");
+        FormattableString.Invariant($"{Count} points along {((Double3)Normal).ToString("G9")}");
 
     internal void Begin(Vector3 normal)
     {
@@ -66,7 +66,7 @@ public struct ContactManifold
         Normal = normal;
     }
 
-    internal void Add(in ContactPoint point)
+    internal void Add(in ManifoldPoint point)
     {
         switch (Count++)
         {

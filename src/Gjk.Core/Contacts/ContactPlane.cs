@@ -12,10 +12,10 @@ internal struct ContactPlane
     public PairFrame Frame;
 
     /// <summary>From A to B, of unit length; 0 where nothing but the result says where the contact is.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>The point of A's core that is deepest or closest.</summary>
-    public Vector3D OnA;
+    public Double3 OnA;
 
     /// <summary>How far the cores are apart along the normal; negative when they overlap.</summary>
     public double CoreDistance;
@@ -48,13 +48,13 @@ internal struct ContactPlane
     }
 
     /// <summary>A vector from its parts along the plane's axes and along the normal.</summary>
-    public readonly Vector3D Direction(double u, double v, double height) =>
+    public readonly Double3 Direction(double u, double v, double height) =>
         _basis.U * u + _basis.V * v + Normal * height;
 
     /// <summary>A point of a shape, given from its centre in its frame and units, from the deepest point.</summary>
-    public readonly Vector3D Of(in Vector3D point, bool isOfA)
+    public readonly Double3 Of(in Double3 point, bool isOfA)
     {
-        Vector3D p = point * _factor;
+        Double3 p = point * _factor;
         return (isOfA ? p : Frame.Rotation.Rotate(p) + Frame.Translation) - OnA;
     }
 
@@ -70,11 +70,11 @@ internal struct ContactPlane
         double sign = isOfA ? 1 : -1;
         for (int i = 0; i < corners.Count; i++)
         {
-            Vector3D p = Of(corners[i], isOfA);
+            Double3 p = Of(corners[i], isOfA);
             ref FlatCorner corner = ref memory[i];
-            corner.U = Vector3D.Dot(p, _basis.U);
-            corner.V = Vector3D.Dot(p, _basis.V);
-            corner.Height = Vector3D.Dot(p, Normal) * sign;
+            corner.U = Double3.Dot(p, _basis.U);
+            corner.V = Double3.Dot(p, _basis.V);
+            corner.Height = Double3.Dot(p, Normal) * sign;
             corner.Id = corners.IdOf(i);
         }
 

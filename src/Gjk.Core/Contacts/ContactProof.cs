@@ -23,9 +23,9 @@ internal static class ContactProof
         where T : struct, ISupportMap
     {
         double up = isOfA ? surface.NormalHeight : -surface.NormalHeight;
-        Vector3D outward = plane.Direction(surface.NormalU, surface.NormalV, up);
-        shape.Support(isOfA ? outward : plane.Frame.Rotation.InverseRotate(outward), out Vector3D point);
-        double reach = Vector3D.Dot(outward, plane.Of(point, isOfA)) + plane.MarginOf(isOfA);
+        Double3 outward = plane.Direction(surface.NormalU, surface.NormalV, up);
+        shape.Support(isOfA ? outward : plane.Frame.Rotation.InverseRotate(outward), out Double3 point);
+        double reach = Double3.Dot(outward, plane.Of(point, isOfA)) + plane.MarginOf(isOfA);
         double shown = surface.NormalU * u + surface.NormalV * v + surface.NormalHeight * surface.Height;
         return reach - shown <= MostError * plane.Size;
     }

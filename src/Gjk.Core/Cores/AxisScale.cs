@@ -9,10 +9,10 @@ namespace Gjk.Core;
 /// </summary>
 internal readonly struct AxisScale
 {
-    public readonly Vector3D Factors;
+    public readonly Double3 Factors;
     public readonly bool KeepsBalls;
 
-    public AxisScale(in Vector3D factors)
+    public AxisScale(in Double3 factors)
     {
         Factors = factors;
         KeepsBalls = Math.Abs(factors.X) == Math.Abs(factors.Y) && Math.Abs(factors.Y) == Math.Abs(factors.Z);
@@ -25,14 +25,14 @@ internal readonly struct AxisScale
     /// <summary>Scales the corners of a face outward.</summary>
     /// <param name="corners">The corners, measured from the centre.</param>
     /// <param name="centerError">What is added to each.</param>
-    public void Outward(ref FaceCorners corners, in Vector3D centerError)
+    public void Outward(ref FaceCorners corners, in Double3 centerError)
     {
         if (corners.Side != RoundSide.None) ScaleSide(ref corners);
         for (int i = 0; i < corners.Count; i++) corners[i] = Outward(corners[i]) + centerError;
     }
 
     /// <summary>How a face inside the scale is seen, and from where; it counts where balls are not kept.</summary>
-    public unsafe OuterFrame Frame(in FaceCorners corners, in Vector3D direction) => KeepsBalls ? default
+    public unsafe OuterFrame Frame(in FaceCorners corners, in Double3 direction) => KeepsBalls ? default
         : corners.Outer == null ? new OuterFrame(Factors, direction) : corners.Outer->Scaled(Factors);
 
     /// <summary>
@@ -42,7 +42,7 @@ internal readonly struct AxisScale
     private void ScaleSide(ref FaceCorners corners)
     {
         double x = Math.Abs(Factors.X), y = Math.Abs(Factors.Y), z = Math.Abs(Factors.Z);
-        Vector3D line = corners[1] - corners[0], on = corners.Side == RoundSide.Cone ? corners[0] : line;
+        Double3 line = corners[1] - corners[0], on = corners.Side == RoundSide.Cone ? corners[0] : line;
         double along = x == z && on.X == 0 && on.Z == 0 ? y
             : y == z && on.Y == 0 && on.Z == 0 ? x
             : x == y && on.X == 0 && on.Y == 0 ? z : 0;
@@ -54,13 +54,13 @@ internal readonly struct AxisScale
     }
 
     /// <summary>Scales a shape's centre; what rounding takes from it is to be added to each support.</summary>
-    public void Place(in Vector3D innerCenter, out Vector3D center, out Vector3D error)
+    public void Place(in Double3 innerCenter, out Double3 center, out Double3 error)
     {
         var x = DoubleDouble.Product(Factors.X, innerCenter.X);
         var y = DoubleDouble.Product(Factors.Y, innerCenter.Y);
         var z = DoubleDouble.Product(Factors.Z, innerCenter.Z);
-        center = new Vector3D(x.High, y.High, z.High);
-        error = new Vector3D(x.Low, y.Low, z.Low);
+        center = new Double3(x.High, y.High, z.High);
+        error = new Double3(x.Low, y.Low, z.Low);
     }
 
     /// <summary>
@@ -68,24 +68,24 @@ internal readonly struct AxisScale
     /// multiple of it.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3D Inward(in Vector3D direction)
+    public Double3 Inward(in Double3 direction)
     {
-        Vector3D inward = Vector3D.Multiply(Factors, direction);
+        Double3 inward = Double3.Multiply(Factors, direction);
         return DirectionRange.IsOrdinary(inward) ? inward : FromUnit(direction);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private Vector3D FromUnit(in Vector3D direction) => Vector3D.Multiply(Factors, DirectionRange.ToUnit(direction));
+    private Double3 FromUnit(in Double3 direction) => Double3.Multiply(Factors, DirectionRange.ToUnit(direction));
 
     /// <summary>
     /// Scales a support point outward; a margin that is an ellipsoid now is added here, and the vertex loses its id.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Outward(int id, double innerMargin, in Vector3D inward, ref Vector3D point)
+    public int Outward(int id, double innerMargin, in Double3 inward, ref Double3 point)
     {
         if (innerMargin > 0 && !KeepsBalls)
         {
-            Vector3D unit = DirectionRange.ToUnit(inward);
+            Double3 unit = DirectionRange.ToUnit(inward);
             double length = unit.Length;
             if (length > 0) point += unit * (innerMargin / length);
             id = -1;
@@ -97,5 +97,5 @@ internal readonly struct AxisScale
 
     /// <summary>Scales a point outward.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3D Outward(in Vector3D point) => Vector3D.Multiply(Factors, point);
+    public Double3 Outward(in Double3 point) => Double3.Multiply(Factors, point);
 }

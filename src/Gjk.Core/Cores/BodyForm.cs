@@ -19,13 +19,13 @@ internal struct BodyForm
     /// Turned about this line through the centre, a round body stays the same; 0 where it does about every line. Of any
     /// length.
     /// </summary>
-    public Vector3D Axis;
+    public Double3 Axis;
 
     /// <summary>Whether it is an ellipsoid that has no such line.</summary>
     public bool HasNoAxis;
 
     /// <summary>The radii of an ellipsoid; else 0.</summary>
-    public Vector3D Radii;
+    public Double3 Radii;
 
     /// <summary>The rotation of the ellipsoid in the shape's local frame.</summary>
     public Quaternion Turn;
@@ -71,14 +71,14 @@ internal struct BodyForm
         switch (body.Form)
         {
             case RayForm.Hull:
-                Vector3D factors = body.IsScaled ? body.Factors : new Vector3D(1, 1, 1);
+                Double3 factors = body.IsScaled ? body.Factors : new Double3(1, 1, 1);
                 SetHull(body.Hull!, factors * (1 / unit), body.IsPlaced);
                 break;
             case RayForm.Box or RayForm.Triangle:
                 CornerCount = body.Form == RayForm.Box ? 8 : 3;
                 break;
             case RayForm.Ball or RayForm.Capsule or RayForm.Cylinder or RayForm.Cone or RayForm.Swollen:
-                IsRound = body.TryGetAxis(out Vector3D axis);
+                IsRound = body.TryGetAxis(out Double3 axis);
                 IsCurved = body.IsScaled || (body.Form != RayForm.Ball && body.Form != RayForm.Capsule);
                 Axis = new RotationD(Turn).Rotate(axis);
                 CornerCount = IsCurved ? 0 : IsPoint ? 1 : 2;
@@ -98,7 +98,7 @@ internal struct BodyForm
     /// <summary>One of them.</summary>
     public readonly int Neighbor(int corner, int k) => _edges is null ? k : _edges.GetNeighbor(corner, k);
 
-    private void SetHull(ConvexHull hull, in Vector3D factors, bool isPlaced)
+    private void SetHull(ConvexHull hull, in Double3 factors, bool isPlaced)
     {
         CornerCount = hull.VertexCount;
         _edges = hull;

@@ -14,22 +14,22 @@ internal struct BoxCore : ISupportMap, IPlainBody
     /// <summary>The ids of the corners.</summary>
     public BoxCorners Corners;
 
-    private Vector3D _center;
+    private Double3 _center;
     private double _margin, _radius;
 
     /// <summary>Written where it is to be, without a copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Make(
-        in Vector3D half, in Vector3D center, BoxCorners corners, double radius, double margin, out BoxCore box)
+        in Double3 half, in Double3 center, BoxCorners corners, double radius, double margin, out BoxCore box)
     {
         box.Half = new LaneVector(half);
-        box._center = new Vector3D(center.X, center.Y, center.Z);
+        box._center = new Double3(center.X, center.Y, center.Z);
         box.Corners = corners;
         box._margin = margin;
         box._radius = radius;
     }
 
-    public readonly Vector3D Center => _center;
+    public readonly Double3 Center => _center;
 
     public readonly double Margin => _margin;
 
@@ -44,24 +44,24 @@ internal struct BoxCore : ISupportMap, IPlainBody
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly RayForm GetPlain(out Vector3D size)
+    public readonly RayForm GetPlain(out Double3 size)
     {
         size = Half.Xyz;
         return RayForm.Box;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly int Support(in Vector3D direction, out Vector3D point) =>
+    public readonly int Support(in Double3 direction, out Double3 point) =>
         Corners.Id(BoxSupport.Furthest(Half.Xyz, direction, out point));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly bool TryGetVertex(int id, out Vector3D point)
+    public readonly bool TryGetVertex(int id, out Double3 point)
     {
         BoxSupport.TryGetVertex(Half.Xyz, Corners.Signs(id & 7), out point);
         return (uint)id < 8u;
     }
 
     /// <summary>The face in a direction; its corners are numbered by their signs.</summary>
-    public readonly void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public readonly void GetFace(in Double3 direction, ref FaceCorners corners) =>
         BoxSupport.Face(Half.Xyz, direction, ref corners);
 }

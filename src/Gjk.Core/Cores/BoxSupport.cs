@@ -9,28 +9,28 @@ internal static class BoxSupport
     /// <summary>The furthest corner.</summary>
     /// <returns>The corner's signs: bit 0, 1, 2 set where x, y, z is at its negative end.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Furthest(in Vector3D half, in Vector3D direction, out Vector3D point)
+    public static int Furthest(in Double3 half, in Double3 direction, out Double3 point)
     {
         double x = direction.X, y = direction.Y, z = direction.Z;
-        point = new Vector3D(
+        point = new Double3(
             BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z));
         return BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
     }
 
     /// <summary>The corner with the given signs; false when these are none.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool TryGetVertex(in Vector3D half, int signs, out Vector3D point)
+    public static bool TryGetVertex(in Double3 half, int signs, out Double3 point)
     {
-        point = new Vector3D(
+        point = new Double3(
             BranchFree.NegatedBy(half.X, signs & 1), BranchFree.NegatedBy(half.Y, signs >> 1 & 1),
             BranchFree.NegatedBy(half.Z, signs >> 2 & 1));
         return (uint)signs < 8u;
     }
 
     /// <summary>A box's face, its corners by their signs as in <see cref="TryGetVertex"/>.</summary>
-    public static void Face(in Vector3D half, in Vector3D direction, ref FaceCorners corners)
+    public static void Face(in Double3 half, in Double3 direction, ref FaceCorners corners)
     {
-        Vector3D seen = corners.AlongAxes(direction);
+        Double3 seen = corners.AlongAxes(direction);
         double x = Math.Abs(seen.X), y = Math.Abs(seen.Y), z = Math.Abs(seen.Z);
         int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
         double along = axis == 0 ? seen.X : axis == 1 ? seen.Y : seen.Z;
@@ -43,11 +43,11 @@ internal static class BoxSupport
         if (hasV) AddBoxCorner(half, first | v, ref corners);
     }
 
-    private static double HalfOf(in Vector3D half, int bit) => bit == 1 ? half.X : bit == 2 ? half.Y : half.Z;
+    private static double HalfOf(in Double3 half, int bit) => bit == 1 ? half.X : bit == 2 ? half.Y : half.Z;
 
-    private static void AddBoxCorner(in Vector3D half, int signs, ref FaceCorners corners)
+    private static void AddBoxCorner(in Double3 half, int signs, ref FaceCorners corners)
     {
-        TryGetVertex(half, signs, out Vector3D point);
+        TryGetVertex(half, signs, out Double3 point);
         corners.Add(point, signs);
     }
 }

@@ -15,22 +15,22 @@ internal static class CoreExtent
     public static double Radius<T>(ref T shape)
         where T : struct, ISupportMap
     {
-        Box(ref shape, out Vector3D min, out Vector3D max);
-        var reach = new Vector3D(Math.Max(max.X, -min.X), Math.Max(max.Y, -min.Y), Math.Max(max.Z, -min.Z));
+        Box(ref shape, out Double3 min, out Double3 max);
+        var reach = new Double3(Math.Max(max.X, -min.X), Math.Max(max.Y, -min.Y), Math.Max(max.Z, -min.Z));
         return reach.Length * (1 + RoundingUp);
     }
 
     /// <summary>The core's local bounding box, measured from its centre.</summary>
-    public static void Box<T>(ref T shape, out Vector3D min, out Vector3D max)
+    public static void Box<T>(ref T shape, out Double3 min, out Double3 max)
         where T : struct, ISupportMap
     {
-        shape.Support(new Vector3D(1, 0, 0), out Vector3D right);
-        shape.Support(new Vector3D(-1, 0, 0), out Vector3D left);
-        shape.Support(new Vector3D(0, 1, 0), out Vector3D top);
-        shape.Support(new Vector3D(0, -1, 0), out Vector3D bottom);
-        shape.Support(new Vector3D(0, 0, 1), out Vector3D front);
-        shape.Support(new Vector3D(0, 0, -1), out Vector3D back);
-        min = new Vector3D(left.X, bottom.Y, back.Z);
-        max = new Vector3D(right.X, top.Y, front.Z);
+        shape.Support(new Double3(1, 0, 0), out Double3 right);
+        shape.Support(new Double3(-1, 0, 0), out Double3 left);
+        shape.Support(new Double3(0, 1, 0), out Double3 top);
+        shape.Support(new Double3(0, -1, 0), out Double3 bottom);
+        shape.Support(new Double3(0, 0, 1), out Double3 front);
+        shape.Support(new Double3(0, 0, -1), out Double3 back);
+        min = new Double3(left.X, bottom.Y, back.Z);
+        max = new Double3(right.X, top.Y, front.Z);
     }
 }

@@ -23,7 +23,7 @@ internal readonly struct HullCore : ISupportMap, ILibraryShape
 
     public ConvexHull Hull => _hull;
 
-    public Vector3D Center => _hull.Center;
+    public Double3 Center => _hull.Center;
 
     public double Margin => _margin;
 
@@ -37,14 +37,14 @@ internal readonly struct HullCore : ISupportMap, ILibraryShape
         return true;
     }
 
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
-        int id = HullSupport.Find(_hull.Cells, direction, out Vector3D vertex);
+        int id = HullSupport.Find(_hull.Cells, direction, out Double3 vertex);
         point = vertex - _hull.Center;
         return id;
     }
 
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         bool found = (uint)id < (uint)_hull.VertexCount;
         _hull.GetVertex(found ? id : 0, out point);
@@ -52,17 +52,17 @@ internal readonly struct HullCore : ISupportMap, ILibraryShape
         return found;
     }
 
-    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
         _hull.Faces.Get(HullSupport.Find(_hull.Cells, direction, out _), direction, ref corners);
 
 #if NET
     /// <summary>The furthest vertex, measured from the centre, and a 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<double> Support(in Vector3D direction, out int id) => Support(_hull, direction, out id);
+    public Vector256<double> Support(in Double3 direction, out int id) => Support(_hull, direction, out id);
 
-    /// <inheritdoc cref="Support(in Vector3D, out int)"/>
+    /// <inheritdoc cref="Support(in Double3, out int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<double> Support(ConvexHull hull, in Vector3D direction, out int id)
+    public static Vector256<double> Support(ConvexHull hull, in Double3 direction, out int id)
     {
         HullCells cells = hull.Cells;
         if (cells.Kind == HullCells.LookupKind.Scan)
@@ -72,7 +72,7 @@ internal readonly struct HullCore : ISupportMap, ILibraryShape
         }
 
         // The look-up has just read the point beside its candidates; by its id it would come from far away.
-        id = HullSupport.FindInCell(cells, direction, out Vector3D point);
+        id = HullSupport.FindInCell(cells, direction, out Double3 point);
         point -= hull.Center;
         return Vector256.Create(point.X, point.Y, point.Z, 0);
     }

@@ -19,16 +19,16 @@ internal struct RayTarget
     public bool IsRounded;
 
     /// <summary>Its numbers, as the form has them.</summary>
-    public Vector3D A, B, C;
+    public Double3 A, B, C;
 
     /// <summary>The radius of a ball or capsule.</summary>
     public double Radius;
 
     /// <summary>The body's centre in the shape's local frame, and what its rounding took away.</summary>
-    public Vector3D Center, CenterError;
+    public Double3 Center, CenterError;
 
     /// <summary>The scale along the body's axes, none 0, where it could not be multiplied in.</summary>
-    public Vector3D Factors;
+    public Double3 Factors;
 
     /// <summary>The rotation of the scaled body in the shape's local frame.</summary>
     public Quaternion Turn;
@@ -46,7 +46,7 @@ internal struct RayTarget
 
     /// <summary>A segment, with a radius or without.</summary>
     public static void Capsule(
-        in Vector3D a, in Vector3D b, in Vector3D center, double radius, out RayTarget target)
+        in Double3 a, in Double3 b, in Double3 center, double radius, out RayTarget target)
     {
         target = default;
         (target.Form, target.Radius, target.Center) = (RayForm.Capsule, radius, center);
@@ -54,7 +54,7 @@ internal struct RayTarget
     }
 
     public static void Triangle(
-        in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D center, out RayTarget target)
+        in Double3 a, in Double3 b, in Double3 c, in Double3 center, out RayTarget target)
     {
         target = default;
         (target.Form, target.Center) = (RayForm.Triangle, center);
@@ -62,7 +62,7 @@ internal struct RayTarget
     }
 
     /// <summary>A box, cylinder, cone or ellipsoid.</summary>
-    public static void Of(RayForm form, in Vector3D size, out RayTarget target)
+    public static void Of(RayForm form, in Double3 size, out RayTarget target)
     {
         target = default;
         (target.Form, target.A) = (form, size);
@@ -82,7 +82,7 @@ internal struct RayTarget
     {
         if (IsPlaced) return false;
         if (IsRounded && !scale.KeepsBalls) return TrySwell(scale.Factors);
-        Vector3D size = new(Math.Abs(scale.Factors.X), Math.Abs(scale.Factors.Y), Math.Abs(scale.Factors.Z));
+        Double3 size = new(Math.Abs(scale.Factors.X), Math.Abs(scale.Factors.Y), Math.Abs(scale.Factors.Z));
         switch (Form)
         {
             case RayForm.Ball when !scale.KeepsBalls:
@@ -91,17 +91,17 @@ internal struct RayTarget
                 Radius = 0;
                 return true;
             case RayForm.Box or RayForm.Ellipsoid:
-                A = Vector3D.Multiply(size, A);
+                A = Double3.Multiply(size, A);
                 return true;
             case RayForm.Cylinder or RayForm.Cone or RayForm.Hull:
             case RayForm.Capsule when IsScaled || (!scale.KeepsBalls && Radius > 0):
-                Factors = IsScaled ? Vector3D.Multiply(Factors, scale.Factors) : scale.Factors;
+                Factors = IsScaled ? Double3.Multiply(Factors, scale.Factors) : scale.Factors;
                 IsScaled = true;
                 return true;
             default:
-                A = Vector3D.Multiply(scale.Factors, A);
-                B = Vector3D.Multiply(scale.Factors, B);
-                C = Vector3D.Multiply(scale.Factors, C);
+                A = Double3.Multiply(scale.Factors, A);
+                B = Double3.Multiply(scale.Factors, B);
+                C = Double3.Multiply(scale.Factors, C);
                 Radius = scale.Margin(Radius);
                 return true;
         }
@@ -111,11 +111,11 @@ internal struct RayTarget
     /// Whether it is a body of revolution, its margin apart, and about which line through its centre; 0 where about
     /// any. Of any length, before the turn.
     /// </summary>
-    public readonly bool TryGetAxis(out Vector3D axis)
+    public readonly bool TryGetAxis(out Double3 axis)
     {
         axis = Form switch
         {
-            RayForm.Cylinder or RayForm.Cone => new Vector3D(0, 1, 0),
+            RayForm.Cylinder or RayForm.Cone => new Double3(0, 1, 0),
             RayForm.Capsule => A - B,
             RayForm.Swollen => A,
             _ => default,
@@ -126,9 +126,9 @@ internal struct RayTarget
     }
 
     /// <summary>A margin that is scaled unevenly belongs to the body, which may stay one of revolution.</summary>
-    private bool TrySwell(in Vector3D factors)
+    private bool TrySwell(in Double3 factors)
     {
-        if (!TryGetAxis(out Vector3D axis) || !Keeps(factors, ref axis)) return false;
+        if (!TryGetAxis(out Double3 axis) || !Keeps(factors, ref axis)) return false;
         Form = RayForm.Swollen;
         A = axis;
         IsScaled = false;
@@ -136,13 +136,13 @@ internal struct RayTarget
     }
 
     /// <summary>Whether factors leave a body of revolution one, and about which axis where it was about any.</summary>
-    private static bool Keeps(in Vector3D factors, ref Vector3D axis)
+    private static bool Keeps(in Double3 factors, ref Double3 axis)
     {
         double x = factors.X * factors.X, y = factors.Y * factors.Y, z = factors.Z * factors.Z;
         bool isX = y == z && axis.Y == 0 && axis.Z == 0, isY = z == x && axis.Z == 0 && axis.X == 0;
         bool isZ = x == y && axis.X == 0 && axis.Y == 0;
         if (x == y && y == z) return true;
-        if (isX || isY || isZ) axis = new Vector3D(isX ? 1 : 0, isY ? 1 : 0, isZ ? 1 : 0);
+        if (isX || isY || isZ) axis = new Double3(isX ? 1 : 0, isY ? 1 : 0, isZ ? 1 : 0);
         return isX || isY || isZ;
     }
 

@@ -14,9 +14,9 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     private LaneVector _first, _second;
 
     /// <summary>From the second end to the first.</summary>
-    private Vector3D _toFirst;
+    private Double3 _toFirst;
 
-    private Vector3D _center;
+    private Double3 _center;
     private double _margin, _radius;
     private int _count;
 
@@ -30,19 +30,19 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     /// <param name="core">The segment.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Make(
-        in Vector3D first, in Vector3D second, int count, in Vector3D center, double radius, double margin,
+        in Double3 first, in Double3 second, int count, in Double3 center, double radius, double margin,
         out SegmentCore core)
     {
         core._first = new LaneVector(first - center);
         core._second = new LaneVector(second - center);
         core._toFirst = first - second;
-        core._center = new Vector3D(center.X, center.Y, center.Z);
+        core._center = new Double3(center.X, center.Y, center.Z);
         core._margin = margin;
         core._radius = radius;
         core._count = count;
     }
 
-    public readonly Vector3D Center => _center;
+    public readonly Double3 Center => _center;
 
     public readonly double Margin => _margin;
 
@@ -57,20 +57,20 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     }
 
     /// <summary>Both ends, or the point, whichever the direction.</summary>
-    public readonly void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public readonly void GetFace(in Double3 direction, ref FaceCorners corners)
     {
         corners.Add(_first.Xyz, 0);
         if (_count == 2) corners.Add(_second.Xyz, 1);
     }
 
-    public readonly int Support(in Vector3D direction, out Vector3D point)
+    public readonly int Support(in Double3 direction, out Double3 point)
     {
         int id = SupportId(direction);
         point = (id == 0 ? _first : _second).Xyz;
         return id;
     }
 
-    public readonly bool TryGetVertex(int id, out Vector3D point)
+    public readonly bool TryGetVertex(int id, out Double3 point)
     {
         point = (id == 0 ? _first : _second).Xyz;
         return Has(id);
@@ -80,7 +80,7 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     public readonly int Count => _count;
 
     /// <summary>From the second end, measured from the centre, to the first; 0 for a point.</summary>
-    public readonly Vector3D Along => _first.Xyz - _second.Xyz;
+    public readonly Double3 Along => _first.Xyz - _second.Xyz;
 
     /// <summary>Whether there is a vertex with the id.</summary>
     public readonly bool Has(int id) => (uint)id < (uint)_count;
@@ -91,22 +91,22 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     /// </param>
     /// <param name="direction">Any.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int FurthestEnd(in Vector3D toFirst, in Vector3D direction)
+    public static int FurthestEnd(in Double3 toFirst, in Double3 direction)
     {
-        double dot = Vector3D.Dot(direction, toFirst);
+        double dot = Double3.Dot(direction, toFirst);
         return BranchFree.IsNegative(DirectionRange.IsSafe(dot) ? dot : UnitDot(toFirst, direction));
     }
 
     /// <summary>The dot product with the direction brought to unit size. By value: callers keep registers.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static double UnitDot(Vector3D toFirst, Vector3D direction) =>
-        Vector3D.Dot(DirectionRange.ToUnit(direction), toFirst);
+    private static double UnitDot(Double3 toFirst, Double3 direction) =>
+        Double3.Dot(DirectionRange.ToUnit(direction), toFirst);
 
     /// <summary>The id of the furthest end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly int SupportId(in Vector3D direction)
+    public readonly int SupportId(in Double3 direction)
     {
-        double dot = Vector3D.Dot(direction, _toFirst);
+        double dot = Double3.Dot(direction, _toFirst);
         return DirectionRange.IsSafe(dot) ? BranchFree.IsNegative(dot)
             : _count == 1 ? 0
             : BranchFree.IsNegative(UnitDot(_toFirst, direction));

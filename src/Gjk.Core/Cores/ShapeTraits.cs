@@ -34,7 +34,7 @@ internal class ShapeTraits<T>
     }
 
     /// <inheritdoc cref="IPlainBody.GetPlain"/>
-    public virtual RayForm GetPlain(ref T shape, out Vector3D size)
+    public virtual RayForm GetPlain(ref T shape, out Double3 size)
     {
         size = default;
         return RayForm.None;
@@ -57,7 +57,7 @@ internal interface IPlainBody : ILibraryShape
 {
     /// <summary>Which body it is: a ball, a box (its margin apart), or None for everything else.</summary>
     /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
-    RayForm GetPlain(out Vector3D size);
+    RayForm GetPlain(out Double3 size);
 }
 
 /// <inheritdoc/>
@@ -78,5 +78,5 @@ internal class LibraryTraits<T> : ShapeTraits<T>
 internal sealed class PlainTraits<T> : LibraryTraits<T>
     where T : struct, ISupportMap, IPlainBody
 {
-    public override RayForm GetPlain(ref T shape, out Vector3D size) => shape.GetPlain(out size);
+    public override RayForm GetPlain(ref T shape, out Double3 size) => shape.GetPlain(out size);
 }

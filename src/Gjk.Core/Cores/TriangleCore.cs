@@ -13,15 +13,15 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
     private LaneVector _first, _second, _third;
 
     /// <summary>From the first corner to the others.</summary>
-    private Vector3D _toSecond, _toThird;
+    private Double3 _toSecond, _toThird;
 
-    private Vector3D _center;
+    private Double3 _center;
     private double _margin, _radius;
 
     /// <summary>Written where it is to be, without a copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Make(
-        in Vector3D first, in Vector3D second, in Vector3D third, in Vector3D center, double radius, double margin,
+        in Double3 first, in Double3 second, in Double3 third, in Double3 center, double radius, double margin,
         out TriangleCore core)
     {
         core._first = new LaneVector(first - center);
@@ -29,12 +29,12 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
         core._third = new LaneVector(third - center);
         core._toSecond = second - first;
         core._toThird = third - first;
-        core._center = new Vector3D(center.X, center.Y, center.Z);
+        core._center = new Double3(center.X, center.Y, center.Z);
         core._margin = margin;
         core._radius = radius;
     }
 
-    public readonly Vector3D Center => _center;
+    public readonly Double3 Center => _center;
 
     public readonly double Margin => _margin;
 
@@ -48,17 +48,17 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
         return true;
     }
 
-    public readonly void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public readonly void GetFace(in Double3 direction, ref FaceCorners corners) =>
         Face(_first.Xyz, _second.Xyz, _third.Xyz, direction, ref corners);
 
-    public readonly int Support(in Vector3D direction, out Vector3D point)
+    public readonly int Support(in Double3 direction, out Double3 point)
     {
         int id = SupportId(direction);
         TryGetVertex(id, out point);
         return id;
     }
 
-    public readonly bool TryGetVertex(int id, out Vector3D point)
+    public readonly bool TryGetVertex(int id, out Double3 point)
     {
         point = id == 0 ? _first.Xyz : id == 1 ? _second.Xyz : _third.Xyz;
         return Has(id);
@@ -69,7 +69,7 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
     /// <summary>The id of the furthest corner.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly int SupportId(in Vector3D direction) => Furthest(_toSecond, _toThird, direction);
+    public readonly int SupportId(in Double3 direction) => Furthest(_toSecond, _toThird, direction);
 
     /// <summary>Which corner is furthest: 0 to 2, of level ones the first.</summary>
     /// <param name="toSecond">
@@ -79,9 +79,9 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
     /// <param name="toThird">From the first corner to the third.</param>
     /// <param name="direction">Any.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Furthest(in Vector3D toSecond, in Vector3D toThird, in Vector3D direction)
+    public static int Furthest(in Double3 toSecond, in Double3 toThird, in Double3 direction)
     {
-        double second = Vector3D.Dot(direction, toSecond), third = Vector3D.Dot(direction, toThird);
+        double second = Double3.Dot(direction, toSecond), third = Double3.Dot(direction, toThird);
         return DirectionRange.IsSafe(second) && DirectionRange.IsSafe(third)
             ? Furthest(second, third)
             : FurthestInUnits(toSecond, toThird, direction);
@@ -97,17 +97,17 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
     /// <summary>With the direction brought to unit size. By value: callers keep registers.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int FurthestInUnits(Vector3D toSecond, Vector3D toThird, Vector3D direction)
+    private static int FurthestInUnits(Double3 toSecond, Double3 toThird, Double3 direction)
     {
-        Vector3D unit = DirectionRange.ToUnit(direction);
-        return Furthest(Vector3D.Dot(unit, toSecond), Vector3D.Dot(unit, toThird));
+        Double3 unit = DirectionRange.ToUnit(direction);
+        return Furthest(Double3.Dot(unit, toSecond), Double3.Dot(unit, toThird));
     }
 
     /// <summary>A triangle, from either side, or one of its edges or corners.</summary>
     public static void Face(
-        in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, ref FaceCorners corners)
+        in Double3 a, in Double3 b, in Double3 c, in Double3 direction, ref FaceCorners corners)
     {
-        Vector3D normal = Vector3D.Cross(b - a, c - a);
+        Double3 normal = Double3.Cross(b - a, c - a);
         if (FaceTilt.IsLevelFace(normal, direction, corners) || FaceTilt.IsLevelFace(-normal, direction, corners))
         {
             corners.Add(a, 0);
@@ -118,9 +118,9 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
         // The more level of the two edges at the furthest corner, as for a hull.
         int id = Furthest(b - a, c - a, direction);
-        Vector3D point = id == 0 ? a : id == 1 ? b : c;
-        Vector3D next = corners.Seen((id == 0 ? b : id == 1 ? c : a) - point), up = corners.SeenFrom(direction);
-        Vector3D last = corners.Seen((id == 0 ? c : id == 1 ? a : b) - point);
+        Double3 point = id == 0 ? a : id == 1 ? b : c;
+        Double3 next = corners.Seen((id == 0 ? b : id == 1 ? c : a) - point), up = corners.SeenFrom(direction);
+        Double3 last = corners.Seen((id == 0 ? c : id == 1 ? a : b) - point);
         bool isNext = FaceTilt.Rise(next, up) <= FaceTilt.Rise(last, up);
         bool isEdge = FaceTilt.IsLevelEdge(isNext ? next : last, up);
         int end = !isEdge ? id : isNext ? (id + 1) % 3 : (id + 2) % 3;

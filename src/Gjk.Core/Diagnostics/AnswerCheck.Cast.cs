@@ -49,17 +49,17 @@ public static partial class AnswerCheck
         TA shapeA = a;
         TB shapeB = b;
         PosedPair.Of(ref shapeA, poseA, ref shapeB, poseB, out PosedPair pair);
-        Vector3D motion = (Vector3D)translationB - translationA;
+        Double3 motion = (Double3)translationB - translationA;
         AnswerClaims claims = default;
         CheckedAnswer times = CheckTimes(ref claims, ref shapeA, ref shapeB, pair, motion, answer);
         if (answer.IsHit && claims.AreAny)
         {
-            Vector3D travelled = (Vector3D)translationA * answer.Fraction, point = answer.Point;
-            Vector3D onB = point - (Vector3D)translationB * answer.Fraction;
+            Double3 travelled = (Double3)translationA * answer.Fraction, point = answer.Point;
+            Double3 onB = point - (Double3)translationB * answer.Fraction;
             double slack = MeetingSlack(pair, motion, answer.Fraction)
                 + FloatRatio * (point.Length + travelled.Length);
-            double slackA = slack + DoubleRatio * ((Vector3D)poseA.Position).Length;
-            double slackB = slack + DoubleRatio * ((Vector3D)poseB.Position).Length + FloatRatio * onB.Length;
+            double slackA = slack + DoubleRatio * ((Double3)poseA.Position).Length;
+            double slackB = slack + DoubleRatio * ((Double3)poseB.Position).Length + FloatRatio * onB.Length;
             AddPoint(ref claims, ref shapeA, pair.LocalToA(point - travelled, poseA), slackA);
             AddPoint(ref claims, ref shapeB, pair.LocalToB(onB, poseB), slackB);
         }
@@ -83,18 +83,18 @@ public static partial class AnswerCheck
         PointShape point = default;
         RigidPose begin = Guard.IsFinite(origin) ? new RigidPose(origin) : default;
         PosedPair.Of(ref copy, pose, ref point, begin, out PosedPair pair);
-        PosedPair.TryUnit(direction, out Vector3D unit);
+        PosedPair.TryUnit(direction, out Double3 unit);
         var cast = new CastResult(answer.Status, answer.Distance, answer.Point, answer.Normal, 0, answer.Depth);
         AnswerClaims claims = default;
         CheckedAnswer times = CheckTimes(ref claims, ref copy, ref point, pair, unit, cast);
         if (answer.IsHit && claims.AreAny)
         {
-            Vector3D met = answer.Point;
+            Double3 met = answer.Point;
             double slack = MeetingSlack(pair, unit, answer.Distance) + FloatRatio * met.Length
-                + DoubleRatio * ((Vector3D)pose.Position).Length;
+                + DoubleRatio * ((Double3)pose.Position).Length;
             AddPoint(ref claims, ref copy, pair.LocalToA(met, pose), slack);
             double off = (unit * answer.Distance + origin - met).Length;
-            claims.Add(off <= slack + FloatRatio * ((Vector3D)origin).Length);
+            claims.Add(off <= slack + FloatRatio * ((Double3)origin).Length);
         }
 
         return new CheckedAnswer(claims.Status, times.LowerBound, times.UpperBound);
@@ -102,7 +102,7 @@ public static partial class AnswerCheck
 
     /// <summary>Of a pair of which B moves, A rests.</summary>
     private static CheckedAnswer CheckTimes<TA, TB>(
-        ref AnswerClaims claims, ref TA a, ref TB b, in PosedPair pair, in Vector3D motion, in CastResult answer)
+        ref AnswerClaims claims, ref TA a, ref TB b, in PosedPair pair, in Double3 motion, in CastResult answer)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -128,7 +128,7 @@ public static partial class AnswerCheck
 
         // What has gone past does not come back, however long the rest of the way is.
         double speed = motion.Length, past = 2 * (pair.Size + pair.Between.Length) / speed;
-        Vector3D way = speed > 0 ? motion * Math.Min(fraction, past) : default;
+        Double3 way = speed > 0 ? motion * Math.Min(fraction, past) : default;
         bool isFree = IsFree(ref a, ref b, pair, way, default, out bool isCrossed);
 
         // Two points have no inside to be crossed.
@@ -140,16 +140,16 @@ public static partial class AnswerCheck
         status is CastStatus.Hit or CastStatus.Miss or CastStatus.OverlappingAtStart or CastStatus.IterationLimit;
 
     private static CheckedAnswer CheckHit<TA, TB>(
-        ref AnswerClaims claims, ref TA a, ref TB b, in PosedPair pair, in Vector3D motion, in CastResult answer)
+        ref AnswerClaims claims, ref TA a, ref TB b, in PosedPair pair, in Double3 motion, in CastResult answer)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         double fraction = answer.Fraction, speed = motion.Length;
-        Vector3D normal = answer.Normal;
+        Double3 normal = answer.Normal;
         PosedPair hit = pair.Moved(motion * fraction);
-        double closing = -Vector3D.Dot(normal, motion) / speed, slack = WaySlack(pair, motion, fraction);
+        double closing = -Double3.Dot(normal, motion) / speed, slack = WaySlack(pair, motion, fraction);
         double touch = Touch(hit);
-        bool isUnit = PosedPair.TryUnit(normal, out Vector3D unit) && IsUnit(normal);
+        bool isUnit = PosedPair.TryUnit(normal, out Double3 unit) && IsUnit(normal);
         double gap = isUnit ? hit.Gap(ref a, ref b, unit, out _) : double.NaN;
         double tilt = pair.IsCurved ? CurvedMeeting : TiltRatio;
         claims.Add(closing >= -tilt && Math.Abs(gap) <= slack + touch + tilt * pair.Size);
@@ -169,7 +169,7 @@ public static partial class AnswerCheck
 
     /// <summary>Whether a plane leaves room for the whole way; or else whether B certainly runs into A on it.</summary>
     private static bool IsFree<TA, TB>(
-        ref TA a, ref TB b, in PosedPair pair, in Vector3D way, in Vector3D hint, out bool isCrossed)
+        ref TA a, ref TB b, in PosedPair pair, in Double3 way, in Double3 hint, out bool isCrossed)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -181,10 +181,10 @@ public static partial class AnswerCheck
     }
 
     /// <summary>How far the point of a hit may be off the shapes.</summary>
-    private static double MeetingSlack(in PosedPair pair, in Vector3D motion, double fraction) =>
+    private static double MeetingSlack(in PosedPair pair, in Double3 motion, double fraction) =>
         WaySlack(pair, motion, fraction) + 3 * LeastFloat + (pair.IsCurved ? CurvedMeeting * pair.Size : 0);
 
     /// <summary>How far along the motion the fraction may be off.</summary>
-    private static double WaySlack(in PosedPair pair, in Vector3D motion, double fraction) =>
+    private static double WaySlack(in PosedPair pair, in Double3 motion, double fraction) =>
         WayRatio * Math.Max(2 * pair.Size, fraction * motion.Length) + LeastFloat;
 }

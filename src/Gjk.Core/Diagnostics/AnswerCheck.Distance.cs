@@ -119,9 +119,9 @@ public static partial class AnswerCheck
 
         // The planes across the normal stand as far apart as the answer says, and where others do, it has their side.
         double d = isSeparated || isDepth ? answer.Distance : bound;
-        Vector3D normal = answer.Normal;
+        Double3 normal = answer.Normal;
         claims.Add(IsUnit(normal) && walk.HintGap >= d - allowed - pair.Noise - TiltRatio * (pair.Size + Math.Abs(d)));
-        claims.Add(!isSeparated || walk.Lower <= allowed || Vector3D.Dot(normal, walk.Across) > 0);
+        claims.Add(!isSeparated || walk.Lower <= allowed || Double3.Dot(normal, walk.Across) > 0);
         return walk;
     }
 
@@ -149,7 +149,7 @@ public static partial class AnswerCheck
         where TB : struct, ISupportMap
     {
         double beyond = Beyond * pair.Size;
-        if (!PosedPair.TryUnit(answer.Normal, out Vector3D way)) return double.NegativeInfinity;
+        if (!PosedPair.TryUnit(answer.Normal, out Double3 way)) return double.NegativeInfinity;
         way *= beyond - answer.Distance;
         WitnessWalk moved = WitnessWalk.Of(
             ref a, ref b, pair.Moved(way), answer.Normal, beyond - 0.5 * allowed, double.PositiveInfinity);
@@ -163,8 +163,8 @@ public static partial class AnswerCheck
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D localA = answer.LocalPointA, localB = answer.LocalPointB, onA = answer.PointA, onB = answer.PointB;
-        Vector3D way = (Vector3D)answer.Normal * answer.Distance;
+        Double3 localA = answer.LocalPointA, localB = answer.LocalPointB, onA = answer.PointA, onB = answer.PointB;
+        Double3 way = (Double3)answer.Normal * answer.Distance;
         double slack = PointSlack(pair, answer.Distance), wayA = FloatRatio * localA.Length;
         double wayB = FloatRatio * localB.Length, atA = WorldSlack(onA, poseA), atB = WorldSlack(onB, poseB);
         double between = 2 * (slack + FloatRatio * way.Length);
@@ -180,6 +180,6 @@ public static partial class AnswerCheck
     }
 
     /// <summary>What rounding to float, and the way there in double, can do to a point of the world.</summary>
-    private static double WorldSlack(in Vector3D point, in RigidPose pose) =>
-        FloatRatio * point.Length + DoubleRatio * ((Vector3D)pose.Position).Length;
+    private static double WorldSlack(in Double3 point, in RigidPose pose) =>
+        FloatRatio * point.Length + DoubleRatio * ((Double3)pose.Position).Length;
 }

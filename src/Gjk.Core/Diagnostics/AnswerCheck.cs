@@ -128,7 +128,7 @@ public static partial class AnswerCheck
         : PointRatio * pair.Size);
 
     /// <summary>A local point lies in a shape.</summary>
-    private static void AddPoint<T>(ref AnswerClaims claims, ref T shape, in Vector3D local, double slack)
+    private static void AddPoint<T>(ref AnswerClaims claims, ref T shape, in Double3 local, double slack)
         where T : struct, ISupportMap
     {
         PosedPair.OfPoint(ref shape, local, out PosedPair pair);
@@ -148,13 +148,13 @@ public static partial class AnswerCheck
         double touch = Touch(pair);
         double reach = Math.Max((pair.IsCurved ? CurvedDeep : Deep) * pair.Size, BallRatio * touch);
         return walk.Upper <= touch
-            && IsTouching(ref a, ref b, pair, new Vector3D(reach, reach, reach), touch)
-            && IsTouching(ref a, ref b, pair, new Vector3D(reach, -reach, -reach), touch)
-            && IsTouching(ref a, ref b, pair, new Vector3D(-reach, reach, -reach), touch)
-            && IsTouching(ref a, ref b, pair, new Vector3D(-reach, -reach, reach), touch);
+            && IsTouching(ref a, ref b, pair, new Double3(reach, reach, reach), touch)
+            && IsTouching(ref a, ref b, pair, new Double3(reach, -reach, -reach), touch)
+            && IsTouching(ref a, ref b, pair, new Double3(-reach, reach, -reach), touch)
+            && IsTouching(ref a, ref b, pair, new Double3(-reach, -reach, reach), touch);
     }
 
-    private static bool IsTouching<TA, TB>(ref TA a, ref TB b, in PosedPair pair, in Vector3D by, double touch)
+    private static bool IsTouching<TA, TB>(ref TA a, ref TB b, in PosedPair pair, in Double3 by, double touch)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         WitnessWalk.Of(
@@ -164,5 +164,5 @@ public static partial class AnswerCheck
     private static bool IsNothing(Vector3 v) => float.IsNaN(v.X) && float.IsNaN(v.Y) && float.IsNaN(v.Z);
 
     /// <summary>A normal is of unit length.</summary>
-    private static bool IsUnit(in Vector3D normal) => Math.Abs(normal.Length - 1) <= UnitLength;
+    private static bool IsUnit(in Double3 normal) => Math.Abs(normal.Length - 1) <= UnitLength;
 }

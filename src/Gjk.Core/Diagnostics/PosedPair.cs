@@ -37,10 +37,10 @@ internal struct PosedPair
     private double _turned, _added;
 
     /// <summary>From A's centre to B's.</summary>
-    public Vector3D Between;
+    public Double3 Between;
 
     /// <summary>A way that B is swept along: the shape is all that it passes.</summary>
-    public Vector3D Sweep;
+    public Double3 Sweep;
 
     /// <summary>Both margins.</summary>
     public double Margins;
@@ -62,7 +62,7 @@ internal struct PosedPair
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D centerA = a.Center, centerB = b.Center;
+        Double3 centerA = a.Center, centerB = b.Center;
         pair = default;
         pair.Noise = double.NaN;
         pair._a = new Turn(poseA.Rotation);
@@ -75,13 +75,13 @@ internal struct PosedPair
         bool isFar = offset > FarCenter * pair.Size;
         pair._turned = pair.Size + (isFar ? FarError / TurnError * offset : offset);
         pair.Between = isFar
-            ? (Vector3D)(VectorDD.Place(poseB, centerB) - VectorDD.Place(poseA, centerA))
-            : (Vector3D)poseB.Position - poseA.Position + pair._b.Out(centerB) - pair._a.Out(centerA);
+            ? (Double3)(VectorDD.Place(poseB, centerB) - VectorDD.Place(poseA, centerA))
+            : (Double3)poseB.Position - poseA.Position + pair._b.Out(centerB) - pair._a.Out(centerA);
         pair.Measure();
     }
 
     /// <summary>A shape and a point in its local frame.</summary>
-    public static void OfPoint<T>(ref T shape, in Vector3D local, out PosedPair pair)
+    public static void OfPoint<T>(ref T shape, in Double3 local, out PosedPair pair)
         where T : struct, ISupportMap
     {
         pair = default;
@@ -93,7 +93,7 @@ internal struct PosedPair
     }
 
     /// <summary>The same with B moved, and swept along a way from there on.</summary>
-    public readonly PosedPair Moved(in Vector3D by, in Vector3D sweep = default)
+    public readonly PosedPair Moved(in Double3 by, in Double3 sweep = default)
     {
         PosedPair moved = this;
         moved._added += Between.SumOfMagnitudes + by.SumOfMagnitudes;
@@ -104,7 +104,7 @@ internal struct PosedPair
     }
 
     /// <summary>The direction of a vector; false where it has none.</summary>
-    public static bool TryUnit(in Vector3D vector, out Vector3D unit)
+    public static bool TryUnit(in Double3 vector, out Double3 unit)
     {
         double one = 1 / vector.Length;
         unit = vector * one;
@@ -119,34 +119,34 @@ internal struct PosedPair
     /// <param name="b">The second shape.</param>
     /// <param name="unit">From A to B.</param>
     /// <param name="vertex">The point of B less that of A, both without margins, that lie in the planes.</param>
-    public readonly double Gap<TA, TB>(ref TA a, ref TB b, in Vector3D unit, out Vector3D vertex)
+    public readonly double Gap<TA, TB>(ref TA a, ref TB b, in Double3 unit, out Double3 vertex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        a.Support(_a.In(unit), out Vector3D onA);
-        b.Support(_b.In(-unit), out Vector3D onB);
+        a.Support(_a.In(unit), out Double3 onA);
+        b.Support(_b.In(-unit), out Double3 onB);
         vertex = Between + (_b.Out(onB) - _a.Out(onA));
-        if (Vector3D.Dot(unit, Sweep) < 0) vertex += Sweep;
-        return Vector3D.Dot(unit, vertex) - Margins;
+        if (Double3.Dot(unit, Sweep) < 0) vertex += Sweep;
+        return Double3.Dot(unit, vertex) - Margins;
     }
 
     /// <summary>From a local point of A to one of B.</summary>
-    public readonly Vector3D Way<TA, TB>(ref TA a, in Vector3D localA, ref TB b, in Vector3D localB)
+    public readonly Double3 Way<TA, TB>(ref TA a, in Double3 localA, ref TB b, in Double3 localB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         Between + (_b.Out(localB - b.Center) - _a.Out(localA - a.Center));
 
     /// <summary>A local point of A in the world.</summary>
-    public readonly Vector3D WorldOfA(in Vector3D local, in RigidPose poseA) => _a.Out(local) + poseA.Position;
+    public readonly Double3 WorldOfA(in Double3 local, in RigidPose poseA) => _a.Out(local) + poseA.Position;
 
     /// <summary>A local point of B in the world.</summary>
-    public readonly Vector3D WorldOfB(in Vector3D local, in RigidPose poseB) => _b.Out(local) + poseB.Position;
+    public readonly Double3 WorldOfB(in Double3 local, in RigidPose poseB) => _b.Out(local) + poseB.Position;
 
     /// <summary>A point of the world in A's local frame.</summary>
-    public readonly Vector3D LocalToA(in Vector3D world, in RigidPose poseA) => _a.In(world - poseA.Position);
+    public readonly Double3 LocalToA(in Double3 world, in RigidPose poseA) => _a.In(world - poseA.Position);
 
     /// <summary>The same for B.</summary>
-    public readonly Vector3D LocalToB(in Vector3D world, in RigidPose poseB) => _b.In(world - poseB.Position);
+    public readonly Double3 LocalToB(in Double3 world, in RigidPose poseB) => _b.In(world - poseB.Position);
 
     private void Measure() => Noise = TurnError * _turned
         + SumError * (_added + Size + Between.SumOfMagnitudes + Sweep.SumOfMagnitudes);
@@ -161,20 +161,20 @@ internal struct PosedPair
     /// <summary>A rotation matrix by its rows: quotients of sums of exact products.</summary>
     private readonly struct Turn
     {
-        private readonly Vector3D _x, _y, _z;
+        private readonly Double3 _x, _y, _z;
 
         public Turn(Quaternion q)
         {
             double x = q.X, y = q.Y, z = q.Z, w = q.W, xx = x * x, yy = y * y, zz = z * z, ww = w * w;
             double s = 1 / (xx + yy + zz + ww), t = 2 * s;
-            _x = new Vector3D((ww + xx - (yy + zz)) * s, (x * y - w * z) * t, (x * z + w * y) * t);
-            _y = new Vector3D((x * y + w * z) * t, (ww + yy - (xx + zz)) * s, (y * z - w * x) * t);
-            _z = new Vector3D((x * z - w * y) * t, (y * z + w * x) * t, (ww + zz - (xx + yy)) * s);
+            _x = new Double3((ww + xx - (yy + zz)) * s, (x * y - w * z) * t, (x * z + w * y) * t);
+            _y = new Double3((x * y + w * z) * t, (ww + yy - (xx + zz)) * s, (y * z - w * x) * t);
+            _z = new Double3((x * z - w * y) * t, (y * z + w * x) * t, (ww + zz - (xx + yy)) * s);
         }
 
-        public Vector3D Out(in Vector3D v) =>
-            new(Vector3D.Dot(_x, v), Vector3D.Dot(_y, v), Vector3D.Dot(_z, v));
+        public Double3 Out(in Double3 v) =>
+            new(Double3.Dot(_x, v), Double3.Dot(_y, v), Double3.Dot(_z, v));
 
-        public Vector3D In(in Vector3D v) => _x * v.X + _y * v.Y + _z * v.Z;
+        public Double3 In(in Double3 v) => _x * v.X + _y * v.Y + _z * v.Z;
     }
 }

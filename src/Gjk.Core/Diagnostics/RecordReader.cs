@@ -51,7 +51,7 @@ internal sealed class RecordReader
             : throw Wrong("should be the number of points that follow");
     }
 
-    public Vector3D Vector() => new(Number(), Number(), Number());
+    public Double3 Vector() => new(Number(), Number(), Number());
 
     /// <summary>The last word was wrong.</summary>
     public FormatException Wrong(string why) => new($"Word {_next}, '{_words[_next - 1]}', {why}.");

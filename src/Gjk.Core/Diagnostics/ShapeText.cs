@@ -73,12 +73,12 @@ internal static class ShapeText
     /// </summary>
     private static ConvexShape Scaled(RecordReader words, in ConvexShape shape)
     {
-        Vector3D factors = words.Vector();
+        Double3 factors = words.Vector();
         if (factors.X == 0 || factors.Y == 0 || factors.Z == 0) throw words.Wrong("ends a scale with a factor of 0");
         ConvexShape inner = shape;
         if (shape.IsDecorated) return words.Build(() => inner.Scaled((Vector3)factors));
         ShapeParts parts = shape.Parts;
-        parts.Scale = Vector3D.Multiply(parts.Scale, factors);
+        parts.Scale = Double3.Multiply(parts.Scale, factors);
         return new ConvexShape(parts);
     }
 
@@ -178,7 +178,7 @@ internal static class ShapeText
         return words.Build(() => new ConvexHull(corners));
     }
 
-    private static void Add(StringBuilder text, in Vector3D v)
+    private static void Add(StringBuilder text, in Double3 v)
     {
         Add(text, v.X);
         Add(text, v.Y);

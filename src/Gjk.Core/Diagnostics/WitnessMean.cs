@@ -11,23 +11,23 @@ internal struct WitnessMean
     /// </summary>
     private const double Outside = -0.01;
 
-    private Vector3D _p0, _p1, _p2, _p3;
+    private Double3 _p0, _p1, _p2, _p3;
     private double _squared;
 
     /// <summary>How many points it is made of; 0 before the first.</summary>
     public int Count;
 
     /// <summary>The mean.</summary>
-    public Vector3D Value;
+    public Double3 Value;
 
     /// <summary>Its distance from the origin.</summary>
     public readonly double Length => Value.Length;
 
     /// <summary>Tries the means that another point makes with those at hand, and keeps the nearest.</summary>
     /// <returns>False when none is nearer than before.</returns>
-    public bool TryAdd(in Vector3D p)
+    public bool TryAdd(in Double3 p)
     {
-        Vector3D a = _p0, b = _p1, c = _p2;
+        Double3 a = _p0, b = _p1, c = _p2;
         int count = Count;
         double before = count == 0 ? double.PositiveInfinity : _squared;
         _squared = before;
@@ -44,21 +44,21 @@ internal struct WitnessMean
     /// The direction in which to look for a nearer mean: away from the origin, across the points. It is the direction
     /// of the mean, but does not lose it where the mean is a small difference of long vectors.
     /// </summary>
-    public readonly Vector3D Across()
+    public readonly Double3 Across()
     {
         if (Count == 2)
         {
-            Vector3D e = _p1 - _p0;
-            return Vector3D.Cross(e, Vector3D.Cross(Value, e));
+            Double3 e = _p1 - _p0;
+            return Double3.Cross(e, Double3.Cross(Value, e));
         }
 
         if (Count != 3) return Value;
-        Vector3D n = Vector3D.Cross(_p1 - _p0, _p2 - _p0);
-        return Vector3D.Dot(n, Value) < 0 ? -n : n;
+        Double3 n = Double3.Cross(_p1 - _p0, _p2 - _p0);
+        return Double3.Dot(n, Value) < 0 ? -n : n;
     }
 
     /// <summary>With three points at hand: the solid, and what its further faces and edges are.</summary>
-    private void TryFaces(in Vector3D p, in Vector3D a, in Vector3D b, in Vector3D c)
+    private void TryFaces(in Double3 p, in Double3 a, in Double3 b, in Double3 c)
     {
         TryWeights(4, p, a, b, c, c - p);
         if (Count == 4) return;
@@ -67,15 +67,15 @@ internal struct WitnessMean
         TryTriangle(p, c, a);
     }
 
-    private void TrySegment(in Vector3D p, in Vector3D a)
+    private void TrySegment(in Double3 p, in Double3 a)
     {
-        Vector3D e = p - a;
-        double wp = -Vector3D.Dot(a, e), wa = Vector3D.Dot(p, e), sum = wp + wa;
+        Double3 e = p - a;
+        double wp = -Double3.Dot(a, e), wa = Double3.Dot(p, e), sum = wp + wa;
         Try(2, p, a, default, default, wp / sum, wa / sum, 0, 0);
     }
 
-    private void TryTriangle(in Vector3D p, in Vector3D a, in Vector3D b) =>
-        TryWeights(3, p, a, b, default, Vector3D.Cross(a - p, b - p));
+    private void TryTriangle(in Double3 p, in Double3 a, in Double3 b) =>
+        TryWeights(3, p, a, b, default, Double3.Cross(a - p, b - p));
 
     /// <summary>
     /// The weights of the origin, or of what is nearest to it in the plane, by Cramer's rule. What that leaves of the
@@ -88,16 +88,16 @@ internal struct WitnessMean
     /// <param name="c">The fourth, if there is one.</param>
     /// <param name="third">From p to c, or across the plane.</param>
     private void TryWeights(
-        int count, in Vector3D p, in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D third)
+        int count, in Double3 p, in Double3 a, in Double3 b, in Double3 c, in Double3 third)
     {
-        Vector3D first = a - p, second = b - p, overA = Vector3D.Cross(second, third);
-        Vector3D overB = Vector3D.Cross(third, first), overC = Vector3D.Cross(first, second), mean = p;
-        double one = 1 / Vector3D.Dot(first, overA), wp = 1, wa = 0, wb = 0, wc = 0;
+        Double3 first = a - p, second = b - p, overA = Double3.Cross(second, third);
+        Double3 overB = Double3.Cross(third, first), overC = Double3.Cross(first, second), mean = p;
+        double one = 1 / Double3.Dot(first, overA), wp = 1, wa = 0, wb = 0, wc = 0;
         for (int i = 0; i < 2; i++)
         {
-            wa -= Vector3D.Dot(mean, overA) * one;
-            wb -= Vector3D.Dot(mean, overB) * one;
-            if (count == 4) wc -= Vector3D.Dot(mean, overC) * one;
+            wa -= Double3.Dot(mean, overA) * one;
+            wb -= Double3.Dot(mean, overB) * one;
+            if (count == 4) wc -= Double3.Dot(mean, overC) * one;
             wp = 1 - wa - wb - wc;
             if (!(wp > Outside && wa > Outside && wb > Outside && wc > Outside)) return;
             mean = p * wp + a * wa + b * wb + c * wc;
@@ -108,11 +108,11 @@ internal struct WitnessMean
 
     /// <summary>Takes a mean if it is one and nearer.</summary>
     private void Try(
-        int count, in Vector3D p, in Vector3D a, in Vector3D b, in Vector3D c, double wp, double wa, double wb,
+        int count, in Double3 p, in Double3 a, in Double3 b, in Double3 c, double wp, double wa, double wb,
         double wc)
     {
         if (!(wp > 0 && wa >= 0 && wb >= 0 && wc >= 0)) return;
-        Vector3D value = (p * wp + a * wa + b * wb + c * wc) * (1 / (wp + wa + wb + wc));
+        Double3 value = (p * wp + a * wa + b * wb + c * wc) * (1 / (wp + wa + wb + wc));
         double squared = value.LengthSquared;
         if (!(squared < _squared)) return;
         (_p0, _p1, _p2, _p3, Count, Value, _squared) = (p, a, b, c, count, value, squared);

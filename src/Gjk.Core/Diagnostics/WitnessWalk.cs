@@ -33,7 +33,7 @@ internal struct WitnessWalk
     public double Lower;
 
     /// <summary>Of unit length: the planes across it show that.</summary>
-    public Vector3D Across;
+    public Double3 Across;
 
     /// <summary>The signed distance is not above.</summary>
     public double Upper;
@@ -51,7 +51,7 @@ internal struct WitnessWalk
     /// <param name="least">What is asked: whether the signed distance is not below.</param>
     /// <param name="most">And whether it is not above.</param>
     public static WitnessWalk Of<TA, TB>(
-        ref TA a, ref TB b, in PosedPair pair, in Vector3D hint, double least, double most)
+        ref TA a, ref TB b, in PosedPair pair, in Double3 hint, double least, double most)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -63,10 +63,10 @@ internal struct WitnessWalk
         if (!pair.IsValid) return walk;
         WitnessMean mean = default;
         bool isHint = hint.LengthSquared > 0, isAcross = true;
-        Vector3D direction = isHint ? hint : pair.Between.LengthSquared > 0 ? pair.Between : new Vector3D(1, 0, 0);
-        for (int i = 0; i < MostSupports && PosedPair.TryUnit(direction, out Vector3D unit); i++)
+        Double3 direction = isHint ? hint : pair.Between.LengthSquared > 0 ? pair.Between : new Double3(1, 0, 0);
+        for (int i = 0; i < MostSupports && PosedPair.TryUnit(direction, out Double3 unit); i++)
         {
-            double gap = pair.Gap(ref a, ref b, unit, out Vector3D vertex);
+            double gap = pair.Gap(ref a, ref b, unit, out Double3 vertex);
             if (i == 0 && isHint) walk.HintGap = gap;
             if (gap - pair.Noise > walk.Lower) (walk.Lower, walk.Across) = (gap - pair.Noise, unit);
             bool isNearer = mean.TryAdd(vertex);

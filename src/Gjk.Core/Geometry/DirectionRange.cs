@@ -37,14 +37,14 @@ internal static class DirectionRange
     /// range of double.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D ToSafe(in Vector3D direction) => IsOrdinary(direction) ? direction : ToUnit(direction);
+    public static Double3 ToSafe(in Double3 direction) => IsOrdinary(direction) ? direction : ToUnit(direction);
 
     /// <summary>
     /// Whether a vector is so large and so small that no product of it with a number of ordinary size leaves the range
     /// of double.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsOrdinary(in Vector3D v)
+    public static bool IsOrdinary(in Double3 v)
     {
         double size = v.SumOfMagnitudes;
         return size > LeastSize && size < MostSize;
@@ -53,9 +53,9 @@ internal static class DirectionRange
     /// <summary>
     /// The same direction with its largest component between 1 and 2; unchanged when it is zero, infinite or NaN.
     /// </summary>
-    public static Vector3D ToUnit(in Vector3D direction)
+    public static Double3 ToUnit(in Double3 direction)
     {
-        Vector3D d = direction;
+        Double3 d = direction;
         double largest = Largest(d.X, d.Y, d.Z);
         if (!(largest > 0 && largest <= double.MaxValue)) return d;
         if (largest < Small)
@@ -71,7 +71,7 @@ internal static class DirectionRange
     /// <summary>The same in a plane.</summary>
     public static void ToUnit(ref double x, ref double z)
     {
-        Vector3D d = ToUnit(new Vector3D(x, 0, z));
+        Double3 d = ToUnit(new Double3(x, 0, z));
         x = d.X;
         z = d.Z;
     }

@@ -58,35 +58,35 @@ public unsafe ref struct FaceCorners
     /// <param name="id">
     /// What tells the corner from the shape's others, from 0 to 2^30 - 1: contact points carry it from frame to frame.
     /// </param>
-    public void Add(in Vector3D point, int id)
+    public void Add(in Double3 point, int id)
     {
         if (_corners == null || Count == Capacity) return;
         _corners[Count++] = new FaceCorner(point, id);
     }
 
     /// <summary>An edge as it is seen from outside.</summary>
-    internal readonly Vector3D Seen(in Vector3D edge) => Outer == null ? edge : Outer->Outward(edge);
+    internal readonly Double3 Seen(in Double3 edge) => Outer == null ? edge : Outer->Outward(edge);
 
     /// <summary>The direction in which the face is asked for as it is outside.</summary>
-    internal readonly Vector3D SeenFrom(in Vector3D direction) => Outer == null ? direction : Outer->Direction;
+    internal readonly Double3 SeenFrom(in Double3 direction) => Outer == null ? direction : Outer->Direction;
 
     /// <summary>
     /// How far a unit normal looks along the direction: to be compared with that of others, whatever the direction's
     /// length.
     /// </summary>
-    internal readonly double Along(in Vector3D normal, in Vector3D direction) =>
-        Outer == null ? Vector3D.Dot(normal, direction) : Outer->Cosine(normal);
+    internal readonly double Along(in Double3 normal, in Double3 direction) =>
+        Outer == null ? Double3.Dot(normal, direction) : Outer->Cosine(normal);
 
     /// <summary><see cref="Along"/> for the local axes as normals.</summary>
-    internal readonly Vector3D AlongAxes(in Vector3D direction) => Outer == null
+    internal readonly Double3 AlongAxes(in Double3 direction) => Outer == null
         ? direction
         : new(
-            Outer->Cosine(new Vector3D(1, 0, 0)), Outer->Cosine(new Vector3D(0, 1, 0)),
-            Outer->Cosine(new Vector3D(0, 0, 1)));
+            Outer->Cosine(new Double3(1, 0, 0)), Outer->Cosine(new Double3(0, 1, 0)),
+            Outer->Cosine(new Double3(0, 0, 1)));
 
     /// <summary>A corner's place.</summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1, unchecked.</param>
-    internal readonly ref Vector3D this[int index] => ref _corners[index].Point;
+    internal readonly ref Double3 this[int index] => ref _corners[index].Point;
 
     /// <summary>A corner's id.</summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1, unchecked.</param>
@@ -97,12 +97,12 @@ public unsafe ref struct FaceCorners
 internal struct FaceCorner
 {
     /// <summary>The corner itself.</summary>
-    public Vector3D Point;
+    public Double3 Point;
 
     /// <summary>What tells it from the others.</summary>
     public readonly int Id;
 
-    public FaceCorner(in Vector3D point, int id)
+    public FaceCorner(in Double3 point, int id)
     {
         Point = point;
         Id = id;

@@ -18,9 +18,9 @@ internal static unsafe class FaceTilt
     /// <summary>Whether a face lies level enough.</summary>
     /// <param name="normal">Outward, of any length.</param>
     /// <param name="direction">Of any length.</param>
-    public static bool IsLevelFace(in Vector3D normal, in Vector3D direction)
+    public static bool IsLevelFace(in Double3 normal, in Double3 direction)
     {
-        double along = Vector3D.Dot(normal, direction);
+        double along = Double3.Dot(normal, direction);
         return along > 0
             && along * along >= LeastCosine * LeastCosine * normal.LengthSquared * direction.LengthSquared;
     }
@@ -29,24 +29,24 @@ internal static unsafe class FaceTilt
     /// <param name="normal">Outward, of any length.</param>
     /// <param name="direction">Of any length.</param>
     /// <param name="corners">Which know how the face is seen.</param>
-    public static bool IsLevelFace(in Vector3D normal, in Vector3D direction, in FaceCorners corners) =>
+    public static bool IsLevelFace(in Double3 normal, in Double3 direction, in FaceCorners corners) =>
         corners.Outer == null ? IsLevelFace(normal, direction) : corners.Outer->Cosine(normal) >= LeastCosine;
 
     /// <summary>How steep an edge is, for comparing: the sine, infinite for an edge without length.</summary>
     /// <param name="edge">Of any length.</param>
     /// <param name="direction">Of one length for all that are compared.</param>
-    public static double Rise(in Vector3D edge, in Vector3D direction)
+    public static double Rise(in Double3 edge, in Double3 direction)
     {
         double length = edge.Length;
-        return length > 0 ? Math.Abs(Vector3D.Dot(edge, direction)) / length : double.PositiveInfinity;
+        return length > 0 ? Math.Abs(Double3.Dot(edge, direction)) / length : double.PositiveInfinity;
     }
 
     /// <summary>Whether an edge lies level enough; one without length does not.</summary>
     /// <param name="edge">Of any length.</param>
     /// <param name="direction">Of any length.</param>
-    public static bool IsLevelEdge(in Vector3D edge, in Vector3D direction)
+    public static bool IsLevelEdge(in Double3 edge, in Double3 direction)
     {
-        double rise = Vector3D.Dot(edge, direction), squared = edge.LengthSquared * direction.LengthSquared;
+        double rise = Double3.Dot(edge, direction), squared = edge.LengthSquared * direction.LengthSquared;
         return squared > 0 && rise * rise <= MostSine * MostSine * squared;
     }
 }

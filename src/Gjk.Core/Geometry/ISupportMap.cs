@@ -14,7 +14,7 @@ namespace Gjk.Core;
 public interface ISupportMap
 {
     /// <summary>A point in the middle of the core, or near it. Where it is the local origin, return that.</summary>
-    Vector3D Center { get; }
+    Double3 Center { get; }
 
     /// <summary>How far the shape reaches beyond the core, from 0 to 1e150, in local units.</summary>
     double Margin { get; }
@@ -32,7 +32,7 @@ public interface ISupportMap
     /// The furthest point, measured from <see cref="Center"/>; any of them where there are several.
     /// </param>
     /// <returns>The id of the vertex, at least 0, or -1 where the shape has no vertices (a curved core).</returns>
-    int Support(in Vector3D direction, out Vector3D point);
+    int Support(in Double3 direction, out Double3 point);
 
     /// <summary>
     /// Shows the face, edge or corner of the core that lies furthest in a direction, for <c>Contacts</c>; may be left
@@ -47,10 +47,10 @@ public interface ISupportMap
     /// Empty; to be filled with the corners of a flat convex face in order, either way round, with the two ends of an
     /// edge, with a corner, or with nothing. They hold the support point, as far as the shape has corners.
     /// </param>
-    void GetFace(in Vector3D direction, ref FaceCorners corners);
+    void GetFace(in Double3 direction, ref FaceCorners corners);
 
     /// <summary>The core's vertex with the given id, for warm starts: false when there is none with that id.</summary>
     /// <param name="id">Any number; a stale one must be refused, not trusted.</param>
     /// <param name="point">The vertex, exactly as <see cref="Support"/> returns it.</param>
-    bool TryGetVertex(int id, out Vector3D point);
+    bool TryGetVertex(int id, out Double3 point);
 }

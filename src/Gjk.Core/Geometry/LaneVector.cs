@@ -11,7 +11,7 @@ internal struct LaneVector
     public double X, Y, Z, End;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public LaneVector(in Vector3D v)
+    public LaneVector(in Double3 v)
     {
         X = v.X;
         Y = v.Y;
@@ -19,7 +19,7 @@ internal struct LaneVector
         End = 0;
     }
 
-    public readonly Vector3D Xyz
+    public readonly Double3 Xyz
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => new(X, Y, Z);

@@ -9,25 +9,25 @@ namespace Gjk.Core;
 internal readonly struct OuterFrame
 {
     /// <summary>The images of the inner axes, at most of unit length; their size says nothing.</summary>
-    private readonly Vector3D _x, _y, _z;
+    private readonly Double3 _x, _y, _z;
 
     /// <summary>The direction in which a face is asked for, outside, of unit length.</summary>
-    public readonly Vector3D Direction;
+    public readonly Double3 Direction;
 
     /// <param name="factors">The scale between the two, none 0.</param>
     /// <param name="direction">Outside, not 0.</param>
-    public OuterFrame(in Vector3D factors, in Vector3D direction)
-        : this(new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), Unit(direction)) =>
+    public OuterFrame(in Double3 factors, in Double3 direction)
+        : this(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), Unit(direction)) =>
         this = Scaled(factors);
 
-    private OuterFrame(in Vector3D x, in Vector3D y, in Vector3D z, in Vector3D direction)
+    private OuterFrame(in Double3 x, in Double3 y, in Double3 z, in Double3 direction)
     {
         (_x, _y, _z) = (x, y, z);
         Direction = direction;
     }
 
     /// <summary>The same for a frame inside another scale.</summary>
-    public OuterFrame Scaled(in Vector3D factors)
+    public OuterFrame Scaled(in Double3 factors)
     {
         double one = 1 / Math.Max(Math.Max(Math.Abs(factors.X), Math.Abs(factors.Y)), Math.Abs(factors.Z));
         return new(_x * (factors.X * one), _y * (factors.Y * one), _z * (factors.Z * one), Direction);
@@ -35,27 +35,27 @@ internal readonly struct OuterFrame
 
     /// <summary>The same for a frame that is turned.</summary>
     public OuterFrame Turned(in RotationD rotation) => new(
-        Outward(new Vector3D(rotation.M00, rotation.M10, rotation.M20)),
-        Outward(new Vector3D(rotation.M01, rotation.M11, rotation.M21)),
-        Outward(new Vector3D(rotation.M02, rotation.M12, rotation.M22)), Direction);
+        Outward(new Double3(rotation.M00, rotation.M10, rotation.M20)),
+        Outward(new Double3(rotation.M01, rotation.M11, rotation.M21)),
+        Outward(new Double3(rotation.M02, rotation.M12, rotation.M22)), Direction);
 
     /// <summary>An edge as it is seen, but for its length.</summary>
-    public Vector3D Outward(in Vector3D edge) => _x * edge.X + _y * edge.Y + _z * edge.Z;
+    public Double3 Outward(in Double3 edge) => _x * edge.X + _y * edge.Y + _z * edge.Z;
 
     /// <summary>The cosine between a face's normal as it is seen and the direction; 0 where there is none.</summary>
     /// <param name="normal">Inside, of any length: normals are mapped by the matrix of cofactors.</param>
-    public double Cosine(in Vector3D normal)
+    public double Cosine(in Double3 normal)
     {
-        Vector3D yz = Vector3D.Cross(_y, _z);
-        Vector3D seen = yz * normal.X + Vector3D.Cross(_z, _x) * normal.Y + Vector3D.Cross(_x, _y) * normal.Z;
-        double length = seen.Length, along = Vector3D.Dot(seen, Direction);
+        Double3 yz = Double3.Cross(_y, _z);
+        Double3 seen = yz * normal.X + Double3.Cross(_z, _x) * normal.Y + Double3.Cross(_x, _y) * normal.Z;
+        double length = seen.Length, along = Double3.Dot(seen, Direction);
         if (!(length > 0)) return 0;
-        return (Vector3D.Dot(_x, yz) < 0 ? -along : along) / length;
+        return (Double3.Dot(_x, yz) < 0 ? -along : along) / length;
     }
 
-    private static Vector3D Unit(in Vector3D direction)
+    private static Double3 Unit(in Double3 direction)
     {
-        Vector3D safe = DirectionRange.ToUnit(direction);
+        Double3 safe = DirectionRange.ToUnit(direction);
         return safe * (1 / safe.Length);
     }
 }

@@ -25,7 +25,7 @@ internal readonly struct QuaternionD
     public QuaternionD Conjugate => new(-X, -Y, -Z, W);
 
     /// <summary>The turn by an angle in radians about an axis of unit length.</summary>
-    public static QuaternionD About(in Vector3D axis, double angle)
+    public static QuaternionD About(in Double3 axis, double angle)
     {
         SineCosine.Of(0.5 * angle, out double sine, out double cosine);
         return new QuaternionD(axis.X * sine, axis.Y * sine, axis.Z * sine, cosine);
@@ -39,9 +39,9 @@ internal readonly struct QuaternionD
         a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z);
 
     /// <summary>A vector turned by a quaternion of unit length: v + 2 u × (u × v + w v).</summary>
-    public Vector3D Rotate(in Vector3D v)
+    public Double3 Rotate(in Double3 v)
     {
-        var u = new Vector3D(X, Y, Z);
-        return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * W) * 2;
+        var u = new Double3(X, Y, Z);
+        return v + Double3.Cross(u, Double3.Cross(u, v) + v * W) * 2;
     }
 }

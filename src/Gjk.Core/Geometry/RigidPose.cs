@@ -63,7 +63,7 @@ public readonly struct RigidPose : IEquatable<RigidPose>
 
     /// <summary>The local point of a world one, computed in double and rounded to float.</summary>
     public Vector3 InverseTransformPoint(Vector3 world) =>
-        (Vector3)new RotationD(Rotation).InverseRotate((Vector3D)world - Position);
+        (Vector3)new RotationD(Rotation).InverseRotate((Double3)world - Position);
 
     /// <summary>The direction in the world of a local one: turned, not moved, of the same length.</summary>
     public Vector3 TransformDirection(Vector3 local) => (Vector3)new RotationD(Rotation).Rotate(local);
@@ -77,7 +77,7 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The position is beyond the range of float.</exception>
     public RigidPose Inverse() => new(
-        Quaternion.Conjugate(Rotation), (Vector3)new RotationD(Rotation).InverseRotate(-(Vector3D)Position));
+        Quaternion.Conjugate(Rotation), (Vector3)new RotationD(Rotation).InverseRotate(-(Double3)Position));
 
     /// <summary>
     /// Where a child is in the world: its pose in its parent's frame, followed by the parent's; computed in double and
@@ -135,7 +135,7 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <summary>The position, and the rotation (x, y, z, w) where there is one, for people to read.</summary>
     public override string ToString()
     {
-        string position = ((Vector3D)Position).ToString("G9");
+        string position = ((Double3)Position).ToString("G9");
         return Rotation == Quaternion.Identity
             ? position
             : FormattableString.Invariant(

@@ -72,11 +72,11 @@ internal struct RotationD
         set => value.StoreUnsafe(ref M02);
     }
 #else
-    public readonly Vector3D Column0 => new(M00, M10, M20);
+    public readonly Double3 Column0 => new(M00, M10, M20);
 
-    public readonly Vector3D Column1 => new(M01, M11, M21);
+    public readonly Double3 Column1 => new(M01, M11, M21);
 
-    public readonly Vector3D Column2 => new(M02, M12, M22);
+    public readonly Double3 Column2 => new(M02, M12, M22);
 #endif
 
     public readonly RotationD Transposed
@@ -93,13 +93,13 @@ internal struct RotationD
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D Rotate(in Vector3D v) => new(
+    public readonly Double3 Rotate(in Double3 v) => new(
         M00 * v.X + M01 * v.Y + M02 * v.Z,
         M10 * v.X + M11 * v.Y + M12 * v.Z,
         M20 * v.X + M21 * v.Y + M22 * v.Z);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D InverseRotate(in Vector3D v) => new(
+    public readonly Double3 InverseRotate(in Double3 v) => new(
         M00 * v.X + M10 * v.Y + M20 * v.Z,
         M01 * v.X + M11 * v.Y + M21 * v.Z,
         M02 * v.X + M12 * v.Y + M22 * v.Z);

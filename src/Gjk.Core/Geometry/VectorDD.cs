@@ -14,9 +14,9 @@ internal readonly struct VectorDD
         Z = z;
     }
 
-    public static implicit operator VectorDD(in Vector3D v) => new(v.X, v.Y, v.Z);
+    public static implicit operator VectorDD(in Double3 v) => new(v.X, v.Y, v.Z);
 
-    public static explicit operator Vector3D(in VectorDD v) => new((double)v.X, (double)v.Y, (double)v.Z);
+    public static explicit operator Double3(in VectorDD v) => new((double)v.X, (double)v.Y, (double)v.Z);
 
     public static VectorDD operator +(in VectorDD a, in VectorDD b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
@@ -30,20 +30,20 @@ internal readonly struct VectorDD
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 
     /// <summary>(q - p) × (r - p), the normal of a triangle, in 106 bits; of a needle, double's would lean.</summary>
-    public static Vector3D Normal(in Vector3D p, in Vector3D q, in Vector3D r)
+    public static Double3 Normal(in Double3 p, in Double3 q, in Double3 r)
     {
         VectorDD origin = p;
-        return (Vector3D)Cross(q - origin, r - origin);
+        return (Double3)Cross(q - origin, r - origin);
     }
 
     /// <summary>A local point in the world.</summary>
-    public static VectorDD Place(in RigidPose pose, in Vector3D v) =>
-        (VectorDD)(Vector3D)pose.Position + Rotate(pose.Rotation, v);
+    public static VectorDD Place(in RigidPose pose, in Double3 v) =>
+        (VectorDD)(Double3)pose.Position + Rotate(pose.Rotation, v);
 
     /// <summary>v + 2 u × (u × v + w v) / |q|², the rotation by q = (u, w) without a matrix.</summary>
     public static VectorDD Rotate(in Quaternion q, in VectorDD v)
     {
-        VectorDD u = new Vector3D(q.X, q.Y, q.Z);
+        VectorDD u = new Double3(q.X, q.Y, q.Z);
         DoubleDouble w = (double)q.W;
         DoubleDouble norm = Dot(u, u) + w * w;
         return v + Cross(u, Cross(u, v) + v * w) * (2.0 / norm);

@@ -7,7 +7,7 @@ using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 namespace Gjk.Core;
 
 /// <summary>
-/// A vector of each of four pairs, one pair per lane. Every operation is that of <see cref="Vector3D"/>, product by
+/// A vector of each of four pairs, one pair per lane. Every operation is that of <see cref="Double3"/>, product by
 /// product and sum by sum, so a lane has the bits that its pair would have alone.
 /// </summary>
 internal readonly struct WideVector
@@ -28,7 +28,7 @@ internal readonly struct WideVector
         get => X * X + Y * Y + Z * Z;
     }
 
-    /// <inheritdoc cref="Vector3D.SumOfMagnitudes"/>
+    /// <inheritdoc cref="Double3.SumOfMagnitudes"/>
     public Lanes SumOfMagnitudes
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -71,7 +71,7 @@ internal readonly struct WideVector
     }
 
     /// <summary>The vector of one lane.</summary>
-    public Vector3D this[int lane] => new(X.GetElement(lane), Y.GetElement(lane), Z.GetElement(lane));
+    public Double3 this[int lane] => new(X.GetElement(lane), Y.GetElement(lane), Z.GetElement(lane));
 }
 
 /// <summary>A rotation matrix of each of four pairs.</summary>

@@ -1,7 +1,7 @@
 #if NET
 global using Xyz = System.Runtime.Intrinsics.Vector256<double>;
 #else
-global using Xyz = Gjk.Core.Vector3D;
+global using Xyz = Gjk.Core.Double3;
 #endif
 using System.Numerics;
 #if NET
@@ -13,14 +13,14 @@ namespace Gjk.Core;
 
 /// <summary>
 /// Three doubles to compute with: a register whose last lane is nobody's where there are such, or a
-/// <see cref="Vector3D"/>. What is written with either has the same bits.
+/// <see cref="Double3"/>. What is written with either has the same bits.
 /// </summary>
 internal static class XyzExtensions
 {
 #if NET
     /// <summary>The first three lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D ToVector3D(this Xyz v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
+    public static Double3 ToVector3D(this Xyz v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
 
     /// <summary>Rounded to float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -28,7 +28,7 @@ internal static class XyzExtensions
 
     /// <summary>The vector with a 0 behind it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Xyz ToXyz(this in Vector3D v) => Vector256.Create(v.X, v.Y, v.Z, 0);
+    public static Xyz ToXyz(this in Double3 v) => Vector256.Create(v.X, v.Y, v.Z, 0);
 
     /// <summary>The magnitudes of the components.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -49,17 +49,17 @@ internal static class XyzExtensions
             + matrix.Column1 * Vector256.Shuffle(v, Vector256.Create(1L))
             + matrix.Column2 * Vector256.Shuffle(v, Vector256.Create(2L));
 #else
-    public static Vector3D ToVector3D(this Vector3D v) => v;
+    public static Double3 ToVector3D(this Double3 v) => v;
 
-    public static Vector3 ToSingle(this in Vector3D v) => (Vector3)v;
+    public static Vector3 ToSingle(this in Double3 v) => (Vector3)v;
 
-    public static Vector3D ToXyz(this in Vector3D v) => v;
+    public static Double3 ToXyz(this in Double3 v) => v;
 
-    public static Vector3D Abs(this in Vector3D v) =>
+    public static Double3 Abs(this in Double3 v) =>
         new(System.Math.Abs(v.X), System.Math.Abs(v.Y), System.Math.Abs(v.Z));
 
-    public static Vector3D Times(this in Vector3D v, in Vector3D w) => new(v.X * w.X, v.Y * w.Y, v.Z * w.Z);
+    public static Double3 Times(this in Double3 v, in Double3 w) => new(v.X * w.X, v.Y * w.Y, v.Z * w.Z);
 
-    public static unsafe void StoreAt(this in Vector3D v, double* to) => (to[0], to[1], to[2]) = (v.X, v.Y, v.Z);
+    public static unsafe void StoreAt(this in Double3 v, double* to) => (to[0], to[1], to[2]) = (v.X, v.Y, v.Z);
 #endif
 }

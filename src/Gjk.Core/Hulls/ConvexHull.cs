@@ -128,7 +128,7 @@ public sealed class ConvexHull
     public Aabb Bounds { get; }
 
     /// <summary>The middle of <see cref="Bounds"/>.</summary>
-    public Vector3D Center { get; }
+    public Double3 Center { get; }
 
     /// <summary>
     /// The largest distance of a corner from <see cref="Center"/>, rounded up: the ball around it does hold the hull.
@@ -216,7 +216,7 @@ public sealed class ConvexHull
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal void GetVertex(int id, out Vector3D point) =>
+    internal void GetVertex(int id, out Double3 point) =>
         point = Vertices.GetVertex(id);
 
     private static Vector3[] CheckedCopy(IReadOnlyList<Vector3> points)
@@ -266,7 +266,7 @@ public sealed class ConvexHull
         double squared = 0;
         for (int i = 0; i < VertexCount; i++)
         {
-            GetVertex(i, out Vector3D p);
+            GetVertex(i, out Double3 p);
             squared = Math.Max(squared, (p - Center).LengthSquared);
         }
 

@@ -19,7 +19,7 @@ internal sealed class HullFaces
     private readonly int[] _faceStart, _corners;
 
     /// <summary>Of unit length, outward.</summary>
-    private readonly Vector3D[] _normals;
+    private readonly Double3[] _normals;
 
     /// <summary>The faces at vertex i are those from VertexStart[i] up to, not including, VertexStart[i + 1].</summary>
     private readonly int[] _vertexStart, _vertexFaces;
@@ -43,7 +43,7 @@ internal sealed class HullFaces
     /// <param name="vertex">The furthest in the direction.</param>
     /// <param name="direction">Of any length.</param>
     /// <param name="corners">Filled with the corners, measured from the hull's centre.</param>
-    public void Get(int vertex, in Vector3D direction, ref FaceCorners corners)
+    public void Get(int vertex, in Double3 direction, ref FaceCorners corners)
     {
         int face = -1;
         double most = 0;
@@ -68,16 +68,16 @@ internal sealed class HullFaces
     }
 
     /// <summary>The most level edge at a vertex, or the vertex.</summary>
-    private void GetEdge(int vertex, in Vector3D direction, ref FaceCorners corners)
+    private void GetEdge(int vertex, in Double3 direction, ref FaceCorners corners)
     {
-        _hull.GetVertex(vertex, out Vector3D point);
+        _hull.GetVertex(vertex, out Double3 point);
         int end = -1;
         double least = double.PositiveInfinity;
-        Vector3D up = corners.SeenFrom(direction);
+        Double3 up = corners.SeenFrom(direction);
         for (int i = _hull.NeighborStart[vertex]; i < _hull.NeighborStart[vertex + 1]; i++)
         {
-            _hull.GetVertex(_hull.Neighbors[i], out Vector3D other);
-            Vector3D edge = corners.Seen(other - point);
+            _hull.GetVertex(_hull.Neighbors[i], out Double3 other);
+            Double3 edge = corners.Seen(other - point);
             double rise = FaceTilt.Rise(edge, up);
             if (!FaceTilt.IsLevelEdge(edge, up) || rise >= least) continue;
             least = rise;
@@ -90,7 +90,7 @@ internal sealed class HullFaces
 
     private void Add(int id, ref FaceCorners corners)
     {
-        _hull.GetVertex(id, out Vector3D point);
+        _hull.GetVertex(id, out Double3 point);
         corners.Add(point - _hull.Center, id);
     }
 }

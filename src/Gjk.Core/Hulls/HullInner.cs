@@ -19,11 +19,11 @@ internal static class HullInner
         for (int i = 0; i < hull.TriangleCount; i++)
         {
             hull.GetTriangle(i, out int a, out int b, out int c);
-            hull.GetVertex(a, out Vector3D origin);
-            hull.GetVertex(b, out Vector3D second);
-            hull.GetVertex(c, out Vector3D third);
-            Vector3D normal = VectorDD.Normal(origin * unit, second * unit, third * unit);
-            least = Math.Min(least, Vector3D.Dot(normal, origin - hull.Center) / normal.Length);
+            hull.GetVertex(a, out Double3 origin);
+            hull.GetVertex(b, out Double3 second);
+            hull.GetVertex(c, out Double3 third);
+            Double3 normal = VectorDD.Normal(origin * unit, second * unit, third * unit);
+            least = Math.Min(least, Double3.Dot(normal, origin - hull.Center) / normal.Length);
         }
 
         return least * (least > 0 ? RoundingDown : 2 - RoundingDown);

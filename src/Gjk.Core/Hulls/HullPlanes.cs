@@ -62,13 +62,13 @@ internal sealed class HullPlanes
     public static HullPlanes? Of(ConvexHull hull)
     {
         if (hull.Dimension < 3 || hull.TriangleCount > MostTriangles) return null;
-        var normals = new List<Vector3D>();
+        var normals = new List<Double3>();
         var offsets = new List<double>();
-        Vector3D inside = MeanCorner(hull);
+        Double3 inside = MeanCorner(hull);
         for (int i = 0; i < hull.TriangleCount; i++)
         {
-            if (!TryGetPlane(hull, i, out Vector3D normal, out double offset)) return null;
-            if (!(offset - Vector3D.Dot(normal, inside) >= LeastDepth * hull.BoundingRadius)) return null;
+            if (!TryGetPlane(hull, i, out Double3 normal, out double offset)) return null;
+            if (!(offset - Double3.Dot(normal, inside) >= LeastDepth * hull.BoundingRadius)) return null;
             if (IsKnown(normals, offsets, normal, offset, hull.BoundingRadius)) continue;
             normals.Add(normal);
             offsets.Add(offset);
@@ -80,12 +80,12 @@ internal sealed class HullPlanes
     /// <summary>
     /// A point inside, measured from the centre: of n corners the mean is 1/n of the hull's width below any plane.
     /// </summary>
-    private static Vector3D MeanCorner(ConvexHull hull)
+    private static Double3 MeanCorner(ConvexHull hull)
     {
-        Vector3D sum = default;
+        Double3 sum = default;
         for (int i = 0; i < hull.VertexCount; i++)
         {
-            hull.GetVertex(i, out Vector3D corner);
+            hull.GetVertex(i, out Double3 corner);
             sum += corner - hull.Center;
         }
 
@@ -93,28 +93,28 @@ internal sealed class HullPlanes
     }
 
     /// <summary>The plane of a triangle, through the hull's highest corner over it.</summary>
-    private static bool TryGetPlane(ConvexHull hull, int triangle, out Vector3D normal, out double offset)
+    private static bool TryGetPlane(ConvexHull hull, int triangle, out Double3 normal, out double offset)
     {
         hull.GetTriangle(triangle, out int a, out int b, out int c);
-        hull.GetVertex(a, out Vector3D origin);
-        hull.GetVertex(b, out Vector3D second);
-        hull.GetVertex(c, out Vector3D third);
+        hull.GetVertex(a, out Double3 origin);
+        hull.GetVertex(b, out Double3 second);
+        hull.GetVertex(c, out Double3 third);
         double unit = 1 / PowerOfTwo.AtMost(hull.BoundingRadius);
         normal = VectorDD.Normal(origin * unit, second * unit, third * unit);
         normal *= 1 / normal.Length;
-        double own = Vector3D.Dot(normal, origin - hull.Center);
+        double own = Double3.Dot(normal, origin - hull.Center);
         offset = own;
         for (int i = 0; i < hull.VertexCount; i++)
         {
-            hull.GetVertex(i, out Vector3D corner);
-            offset = Math.Max(offset, Vector3D.Dot(normal, corner - hull.Center));
+            hull.GetVertex(i, out Double3 corner);
+            offset = Math.Max(offset, Double3.Dot(normal, corner - hull.Center));
         }
 
         return offset - own <= Above * hull.BoundingRadius;
     }
 
     private static bool IsKnown(
-        List<Vector3D> normals, List<double> offsets, in Vector3D normal, double offset, double radius)
+        List<Double3> normals, List<double> offsets, in Double3 normal, double offset, double radius)
     {
         for (int i = 0; i < normals.Count; i++)
         {
@@ -128,7 +128,7 @@ internal sealed class HullPlanes
         return false;
     }
 
-    private static double[] Pack(List<Vector3D> normals, List<double> offsets)
+    private static double[] Pack(List<Double3> normals, List<double> offsets)
     {
         int blocks = (normals.Count + Lanes - 1) / Lanes;
         double[] packed = new double[blocks * BlockDoubles];

@@ -29,8 +29,8 @@ internal static partial class MinkowskiDifference
         || typeof(T) == typeof(TriangleCore);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3D SupportInLanes<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref Simplex simplex, int slot, out int ids)
+    private static Double3 SupportInLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out int ids)
     {
         Vector256<double> w = SupportInLanes(
             ref a, ref b, frame, -normal,
@@ -43,7 +43,7 @@ internal static partial class MinkowskiDifference
     /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void SupportInLanes<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, PolytopeVertex* vertex)
+        ref TA a, ref TB b, in PairFrame frame, in Double3 direction, PolytopeVertex* vertex)
     {
         Vector256<double> w = SupportInLanes(
             ref a, ref b, frame, direction,
@@ -59,7 +59,7 @@ internal static partial class MinkowskiDifference
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<double> SupportInLanes<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction,
+        ref TA a, ref TB b, in PairFrame frame, in Double3 direction,
         out Vector256<double> onA, out Vector256<double> onB, out int idA, out int idB)
     {
         Vector256<double> x = Vector256.Create(direction.X), y = Vector256.Create(direction.Y);
@@ -147,6 +147,6 @@ internal static partial class MinkowskiDifference
         onA - (frame.Rotation.Rotate(onB) + frame.TranslationLanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3D Xyz(Vector256<double> v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
+    private static Double3 Xyz(Vector256<double> v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
 }
 #endif

@@ -21,17 +21,17 @@ internal static partial class MinkowskiDifference
     /// <param name="ids">Both ids in one: negative where a support point has none.</param>
     /// <returns>The vertex: A's support point less B's, in A's frame.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref Simplex simplex, int slot, out int ids)
+    public static Double3 Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out int ids)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
 #if NET
         if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, ref simplex, slot, out ids);
 #endif
-        int idA = a.Support(-normal, out Vector3D onA);
-        int idB = b.Support(frame.Rotation.InverseRotate(normal), out Vector3D onB);
-        Vector3D w = VertexOf(frame, onA, onB);
+        int idA = a.Support(-normal, out Double3 onA);
+        int idB = b.Support(frame.Rotation.InverseRotate(normal), out Double3 onB);
+        Double3 w = VertexOf(frame, onA, onB);
         simplex.Fill(slot, w, onA, onB, idA, idB);
         ids = idA | idB;
         return w;
@@ -48,7 +48,7 @@ internal static partial class MinkowskiDifference
 #if NET
         if (HaveLanes<TA, TB>()) return TryPlaceLanes(ref a, ref b, frame, idA, idB, ref simplex, slot);
 #endif
-        if (!a.TryGetVertex(idA, out Vector3D onA) | !b.TryGetVertex(idB, out Vector3D onB)) return false;
+        if (!a.TryGetVertex(idA, out Double3 onA) | !b.TryGetVertex(idB, out Double3 onB)) return false;
         simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, idA, idB);
         return true;
     }
@@ -59,13 +59,13 @@ internal static partial class MinkowskiDifference
         for (int i = 0; i < simplex.Count; i++)
         {
             int slot = simplex[i];
-            Vector3D onA = simplex.OnA(slot), onB = simplex.OnB(slot);
+            Double3 onA = simplex.OnA(slot), onB = simplex.OnB(slot);
             simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, simplex.IdA(slot), simplex.IdB(slot));
         }
     }
 
     /// <summary>The vertex made of a point of each shape, measured from its centre in its own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3D VertexOf(in PairFrame frame, in Vector3D onA, in Vector3D onB) =>
+    private static Double3 VertexOf(in PairFrame frame, in Double3 onA, in Double3 onB) =>
         onA - (frame.Rotation.Rotate(onB) + frame.Translation);
 }

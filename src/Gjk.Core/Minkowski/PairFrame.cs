@@ -58,7 +58,7 @@ internal struct PairFrame
     public RotationD RotationA;
 
     /// <summary>From A's centre to B's, in A's frame.</summary>
-    public Vector3D Translation;
+    public Double3 Translation;
 
     /// <summary>0, so that the translation can be read as a register of four doubles.</summary>
     public double End;
@@ -73,7 +73,7 @@ internal struct PairFrame
 #endif
 
     /// <summary>The shapes' centres in their own frames.</summary>
-    public Vector3D CenterA, CenterB;
+    public Double3 CenterA, CenterB;
 
     /// <summary>The shapes' margins.</summary>
     public double MarginA, MarginB;
@@ -124,13 +124,13 @@ internal struct PairFrame
     public readonly bool ArePoints => Radius == Margins;
 
     /// <summary>The first search direction: from B's centre to A's, or any where they coincide.</summary>
-    public readonly Vector3D FirstNormal
+    public readonly Double3 FirstNormal
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get
         {
-            Vector3D normal = -Translation;
-            return normal.LengthSquared > 0 ? normal : new Vector3D(1, 0, 0);
+            Double3 normal = -Translation;
+            return normal.LengthSquared > 0 ? normal : new Double3(1, 0, 0);
         }
     }
 
@@ -144,9 +144,9 @@ internal struct PairFrame
     {
         PoseComposition.Compose(
             poseA, poseB, out frame.RotationA, out frame.Rotation, out frame.Inverse, out frame._areRotations);
-        Vector3D centerA = a.Center, centerB = b.Center;
-        frame.CenterA = new Vector3D(centerA.X, centerA.Y, centerA.Z);
-        frame.CenterB = new Vector3D(centerB.X, centerB.Y, centerB.Z);
+        Double3 centerA = a.Center, centerB = b.Center;
+        frame.CenterA = new Double3(centerA.X, centerA.Y, centerA.Z);
+        frame.CenterB = new Double3(centerB.X, centerB.Y, centerB.Z);
         frame.RadiusA = a.BoundingRadius;
         frame.RadiusB = b.BoundingRadius;
         frame.MarginA = a.Margin;
@@ -156,7 +156,7 @@ internal struct PairFrame
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         double tightRadius =
             (ShapeTraits<TA>.AreTight ? frame.RadiusA : 0) + (ShapeTraits<TB>.AreTight ? frame.RadiusB : 0);
-        Vector3D between = (Vector3D)poseB.Position - poseA.Position;
+        Double3 between = (Double3)poseB.Position - poseA.Position;
         if (!(offset > FarCenter * tightRadius))
         {
             frame.Translation = frame.RotationA.InverseRotate(between);
@@ -202,24 +202,24 @@ internal struct PairFrame
     }
 
     /// <summary>A point of A's core and the margin along a unit normal, in the world, with A at a position.</summary>
-    public readonly Vector3D SurfaceOfA(in Vector3D onCore, in Vector3D normal, in Vector3D position) =>
+    public readonly Double3 SurfaceOfA(in Double3 onCore, in Double3 normal, in Double3 position) =>
         RotationA.Rotate((onCore + normal * MarginA + CenterA) * Unit) + position;
 
     /// <summary>From A's centre to B's, in the world's axes, as exact as the poses are.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D BetweenCenters(
-        in RigidPose poseA, in Vector3D centerA, in RigidPose poseB, in Vector3D centerB) =>
+    public static Double3 BetweenCenters(
+        in RigidPose poseA, in Double3 centerA, in RigidPose poseB, in Double3 centerB) =>
         centerA.SumOfMagnitudes + centerB.SumOfMagnitudes == 0
-            ? (Vector3D)poseB.Position - poseA.Position
+            ? (Double3)poseB.Position - poseA.Position
             : BetweenFarCenters(poseA, poseB, centerA, centerB);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Vector3D BetweenFarCenters(
-        in RigidPose poseA, in RigidPose poseB, in Vector3D centerA, in Vector3D centerB)
+    private static Double3 BetweenFarCenters(
+        in RigidPose poseA, in RigidPose poseB, in Double3 centerA, in Double3 centerB)
     {
-        VectorDD between = (VectorDD)(Vector3D)poseB.Position - (Vector3D)poseA.Position;
+        VectorDD between = (VectorDD)(Double3)poseB.Position - (Double3)poseA.Position;
         between += VectorDD.Rotate(poseB.Rotation, centerB) - VectorDD.Rotate(poseA.Rotation, centerA);
-        var rounded = (Vector3D)between;
+        var rounded = (Double3)between;
         double error = ExtendedError * (centerA.SumOfMagnitudes + centerB.SumOfMagnitudes);
         return rounded.SumOfMagnitudes > error ? rounded : default;
     }

@@ -31,7 +31,7 @@ internal struct PairSize
 
     /// <summary>Takes note of a support point of each shape, measured from the centres.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void See(in PairFrame frame, in Vector3D onA, in Vector3D onB)
+    public void See(in PairFrame frame, in Double3 onA, in Double3 onB)
     {
         _a = Math.Max(_a, Math.Min(onA.Length + frame.MarginA, frame.RadiusA));
         _b = Math.Max(_b, Math.Min(onB.Length + frame.MarginB, frame.RadiusB));

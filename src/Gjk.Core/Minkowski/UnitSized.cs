@@ -17,7 +17,7 @@ internal readonly struct UnitSized<T> : ISupportMap, ILibraryShape
         _factor = factor;
     }
 
-    public Vector3D Center => _inner.Center * _factor;
+    public Double3 Center => _inner.Center * _factor;
 
     public double Margin => _inner.Margin * _factor;
 
@@ -32,21 +32,21 @@ internal readonly struct UnitSized<T> : ISupportMap, ILibraryShape
         return ShapeTraits<T>.Of.TryGetTarget(ref inner, out target);
     }
 
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         int id = _inner.Support(direction, out point);
         point *= _factor;
         return id;
     }
 
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         bool found = _inner.TryGetVertex(id, out point);
         point *= _factor;
         return found;
     }
 
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
         _inner.GetFace(direction, ref corners);
         corners.SideRadius *= _factor;

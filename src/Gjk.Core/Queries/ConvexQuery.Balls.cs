@@ -25,14 +25,14 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         double turnA = InverseTurn(poseA.Rotation), turnB = InverseTurn(poseB.Rotation);
-        Vector3D between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
+        Double3 between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
         double gap = BallGap(between, a.Margin, b.Margin, out double root);
         if (!IsBallGap(gap, a.Margin, b.Margin) || !(turnA > 0) || !(turnB > 0) || float.IsNaN(maxDistance))
             return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         double margins = a.Margin + b.Margin;
-        Vector3D normal = root > 0 ? between * (1 / root) : isSigned ? new Vector3D(1, 0, 0) : default;
-        Vector3D inA = Back(poseA.Rotation, turnA, normal), inB = Back(poseB.Rotation, turnB, normal);
+        Double3 normal = root > 0 ? between * (1 / root) : isSigned ? new Double3(1, 0, 0) : default;
+        Double3 inA = Back(poseA.Rotation, turnA, normal), inB = Back(poseB.Rotation, turnB, normal);
         bool touching = gap <= GjkTolerances.Touch * margins;
         if (!touching && (float)gap > Math.Max(maxDistance, 0))
         {
@@ -42,8 +42,8 @@ public static partial class ConvexQuery
         // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
         double share = touching && !isSigned && margins > 0 ? root / margins : 1;
         double reachA = share * a.Margin, reachB = share * b.Margin;
-        Vector3D worldA = Place(poseA, a.Center) + normal * reachA;
-        Vector3D worldB = worldA + normal * gap;
+        Double3 worldA = Place(poseA, a.Center) + normal * reachA;
+        Double3 worldB = worldA + normal * gap;
         bool isFromB = IsSmallerB(a.Margin, b.Margin, b.Center, MuchSmaller) || IsFarApart(gap, b.Margin, b.Center);
         if (isFromB)
         {
@@ -72,7 +72,7 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
+        Double3 between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
         double gap = BallGap(between, a.Margin, b.Margin, out _);
         if (!IsBallGap(gap, a.Margin, b.Margin) || !(InverseTurn(poseA.Rotation) > 0)
             || !(InverseTurn(poseB.Rotation) > 0))
@@ -84,7 +84,7 @@ public static partial class ConvexQuery
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double BallGap(in Vector3D between, double marginA, double marginB, out double root)
+    private static double BallGap(in Double3 between, double marginA, double marginB, out double root)
     {
         root = between.Length;
         return root - marginA - marginB;
@@ -112,15 +112,15 @@ public static partial class ConvexQuery
 
     /// <summary>v turned by the inverse of q: v + w t + t × u with t = s v × u and s = 2 / |q|².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3D Back(Quaternion q, double s, in Vector3D v)
+    private static Double3 Back(Quaternion q, double s, in Double3 v)
     {
-        var u = new Vector3D(q.X, q.Y, q.Z);
-        Vector3D t = Vector3D.Cross(v, u) * s;
-        return v + t * q.W + Vector3D.Cross(t, u);
+        var u = new Double3(q.X, q.Y, q.Z);
+        Double3 t = Double3.Cross(v, u) * s;
+        return v + t * q.W + Double3.Cross(t, u);
     }
 
     /// <summary>A shape's centre in the world.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3D Place(in RigidPose pose, in Vector3D center) =>
+    private static Double3 Place(in RigidPose pose, in Double3 center) =>
         center.SumOfMagnitudes == 0 ? pose.Position : ToWorld(pose, center);
 }

@@ -74,7 +74,7 @@ public static unsafe partial class ConvexQuery
         if (isSettled) return found;
         var contact = new SettledContact(found);
         Settle(
-            ref shapeA, poseA, ref shapeB, poseB, (Vector3D)translationB - translationA, found.Fraction,
+            ref shapeA, poseA, ref shapeB, poseB, (Double3)translationB - translationA, found.Fraction,
             Math.Max(maxFraction, 0), options, ref contact);
         return contact.Apply(found, maxFraction);
     }
@@ -103,14 +103,14 @@ public static unsafe partial class ConvexQuery
     private struct CastQuestion : IPairProblem<CastFinding, CastResult>
     {
         private readonly WarmStart* _warm;
-        private readonly Vector3D _translationA, _motion;
+        private readonly Double3 _translationA, _motion;
         private readonly float _maxFraction;
 
         public CastQuestion(Vector3 translationA, Vector3 translationB, float maxFraction, WarmStart* warm)
         {
             _warm = warm;
             _translationA = translationA;
-            _motion = (Vector3D)translationB - translationA;
+            _motion = (Double3)translationB - translationA;
             _maxFraction = maxFraction < 0 ? 0 : maxFraction;
         }
 
@@ -128,7 +128,7 @@ public static unsafe partial class ConvexQuery
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            Vector3D motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
+            Double3 motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
             CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref *_warm, out cast);
         }
 
@@ -139,7 +139,7 @@ public static unsafe partial class ConvexQuery
             CastStatus status = StatusOf(cast.Outcome, cast.Fraction);
             if (status is not (CastStatus.Hit or CastStatus.OverlappingAtStart))
                 return CastResult.Nothing(status, FractionOf(status, cast.Fraction, _maxFraction), cast.Iterations);
-            Vector3D world = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
+            Double3 world = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
             return new CastResult(
                 status, (float)cast.Fraction, (Vector3)(world + _translationA * cast.Fraction),
                 (Vector3)frame.RotationA.Rotate(cast.Normal), cast.Iterations);

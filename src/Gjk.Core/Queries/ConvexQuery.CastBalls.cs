@@ -25,7 +25,7 @@ public static partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D motion = (Vector3D)translationB - translationA;
+        Double3 motion = (Double3)translationB - translationA;
         DistanceResult start = DistanceOfBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity);
         if (start.Status == GjkStatus.InvalidInput || float.IsNaN(maxFraction)
             || !Guard.IsFinite(translationA) || !motion.IsFinite)
@@ -36,21 +36,21 @@ public static partial class ConvexQuery
         if (start.IsOverlapping)
             return new CastResult(CastStatus.OverlappingAtStart, 0, start.PointA, Vector3.Zero, 1);
         float most = Math.Max(maxFraction, 0);
-        Vector3D between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
+        Double3 between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
         double speed = motion.Length, radii = a.Margin + b.Margin;
-        Vector3D axis = motion * (1 / speed);
-        double way = -Vector3D.Dot(between, axis);
+        Double3 axis = motion * (1 / speed);
+        double way = -Double3.Dot(between, axis);
         if (!(way > 0)) return CastResult.Nothing(CastStatus.Miss, most, 1);
-        Vector3D nearest = between + axis * way;
-        nearest -= axis * Vector3D.Dot(nearest, axis);
+        Double3 nearest = between + axis * way;
+        nearest -= axis * Double3.Dot(nearest, axis);
         double passing = nearest.Length, along = way;
         if (passing > radii + BallLineError * (radii + way)) return CastResult.Nothing(CastStatus.Miss, most, 1);
         if (passing < radii) along -= Math.Sqrt((radii - passing) * (radii + passing));
         double fraction = Math.Max(along, 0) / speed;
         if (CastSolver.IsBeyond(fraction, most)) return CastResult.Nothing(CastStatus.Miss, most, 1);
-        Vector3D normal = nearest + axis * (along - way);
+        Double3 normal = nearest + axis * (along - way);
         normal = radii > 0 ? normal * (1 / normal.Length) : -axis;
-        Vector3D point = Place(poseA, a.Center) + normal * a.Margin + (Vector3D)translationA * fraction;
+        Double3 point = Place(poseA, a.Center) + normal * a.Margin + (Double3)translationA * fraction;
         return new CastResult(CastStatus.Hit, (float)fraction, (Vector3)point, (Vector3)normal, 1);
     }
 }

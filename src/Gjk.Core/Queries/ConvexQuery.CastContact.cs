@@ -81,7 +81,7 @@ public static unsafe partial class ConvexQuery
     /// <param name="contact">The contact; its status becomes that of the cast.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void Settle<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in Vector3D motion, double fraction, double most,
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in Double3 motion, double fraction, double most,
         in CastOptions options, ref SettledContact contact)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -110,10 +110,10 @@ public static unsafe partial class ConvexQuery
     private struct DeepeningQuestion : IPairProblem<MotionVerdict, MotionVerdict>
     {
         public int Iterations;
-        private readonly Vector3D _motion;
+        private readonly Double3 _motion;
         private readonly DeepeningPart _part;
 
-        public DeepeningQuestion(in Vector3D motion, in DeepeningPart part)
+        public DeepeningQuestion(in Double3 motion, in DeepeningPart part)
         {
             Iterations = 0;
             _motion = motion;
@@ -135,7 +135,7 @@ public static unsafe partial class ConvexQuery
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            Vector3D motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
+            Double3 motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
             var part = new DeepeningPart(_part.From, _part.To, _part.Allowed / frame.Unit, _part.Slope);
             verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
         }

@@ -20,7 +20,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         result = default;
-        Vector3D motion = (Vector3D)translationB - translationA;
+        Double3 motion = (Double3)translationB - translationA;
         if (IsPoint(ref b))
             return TryCastPoint(ref a, poseA, translationA, poseB, motion, maxFraction, ref result);
         if (!IsPoint(ref a)
@@ -36,7 +36,7 @@ public static partial class ConvexQuery
     /// <summary>A point, which is seen to move, against a shape that is translated in the world.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static bool TryCastPoint<T>(
-        ref T shape, in RigidPose pose, Vector3 translation, in RigidPose point, in Vector3D motion, float maxFraction,
+        ref T shape, in RigidPose pose, Vector3 translation, in RigidPose point, in Double3 motion, float maxFraction,
         ref CastResult result)
         where T : struct, ISupportMap
     {
@@ -56,7 +56,7 @@ public static partial class ConvexQuery
         result = hit.Status switch
         {
             CastStatus.Hit => new CastResult(
-                CastStatus.Hit, (float)fraction, (Vector3)(hit.Point + (Vector3D)translation * fraction),
+                CastStatus.Hit, (float)fraction, (Vector3)(hit.Point + (Double3)translation * fraction),
                 (Vector3)hit.Normal, 0),
             CastStatus.Miss => CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0),
             _ => new CastResult(hit.Status, 0, line.Origin, (Vector3)hit.Normal, 0),

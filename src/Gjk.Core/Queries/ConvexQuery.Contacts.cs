@@ -109,7 +109,7 @@ public static unsafe partial class ConvexQuery
 
         long id = ContactFeature.Of(ContactFeature.OnlyCorner(cornersA), ContactFeature.OnlyCorner(cornersB));
         manifold.Add(
-            new ContactPoint(
+            new ManifoldPoint(
                 result.PointA, result.PointB, result.LocalPointA, result.LocalPointB, result.Distance, id));
     }
 }

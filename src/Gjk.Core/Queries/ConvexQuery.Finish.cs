@@ -57,7 +57,7 @@ public static partial class ConvexQuery
         Xyz localA = (onA - toA * frame.MarginA + frame.CenterA.ToXyz()) * frame.Unit;
         Xyz localB = (onB + toAInB * frame.MarginB + frame.CenterB.ToXyz()) * frame.Unit;
         Xyz normal = -frame.RotationA.Rotate(toA);
-        Xyz worldA = frame.RotationA.Rotate(localA) + ((Vector3D)poseA.Position).ToXyz();
+        Xyz worldA = frame.RotationA.Rotate(localA) + ((Double3)poseA.Position).ToXyz();
         Xyz worldB = worldA + normal * distance;
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
         {
@@ -100,12 +100,12 @@ public static partial class ConvexQuery
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsSmallerB(double radiusA, double radiusB, in Vector3D centerB, double ratio) =>
+    private static bool IsSmallerB(double radiusA, double radiusB, in Double3 centerB, double ratio) =>
         radiusB * ratio < radiusA && centerB.SumOfMagnitudes <= FarApart * radiusA;
 
     /// <summary>Whether a shape's own pose places its point better than the way from the other shape does.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsFarApart(double distance, double radius, in Vector3D center) =>
+    private static bool IsFarApart(double distance, double radius, in Double3 center) =>
         distance > FarApart * radius && distance > FarApart * center.SumOfMagnitudes;
 
     /// <summary>
@@ -126,14 +126,14 @@ public static partial class ConvexQuery
     private static DistanceResult Beyond(in SolverState state, in PairFrame frame)
     {
         double scale = 1 / Math.Sqrt(state.Plane.NormalSquared);
-        Vector3D normal = state.Plane.Normal * -scale;
+        Double3 normal = state.Plane.Normal * -scale;
         return DistanceResult.Beyond(
             LowerBound(state.Plane.Value * scale, state, frame), (Vector3)frame.RotationA.Rotate(normal),
             state.Iterations);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Vector3D ToWorld(in RigidPose pose, in Vector3D local) =>
+    private static Double3 ToWorld(in RigidPose pose, in Double3 local) =>
         new RotationD(pose.Rotation).Rotate(local) + pose.Position;
 
     /// <summary>

@@ -61,7 +61,7 @@ public static partial class ConvexQuery
         double radiusA = a.BoundingRadius + a.Center.SumOfMagnitudes;
         double radiusB = b.BoundingRadius + b.Center.SumOfMagnitudes;
         double reach = (radiusA + radiusB) * (1 + GjkTolerances.SeparatedBandCurved);
-        double distanceSquared = ((Vector3D)poseB.Position - poseA.Position).LengthSquared;
+        double distanceSquared = ((Double3)poseB.Position - poseA.Position).LengthSquared;
         return distanceSquared > reach * reach & a.Margin >= 0 & b.Margin >= 0 & radiusA >= 0 & radiusB >= 0
             && PairFrame.IsOrdinarySize(distanceSquared) && poseA.IsValid && poseB.IsValid;
     }

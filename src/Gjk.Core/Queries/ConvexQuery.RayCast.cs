@@ -36,7 +36,7 @@ public static partial class ConvexQuery
         where T : struct, ISupportMap
     {
         ref T inward = ref PairProblem.Inward(shape);
-        var line = new WorldRay(origin, direction, ((Vector3D)direction).Length, Math.Max(maxDistance, 0));
+        var line = new WorldRay(origin, direction, ((Double3)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
         if (hit.Status == CastStatus.OverlappingAtStart || (options.PassesShallow && hit.Status == CastStatus.Hit))
             return SettleRay(ref inward, pose, line, options, hit);
@@ -111,7 +111,7 @@ public static partial class ConvexQuery
         ref T shape, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
         where T : struct, ISupportMap
     {
-        RayForm form = ShapeTraits<T>.Of.GetPlain(ref shape, out Vector3D size);
+        RayForm form = ShapeTraits<T>.Of.GetPlain(ref shape, out Double3 size);
         hit = default;
         bool isPlain = form == RayForm.Ball || (form == RayForm.Box && shape.Margin == 0);
         return (isPlain && shape.Center.SumOfMagnitudes == 0

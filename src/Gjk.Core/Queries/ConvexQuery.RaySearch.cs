@@ -36,7 +36,7 @@ public static partial class ConvexQuery
 
         /// <summary>Where the cast begins, its direction, how long that is, and the power of two in that.</summary>
         private double _begin, _length, _power;
-        private Vector3D _direction;
+        private Double3 _direction;
 
         public RayQuestion(in WorldRay line)
         {
@@ -82,7 +82,7 @@ public static partial class ConvexQuery
             where TB : struct, ISupportMap
         {
             WarmStart unused = default;
-            Vector3D motion = frame.RotationA.InverseRotate(_direction * (1 / _power));
+            Double3 motion = frame.RotationA.InverseRotate(_direction * (1 / _power));
             double most = (_line.Reach - _begin) / frame.Unit / (_length / _power);
             CastSolver.Solve(ref a, ref b, ref frame, motion, most, ref unused, out cast);
         }

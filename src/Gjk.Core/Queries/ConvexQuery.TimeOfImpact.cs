@@ -239,13 +239,13 @@ public static unsafe partial class ConvexQuery
             }
 
             // Balls that touch where they meet come without a plane.
-            Vector3D normal = impact.Normal == default
+            Double3 normal = impact.Normal == default
                 ? frame.Translation * (1 / frame.Translation.Length)
                 : impact.Normal;
             var outward = (Vector3)frame.RotationA.Rotate(normal);
-            Vector3D onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+            Double3 onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
             motion.MoveTo(fraction, ref frame);
-            Vector3D position = (Vector3D)_motionA.Pose.Position + (Vector3D)_motionA.Velocity * fraction;
+            Double3 position = (Double3)_motionA.Pose.Position + (Double3)_motionA.Velocity * fraction;
             return new CastResult(
                 CastStatus.Hit, fraction, (Vector3)frame.SurfaceOfA(onA, normal, position), outward, iterations);
         }

@@ -98,7 +98,7 @@ public readonly struct DistanceResult
             : Status.ToString();
     }
 
-    private static string Text(Vector3 v) => ((Vector3D)v).ToString("G9");
+    private static string Text(Vector3 v) => ((Double3)v).ToString("G9");
 
     internal static DistanceResult Invalid(GjkStatus status, int iterations)
     {

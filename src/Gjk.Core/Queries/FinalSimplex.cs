@@ -10,7 +10,7 @@ public readonly struct FinalSimplex
 {
     private readonly Simplex _simplex;
     private readonly Weights _weights;
-    private readonly Vector3D _centerA, _centerB;
+    private readonly Double3 _centerA, _centerB;
     private readonly double _unit;
 
     internal FinalSimplex(in Simplex simplex, in PairFrame frame)
@@ -31,11 +31,11 @@ public readonly struct FinalSimplex
 
     /// <summary>The support point of A, in A's own frame.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Vector3D PointOnA(int index) => (_simplex.OnA(_simplex[Checked(index)]) + _centerA) * _unit;
+    public Double3 PointOnA(int index) => (_simplex.OnA(_simplex[Checked(index)]) + _centerA) * _unit;
 
     /// <summary>The support point of B, in B's own frame.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Vector3D PointOnB(int index) => (_simplex.OnB(_simplex[Checked(index)]) + _centerB) * _unit;
+    public Double3 PointOnB(int index) => (_simplex.OnB(_simplex[Checked(index)]) + _centerB) * _unit;
 
     /// <summary>The id of A's support point, or -1 where A has no vertices.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>

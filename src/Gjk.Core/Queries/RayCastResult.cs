@@ -61,7 +61,7 @@ public readonly struct RayCastResult
         _ => Status.ToString(),
     };
 
-    private static string Text(Vector3 v) => ((Vector3D)v).ToString("G9");
+    private static string Text(Vector3 v) => ((Double3)v).ToString("G9");
 
     internal static RayCastResult Nothing(CastStatus status, float distance, int iterations)
     {

@@ -13,13 +13,13 @@ public readonly struct BoxShape : ISupportMap, IPlainBody
     public BoxShape(Vector3 halfExtents) => HalfExtents = Guard.NonNegative(halfExtents, nameof(halfExtents));
 
     /// <inheritdoc/>
-    public Vector3D Center => default;
+    public Double3 Center => default;
 
     /// <inheritdoc/>
     public double Margin => 0;
 
     /// <inheritdoc/>
-    public double BoundingRadius => ((Vector3D)HalfExtents).Length;
+    public double BoundingRadius => ((Double3)HalfExtents).Length;
 
     /// <summary>This, as queries ask it.</summary>
     internal void Get(out BoxCore box) =>
@@ -33,20 +33,20 @@ public readonly struct BoxShape : ISupportMap, IPlainBody
         return true;
     }
 
-    RayForm IPlainBody.GetPlain(out Vector3D size)
+    RayForm IPlainBody.GetPlain(out Double3 size)
     {
         size = HalfExtents;
         return RayForm.Box;
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point) =>
+    public int Support(in Double3 direction, out Double3 point) =>
         BoxSupport.Furthest(HalfExtents, direction, out point);
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
         BoxSupport.Face(HalfExtents, direction, ref corners);
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point) => BoxSupport.TryGetVertex(HalfExtents, id, out point);
+    public bool TryGetVertex(int id, out Double3 point) => BoxSupport.TryGetVertex(HalfExtents, id, out point);
 }

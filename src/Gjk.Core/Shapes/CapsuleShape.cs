@@ -18,7 +18,7 @@ public readonly struct CapsuleShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public Vector3D Center => default;
+    public Double3 Center => default;
 
     /// <inheritdoc/>
     public double Margin => Radius;
@@ -29,7 +29,7 @@ public readonly struct CapsuleShape : ISupportMap, ILibraryShape
     /// <summary>This, as queries ask it.</summary>
     internal void Get(out SegmentCore segment) =>
         SegmentCore.Make(
-            new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), 2, default, BoundingRadius, Radius,
+            new Double3(0, HalfHeight, 0), new Double3(0, -(double)HalfHeight, 0), 2, default, BoundingRadius, Radius,
             out segment);
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<CapsuleShape>();
@@ -37,26 +37,26 @@ public readonly struct CapsuleShape : ISupportMap, ILibraryShape
     bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
         RayTarget.Capsule(
-            new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), default, Radius, out target);
+            new Double3(0, HalfHeight, 0), new Double3(0, -(double)HalfHeight, 0), default, Radius, out target);
         return true;
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         bool down = direction.Y < 0;
-        point = new Vector3D(0, down ? -(double)HalfHeight : HalfHeight, 0);
+        point = new Double3(0, down ? -(double)HalfHeight : HalfHeight, 0);
         return down ? 1 : 0;
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
-        var top = new Vector3D(0, HalfHeight, 0);
+        var top = new Double3(0, HalfHeight, 0);
         PrimitiveFaces.Segment(top, -top, direction, ref corners);
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point) =>
-        PrimitiveSupport.Two(new Vector3D(0, HalfHeight, 0), new Vector3D(0, -(double)HalfHeight, 0), id, out point);
+    public bool TryGetVertex(int id, out Double3 point) =>
+        PrimitiveSupport.Two(new Double3(0, HalfHeight, 0), new Double3(0, -(double)HalfHeight, 0), id, out point);
 }

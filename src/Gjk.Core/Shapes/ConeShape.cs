@@ -18,35 +18,35 @@ public readonly struct ConeShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public Vector3D Center => default;
+    public Double3 Center => default;
 
     /// <inheritdoc/>
     public double Margin => 0;
 
     /// <inheritdoc/>
-    public double BoundingRadius => new Vector3D(Radius, HalfHeight, 0).Length;
+    public double BoundingRadius => new Double3(Radius, HalfHeight, 0).Length;
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<ConeShape>();
 
     bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
-        RayTarget.Of(RayForm.Cone, new Vector3D(Radius, HalfHeight, 0), out target);
+        RayTarget.Of(RayForm.Cone, new Double3(Radius, HalfHeight, 0), out target);
         return true;
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         point = PrimitiveSupport.Cone(Radius, HalfHeight, direction);
         return -1;
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
         PrimitiveFaces.Cone(Radius, HalfHeight, direction, ref corners);
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         point = default;
         return false;

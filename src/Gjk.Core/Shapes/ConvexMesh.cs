@@ -23,7 +23,7 @@ public readonly struct ConvexMesh : ISupportMap, IPlainBody
     public ConvexHull? Hull => _hull;
 
     /// <inheritdoc/>
-    public Vector3D Center => _hull is null ? default : _hull.Center;
+    public Double3 Center => _hull is null ? default : _hull.Center;
 
     /// <inheritdoc/>
     public double Margin => 0;
@@ -50,7 +50,7 @@ public readonly struct ConvexMesh : ISupportMap, IPlainBody
         return _hull is not null;
     }
 
-    RayForm IPlainBody.GetPlain(out Vector3D size)
+    RayForm IPlainBody.GetPlain(out Double3 size)
     {
         bool isBox = Core == CoreKind.Box;
         size = isBox ? _hull!.Cells.Stretch : default;
@@ -58,19 +58,19 @@ public readonly struct ConvexMesh : ISupportMap, IPlainBody
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
-        int id = HullSupport.Find(_hull!.Cells, direction, out Vector3D vertex);
+        int id = HullSupport.Find(_hull!.Cells, direction, out Double3 vertex);
         point = vertex - _hull!.Center;
         return id;
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
         _hull!.Faces.Get(HullSupport.Find(_hull.Cells, direction, out _), direction, ref corners);
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         if (_hull is null || (uint)id >= (uint)_hull.VertexCount)
         {

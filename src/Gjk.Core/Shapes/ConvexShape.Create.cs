@@ -30,7 +30,7 @@ public readonly partial struct ConvexShape
     {
         double margin = Guard.NonNegative(radius, nameof(radius));
         double height = Guard.NonNegative(halfHeight, nameof(halfHeight));
-        return Make(ShapeKind.Capsule, new Vector3D(0, height, 0), new Vector3D(0, -height, 0), margin: margin);
+        return Make(ShapeKind.Capsule, new Double3(0, height, 0), new Double3(0, -height, 0), margin: margin);
     }
 
     /// <summary>A box about the local origin.</summary>
@@ -64,9 +64,9 @@ public readonly partial struct ConvexShape
     public static ConvexShape Mesh(IReadOnlyList<Vector3> vertices) => Mesh(new ConvexHull(vertices));
 
     private static ConvexShape Make(
-        ShapeKind kind, in Vector3D a, in Vector3D b = default, in Vector3D c = default, double margin = 0) =>
+        ShapeKind kind, in Double3 a, in Double3 b = default, in Double3 c = default, double margin = 0) =>
         new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin });
 
-    private static Vector3D RadiusAndHeight(float radius, float halfHeight) =>
+    private static Double3 RadiusAndHeight(float radius, float halfHeight) =>
         new(Guard.NonNegative(radius, nameof(radius)), Guard.NonNegative(halfHeight, nameof(halfHeight)), 0);
 }

@@ -17,7 +17,7 @@ public readonly partial struct ConvexShape
     {
         Guard.Scale(scale, nameof(scale));
         CheckIsShape();
-        Vector3D factors = scale;
+        Double3 factors = scale;
         var change = new AxisScale(factors);
         ShapeParts parts = _parts;
         if (parts.Layer is not null || (parts.Rounding > 0 && !change.KeepsBalls))
@@ -37,15 +37,15 @@ public readonly partial struct ConvexShape
 
         if (!_isPlain || !IsMultipliedIn(change))
         {
-            parts.Scale = Vector3D.Multiply(parts.Scale, factors);
+            parts.Scale = Double3.Multiply(parts.Scale, factors);
             Guard.Scale((Vector3)parts.Scale, nameof(scale));
             return new(parts);
         }
 
         if (parts.Kind is ShapeKind.Box or ShapeKind.Ellipsoid) factors = Absolute(factors);
-        parts.A = Vector3D.Multiply(factors, parts.A);
-        parts.B = Vector3D.Multiply(factors, parts.B);
-        parts.C = Vector3D.Multiply(factors, parts.C);
+        parts.A = Double3.Multiply(factors, parts.A);
+        parts.B = Double3.Multiply(factors, parts.B);
+        parts.C = Double3.Multiply(factors, parts.C);
         parts.InnerMargin = change.Margin(parts.InnerMargin);
         return new(parts);
     }
@@ -109,5 +109,5 @@ public readonly partial struct ConvexShape
         return kind is ShapeKind.Point or ShapeKind.Sphere or ShapeKind.Segment or ShapeKind.Capsule;
     }
 
-    private static Vector3D Absolute(in Vector3D v) => new(Math.Abs(v.X), Math.Abs(v.Y), Math.Abs(v.Z));
+    private static Double3 Absolute(in Double3 v) => new(Math.Abs(v.X), Math.Abs(v.Y), Math.Abs(v.Z));
 }

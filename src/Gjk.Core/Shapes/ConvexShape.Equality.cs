@@ -60,5 +60,5 @@ public readonly partial struct ConvexShape
 
     private static string Text(double number) => number.ToString("G9", CultureInfo.InvariantCulture);
 
-    private static string Text(in Vector3D v) => $"<{Text(v.X)}, {Text(v.Y)}, {Text(v.Z)}>";
+    private static string Text(in Double3 v) => $"<{Text(v.X)}, {Text(v.Y)}, {Text(v.Z)}>";
 }

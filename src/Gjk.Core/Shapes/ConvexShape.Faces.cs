@@ -3,7 +3,7 @@ namespace Gjk.Core;
 public readonly partial struct ConvexShape
 {
     /// <inheritdoc/>
-    public unsafe void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public unsafe void GetFace(in Double3 direction, ref FaceCorners corners)
     {
         if (_parts.Layer is not null)
         {
@@ -29,9 +29,9 @@ public readonly partial struct ConvexShape
     }
 
     /// <summary>The face of the core before the scale, measured from the core's centre.</summary>
-    private void CoreFace(in Vector3D direction, ref FaceCorners corners)
+    private void CoreFace(in Double3 direction, ref FaceCorners corners)
     {
-        Vector3D center = CoreCenter(_parts), a = _parts.A - center, b = _parts.B - center;
+        Double3 center = CoreCenter(_parts), a = _parts.A - center, b = _parts.B - center;
         switch (_parts.Kind)
         {
             case ShapeKind.Mesh:

@@ -17,10 +17,10 @@ public readonly partial struct ConvexShape
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    RayForm IPlainBody.GetPlain(out Vector3D size)
+    RayForm IPlainBody.GetPlain(out Double3 size)
     {
         bool isBall = _isPlain & _parts.Kind == ShapeKind.Sphere, isBox = _core == CoreKind.Box;
-        size = isBall ? new Vector3D(1, 1, 1) * _margin
+        size = isBall ? new Double3(1, 1, 1) * _margin
             : isBox & _parts.Hull is not null ? _parts.Hull!.Cells.Stretch : _parts.A;
         return isBall ? RayForm.Ball : isBox ? RayForm.Box : RayForm.None;
     }

@@ -17,7 +17,7 @@ public readonly partial struct ConvexShape
 {
     private readonly ShapeParts _parts;
     private readonly double _margin;
-    private readonly Vector3D _center;
+    private readonly Double3 _center;
     private readonly double _boundingRadius;
     private readonly bool _isPlain;
     private readonly CoreKind _core;
@@ -77,7 +77,7 @@ public readonly partial struct ConvexShape
     public bool IsDecorated => _parts.Layer is not null || _parts.Rounding > 0;
 
     /// <inheritdoc/>
-    public Vector3D Center => _center;
+    public Double3 Center => _center;
 
     /// <inheritdoc/>
     public double Margin => _margin;
@@ -88,7 +88,7 @@ public readonly partial struct ConvexShape
     public double BoundingRadius => _parts.Kind == ShapeKind.None ? double.NaN : _boundingRadius;
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         int id;
         if (_isPlain)
@@ -100,7 +100,7 @@ public readonly partial struct ConvexShape
 
         if (_parts.Layer is not null) return _parts.Layer.Support(direction, out point);
         ShapeScale scaling = _parts.Scaling!;
-        Vector3D inward = scaling.Axes.Inward(direction);
+        Double3 inward = scaling.Axes.Inward(direction);
         id = CoreSupport(inward, out point);
         point -= CoreCenter(_parts);
         id = scaling.Axes.Outward(id, _parts.InnerMargin, inward, ref point);
@@ -109,7 +109,7 @@ public readonly partial struct ConvexShape
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         if (_parts.Layer is not null) return _parts.Layer.TryGetVertex(id, out point);
         ShapeScale? scaling = _parts.Scaling;
@@ -122,7 +122,7 @@ public readonly partial struct ConvexShape
         bool found = CoreVertex(id, out point);
         point = scaling is null
             ? point - _center
-            : Vector3D.Multiply(scaling.Axes.Factors, point - CoreCenter(_parts)) + scaling.CenterError;
+            : Double3.Multiply(scaling.Axes.Factors, point - CoreCenter(_parts)) + scaling.CenterError;
         return found;
     }
 
@@ -155,7 +155,7 @@ public readonly partial struct ConvexShape
     internal void Get(out TriangleCore triangle) => TriangleCore.Make(
         _parts.A, _parts.B, _parts.C, _center, _boundingRadius, _margin, out triangle);
 
-    private static Vector3D CoreCenter(in ShapeParts parts) => parts.Kind switch
+    private static Double3 CoreCenter(in ShapeParts parts) => parts.Kind switch
     {
         ShapeKind.Segment or ShapeKind.Capsule => (parts.A + parts.B) * 0.5,
         ShapeKind.Triangle => TriangleShape.Centroid(parts.A, parts.B, parts.C),
@@ -163,7 +163,7 @@ public readonly partial struct ConvexShape
         _ => default,
     };
 
-    private static double CoreRadius(in ShapeParts parts, in Vector3D center) => parts.Kind switch
+    private static double CoreRadius(in ShapeParts parts, in Double3 center) => parts.Kind switch
     {
         ShapeKind.Segment or ShapeKind.Capsule => (parts.B - parts.A).Length * 0.5,
         ShapeKind.Triangle => TriangleShape.RadiusAbout(center, parts.A, parts.B, parts.C),
@@ -175,7 +175,7 @@ public readonly partial struct ConvexShape
     };
 
     /// <summary>The support of the core before the scale, in the local frame.</summary>
-    private int CoreSupport(in Vector3D direction, out Vector3D point)
+    private int CoreSupport(in Double3 direction, out Double3 point)
     {
         switch (_parts.Kind)
         {
@@ -200,12 +200,12 @@ public readonly partial struct ConvexShape
                 point = PrimitiveSupport.Ellipsoid(_parts.A, direction);
                 return -1;
             default:
-                point = new Vector3D(double.NaN, double.NaN, double.NaN);
+                point = new Double3(double.NaN, double.NaN, double.NaN);
                 return -1;
         }
     }
 
-    private bool CoreVertex(int id, out Vector3D point)
+    private bool CoreVertex(int id, out Double3 point)
     {
         switch (_parts.Kind)
         {

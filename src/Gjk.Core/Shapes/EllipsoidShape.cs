@@ -14,7 +14,7 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
     public EllipsoidShape(Vector3 radii) => Radii = Guard.NonNegative(radii, nameof(radii));
 
     /// <inheritdoc/>
-    public Vector3D Center => default;
+    public Double3 Center => default;
 
     /// <inheritdoc/>
     public double Margin => 0;
@@ -31,19 +31,19 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         point = PrimitiveSupport.Ellipsoid(Radii, direction);
         return -1;
     }
 
     /// <summary>Nothing: the shape has no faces.</summary>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         point = default;
         return false;

@@ -21,7 +21,7 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
     private readonly T _inner;
     private readonly RigidPose _pose;
     private readonly RotationD _rotation;
-    private readonly Vector3D _center, _centerError;
+    private readonly Double3 _center, _centerError;
     private readonly double _boundingRadius;
 
     /// <summary>Places a shape.</summary>
@@ -34,8 +34,8 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
         _pose = Guard.Pose(pose, nameof(pose));
         _rotation = new RotationD(pose.Rotation);
         VectorDD center = VectorDD.Place(pose, inner.Center);
-        _center = (Vector3D)center;
-        _centerError = (Vector3D)(center - _center);
+        _center = (Double3)center;
+        _centerError = (Double3)(center - _center);
         _boundingRadius = inner.BoundingRadius * RoundingUp + _centerError.Length;
     }
 
@@ -46,7 +46,7 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
     public RigidPose Pose => _pose;
 
     /// <inheritdoc/>
-    public Vector3D Center => _center;
+    public Double3 Center => _center;
 
     /// <inheritdoc/>
     public double Margin => _inner.Margin;
@@ -73,16 +73,16 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
-        Vector3D inward = _rotation.InverseRotate(DirectionRange.ToSafe(direction));
+        Double3 inward = _rotation.InverseRotate(DirectionRange.ToSafe(direction));
         int id = _inner.Support(inward, out point);
         point = _rotation.Rotate(point) + _centerError;
         return id;
     }
 
     /// <inheritdoc/>
-    public unsafe void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public unsafe void GetFace(in Double3 direction, ref FaceCorners corners)
     {
         OuterFrame turned = default;
         OuterFrame* around = corners.Outer;
@@ -98,7 +98,7 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         bool found = _inner.TryGetVertex(id, out point);
         point = _rotation.Rotate(point) + _centerError;

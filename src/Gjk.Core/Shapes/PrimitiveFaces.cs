@@ -15,7 +15,7 @@ internal static class PrimitiveFaces
     private const int UpperEnd = FaceCorners.Capacity, LowerEnd = UpperEnd + 1;
 
     /// <summary>A segment, or the end of it that lies further.</summary>
-    public static void Segment(in Vector3D a, in Vector3D b, in Vector3D direction, ref FaceCorners corners)
+    public static void Segment(in Double3 a, in Double3 b, in Double3 direction, ref FaceCorners corners)
     {
         bool isEdge = FaceTilt.IsLevelEdge(corners.Seen(b - a), corners.SeenFrom(direction));
         int id = PrimitiveSupport.Segment(a, b, direction, out _);
@@ -24,9 +24,9 @@ internal static class PrimitiveFaces
     }
 
     /// <summary>A cylinder's cap, or the line of its side that lies furthest.</summary>
-    public static void Cylinder(double radius, double halfHeight, in Vector3D direction, ref FaceCorners corners)
+    public static void Cylinder(double radius, double halfHeight, in Double3 direction, ref FaceCorners corners)
     {
-        Vector3D d = DirectionRange.ToUnit(direction);
+        Double3 d = DirectionRange.ToUnit(direction);
         double radial = Math.Sqrt(d.X * d.X + d.Z * d.Z);
         if (IsCap(d, radial, corners))
         {
@@ -35,20 +35,20 @@ internal static class PrimitiveFaces
         }
 
         double x = radius * d.X / radial, z = radius * d.Z / radial;
-        corners.Add(new Vector3D(x, halfHeight, z), UpperEnd);
+        corners.Add(new Double3(x, halfHeight, z), UpperEnd);
         if (halfHeight == 0) return;
-        corners.Add(new Vector3D(x, -halfHeight, z), LowerEnd);
+        corners.Add(new Double3(x, -halfHeight, z), LowerEnd);
         corners.Side = RoundSide.Cylinder;
         corners.SideRadius = radius;
     }
 
     /// <summary>Whether a cylinder's cap lies more level than the furthest line of its side.</summary>
-    private static bool IsCap(in Vector3D d, double radial, in FaceCorners corners) => radial == 0
-        || Math.Abs(corners.Along(new Vector3D(0, 1, 0), d))
-            >= corners.Along(new Vector3D(d.X / radial, 0, d.Z / radial), d);
+    private static bool IsCap(in Double3 d, double radial, in FaceCorners corners) => radial == 0
+        || Math.Abs(corners.Along(new Double3(0, 1, 0), d))
+            >= corners.Along(new Double3(d.X / radial, 0, d.Z / radial), d);
 
     /// <summary>A cone's base, or the line of its side that lies furthest.</summary>
-    public static void Cone(double radius, double halfHeight, in Vector3D direction, ref FaceCorners corners)
+    public static void Cone(double radius, double halfHeight, in Double3 direction, ref FaceCorners corners)
     {
         if (halfHeight == 0)
         {
@@ -56,7 +56,7 @@ internal static class PrimitiveFaces
             return;
         }
 
-        Vector3D d = DirectionRange.ToUnit(direction);
+        Double3 d = DirectionRange.ToUnit(direction);
         d *= 1 / d.Length;
         double radial = Math.Sqrt(d.X * d.X + d.Z * d.Z), height = 2 * halfHeight;
         double slant = Math.Sqrt(radius * radius + height * height);
@@ -67,10 +67,10 @@ internal static class PrimitiveFaces
         }
 
         // Where the direction hardly leaves the axis it does not tell one line of the side from another.
-        corners.Add(new Vector3D(0, halfHeight, 0), UpperEnd);
+        corners.Add(new Double3(0, halfHeight, 0), UpperEnd);
         if (radial * slant < FaceTilt.LeastCosine * height) return;
-        var rim = new Vector3D(radius * d.X / radial, -halfHeight, radius * d.Z / radial);
-        if (!FaceTilt.IsLevelEdge(new Vector3D(rim.X, -height, rim.Z), d)) return;
+        var rim = new Double3(radius * d.X / radial, -halfHeight, radius * d.Z / radial);
+        if (!FaceTilt.IsLevelEdge(new Double3(rim.X, -height, rim.Z), d)) return;
         corners.Add(rim, LowerEnd);
         corners.Side = RoundSide.Cone;
         corners.SideRadius = radius * slant / height;
@@ -84,24 +84,24 @@ internal static class PrimitiveFaces
     {
         if (radius == 0)
         {
-            corners.Add(new Vector3D(0, y, 0), 0);
+            corners.Add(new Double3(0, y, 0), 0);
             return;
         }
 
         double a = radius * Cosine1, b = radius * HalfRoot, c = radius * Cosine3;
-        AddQuarter(radius, a, b, c, 0, new Vector3D(1, 0, 0), new Vector3D(0, 0, 1), y, ref corners);
-        AddQuarter(radius, a, b, c, 4, new Vector3D(0, 0, 1), new Vector3D(-1, 0, 0), y, ref corners);
-        AddQuarter(radius, a, b, c, 8, new Vector3D(-1, 0, 0), new Vector3D(0, 0, -1), y, ref corners);
-        AddQuarter(radius, a, b, c, 12, new Vector3D(0, 0, -1), new Vector3D(1, 0, 0), y, ref corners);
+        AddQuarter(radius, a, b, c, 0, new Double3(1, 0, 0), new Double3(0, 0, 1), y, ref corners);
+        AddQuarter(radius, a, b, c, 4, new Double3(0, 0, 1), new Double3(-1, 0, 0), y, ref corners);
+        AddQuarter(radius, a, b, c, 8, new Double3(-1, 0, 0), new Double3(0, 0, -1), y, ref corners);
+        AddQuarter(radius, a, b, c, 12, new Double3(0, 0, -1), new Double3(1, 0, 0), y, ref corners);
         corners.IsDisc = true;
     }
 
     /// <summary>A quarter of a disc's corners, from one axis towards the next.</summary>
     private static void AddQuarter(
-        double radius, double a, double b, double c, int first, in Vector3D from, in Vector3D to, double y,
+        double radius, double a, double b, double c, int first, in Double3 from, in Double3 to, double y,
         ref FaceCorners corners)
     {
-        var middle = new Vector3D(0, y, 0);
+        var middle = new Double3(0, y, 0);
         corners.Add(from * radius + middle, first * FaceCorners.DiscStep);
         corners.Add(from * a + to * c + middle, (first + 1) * FaceCorners.DiscStep);
         corners.Add(from * b + to * b + middle, (first + 2) * FaceCorners.DiscStep);

@@ -18,14 +18,14 @@ internal static class PrimitiveSupport
     private const double LeastSquare = 1e-270, MostSquare = 1e300;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Segment(in Vector3D a, in Vector3D b, in Vector3D direction, out Vector3D point)
+    public static int Segment(in Double3 a, in Double3 b, in Double3 direction, out Double3 point)
     {
         bool first = SegmentCore.FurthestEnd(a - b, direction) == 0;
         point = first ? a : b;
         return first ? 0 : 1;
     }
 
-    public static int Triangle(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D direction, out Vector3D point)
+    public static int Triangle(in Double3 a, in Double3 b, in Double3 c, in Double3 direction, out Double3 point)
     {
         int id = TriangleCore.Furthest(b - a, c - a, direction);
         point = id == 0 ? a : id == 1 ? b : c;
@@ -51,42 +51,42 @@ internal static class PrimitiveSupport
         z = s * dz;
     }
 
-    public static Vector3D Cylinder(double radius, double halfHeight, in Vector3D direction)
+    public static Double3 Cylinder(double radius, double halfHeight, in Double3 direction)
     {
         Disc(radius, direction.X, direction.Z, out double x, out double z);
-        return new Vector3D(x, direction.Y < 0 ? -halfHeight : halfHeight, z);
+        return new Double3(x, direction.Y < 0 ? -halfHeight : halfHeight, z);
     }
 
     /// <summary>The better of the apex and the base's rim point.</summary>
-    public static Vector3D Cone(double radius, double halfHeight, in Vector3D direction)
+    public static Double3 Cone(double radius, double halfHeight, in Double3 direction)
     {
-        Vector3D d = direction;
+        Double3 d = direction;
         double squared = d.LengthSquared;
         if (!(squared > LeastSquare && squared < MostSquare)) d = DirectionRange.ToUnit(d);
         Disc(radius, d.X, d.Z, out double x, out double z);
         double apex = d.Y * halfHeight;
         double rim = d.X * x + d.Z * z - apex;
-        return apex >= rim ? new Vector3D(0, halfHeight, 0) : new Vector3D(x, -halfHeight, z);
+        return apex >= rim ? new Double3(0, halfHeight, 0) : new Double3(x, -halfHeight, z);
     }
 
     /// <summary>
     /// The unit ball's support in the direction seen by it, mapped back: D (D d / |D d|) with D = diag(radii).
     /// </summary>
-    public static Vector3D Ellipsoid(in Vector3D radii, in Vector3D direction)
+    public static Double3 Ellipsoid(in Double3 radii, in Double3 direction)
     {
-        Vector3D scaled = Vector3D.Multiply(radii, direction);
+        Double3 scaled = Double3.Multiply(radii, direction);
         double squared = scaled.LengthSquared;
         if (!(squared > LeastSquare && squared < MostSquare))
         {
-            scaled = DirectionRange.ToUnit(Vector3D.Multiply(radii, DirectionRange.ToUnit(direction)));
+            scaled = DirectionRange.ToUnit(Double3.Multiply(radii, DirectionRange.ToUnit(direction)));
             squared = scaled.LengthSquared;
         }
 
         double length = Math.Sqrt(squared);
-        return length > 0 ? Vector3D.Multiply(radii, scaled) * (1 / length) : default;
+        return length > 0 ? Double3.Multiply(radii, scaled) * (1 / length) : default;
     }
 
-    public static bool Two(in Vector3D a, in Vector3D b, int id, out Vector3D point)
+    public static bool Two(in Double3 a, in Double3 b, int id, out Double3 point)
     {
         point = id == 0 ? a : b;
         return (uint)id < 2u;

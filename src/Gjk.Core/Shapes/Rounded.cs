@@ -26,7 +26,7 @@ public readonly struct Rounded<T> : ISupportMap, ILibraryShape
     public float Radius => _radius;
 
     /// <inheritdoc/>
-    public Vector3D Center => _inner.Center;
+    public Double3 Center => _inner.Center;
 
     /// <inheritdoc/>
     public double Margin => _inner.Margin + _radius;
@@ -45,12 +45,12 @@ public readonly struct Rounded<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point) => _inner.Support(direction, out point);
+    public int Support(in Double3 direction, out Double3 point) => _inner.Support(direction, out point);
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
         _inner.GetFace(direction, ref corners);
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);
+    public bool TryGetVertex(int id, out Double3 point) => _inner.TryGetVertex(id, out point);
 }

@@ -17,7 +17,7 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
 {
     private readonly T _inner;
     private readonly AxisScale _scale;
-    private readonly Vector3D _center, _centerError;
+    private readonly Double3 _center, _centerError;
     private readonly double _boundingRadius;
 
     /// <summary>Scales a shape by one factor along every axis.</summary>
@@ -46,7 +46,7 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     public Vector3 Factors => (Vector3)_scale.Factors;
 
     /// <inheritdoc/>
-    public Vector3D Center => _center;
+    public Double3 Center => _center;
 
     /// <inheritdoc/>
     public double Margin => _scale.Margin(_inner.Margin);
@@ -74,9 +74,9 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
-        Vector3D inward = _scale.Inward(direction);
+        Double3 inward = _scale.Inward(direction);
         int id = _inner.Support(inward, out point);
         id = _scale.Outward(id, _inner.Margin, inward, ref point);
         point += _centerError;
@@ -84,7 +84,7 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public unsafe void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public unsafe void GetFace(in Double3 direction, ref FaceCorners corners)
     {
         if (_inner.Margin > 0 && !_scale.KeepsBalls) return;
         OuterFrame outer = _scale.Frame(corners, direction);
@@ -96,10 +96,10 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         bool found = _inner.TryGetVertex(id, out point) && (_scale.KeepsBalls || _inner.Margin == 0);
-        point = Vector3D.Multiply(_scale.Factors, point) + _centerError;
+        point = Double3.Multiply(_scale.Factors, point) + _centerError;
         return found;
     }
 }

@@ -20,13 +20,13 @@ public readonly struct SegmentShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public Vector3D Center => ((Vector3D)A + B) * 0.5;
+    public Double3 Center => ((Double3)A + B) * 0.5;
 
     /// <inheritdoc/>
     public double Margin => 0;
 
     /// <inheritdoc/>
-    public double BoundingRadius => ((Vector3D)B - A).Length * 0.5;
+    public double BoundingRadius => ((Double3)B - A).Length * 0.5;
 
     /// <summary>This, as queries ask it.</summary>
     internal void Get(out SegmentCore segment) =>
@@ -41,7 +41,7 @@ public readonly struct SegmentShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         int id = PrimitiveSupport.Segment(A, B, direction, out point);
         point -= Center;
@@ -49,14 +49,14 @@ public readonly struct SegmentShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
-        Vector3D center = Center;
+        Double3 center = Center;
         PrimitiveFaces.Segment(A - center, B - center, direction, ref corners);
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         bool found = PrimitiveSupport.Two(A, B, id, out point);
         point -= Center;

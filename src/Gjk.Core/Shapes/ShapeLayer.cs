@@ -11,7 +11,7 @@ internal abstract class ShapeLayer
     public abstract ConvexShape Inner { get; }
 
     /// <inheritdoc cref="ISupportMap.Center"/>
-    public abstract Vector3D Center { get; }
+    public abstract Double3 Center { get; }
 
     /// <inheritdoc cref="ISupportMap.Margin"/>
     public abstract double Margin { get; }
@@ -20,13 +20,13 @@ internal abstract class ShapeLayer
     public abstract double BoundingRadius { get; }
 
     /// <inheritdoc cref="ISupportMap.Support"/>
-    public abstract int Support(in Vector3D direction, out Vector3D point);
+    public abstract int Support(in Double3 direction, out Double3 point);
 
     /// <inheritdoc cref="ISupportMap.GetFace"/>
-    public abstract void GetFace(in Vector3D direction, ref FaceCorners corners);
+    public abstract void GetFace(in Double3 direction, ref FaceCorners corners);
 
     /// <inheritdoc cref="ISupportMap.TryGetVertex"/>
-    public abstract bool TryGetVertex(int id, out Vector3D point);
+    public abstract bool TryGetVertex(int id, out Double3 point);
 
     /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
     public abstract bool TryGetTarget(out RayTarget target);
@@ -55,18 +55,18 @@ internal abstract class ShapeLayer<T> : ShapeLayer
     /// <summary>The decorator.</summary>
     public ref readonly T Shape => ref _shape;
 
-    public override Vector3D Center => _shape.Center;
+    public override Double3 Center => _shape.Center;
 
     public override double Margin => _shape.Margin;
 
     public override double BoundingRadius => _shape.BoundingRadius;
 
-    public override int Support(in Vector3D direction, out Vector3D point) => _shape.Support(direction, out point);
+    public override int Support(in Double3 direction, out Double3 point) => _shape.Support(direction, out point);
 
-    public override void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public override void GetFace(in Double3 direction, ref FaceCorners corners) =>
         _shape.GetFace(direction, ref corners);
 
-    public override bool TryGetVertex(int id, out Vector3D point) => _shape.TryGetVertex(id, out point);
+    public override bool TryGetVertex(int id, out Double3 point) => _shape.TryGetVertex(id, out point);
 
     public override bool TryGetTarget(out RayTarget target) => _shape.TryGetTarget(out target);
 }

@@ -10,16 +10,16 @@ internal struct ShapeParts
     /// Cylinder and cone: A, the radius and half the height. They are doubles, because a scale may have been multiplied
     /// in.
     /// </summary>
-    public Vector3D A, B, C;
+    public Double3 A, B, C;
 
     /// <summary>What is applied to each support; null where it was multiplied in, or nothing is scaled.</summary>
     public ShapeScale? Scaling;
 
     /// <summary>The factors that are applied to each support; 1 where they were multiplied in.</summary>
-    public Vector3D Scale
+    public Double3 Scale
     {
-        readonly get => Scaling is null ? new Vector3D(1, 1, 1) : Scaling.Axes.Factors;
-        set => Scaling = value == new Vector3D(1, 1, 1) ? null : new ShapeScale(value, default);
+        readonly get => Scaling is null ? new Double3(1, 1, 1) : Scaling.Axes.Factors;
+        set => Scaling = value == new Double3(1, 1, 1) ? null : new ShapeScale(value, default);
     }
 
     /// <summary>The radius of a sphere or capsule, before the scale.</summary>

@@ -9,9 +9,9 @@ internal sealed class ShapeScale
     public readonly AxisScale Axes;
 
     /// <summary>The scaled centre, and what its rounding took away.</summary>
-    public readonly Vector3D Center, CenterError;
+    public readonly Double3 Center, CenterError;
 
-    public ShapeScale(in Vector3D factors, in Vector3D center)
+    public ShapeScale(in Double3 factors, in Double3 center)
     {
         Axes = new AxisScale(factors);
         Axes.Place(center, out Center, out CenterError);

@@ -11,7 +11,7 @@ public readonly struct SphereShape : ISupportMap, IPlainBody
     public SphereShape(float radius) => Radius = Guard.NonNegative(radius, nameof(radius));
 
     /// <inheritdoc/>
-    public Vector3D Center => default;
+    public Double3 Center => default;
 
     /// <inheritdoc/>
     public double Margin => Radius;
@@ -31,26 +31,26 @@ public readonly struct SphereShape : ISupportMap, IPlainBody
         return true;
     }
 
-    RayForm IPlainBody.GetPlain(out Vector3D size)
+    RayForm IPlainBody.GetPlain(out Double3 size)
     {
-        size = new Vector3D(1, 1, 1) * Radius;
+        size = new Double3(1, 1, 1) * Radius;
         return RayForm.Ball;
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         point = default;
         return 0;
     }
 
     /// <summary>Nothing: the shape has no faces.</summary>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         point = default;
         return id == 0;

@@ -15,7 +15,7 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     /// <summary>The third corner.</summary>
     public readonly Vector3 C;
 
-    private readonly Vector3D _center;
+    private readonly Double3 _center;
     private readonly double _radius;
 
     /// <summary>Makes a triangle.</summary>
@@ -30,7 +30,7 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public Vector3D Center => _center;
+    public Double3 Center => _center;
 
     /// <inheritdoc/>
     public double Margin => 0;
@@ -51,7 +51,7 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         int id = PrimitiveSupport.Triangle(A, B, C, direction, out point);
         point -= _center;
@@ -59,19 +59,19 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public void GetFace(in Vector3D direction, ref FaceCorners corners) =>
+    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
         TriangleCore.Face(A - _center, B - _center, C - _center, direction, ref corners);
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
-        point = (Vector3D)(id == 0 ? A : id == 1 ? B : C) - Center;
+        point = (Double3)(id == 0 ? A : id == 1 ? B : C) - Center;
         return (uint)id < 3u;
     }
 
-    internal static Vector3D Centroid(in Vector3D a, in Vector3D b, in Vector3D c) => (a + b + c) * (1.0 / 3);
+    internal static Double3 Centroid(in Double3 a, in Double3 b, in Double3 c) => (a + b + c) * (1.0 / 3);
 
-    internal static double RadiusAbout(in Vector3D center, in Vector3D a, in Vector3D b, in Vector3D c) =>
+    internal static double RadiusAbout(in Double3 center, in Double3 a, in Double3 b, in Double3 c) =>
         Math.Sqrt(
             Math.Max(Math.Max((a - center).LengthSquared, (b - center).LengthSquared), (c - center).LengthSquared));
 }

@@ -7,7 +7,7 @@ namespace Gjk.Core;
 internal struct ClosestFeature
 {
     /// <summary>From the origin towards the feature and perpendicular to it, of any length.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>Normal · x for every x of the feature: at least 0.</summary>
     public double Height;

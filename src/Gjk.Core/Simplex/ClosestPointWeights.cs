@@ -87,19 +87,19 @@ internal static class ClosestPointWeights
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
         if (s.Count == 1) return new Weights(1, 0, 0, 0);
-        Vector3D a = s.WA, ab = s.WB - a;
+        Double3 a = s.WA, ab = s.WB - a;
         if (s.Count == 2)
         {
-            double t = -Vector3D.Dot(ab, a) / ab.LengthSquared;
+            double t = -Double3.Dot(ab, a) / ab.LengthSquared;
             if (t >= 0 & t <= 1) return new Weights(1 - t, t, 0, 0);
             return t > 1 ? new Weights(0, 1, 0, 0) : new Weights(1, 0, 0, 0);
         }
 
-        Vector3D ac = s.WC - a, inPlane = Vector3D.Cross(feature.Normal, a);
+        Double3 ac = s.WC - a, inPlane = Double3.Cross(feature.Normal, a);
         if (!(feature.NormalSquared > Needle * (ab.LengthSquared * ac.LengthSquared)))
             return Triangle(a, s.WB, s.WC);
         double scale = 1 / feature.NormalSquared;
-        double b = -Vector3D.Dot(ac, inPlane) * scale, c = Vector3D.Dot(ab, inPlane) * scale;
+        double b = -Double3.Dot(ac, inPlane) * scale, c = Double3.Dot(ab, inPlane) * scale;
         var weights = new Weights(1 - b - c, b, c, 0);
         return weights.IsInside ? weights : weights.Clamped;
     }
@@ -111,14 +111,14 @@ internal static class ClosestPointWeights
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryInside(in Simplex s, out Weights weights)
     {
-        Vector3D a = s.WA, b = s.WB, c = s.WC, d = s.WD;
+        Double3 a = s.WA, b = s.WB, c = s.WC, d = s.WD;
         weights = VolumeWeights(a, b, c, d, out double sum, out double least);
         double cube = CubeOf(a, b, c, d);
         return IsClear(least, cube) & sum * sum > ClearSumSquared * cube;
     }
 
     /// <summary>Whether the origin clearly is inside a tetrahedron: by more than rounding could turn.</summary>
-    public static bool IsInside(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    public static bool IsInside(in Double3 a, in Double3 b, in Double3 c, in Double3 d)
     {
         VolumeWeights(a, b, c, d, out _, out double least);
         return IsClear(least, CubeOf(a, b, c, d));
@@ -129,17 +129,17 @@ internal static class ClosestPointWeights
         least > 0 & least * least > ClearVolumeSquared * cube;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double CubeOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    private static double CubeOf(in Double3 a, in Double3 b, in Double3 c, in Double3 d)
     {
         double size = a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared;
         return size * size * size;
     }
 
     /// <summary>The nearest point of the segment AB.</summary>
-    public static Weights Segment(in Vector3D a, in Vector3D b)
+    public static Weights Segment(in Double3 a, in Double3 b)
     {
-        Vector3D ab = b - a;
-        double along = -Vector3D.Dot(ab, a), length = ab.LengthSquared;
+        Double3 ab = b - a;
+        double along = -Double3.Dot(ab, a), length = ab.LengthSquared;
         if (!(along > 0)) return new Weights(1, 0, 0, 0);
         if (!(along < length)) return new Weights(0, 1, 0, 0);
         double t = along / length;
@@ -147,7 +147,7 @@ internal static class ClosestPointWeights
     }
 
     /// <summary>The nearest point of the triangle ABC.</summary>
-    public static Weights Triangle(in Vector3D a, in Vector3D b, in Vector3D c)
+    public static Weights Triangle(in Double3 a, in Double3 b, in Double3 c)
     {
         Weights face = FaceWeights(a, b, c, out bool isNeedle);
         if (face.IsInside && !isNeedle) return face;
@@ -162,7 +162,7 @@ internal static class ClosestPointWeights
     }
 
     /// <summary>The nearest point of the tetrahedron ABCD; the origin itself when that is inside.</summary>
-    public static Weights Tetrahedron(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    public static Weights Tetrahedron(in Double3 a, in Double3 b, in Double3 c, in Double3 d)
     {
         Weights inside = VolumeWeights(a, b, c, d, out _, out _);
         if (inside.IsInside && IsOrigin(inside, a, b, c, d)) return inside;
@@ -181,13 +181,13 @@ internal static class ClosestPointWeights
     /// The origin's projection on the plane ABC in barycentric coordinates, negative or NaN where it is not a point of
     /// the triangle.
     /// </summary>
-    private static Weights FaceWeights(in Vector3D a, in Vector3D b, in Vector3D c, out bool isNeedle)
+    private static Weights FaceWeights(in Double3 a, in Double3 b, in Double3 c, out bool isNeedle)
     {
-        Vector3D ab = b - a, ac = c - a, normal = Vector3D.Cross(ab, ac);
+        Double3 ab = b - a, ac = c - a, normal = Double3.Cross(ab, ac);
         double area = normal.LengthSquared;
         isNeedle = !(area > Needle * ab.LengthSquared * ac.LengthSquared);
-        double wb = -Vector3D.Dot(Vector3D.Cross(ac, normal), a) / area;
-        double wc = -Vector3D.Dot(Vector3D.Cross(normal, ab), a) / area;
+        double wb = -Double3.Dot(Double3.Cross(ac, normal), a) / area;
+        double wc = -Double3.Dot(Double3.Cross(normal, ab), a) / area;
         return new Weights(1 - wb - wc, wb, wc, 0);
     }
 
@@ -210,11 +210,11 @@ internal static class ClosestPointWeights
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Weights VolumeWeights(
-        in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d, out double sum, out double least)
+        in Double3 a, in Double3 b, in Double3 c, in Double3 d, out double sum, out double least)
     {
-        Vector3D cd = Vector3D.Cross(c, d);
-        double va = Vector3D.Dot(b, cd), vb = -Vector3D.Dot(a, cd);
-        double vc = Vector3D.Dot(a, Vector3D.Cross(b, d)), vd = -Vector3D.Dot(a, Vector3D.Cross(b, c));
+        Double3 cd = Double3.Cross(c, d);
+        double va = Double3.Dot(b, cd), vb = -Double3.Dot(a, cd);
+        double vc = Double3.Dot(a, Double3.Cross(b, d)), vd = -Double3.Dot(a, Double3.Cross(b, c));
         sum = va + vb + vc + vd;
         double turn = BranchFree.WithSign(1, sum);
         least = Math.Min(Math.Min(va * turn, vb * turn), Math.Min(vc * turn, vd * turn));
@@ -236,15 +236,15 @@ internal static class ClosestPointWeights
     }
 
     /// <summary>The weighted point is the origin, as near as the witness points are promised and better.</summary>
-    private static bool IsOrigin(in Weights w, in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
+    private static bool IsOrigin(in Weights w, in Double3 a, in Double3 b, in Double3 c, in Double3 d)
     {
         double size = a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared;
         return w.PointOf(a, b, c, d).LengthSquared <= Residual * Residual * size;
     }
 
     private static void Keep(
-        ref Weights best, ref double distance, in Weights candidate, in Vector3D a, in Vector3D b, in Vector3D c,
-        in Vector3D d)
+        ref Weights best, ref double distance, in Weights candidate, in Double3 a, in Double3 b, in Double3 c,
+        in Double3 d)
     {
         double squared = candidate.PointOf(a, b, c, d).LengthSquared;
         if (!(squared < distance)) return;
@@ -287,6 +287,6 @@ internal readonly struct Weights
         }
     }
 
-    public Vector3D PointOf(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) =>
+    public Double3 PointOf(in Double3 a, in Double3 b, in Double3 c, in Double3 d) =>
         a * A + b * B + c * C + d * D;
 }

@@ -34,7 +34,7 @@ internal static class ExtendedFeatureStep
             if (best != 0 && (squared - distanceSquared).Sign >= 0) continue;
             best = flipped ? -subset : subset;
             distanceSquared = squared;
-            feature.Normal = (Vector3D)normal;
+            feature.Normal = (Double3)normal;
             feature.Height = (double)height;
             feature.NormalSquared = (double)normalSquared;
         }

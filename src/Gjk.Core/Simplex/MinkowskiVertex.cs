@@ -13,7 +13,7 @@ internal struct MinkowskiVertex
     public long Slot;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public MinkowskiVertex(in Vector3D w, int slot)
+    public MinkowskiVertex(in Double3 w, int slot)
     {
         X = w.X;
         Y = w.Y;
@@ -21,7 +21,7 @@ internal struct MinkowskiVertex
         Slot = slot;
     }
 
-    public readonly Vector3D W
+    public readonly Double3 W
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => new(X, Y, Z);

@@ -68,25 +68,25 @@ internal static class NextSimplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryKeepAll(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
-        Vector3D a = simplex.A.W;
+        Double3 a = simplex.A.W;
         if (simplex.Count == 1)
         {
             KeepVertex(ref simplex, ref feature, a);
             return true;
         }
 
-        Vector3D b = simplex.B.W, ab = b - a;
+        Double3 b = simplex.B.W, ab = b - a;
         if (simplex.Count == 2)
         {
-            if (!(Vector3D.Dot(ab, a) < 0 & Vector3D.Dot(ab, b) > 0)) return false;
+            if (!(Double3.Dot(ab, a) < 0 & Double3.Dot(ab, b) > 0)) return false;
             KeepEdge(ref simplex, ref feature, a, ab);
             return true;
         }
 
-        Vector3D ac = simplex.C.W - a, normal = Vector3D.Cross(ab, ac);
-        bool inside = Vector3D.Dot(Vector3D.Cross(ab, normal), a) > 0
-            & Vector3D.Dot(Vector3D.Cross(normal, ac), a) > 0
-            & Vector3D.Dot(Vector3D.Cross(ac - ab, normal), b) > 0;
+        Double3 ac = simplex.C.W - a, normal = Double3.Cross(ab, ac);
+        bool inside = Double3.Dot(Double3.Cross(ab, normal), a) > 0
+            & Double3.Dot(Double3.Cross(normal, ac), a) > 0
+            & Double3.Dot(Double3.Cross(ac - ab, normal), b) > 0;
         if (!inside) return false;
         KeepFace(ref simplex, ref feature, a, normal);
         return true;
@@ -103,7 +103,7 @@ internal static class NextSimplex
 
     /// <summary>The vertex A alone.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void KeepVertex(ref FeatureVertices simplex, ref ClosestFeature feature, in Vector3D a)
+    public static void KeepVertex(ref FeatureVertices simplex, ref ClosestFeature feature, in Double3 a)
     {
         simplex.Count = 1;
         feature.Normal = a;
@@ -115,8 +115,8 @@ internal static class NextSimplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Line(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
-        Vector3D a = simplex.A.W, ab = simplex.B.W - a;
-        if (Vector3D.Dot(ab, a) < 0) KeepEdge(ref simplex, ref feature, a, ab);
+        Double3 a = simplex.A.W, ab = simplex.B.W - a;
+        if (Double3.Dot(ab, a) < 0) KeepEdge(ref simplex, ref feature, a, ab);
         else KeepVertex(ref simplex, ref feature, a);
     }
 
@@ -126,16 +126,16 @@ internal static class NextSimplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Triangle(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
-        Vector3D a = simplex.A.W, ab = simplex.B.W - a, ac = simplex.C.W - a, normal = Vector3D.Cross(ab, ac);
-        bool beyondAB = Vector3D.Dot(Vector3D.Cross(ab, normal), a) < 0;
-        bool beyondAC = Vector3D.Dot(Vector3D.Cross(normal, ac), a) < 0;
+        Double3 a = simplex.A.W, ab = simplex.B.W - a, ac = simplex.C.W - a, normal = Double3.Cross(ab, ac);
+        bool beyondAB = Double3.Dot(Double3.Cross(ab, normal), a) < 0;
+        bool beyondAC = Double3.Dot(Double3.Cross(normal, ac), a) < 0;
         if (!(beyondAB | beyondAC))
         {
             KeepFace(ref simplex, ref feature, a, normal);
             return;
         }
 
-        bool besideAB = beyondAB & Vector3D.Dot(ab, a) < 0, besideAC = beyondAC & Vector3D.Dot(ac, a) < 0;
+        bool besideAB = beyondAB & Double3.Dot(ab, a) < 0, besideAC = beyondAC & Double3.Dot(ac, a) < 0;
         if (!(besideAB | besideAC))
         {
             KeepVertex(ref simplex, ref feature, a);
@@ -151,10 +151,10 @@ internal static class NextSimplex
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void KeepEdge(
-        ref FeatureVertices simplex, ref ClosestFeature feature, in Vector3D a, in Vector3D ab)
+        ref FeatureVertices simplex, ref ClosestFeature feature, in Double3 a, in Double3 ab)
     {
         simplex.Count = 2;
-        Vector3D moment = Vector3D.Cross(ab, a), normal = Vector3D.Cross(moment, ab);
+        Double3 moment = Double3.Cross(ab, a), normal = Double3.Cross(moment, ab);
         feature.Normal = normal;
         feature.Height = moment.LengthSquared;
         feature.NormalSquared = normal.LengthSquared;
@@ -163,10 +163,10 @@ internal static class NextSimplex
     /// <summary>The inside of ABC, whose normal ab × ac is turned away from the origin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void KeepFace(
-        ref FeatureVertices simplex, ref ClosestFeature feature, in Vector3D a, in Vector3D normal)
+        ref FeatureVertices simplex, ref ClosestFeature feature, in Double3 a, in Double3 normal)
     {
         simplex.Count = 3;
-        double height = Vector3D.Dot(normal, a), winding = BranchFree.WithSign(1, height);
+        double height = Double3.Dot(normal, a), winding = BranchFree.WithSign(1, height);
         simplex.Winding = winding;
         feature.Normal = normal * winding;
         feature.Height = height * winding;
@@ -178,13 +178,13 @@ internal static class NextSimplex
     /// when it is beyond none.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool TryTakeFace(ref FeatureVertices simplex, in Vector3D a, bool nearest)
+    private static bool TryTakeFace(ref FeatureVertices simplex, in Double3 a, bool nearest)
     {
-        Vector3D ab = simplex.A.W - a, ac = simplex.B.W - a, ad = simplex.C.W - a;
+        Double3 ab = simplex.A.W - a, ac = simplex.B.W - a, ad = simplex.C.W - a;
         double winding = simplex.Winding;
-        int faces = (Vector3D.Dot(Vector3D.Cross(ab, ac), a) * winding > 0 ? Abc : 0)
-            | (Vector3D.Dot(Vector3D.Cross(ac, ad), a) * winding > 0 ? Acd : 0)
-            | (Vector3D.Dot(Vector3D.Cross(ad, ab), a) * winding > 0 ? Adb : 0);
+        int faces = (Double3.Dot(Double3.Cross(ab, ac), a) * winding > 0 ? Abc : 0)
+            | (Double3.Dot(Double3.Cross(ac, ad), a) * winding > 0 ? Acd : 0)
+            | (Double3.Dot(Double3.Cross(ad, ab), a) * winding > 0 ? Adb : 0);
         if (faces == 0) return false;
         if ((faces & (faces - 1)) != 0)
             faces = nearest ? Nearest(faces, a, simplex.A.W, simplex.B.W, simplex.C.W) : faces & -faces;
@@ -205,7 +205,7 @@ internal static class NextSimplex
     /// <summary>Of several faces the one whose own nearest feature is nearest; the first of equals.</summary>
     /// <remarks>The vertices come by value: the caller's are to stay in registers.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int Nearest(int faces, Vector3D a, Vector3D b, Vector3D c, Vector3D d)
+    private static int Nearest(int faces, Double3 a, Double3 b, Double3 c, Double3 d)
     {
         double abc = (faces & Abc) != 0 ? DistanceSquared(a, b, c) : double.PositiveInfinity;
         double acd = (faces & Acd) != 0 ? DistanceSquared(a, c, d) : double.PositiveInfinity;
@@ -214,7 +214,7 @@ internal static class NextSimplex
         return (faces & Acd) != 0 && !(adb < acd) ? Acd : Adb;
     }
 
-    private static double DistanceSquared(in Vector3D a, in Vector3D b, in Vector3D c)
+    private static double DistanceSquared(in Double3 a, in Double3 b, in Double3 c)
     {
         FeatureVertices simplex = default;
         ClosestFeature feature = default;

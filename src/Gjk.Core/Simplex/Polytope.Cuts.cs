@@ -43,7 +43,7 @@ internal unsafe partial struct Polytope
     /// <summary>Leaves the directions out that lie along another, and the vertices that only they see.</summary>
     /// <param name="direction">Of unit length.</param>
     /// <returns>False when there is no room; the surface is then no longer closed.</returns>
-    public bool TryCut(in Vector3D direction)
+    public bool TryCut(in Double3 direction)
     {
         _cuts[_cutCount] = direction;
         int vertex = Room + _cutCount++, face = -1;
@@ -51,7 +51,7 @@ internal unsafe partial struct Polytope
         for (int i = 0; i < _faceCount; i++)
         {
             if (!IsThere(i)) continue;
-            double cosine = Vector3D.Dot(_faces[i].UnitNormal, direction);
+            double cosine = Double3.Dot(_faces[i].UnitNormal, direction);
             if (!(cosine > most)) continue;
             most = cosine;
             face = i;
@@ -82,10 +82,10 @@ internal unsafe partial struct Polytope
     /// A cut between the two faces below a height whose normals are about the furthest from each other.
     /// </summary>
     /// <param name="limit">There is such a face.</param>
-    public readonly Vector3D Halving(double limit)
+    public readonly Double3 Halving(double limit)
     {
         int first = FurthestFrom(Lowest(out _), limit), second = FurthestFrom(first, limit);
-        Vector3D between = _faces[second].UnitNormal - _faces[first].UnitNormal;
+        Double3 between = _faces[second].UnitNormal - _faces[first].UnitNormal;
         double length = between.Length;
         return length > 0 ? between * (1 / length) : _faces[first].UnitNormal;
     }
@@ -97,7 +97,7 @@ internal unsafe partial struct Polytope
         for (int i = 0; i < _faceCount; i++)
         {
             if (!IsThere(i) || !(_faces[i].Height < limit)) continue;
-            double cosine = Vector3D.Dot(_faces[i].UnitNormal, _faces[face].UnitNormal);
+            double cosine = Double3.Dot(_faces[i].UnitNormal, _faces[face].UnitNormal);
             if (!(cosine < least)) continue;
             least = cosine;
             furthest = i;
@@ -117,14 +117,14 @@ internal unsafe partial struct Polytope
     [MethodImpl(MethodImplOptions.NoInlining)]
     private readonly int TakeAwayBeyond(int face, int cut)
     {
-        Vector3D direction = _cuts[cut - Room];
+        Double3 direction = _cuts[cut - Room];
         int height = BeginRim(face), rim = 0;
         while (height > 0)
         {
             int twin = _stack[--height], other = twin >> 2;
             if (_keys[other] == Gone) continue;
-            Vector3D normal = _faces[other].Normal;
-            bool isBeyond = Vector3D.Dot(normal, direction) > CutNoise * normal.SumOfMagnitudes;
+            Double3 normal = _faces[other].Normal;
+            bool isBeyond = Double3.Dot(normal, direction) > CutNoise * normal.SumOfMagnitudes;
             if (isBeyond) height = Cross(twin, height);
             else _rim[rim++] = (ushort)twin;
         }
@@ -170,22 +170,22 @@ internal unsafe partial struct Polytope
         PolytopeFace* face = _faces + index;
         int first = 0;
         while (first < 3 && IsDirection(face->Vertices[first])) first++;
-        Vector3D normal = default, from = default;
+        Double3 normal = default, from = default;
         if (first < 3)
         {
             int second = face->Vertices[Next(first)], third = face->Vertices[Next(Next(first))];
             from = _vertices[face->Vertices[first]].W;
-            var cross = (Vector3D)VectorDD.Cross(Edge(from, second), Edge(from, third));
+            var cross = (Double3)VectorDD.Cross(Edge(from, second), Edge(from, third));
             double length = cross.Length;
             PolytopeFace* beside = _faces + (face->Twins[0] >> 2);
             normal = length > 0 ? cross * (1 / length) : beside->NormalSquared > 0 ? beside->UnitNormal : default;
         }
 
-        double least = Vector3D.Dot(normal, from);
+        double least = Double3.Dot(normal, from);
         for (int k = 0; k < 3; k++)
         {
             int vertex = face->Vertices[k];
-            if (!IsDirection(vertex)) least = Math.Min(least, Vector3D.Dot(normal, _vertices[vertex].W));
+            if (!IsDirection(vertex)) least = Math.Min(least, Double3.Dot(normal, _vertices[vertex].W));
         }
 
         Put(index, normal, least);
@@ -195,6 +195,6 @@ internal unsafe partial struct Polytope
     }
 
     /// <summary>From a point to a vertex, or along a ray.</summary>
-    private readonly VectorDD Edge(in Vector3D from, int to) =>
+    private readonly VectorDD Edge(in Double3 from, int to) =>
         IsDirection(to) ? _cuts[to - Room] : (VectorDD)_vertices[to].W - from;
 }

@@ -76,8 +76,8 @@ internal unsafe partial struct Polytope
             return true;
         }
 
-        Vector3D p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
-        Vector3D r = _vertices[face->Vertices[2]].W, normal = Vector3D.Cross(q - p, r - p);
+        Double3 p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
+        Double3 r = _vertices[face->Vertices[2]].W, normal = Double3.Cross(q - p, r - p);
         double least = Offsets(normal, p, q, r, out double most);
         Put(index, normal, least);
         return (most - least <= normal.SumOfMagnitudes * _level && _keys[index] >= lowest) || TryMend(index, lowest);
@@ -95,12 +95,12 @@ internal unsafe partial struct Polytope
     private readonly bool TryMend(int index, double lowest)
     {
         PolytopeFace* face = _faces + index;
-        Vector3D p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
-        Vector3D r = _vertices[face->Vertices[2]].W, normal = face->Normal;
+        Double3 p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
+        Double3 r = _vertices[face->Vertices[2]].W, normal = face->Normal;
         double least = Offsets(normal, p, q, r, out double most);
         if (!(most - least <= normal.SumOfMagnitudes * _level && face->NormalSquared > 0))
         {
-            Vector3D cross = VectorDD.Normal(p, q, r);
+            Double3 cross = VectorDD.Normal(p, q, r);
             double length = cross.Length;
             if (!(length > 0) && index < 4) return false;
             normal = length > 0 ? cross * (1 / length) : _faces[face->Twins[0] >> 2].UnitNormal;
@@ -108,7 +108,7 @@ internal unsafe partial struct Polytope
         }
 
         if (_keys[index] >= lowest) return true;
-        Vector3D nearest = ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default);
+        Double3 nearest = ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default);
         normal = nearest * (1 / nearest.Length);
         least = Offsets(normal, p, q, r, out _);
         if (least * Math.Abs(least) > _keys[index]) Put(index, normal, least);
@@ -116,7 +116,7 @@ internal unsafe partial struct Polytope
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void Put(int index, in Vector3D normal, double least)
+    private readonly void Put(int index, in Double3 normal, double least)
     {
         PolytopeFace* face = _faces + index;
         face->Normal = normal;
@@ -128,9 +128,9 @@ internal unsafe partial struct Polytope
 
     /// <summary>Least and most of three points' products with a normal.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Offsets(in Vector3D normal, in Vector3D p, in Vector3D q, in Vector3D r, out double most)
+    private static double Offsets(in Double3 normal, in Double3 p, in Double3 q, in Double3 r, out double most)
     {
-        double a = Vector3D.Dot(normal, p), b = Vector3D.Dot(normal, q), c = Vector3D.Dot(normal, r);
+        double a = Double3.Dot(normal, p), b = Double3.Dot(normal, q), c = Double3.Dot(normal, r);
         double larger = a > b ? a : b, smaller = a < b ? a : b;
         most = larger > c ? larger : c;
         return smaller < c ? smaller : c;

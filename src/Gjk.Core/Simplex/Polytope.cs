@@ -48,7 +48,7 @@ internal unsafe partial struct Polytope
     /// <summary>What orders the faces by height; see <see cref="KeyOf"/>.</summary>
     private readonly double* _keys;
 
-    private readonly Vector3D* _cuts;
+    private readonly Double3* _cuts;
 
     /// <summary>Edges to look across, and the rim's outer edges: a face's number times 4 plus the edge's.</summary>
     private readonly ushort* _stack, _rim;
@@ -67,7 +67,7 @@ internal unsafe partial struct Polytope
         _faces = (PolytopeFace*)(((ulong)memory + Alignment - 1) / Alignment * Alignment);
         _vertices = (PolytopeVertex*)(_faces + MostFaces);
         _keys = (double*)(_vertices + Room);
-        _cuts = (Vector3D*)(_keys + MostFaces);
+        _cuts = (Double3*)(_keys + MostFaces);
         _stack = (ushort*)(_cuts + MostCuts);
         _rim = _stack + MostEdges;
     }
@@ -132,9 +132,9 @@ internal unsafe partial struct Polytope
         _noise = noise;
         _level = level;
         int b = 1, c = 2;
-        Vector3D origin = _vertices[0].W;
-        Vector3D normal = Vector3D.Cross(_vertices[b].W - origin, _vertices[c].W - origin);
-        if (Vector3D.Dot(normal, _vertices[3].W - origin) > 0) (b, c) = (c, b);
+        Double3 origin = _vertices[0].W;
+        Double3 normal = Double3.Cross(_vertices[b].W - origin, _vertices[c].W - origin);
+        if (Double3.Dot(normal, _vertices[3].W - origin) > 0) (b, c) = (c, b);
         _faceCount = 4;
         _faces[0].Name(0, b, c);
         _faces[1].Name(0, c, 3);
@@ -186,7 +186,7 @@ internal unsafe partial struct Polytope
     /// <summary>Takes the face away, and all that is reached from it across edges and that a point is above.</summary>
     /// <returns>How many edges the rim has.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int TakeAway(int face, in Vector3D point)
+    private int TakeAway(int face, in Double3 point)
     {
         int height = BeginRim(face), rim = 0;
         while (height > 0)
@@ -194,7 +194,7 @@ internal unsafe partial struct Polytope
             int twin = _stack[--height], other = twin >> 2;
             if (_keys[other] == Gone) continue;
             PolytopeFace* next = _faces + other;
-            if (Vector3D.Dot(next->Normal, point) > next->Limit) height = Cross(twin, height);
+            if (Double3.Dot(next->Normal, point) > next->Limit) height = Cross(twin, height);
             else _rim[rim++] = (ushort)twin;
         }
 

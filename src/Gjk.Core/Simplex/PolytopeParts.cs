@@ -6,15 +6,15 @@ namespace Gjk.Core;
 /// <summary>A vertex of A - B, with the support points that it is made from; each can be read as four lanes.</summary>
 internal struct PolytopeVertex
 {
-    public Vector3D W;
+    public Double3 W;
 
     public int IdA, IdB;
 
-    public Vector3D OnA;
+    public Double3 OnA;
 
     private readonly double _endA;
 
-    public Vector3D OnB;
+    public Double3 OnB;
 
     private readonly double _endB;
 }
@@ -23,7 +23,7 @@ internal struct PolytopeVertex
 internal unsafe struct PolytopeFace
 {
     /// <summary>The normal, of any length.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>A point is above the face when its product with the normal is more.</summary>
     public double Limit;
@@ -54,7 +54,7 @@ internal unsafe struct PolytopeFace
     }
 
     /// <summary>The normal, of unit length.</summary>
-    public readonly Vector3D UnitNormal => Normal * (1 / Math.Sqrt(NormalSquared));
+    public readonly Double3 UnitNormal => Normal * (1 / Math.Sqrt(NormalSquared));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Name(int a, int b, int c)

@@ -28,28 +28,28 @@ internal unsafe struct Simplex
     private fixed double _onA[16];
     private fixed double _onB[16];
 
-    public readonly Vector3D WA => W(A);
+    public readonly Double3 WA => W(A);
 
-    public readonly Vector3D WB => W(B);
+    public readonly Double3 WB => W(B);
 
-    public readonly Vector3D WC => W(C);
+    public readonly Double3 WC => W(C);
 
-    public readonly Vector3D WD => W(D);
+    public readonly Double3 WD => W(D);
 
     /// <summary>The slot by position: 0 is A, 3 is D.</summary>
     public readonly int this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
 
     /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D W(int slot) => new(_w[4 * slot], _w[4 * slot + 1], _w[4 * slot + 2]);
+    public readonly Double3 W(int slot) => new(_w[4 * slot], _w[4 * slot + 1], _w[4 * slot + 2]);
 
     /// <summary>The support point of A that it was made from.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D OnA(int slot) => new(_onA[4 * slot], _onA[4 * slot + 1], _onA[4 * slot + 2]);
+    public readonly Double3 OnA(int slot) => new(_onA[4 * slot], _onA[4 * slot + 1], _onA[4 * slot + 2]);
 
     /// <summary>The support point of B that it was made from, from B's centre in B's own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D OnB(int slot) => new(_onB[4 * slot], _onB[4 * slot + 1], _onB[4 * slot + 2]);
+    public readonly Double3 OnB(int slot) => new(_onB[4 * slot], _onB[4 * slot + 1], _onB[4 * slot + 2]);
 
     public readonly int IdA(int slot) => _ids[2 * slot];
 
@@ -75,7 +75,7 @@ internal unsafe struct Simplex
     /// Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be room.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Push(in Vector3D w, in Vector3D onA, in Vector3D onB, int idA, int idB)
+    public void Push(in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {
         int slot = FreeSlot;
         Fill(slot, w, onA, onB, idA, idB);
@@ -95,7 +95,7 @@ internal unsafe struct Simplex
 
     /// <summary>Writes a vertex of A - B, and the support points that it is made from, into a slot.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Fill(int slot, in Vector3D w, in Vector3D onA, in Vector3D onB, int idA, int idB)
+    public void Fill(int slot, in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {
         _w[4 * slot] = w.X;
         _w[4 * slot + 1] = w.Y;
@@ -111,7 +111,7 @@ internal unsafe struct Simplex
     }
 
 #if NET
-    /// <inheritdoc cref="Fill(int, in Vector3D, in Vector3D, in Vector3D, int, int)"/>
+    /// <inheritdoc cref="Fill(int, in Double3, in Double3, in Double3, int, int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Fill(
         int slot, Vector256<double> w, Vector256<double> onA, Vector256<double> onB, int idA, int idB)
@@ -149,9 +149,9 @@ internal unsafe struct Simplex
     }
 
     /// <summary>The weighted sum of the vertices.</summary>
-    public readonly Vector3D PointOf(in Weights w)
+    public readonly Double3 PointOf(in Weights w)
     {
-        Vector3D point = WA * w.A;
+        Double3 point = WA * w.A;
         if (Count > 1) point += WB * w.B;
         if (Count > 2) point += WC * w.C;
         if (Count > 3) point += WD * w.D;

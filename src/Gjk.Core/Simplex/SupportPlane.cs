@@ -9,7 +9,7 @@ namespace Gjk.Core;
 internal struct SupportPlane
 {
     /// <summary>From the origin to the plane, of any length.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>|Normal|²; 0 where no plane is known.</summary>
     public double NormalSquared;
@@ -21,7 +21,7 @@ internal struct SupportPlane
     public void Set(in ClosestFeature feature, double value)
     {
         Value = value;
-        Normal = new Vector3D(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
+        Normal = new Double3(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
         NormalSquared = feature.NormalSquared;
     }
 

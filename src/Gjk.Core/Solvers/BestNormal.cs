@@ -27,7 +27,7 @@ internal ref struct BestNormal
     /// </summary>
     private const double Equal = 1e-12;
 
-    private readonly Vector3D _known;
+    private readonly Double3 _known;
     private readonly double _equal;
     private double _gap;
 
@@ -38,7 +38,7 @@ internal ref struct BestNormal
     /// <param name="known">From the round side to the other, of unit length, as a search found it.</param>
     /// <param name="size">Of the pair.</param>
     public BestNormal(
-        in FaceCorners round, in FaceCorners other, in Vector3D center, in Vector3D known, double size)
+        in FaceCorners round, in FaceCorners other, in Double3 center, in Double3 known, double size)
     {
         _known = known;
         _equal = Equal * size;
@@ -60,18 +60,18 @@ internal ref struct BestNormal
     }
 
     /// <summary>From the round side to the other, of unit length.</summary>
-    public Vector3D Normal { get; private set; }
+    public Double3 Normal { get; private set; }
 
     /// <summary>Along the axis of the round side, of unit length.</summary>
-    public Vector3D Axis { get; }
+    public Double3 Axis { get; }
 
-    private void Try(in BallEdge side, in BallEdge edge, in FaceCorners other, in Vector3D direction)
+    private void Try(in BallEdge side, in BallEdge edge, in FaceCorners other, in Double3 direction)
     {
         double gap = other.Count > 2 ? double.PositiveInfinity : -edge.Reach(-direction);
         for (int i = 0; i < other.Count && other.Count > 2; i++)
-            gap = Math.Min(gap, Vector3D.Dot(direction, other[i]));
+            gap = Math.Min(gap, Double3.Dot(direction, other[i]));
         gap -= side.Reach(direction);
-        if (!(gap > _gap + _equal && Vector3D.Dot(direction, _known) > 0)) return;
+        if (!(gap > _gap + _equal && Double3.Dot(direction, _known) > 0)) return;
         _gap = gap;
         Normal = direction;
     }
@@ -81,20 +81,20 @@ internal ref struct BestNormal
     {
         first = 0;
         for (int i = 1; i < other.Count; i++)
-            if (Vector3D.Dot(_known, other[i]) < Vector3D.Dot(_known, other[first])) first = i;
+            if (Double3.Dot(_known, other[i]) < Double3.Dot(_known, other[first])) first = i;
         int next = (first + 1) % other.Count, before = (first + other.Count - 1) % other.Count;
-        last = Vector3D.Dot(_known, other[next]) <= Vector3D.Dot(_known, other[before]) ? next : before;
+        last = Double3.Dot(_known, other[next]) <= Double3.Dot(_known, other[before]) ? next : before;
         if (other.Count == 2) (first, last) = (0, 1);
     }
 
     /// <summary>Towards a face, of unit length (Newell).</summary>
-    private readonly Vector3D FaceNormal(in FaceCorners face)
+    private readonly Double3 FaceNormal(in FaceCorners face)
     {
-        Vector3D normal = default;
+        Double3 normal = default;
         for (int i = 1; i + 1 < face.Count; i++)
-            normal += Vector3D.Cross(face[i] - face[0], face[i + 1] - face[0]);
+            normal += Double3.Cross(face[i] - face[0], face[i + 1] - face[0]);
         double length = normal.Length;
-        return normal * (Vector3D.Dot(normal, _known) < 0 ? -1 / length : 1 / length);
+        return normal * (Double3.Dot(normal, _known) < 0 ? -1 / length : 1 / length);
     }
 }
 
@@ -102,10 +102,10 @@ internal ref struct BestNormal
 internal readonly struct BallEdge
 {
     /// <summary>The balls' centres.</summary>
-    public readonly Vector3D First, Last;
+    public readonly Double3 First, Last;
 
     /// <summary>From the first to the last, of unit length.</summary>
-    public readonly Vector3D Axis;
+    public readonly Double3 Axis;
 
     private readonly double _firstRadius, _lastRadius;
 
@@ -116,7 +116,7 @@ internal readonly struct BallEdge
     /// <param name="first">One end.</param>
     /// <param name="last">The other.</param>
     /// <param name="outward">The direction in which the shape shows it.</param>
-    public BallEdge(in FaceCorners corners, int first, int last, in Vector3D outward)
+    public BallEdge(in FaceCorners corners, int first, int last, in Double3 outward)
     {
         First = corners[first];
         Last = corners[last];
@@ -126,8 +126,8 @@ internal readonly struct BallEdge
         _sine = 0;
         if (_lastRadius > 0)
         {
-            Vector3D line = (Last - First) * (1 / (Last - First).Length);
-            Vector3D across = outward - line * Vector3D.Dot(line, outward);
+            Double3 line = (Last - First) * (1 / (Last - First).Length);
+            Double3 across = outward - line * Double3.Dot(line, outward);
             across *= 1 / across.Length;
             First -= across * _firstRadius;
             Last -= across * _lastRadius;
@@ -140,7 +140,7 @@ internal readonly struct BallEdge
     }
 
     /// <summary>A point.</summary>
-    public BallEdge(in Vector3D point)
+    public BallEdge(in Double3 point)
     {
         First = point;
         Last = point;
@@ -151,35 +151,35 @@ internal readonly struct BallEdge
     }
 
     /// <summary>How far it reaches in a direction.</summary>
-    public double Reach(in Vector3D direction) =>
+    public double Reach(in Double3 direction) =>
         Math.Max(
-            Vector3D.Dot(direction, First) + _firstRadius, Vector3D.Dot(direction, Last) + _lastRadius);
+            Double3.Dot(direction, First) + _firstRadius, Double3.Dot(direction, Last) + _lastRadius);
 
     /// <summary>The middle of the part of another that lies beside this, at least of its nearer end.</summary>
-    public Vector3D MiddleBeside(in BallEdge other)
+    public Double3 MiddleBeside(in BallEdge other)
     {
-        double length = Vector3D.Dot(Axis, Last - First), most = Vector3D.Dot(Axis, other.Last - other.First);
-        double from = Vector3D.Dot(Axis, other.First - First), to = from + most;
+        double length = Double3.Dot(Axis, Last - First), most = Double3.Dot(Axis, other.Last - other.First);
+        double from = Double3.Dot(Axis, other.First - First), to = from + most;
         from = Math.Max(0, Math.Min(length, from));
         to = Math.Max(0, Math.Min(length, to));
-        double part = ((from + to) / 2 - Vector3D.Dot(Axis, other.First - First)) / most;
+        double part = ((from + to) / 2 - Double3.Dot(Axis, other.First - First)) / most;
         return part >= 0 && part <= 1 ? other.First + (other.Last - other.First) * part : other.First;
     }
 
     /// <summary>Across it, as near as can be to another direction; of unit length.</summary>
-    public Vector3D Towards(in Vector3D other)
+    public Double3 Towards(in Double3 other)
     {
-        Vector3D across = other - Axis * Vector3D.Dot(Axis, other);
+        Double3 across = other - Axis * Double3.Dot(Axis, other);
         return Axis * _sine + across * (Math.Sqrt(1 - _sine * _sine) / across.Length);
     }
 
     /// <summary>From this to another, across both, on the side where a known direction is; of unit length.</summary>
-    public Vector3D Across(in BallEdge other, in Vector3D known)
+    public Double3 Across(in BallEdge other, in Double3 known)
     {
-        Vector3D cross = Vector3D.Cross(Axis, other.Axis);
-        double cosine = Vector3D.Dot(Axis, other.Axis), squared = cross.LengthSquared;
+        Double3 cross = Double3.Cross(Axis, other.Axis);
+        double cosine = Double3.Dot(Axis, other.Axis), squared = cross.LengthSquared;
         double along = (_sine + cosine * other._sine) / squared, otherAlong = (-other._sine - cosine * _sine) / squared;
         double rest = Math.Sqrt((1 - along * _sine + otherAlong * other._sine) / squared);
-        return Axis * along + other.Axis * otherAlong + cross * (Vector3D.Dot(cross, known) < 0 ? -rest : rest);
+        return Axis * along + other.Axis * otherAlong + cross * (Double3.Dot(cross, known) < 0 ? -rest : rest);
     }
 }

@@ -89,7 +89,7 @@ internal static class GjkDistance
         for (int rounds = 1; ; rounds++)
         {
             int slot = vertices.FreeSlot;
-            Vector3D w = MinkowskiDifference.Support(
+            Double3 w = MinkowskiDifference.Support(
                 ref a, ref b, frame, feature.Normal, ref state.Simplex, slot, out int ids);
             if (state.Matters<TA, TB>(ids))
             {
@@ -98,7 +98,7 @@ internal static class GjkDistance
             }
 
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, feature.Normal, state.Simplex, slot, false));
-            double plane = Vector3D.Dot(feature.Normal, w);
+            double plane = Double3.Dot(feature.Normal, w);
             separated |= plane > 0 && plane * plane > touchSquared * feature.NormalSquared;
             Ending ending = Judge(state, vertices, feature, plane, reachSquared, noise, frame.Margins);
             if (ending != Ending.None)
@@ -171,7 +171,7 @@ internal static class GjkDistance
         vertices.B = new MinkowskiVertex(state.Simplex.WB, state.Simplex.B);
         vertices.C = new MinkowskiVertex(state.Simplex.WC, state.Simplex.C);
         vertices.Winding = 1;
-        feature.Normal = new Vector3D(state.Feature.Normal.X, state.Feature.Normal.Y, state.Feature.Normal.Z);
+        feature.Normal = new Double3(state.Feature.Normal.X, state.Feature.Normal.Y, state.Feature.Normal.Z);
         feature.Height = state.Feature.Height;
         feature.NormalSquared = feature.Normal.LengthSquared;
     }

@@ -32,7 +32,7 @@ internal static class GjkExtendedPrecision
         where TTrace : struct, IGjkTrace
     {
         int limit = state.Iterations + GjkTolerances.MaxIterations;
-        Vector3D normal = frame.FirstNormal;
+        Double3 normal = frame.FirstNormal;
         ClosestFeature feature = default;
         Simplex simplex = default;
         DoubleDouble distanceSquared = default;
@@ -40,11 +40,11 @@ internal static class GjkExtendedPrecision
         while (true)
         {
             int slot = simplex.FreeSlot;
-            Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out int ids);
+            Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out int ids);
             state.Iterations++;
             if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, slot);
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, simplex, slot, isExtended: true));
-            double plane = Vector3D.Dot(normal, w);
+            double plane = Double3.Dot(normal, w);
             if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, frame.Margins, limit))
                 return;
 

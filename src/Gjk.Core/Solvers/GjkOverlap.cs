@@ -38,13 +38,13 @@ internal static class GjkOverlap
         Simplex.Begin(out Simplex points);
         FeatureVertices.Begin(out FeatureVertices vertices);
         ClosestFeature feature = default;
-        Vector3D first = frame.FirstNormal;
-        feature.Normal = new Vector3D(first.X, first.Y, first.Z);
+        Double3 first = frame.FirstNormal;
+        feature.Normal = new Double3(first.X, first.Y, first.Z);
         for (int round = 0; round < MaxRounds; round++)
         {
-            Vector3D w = MinkowskiDifference.Support(
+            Double3 w = MinkowskiDifference.Support(
                 ref a, ref b, frame, feature.Normal, ref points, 0, out int ids);
-            double plane = Vector3D.Dot(feature.Normal, w);
+            double plane = Double3.Dot(feature.Normal, w);
             bool curved = ids < 0;
             if (plane > 0)
             {

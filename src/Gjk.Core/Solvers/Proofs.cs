@@ -29,8 +29,8 @@ internal static class Proofs
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsLevel(in FeatureVertices vertices, in ClosestFeature feature, double plane, double level)
     {
-        double b = Vector3D.Dot(feature.Normal, vertices.B.W) - plane;
-        double c = Vector3D.Dot(feature.Normal, vertices.C.W) - plane;
+        double b = Double3.Dot(feature.Normal, vertices.B.W) - plane;
+        double c = Double3.Dot(feature.Normal, vertices.C.W) - plane;
         return IsClosed(b, feature, false, level, 0) && IsClosed(c, feature, false, level, 0);
     }
 
@@ -38,10 +38,10 @@ internal static class Proofs
     /// The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could
     /// turn; either way round.
     /// </summary>
-    public static bool IsCertainlyInside(Vector3D a, Vector3D b, Vector3D c, Vector3D d)
+    public static bool IsCertainlyInside(Double3 a, Double3 b, Double3 c, Double3 d)
     {
         if (ClosestPointWeights.IsInside(a, b, c, d)) return true;
-        if (Vector3D.Dot(Vector3D.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
+        if (Double3.Dot(Double3.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
         return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a)
             && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
     }
@@ -101,9 +101,9 @@ internal static class Proofs
     public static bool IsTouching(in SolverState state, double distance) =>
         state.Verdict == Verdict.Apart && distance <= GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
 
-    private static bool IsCertain(in Vector3D a, in Vector3D e, in Vector3D f)
+    private static bool IsCertain(in Double3 a, in Double3 e, in Double3 f)
     {
-        double determinant = -Vector3D.Dot(Vector3D.Cross(e, f), a);
+        double determinant = -Double3.Dot(Double3.Cross(e, f), a);
         double error = GjkTolerances.DeterminantError;
         return determinant > 0
             && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;

@@ -74,7 +74,7 @@ internal static class SideNormal
         where TTrace : struct, IGjkTrace
     {
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
-        Vector3D known = state.Feature.Normal * -scale;
+        Double3 known = state.Feature.Normal * -scale;
         if (!(state.Feature.Height * scale - frame.Margins <= Near * state.Size.Value)) return;
         FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
         var cornersA = new FaceCorners(memory);
@@ -88,26 +88,26 @@ internal static class SideNormal
         BestNormal best = isOfA
             ? new BestNormal(cornersA, cornersB, frame.Translation, known, state.Size.Value)
             : new BestNormal(cornersB, cornersA, default, -known, state.Size.Value);
-        Vector3D normal = isOfA ? best.Normal : -best.Normal;
+        Double3 normal = isOfA ? best.Normal : -best.Normal;
         Take(ref a, ref b, frame, normal, best.Axis, isOfA, known, ref state, ref trace);
     }
 
     /// <summary>Takes the normal, if it is as good as the one that is known.</summary>
     private static void Take<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, in Vector3D axis, bool isOfA, in Vector3D known,
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, bool isOfA, in Double3 known,
         ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
         Simplex.Begin(out Simplex ends);
-        Vector3D p = Support(ref a, ref b, frame, axis * Lean - normal, ref state, ref trace, ref ends, 0);
-        Vector3D q = Support(ref a, ref b, frame, axis * -Lean - normal, ref state, ref trace, ref ends, 1);
-        Vector3D w = Support(ref a, ref b, frame, -normal, ref state, ref trace, ref ends, 2);
-        double gap = -Vector3D.Dot(normal, w), level = Level * state.Size.Value;
-        if (!(gap >= state.Plane.Distance && Vector3D.Dot(normal, known) >= LeastCosine)) return;
-        bool isLevel = -Vector3D.Dot(normal, p) - gap <= level && -Vector3D.Dot(normal, q) - gap <= level;
-        bool isOpposite = Vector3D.Dot(axis, p) <= 0 && Vector3D.Dot(axis, q) >= 0;
+        Double3 p = Support(ref a, ref b, frame, axis * Lean - normal, ref state, ref trace, ref ends, 0);
+        Double3 q = Support(ref a, ref b, frame, axis * -Lean - normal, ref state, ref trace, ref ends, 1);
+        Double3 w = Support(ref a, ref b, frame, -normal, ref state, ref trace, ref ends, 2);
+        double gap = -Double3.Dot(normal, w), level = Level * state.Size.Value;
+        if (!(gap >= state.Plane.Distance && Double3.Dot(normal, known) >= LeastCosine)) return;
+        bool isLevel = -Double3.Dot(normal, p) - gap <= level && -Double3.Dot(normal, q) - gap <= level;
+        bool isOpposite = Double3.Dot(axis, p) <= 0 && Double3.Dot(axis, q) >= 0;
         ends.Select(2, 0, 1, 0, 0);
         Weights weights = ClosestPointWeights.Of(ends);
         if (isLevel && isOpposite && (ends.PointOf(weights) + normal * gap).Length <= Beside * state.Size.Value)
@@ -133,13 +133,13 @@ internal static class SideNormal
     /// </summary>
     /// <returns>False where they are too far from such a line, or are not the furthest along it.</returns>
     private static bool TryMove(
-        in PairFrame frame, in Vector3D normal, double gap, bool isOfA, ref SolverState state)
+        in PairFrame frame, in Double3 normal, double gap, bool isOfA, ref SolverState state)
     {
-        Vector3D onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
-        Vector3D between = -state.Simplex.PointOf(state.Weights);
-        double along = Vector3D.Dot(normal, between), size = state.Size.Value;
+        Double3 onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+        Double3 between = -state.Simplex.PointOf(state.Weights);
+        double along = Double3.Dot(normal, between), size = state.Size.Value;
         if (!(along - gap <= Beside * size && (between - normal * along).Length <= Aside * size)) return false;
-        Vector3D other = onA + normal * gap;
+        Double3 other = onA + normal * gap;
         if (isOfA)
         {
             other = onA + between;
@@ -153,14 +153,14 @@ internal static class SideNormal
         return true;
     }
 
-    private static Vector3D Support<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref SolverState state, ref TTrace trace,
+    private static Double3 Support<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref TTrace trace,
         ref Simplex ends, int slot)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends, slot, out _);
+        Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends, slot, out _);
         state.Iterations++;
         if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, ends, slot, false));
         return w;

@@ -32,9 +32,9 @@ public struct WarmStart
     /// <summary>
     /// The first search direction: the last normal in A's frame, or the cold query's where there is none.
     /// </summary>
-    internal readonly Vector3D FirstNormal(in PairFrame frame)
+    internal readonly Double3 FirstNormal(in PairFrame frame)
     {
-        var normal = new Vector3D(_x, _y, _z);
+        var normal = new Double3(_x, _y, _z);
         double squared = normal.LengthSquared;
         return squared > 0 && squared <= LongestNormal ? normal : frame.FirstNormal;
     }
@@ -73,7 +73,7 @@ public struct WarmStart
     }
 
     /// <summary>Remembers a simplex.</summary>
-    internal void Store(in Simplex simplex, in Vector3D normal)
+    internal void Store(in Simplex simplex, in Double3 normal)
     {
         _count = simplex.Count;
         (_a0, _b0) = _count > 0 ? (simplex.IdA(simplex.A), simplex.IdB(simplex.A)) : (-1, -1);
@@ -86,7 +86,7 @@ public struct WarmStart
     }
 
     /// <summary>Brought to unit length, it is a float for any size of shape.</summary>
-    internal void SetNormal(in Vector3D normal)
+    internal void SetNormal(in Double3 normal)
     {
         double scale = 1 / System.Math.Sqrt(normal.LengthSquared);
         (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));
@@ -97,7 +97,7 @@ public struct WarmStart
     internal readonly int Count => _count;
 
     /// <summary>The last normal, if there was one.</summary>
-    internal readonly Vector3D Normal => new(_x, _y, _z);
+    internal readonly Double3 Normal => new(_x, _y, _z);
 
     /// <summary>The ids of A's support points, and of B's, of the four vertices that there may be.</summary>
     internal readonly Vector128<int> IdsA => Vector128.LoadUnsafe(in _a0);

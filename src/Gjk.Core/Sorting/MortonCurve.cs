@@ -16,9 +16,9 @@ internal static class MortonCurve
     /// The cell of a point, in a world that begins at a corner, with so many cells per unit; in double, where no
     /// difference of floats overflows.
     /// </summary>
-    public static uint Cell(in Vector3D point, in Vector3D corner, in Vector3D cellsPerUnit)
+    public static uint Cell(in Double3 point, in Double3 corner, in Double3 cellsPerUnit)
     {
-        Vector3D cell = Vector3D.Multiply(point - corner, cellsPerUnit);
+        Double3 cell = Double3.Multiply(point - corner, cellsPerUnit);
         return Spread(Clamped(cell.X)) << 2 | Spread(Clamped(cell.Y)) << 1 | Spread(Clamped(cell.Z));
     }
 

@@ -233,7 +233,7 @@ internal struct WideHulls : IWideSide
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private static int Find(ConvexHull hull, Vector3D direction, ref Lanes point)
+    private static int Find(ConvexHull hull, Double3 direction, ref Lanes point)
     {
         point = HullCore.Support(hull, direction, out int id);
         return id;

@@ -200,7 +200,7 @@ internal readonly unsafe ref struct WideBatch
         in ConvexShape a, in ConvexShape b, in ConvexShape c, in ConvexShape d, out WideVector centers,
         out Vector256<double> margins, out Vector256<double> radii)
     {
-        Vector3D ca = a.Center, cb = b.Center, cc = c.Center, cd = d.Center;
+        Double3 ca = a.Center, cb = b.Center, cc = c.Center, cd = d.Center;
         centers = new WideVector(
             Vector256.Create(ca.X, cb.X, cc.X, cd.X), Vector256.Create(ca.Y, cb.Y, cc.Y, cd.Y),
             Vector256.Create(ca.Z, cb.Z, cc.Z, cd.Z));

@@ -22,7 +22,7 @@ internal static unsafe class WideWarmStart
     {
         ref WarmStart a = ref Unsafe.Add(ref starts, index[0]), b = ref Unsafe.Add(ref starts, index[1]);
         ref WarmStart c = ref Unsafe.Add(ref starts, index[2]), d = ref Unsafe.Add(ref starts, index[3]);
-        Vector3D na = a.Normal, nb = b.Normal, nc = c.Normal, nd = d.Normal;
+        Double3 na = a.Normal, nb = b.Normal, nc = c.Normal, nd = d.Normal;
         var normal = new WideVector(
             Vector256.Create(na.X, nb.X, nc.X, nd.X), Vector256.Create(na.Y, nb.Y, nc.Y, nd.Y),
             Vector256.Create(na.Z, nb.Z, nc.Z, nd.Z));

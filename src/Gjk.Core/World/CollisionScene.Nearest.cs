@@ -59,11 +59,11 @@ public sealed partial class CollisionScene
         CheckPose(pose);
         CheckDistance(maxDistance, nameof(maxDistance));
         var search = new NearestSearch(_objects, shape, pose, maxDistance, filter);
-        return TryFindNearest(ref search, new WorldBounds(shape), out id, out result);
+        return TryFindNearest(ref search, new ShapeBounds(shape), out id, out result);
     }
 
     /// <summary>Looks in boxes that grow until an object is found.</summary>
-    private bool TryFindNearest(ref NearestSearch search, in WorldBounds bounds, out int id, out DistanceResult result)
+    private bool TryFindNearest(ref NearestSearch search, in ShapeBounds bounds, out int id, out DistanceResult result)
     {
         Aabb box = bounds.BoxAt(search.Pose);
         float reach = (float)Math.Min(Math.Max(bounds.Radius, float.Epsilon), float.MaxValue);

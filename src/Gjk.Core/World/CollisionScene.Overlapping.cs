@@ -16,14 +16,14 @@ public sealed partial class CollisionScene
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
-    public void FindOverlapping(
+    public void FindObjectsOverlapping(
         in ConvexShape shape, in RigidPose pose, List<int> ids, in QueryFilter filter = default)
     {
         CheckNotVisiting();
         CheckShape(shape);
         CheckPose(pose);
         Guard.NotNull(ids, nameof(ids)).Clear();
-        _phase.CollectInBox(new WorldBounds(shape).BoxAt(pose), _near);
+        _phase.CollectInBox(new ShapeBounds(shape).BoxAt(pose), _near);
         for (int i = 0; i < _near.Count; i++)
         {
             int slot = _near[i];
@@ -45,11 +45,11 @@ public sealed partial class CollisionScene
     /// </param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    public void FindOverlapping<TVisitor>(
+    public void FindObjectsOverlapping<TVisitor>(
         in ConvexShape shape, in RigidPose pose, ref TVisitor visitor, in QueryFilter filter = default)
         where TVisitor : struct, IObjectVisitor
     {
-        FindOverlapping(shape, pose, _overlapping, filter);
+        FindObjectsOverlapping(shape, pose, _overlapping, filter);
         _visiting = true;
         try
         {

@@ -19,7 +19,7 @@ public sealed partial class CollisionScene
     private readonly IBroadPhase _phase;
 
     /// <summary>The balls' centres by slot, where balls are the bound.</summary>
-    private Vector3D[] _centers = [];
+    private Double3[] _centers = [];
 
     /// <summary>Whether a visitor is being called, which may not use the scene.</summary>
     private bool _visiting;
@@ -113,7 +113,7 @@ public sealed partial class CollisionScene
     public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
         CheckNotVisiting();
-        var bounds = new WorldBounds(shape);
+        var bounds = new ShapeBounds(shape);
         CheckPose(pose);
         if (_objects.ShouldCloseUp) CloseUp();
         int slot = _objects.Reserve();
@@ -175,7 +175,7 @@ public sealed partial class CollisionScene
             throw new InvalidOperationException("The scene cannot be used before its visitor has seen all pairs.");
     }
 
-    private Aabb PlaceBound(int slot, in WorldBounds bounds, in RigidPose pose)
+    private Aabb PlaceBound(int slot, in ShapeBounds bounds, in RigidPose pose)
     {
         if (Bound == BoundKind.Box) return bounds.BoxAt(pose);
         _centers[slot] = bounds.CenterAt(pose);
@@ -209,7 +209,7 @@ public sealed partial class CollisionScene
             (int a, int b) = (pairs[i].A, pairs[i].B);
             if (!_objects.AreTested(a, b)) continue;
             double radiusA = _objects.Bounds[a].Radius, radiusB = _objects.Bounds[b].Radius;
-            bool isNear = !isBall || WorldBounds.BallsNear(_centers[a], radiusA, _centers[b], radiusB, distance);
+            bool isNear = !isBall || ShapeBounds.BallsNear(_centers[a], radiusA, _centers[b], radiusB, distance);
             if (isNear) pairs[kept++] = pairs[i];
         }
 

@@ -21,7 +21,7 @@ internal readonly struct MovingShape(
     /// <summary>Its path for a broad phase.</summary>
     public SweptBox Path()
     {
-        Aabb box = new WorldBounds(_shape).BoxAt(_pose);
+        Aabb box = new ShapeBounds(_shape).BoxAt(_pose);
         return new SweptBox(box.Min, box.Max, translation, maxFraction);
     }
 }

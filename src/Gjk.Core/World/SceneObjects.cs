@@ -16,7 +16,7 @@ internal sealed class SceneObjects
     public RigidPose[] Poses = [];
 
     /// <inheritdoc cref="Shapes"/>
-    public WorldBounds[] Bounds = [];
+    public ShapeBounds[] Bounds = [];
 
     /// <inheritdoc cref="Shapes"/>
     public ObjectSettings[] Settings = [];
@@ -60,7 +60,7 @@ internal sealed class SceneObjects
 
     /// <summary>The slot of the new object, for which there is room.</summary>
     public int Add(
-        in ConvexShape shape, in RigidPose pose, in WorldBounds bounds, in ObjectSettings settings, long call)
+        in ConvexShape shape, in RigidPose pose, in ShapeBounds bounds, in ObjectSettings settings, long call)
     {
         int slot = End++;
         Shapes[slot] = shape;

@@ -73,7 +73,7 @@ internal sealed class SupportReplay
     /// <summary>The points and ids of all support calls of a pass, in their order.</summary>
     private sealed class SupportRecord
     {
-        private (Vector3D Point, int Id)[] _calls = new (Vector3D, int)[1024];
+        private (Double3 Point, int Id)[] _calls = new (Double3, int)[1024];
         private int _next;
 
         public RecordUse Use { get; private set; }
@@ -84,15 +84,15 @@ internal sealed class SupportReplay
             _next = 0;
         }
 
-        public void Write(in Vector3D point, int id)
+        public void Write(in Double3 point, int id)
         {
             if (_next == _calls.Length) Array.Resize(ref _calls, 2 * _next);
             _calls[_next++] = (point, id);
         }
 
-        public int Read(out Vector3D point)
+        public int Read(out Double3 point)
         {
-            ref readonly (Vector3D Point, int Id) call = ref _calls[_next++];
+            ref readonly (Double3 Point, int Id) call = ref _calls[_next++];
             point = call.Point;
             return call.Id;
         }
@@ -104,13 +104,13 @@ internal sealed class SupportReplay
         private readonly ConvexMesh _mesh = mesh;
         private readonly SupportRecord _record = record;
 
-        public Vector3D Center => _mesh.Center;
+        public Double3 Center => _mesh.Center;
 
         public double Margin => _mesh.Margin;
 
         public double BoundingRadius => _mesh.BoundingRadius;
 
-        public int Support(in Vector3D direction, out Vector3D point)
+        public int Support(in Double3 direction, out Double3 point)
         {
             if (_record.Use == RecordUse.Read) return _record.Read(out point);
             int id = _mesh.Support(direction, out point);
@@ -118,10 +118,10 @@ internal sealed class SupportReplay
             return id;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point) => _mesh.TryGetVertex(id, out point);
+        public bool TryGetVertex(int id, out Double3 point) => _mesh.TryGetVertex(id, out point);
     }
 }

@@ -37,7 +37,7 @@ internal sealed class SceneMeshes
     /// <param name="title">What the progress is of.</param>
     public void BuildHulls(IEnumerable<string> names, string title)
     {
-        string[] used = [.. names.Where(_vertices.ContainsKey).Distinct()];
+        string[] used = [.. names.Where(name => _vertices.ContainsKey(name) && !_hulls.ContainsKey(name)).Distinct()];
         long vertices = used.Sum(name => (long)_vertices[name].Count);
         if (vertices <= ManyVertices) Build(_ => { });
         else ProgressBar.Show(bars => Build(bars.Add($"{title}: hulls")));

@@ -9,11 +9,11 @@ internal sealed class DirectionSequence
     private ulong _state = 0x4D_6F_74_69_6F_6E;
 
     /// <summary>A uniformly distributed unit vector: a point of the ball, scaled to unit length.</summary>
-    public Vector3D Next()
+    public Double3 Next()
     {
         while (true)
         {
-            var v = new Vector3D(NextSigned(), NextSigned(), NextSigned());
+            var v = new Double3(NextSigned(), NextSigned(), NextSigned());
             double square = v.LengthSquared;
             if (square <= 1 && square > 0.01) return v * (1 / Math.Sqrt(square));
         }

@@ -33,8 +33,8 @@ internal sealed class ScenePath
     public ScenePath(Scene scene)
     {
         int aside = (int)Math.Clamp(QueriesPerRound / 4 / Math.Max(scene.Pairs.Count, 1), 1, MostStepsAside);
-        var steps = new Vector3D[scene.Objects.Length];
-        var axes = new Vector3D[scene.Objects.Length];
+        var steps = new Double3[scene.Objects.Length];
+        var axes = new Double3[scene.Objects.Length];
         var random = new DirectionSequence();
         for (int i = 0; i < steps.Length; i++)
         {
@@ -69,12 +69,12 @@ internal sealed class ScenePath
     /// <summary>The longest side of the shape's bounding box in its own frame.</summary>
     private static double Size(in ConvexShape shape)
     {
-        shape.Support(new Vector3D(1, 0, 0), out Vector3D right);
-        shape.Support(new Vector3D(-1, 0, 0), out Vector3D left);
-        shape.Support(new Vector3D(0, 1, 0), out Vector3D top);
-        shape.Support(new Vector3D(0, -1, 0), out Vector3D bottom);
-        shape.Support(new Vector3D(0, 0, 1), out Vector3D front);
-        shape.Support(new Vector3D(0, 0, -1), out Vector3D back);
+        shape.Support(new Double3(1, 0, 0), out Double3 right);
+        shape.Support(new Double3(-1, 0, 0), out Double3 left);
+        shape.Support(new Double3(0, 1, 0), out Double3 top);
+        shape.Support(new Double3(0, -1, 0), out Double3 bottom);
+        shape.Support(new Double3(0, 0, 1), out Double3 front);
+        shape.Support(new Double3(0, 0, -1), out Double3 back);
         return Math.Max(Math.Max(right.X - left.X, top.Y - bottom.Y), front.Z - back.Z) + 2 * shape.Margin;
     }
 }

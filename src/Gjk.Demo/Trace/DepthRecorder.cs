@@ -55,7 +55,7 @@ internal readonly struct DepthRecorder : IPolytopeTrace
 internal sealed class DepthSearch
 {
     /// <summary>The points of A - B in the order in which they were found.</summary>
-    public List<Vector3D> Vertices { get; } = [];
+    public List<Double3> Vertices { get; } = [];
 
     public List<DepthStep> Steps { get; } = [];
 

@@ -25,16 +25,16 @@ internal static class DifferenceMesh
     /// <param name="unit">The factor by which points are multiplied, so that they fit into floats at any size.</param>
     /// <param name="known">Points of the difference that the query found.</param>
     public static ShapeMesh Of(
-        in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, IEnumerable<Vector3D> known)
+        in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, double unit, IEnumerable<Double3> known)
     {
-        List<Vector3D>? cornersA = Corners(a), cornersB = Corners(b);
+        List<Double3>? cornersA = Corners(a), cornersB = Corners(b);
         var points = new List<Vector3>();
         bool isExact = cornersA is not null && cornersB is not null && cornersA.Count * cornersB.Count <= MostCorners;
         if (isExact)
         {
-            foreach (Vector3D corner in cornersA!)
+            foreach (Double3 corner in cornersA!)
             {
-                foreach (Vector3D other in cornersB!) points.Add((Vector3)((corner - bInA.Place(other)) * unit));
+                foreach (Double3 other in cornersB!) points.Add((Vector3)((corner - bInA.Place(other)) * unit));
             }
         }
         else
@@ -45,27 +45,27 @@ internal static class DifferenceMesh
                 for (int i = 0; i < Meridians; i++)
                 {
                     (double z, double x) = Math.SinCos(2 * Math.PI * i / Meridians);
-                    points.Add((Vector3)(Support(a, b, bInA, new Vector3D(outward * x, up, outward * z)) * unit));
+                    points.Add((Vector3)(Support(a, b, bInA, new Double3(outward * x, up, outward * z)) * unit));
                 }
             }
         }
 
-        foreach (Vector3D vertex in known) points.Add((Vector3)(vertex * unit));
+        foreach (Double3 vertex in known) points.Add((Vector3)(vertex * unit));
         return ShapeMesh.Of(new ConvexHull(points), isSmooth: !isExact && (cornersA is null || cornersB is null));
     }
 
-    private static Vector3D Support(in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, in Vector3D direction)
+    private static Double3 Support(in ConvexShape a, in ConvexShape b, in RelativeFrame bInA, in Double3 direction)
     {
-        a.Support(direction, out Vector3D onA);
-        b.Support(-bInA.InverseTurn(direction), out Vector3D onB);
+        a.Support(direction, out Double3 onA);
+        b.Support(-bInA.InverseTurn(direction), out Double3 onB);
         return a.Center + onA - bInA.Place(b.Center + onB);
     }
 
     /// <summary>The vertices of the core, or null if it has none.</summary>
-    private static List<Vector3D>? Corners(in ConvexShape shape)
+    private static List<Double3>? Corners(in ConvexShape shape)
     {
-        var corners = new List<Vector3D>();
-        for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++) corners.Add(shape.Center + corner);
+        var corners = new List<Double3>();
+        for (int id = 0; shape.TryGetVertex(id, out Double3 corner); id++) corners.Add(shape.Center + corner);
         return corners.Count > 0 ? corners : null;
     }
 }

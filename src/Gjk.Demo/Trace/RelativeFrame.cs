@@ -19,27 +19,27 @@ internal readonly struct RelativeFrame
         _y = (double)p.W * q.Y - (double)p.Y * q.W - (double)p.Z * q.X + (double)p.X * q.Z;
         _z = (double)p.W * q.Z - (double)p.Z * q.W - (double)p.X * q.Y + (double)p.Y * q.X;
         _w = (double)p.W * q.W + (double)p.X * q.X + (double)p.Y * q.Y + (double)p.Z * q.Z;
-        Position = Turned((Vector3D)b.Position - a.Position, -(double)p.X, -(double)p.Y, -(double)p.Z, p.W);
+        Position = Turned((Double3)b.Position - a.Position, -(double)p.X, -(double)p.Y, -(double)p.Z, p.W);
     }
 
-    public Vector3D Position { get; }
+    public Double3 Position { get; }
 
     /// <summary>Converts a point of B to A's frame.</summary>
-    public Vector3D Place(in Vector3D local) => Turned(local, _x, _y, _z, _w) + Position;
+    public Double3 Place(in Double3 local) => Turned(local, _x, _y, _z, _w) + Position;
 
     /// <summary>Converts a direction from A's frame to B's.</summary>
-    public Vector3D InverseTurn(in Vector3D direction) => Turned(direction, -_x, -_y, -_z, _w);
+    public Double3 InverseTurn(in Double3 direction) => Turned(direction, -_x, -_y, -_z, _w);
 
     /// <summary>Converts a direction from the world to A's frame.</summary>
-    public Vector3D FromWorld(in Vector3D direction) =>
+    public Double3 FromWorld(in Double3 direction) =>
         Turned(direction, -(double)_rotationA.X, -(double)_rotationA.Y, -(double)_rotationA.Z, _rotationA.W);
 
     public double[] Quaternion() => [_x, _y, _z, _w];
 
     /// <summary>The rotation v + 2 u × (u × v + w v) / |q|².</summary>
-    private static Vector3D Turned(in Vector3D v, double x, double y, double z, double w)
+    private static Double3 Turned(in Double3 v, double x, double y, double z, double w)
     {
-        var u = new Vector3D(x, y, z);
-        return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * w) * (2 / (u.LengthSquared + w * w));
+        var u = new Double3(x, y, z);
+        return v + Double3.Cross(u, Double3.Cross(u, v) + v * w) * (2 / (u.LengthSquared + w * w));
     }
 }

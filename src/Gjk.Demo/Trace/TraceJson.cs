@@ -15,7 +15,7 @@ internal static class TraceJson
         else json.WriteNull(name);
     }
 
-    public static void Vector(Utf8JsonWriter json, string name, in Vector3D v) => Numbers(json, name, [v.X, v.Y, v.Z]);
+    public static void Vector(Utf8JsonWriter json, string name, in Double3 v) => Numbers(json, name, [v.X, v.Y, v.Z]);
 
     public static void Numbers(Utf8JsonWriter json, string name, ReadOnlySpan<double> values)
     {

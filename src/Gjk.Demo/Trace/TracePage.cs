@@ -114,7 +114,7 @@ internal static class TracePage
         json.WriteStartObject("depth");
         WriteResult(json, depth.Result, bInA);
         json.WriteStartArray("vertices");
-        foreach (Vector3D v in depth.Search.Vertices) NumbersOf(json, [v.X, v.Y, v.Z]);
+        foreach (Double3 v in depth.Search.Vertices) NumbersOf(json, [v.X, v.Y, v.Z]);
         json.WriteEndArray();
         json.WriteStartArray("steps");
         foreach (DepthStep step in depth.Search.Steps)
@@ -147,9 +147,9 @@ internal static class TracePage
         json.WriteEndObject();
     }
 
-    private static IEnumerable<Vector3D> Vertices(List<TraceStep> steps, DepthAnswer? depth)
+    private static IEnumerable<Double3> Vertices(List<TraceStep> steps, DepthAnswer? depth)
     {
         foreach (TraceStep step in steps) yield return step.Support.Vertex;
-        foreach (Vector3D vertex in depth?.Search.Vertices ?? []) yield return vertex;
+        foreach (Double3 vertex in depth?.Search.Vertices ?? []) yield return vertex;
     }
 }

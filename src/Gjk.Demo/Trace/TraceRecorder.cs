@@ -26,7 +26,7 @@ internal readonly struct TraceRecorder : IGjkTrace
         var weights = new double[simplex.Count];
         for (int i = 0; i < after.Length; i++)
         {
-            Vector3D vertex = simplex.Vertex(i);
+            Double3 vertex = simplex.Vertex(i);
             after[i] = _steps.FindLastIndex(step => step.Support.Vertex == vertex);
             weights[i] = simplex.Weight(i);
         }
@@ -57,12 +57,12 @@ internal sealed class TraceStep
     /// <summary>The barycentric weights of the nearest point.</summary>
     public double[] Weights { get; private set; } = [];
 
-    public Vector3D Nearest { get; private set; }
+    public Double3 Nearest { get; private set; }
 
     /// <summary>|v| after this step.</summary>
     public double UpperBound { get; private set; }
 
-    public void Reduce(int[] after, double[] weights, in Vector3D nearest, double upperBound)
+    public void Reduce(int[] after, double[] weights, in Double3 nearest, double upperBound)
     {
         After = after;
         Weights = weights;

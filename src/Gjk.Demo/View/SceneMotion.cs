@@ -39,12 +39,12 @@ internal sealed class SceneMotion
                 continue;
             }
 
-            Vector3D by = (Vector3D)o.Velocity * frame;
+            Double3 by = (Double3)o.Velocity * frame;
             var position = (Vector3)(o.Pose.Position + by);
             if (!float.IsFinite(position.X + position.Y + position.Z))
                 throw new RefusedException(
                     $"{_name}: $.objects[{i}].velocity: the position leaves the range of float in frame {frame}");
-            Vector3D spin = o.AngularVelocity;
+            Double3 spin = o.AngularVelocity;
             double speed = spin.Length;
             (double sin, double cos) = Math.SinCos(speed * frame / 2);
             poses[i] = speed > 0

@@ -39,7 +39,7 @@ internal sealed class ShapeMesh
 
         Edges = hull.Dimension == 1 ? [0, 1] : FindEdges(isSmooth ? SmoothCosine : FlatCosine);
         Radius = 0;
-        foreach (Vector3 v in Vertices) Radius = Math.Max(Radius, ((Vector3D)v).Length);
+        foreach (Vector3 v in Vertices) Radius = Math.Max(Radius, ((Double3)v).Length);
     }
 
     public Vector3[] Vertices { get; }
@@ -77,10 +77,10 @@ internal sealed class ShapeMesh
     /// <summary>
     /// The normal of a triangle. Its length is arbitrary. The differences of the corners are computed in double.
     /// </summary>
-    public Vector3D Normal(int triangle)
+    public Double3 Normal(int triangle)
     {
-        Vector3D a = Vertices[Triangles[3 * triangle]];
-        return Vector3D.Cross(Vertices[Triangles[3 * triangle + 1]] - a, Vertices[Triangles[3 * triangle + 2]] - a);
+        Double3 a = Vertices[Triangles[3 * triangle]];
+        return Double3.Cross(Vertices[Triangles[3 * triangle + 1]] - a, Vertices[Triangles[3 * triangle + 2]] - a);
     }
 
     /// <summary>
@@ -102,7 +102,7 @@ internal sealed class ShapeMesh
     }
 
     /// <summary>True if a triangle of a flat shape is on the other side than its first triangle.</summary>
-    private bool IsBack(int triangle) => Dimension == 2 && Vector3D.Dot(Normal(triangle), Normal(0)) < 0;
+    private bool IsBack(int triangle) => Dimension == 2 && Double3.Dot(Normal(triangle), Normal(0)) < 0;
 
     /// <summary>The next corner of the same triangle.</summary>
     public static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
@@ -114,8 +114,8 @@ internal sealed class ShapeMesh
         for (int i = 0; i < across.Length; i++)
         {
             if (Triangles[i] > Triangles[Next(i)]) continue;
-            Vector3D n = Normal(i / 3), m = Normal(across[i]);
-            if (Vector3D.Dot(n, m) >= cosine * n.Length * m.Length) continue;
+            Double3 n = Normal(i / 3), m = Normal(across[i]);
+            if (Double3.Dot(n, m) >= cosine * n.Length * m.Length) continue;
             edges.Add(Triangles[i]);
             edges.Add(Triangles[Next(i)]);
         }

@@ -10,7 +10,7 @@ namespace Gjk.Demo.View;
 /// </summary>
 internal static class ShapeRange
 {
-    private static readonly Vector3D[] Axes =
+    private static readonly Double3[] Axes =
         [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(0, 0, 1), new(0, 0, -1)];
 
     /// <param name="scene">The scene, all of whose objects are drawn.</param>
@@ -25,9 +25,9 @@ internal static class ShapeRange
     /// <inheritdoc cref="Check(Scene, string)"/>
     public static void Check(Scene scene, string name, int index)
     {
-        foreach (Vector3D axis in Axes)
+        foreach (Double3 axis in Axes)
         {
-            Vector3D point = SupportSamples.Support(scene.Objects[index].Shape, axis);
+            Double3 point = SupportSamples.Support(scene.Objects[index].Shape, axis);
             if (Math.Max(Math.Max(Math.Abs(point.X), Math.Abs(point.Y)), Math.Abs(point.Z)) <= float.MaxValue) continue;
             throw new RefusedException(
                 $"{name}: $.objects[{index}]: the shape with its scale leaves the range of float, so it cannot be "

@@ -36,24 +36,24 @@ internal static class SupportSamples
         var points = new List<Vector3>();
         if (!IsCurved(shape))
         {
-            for (int id = 0; shape.TryGetVertex(id, out Vector3D corner); id++)
+            for (int id = 0; shape.TryGetVertex(id, out Double3 corner); id++)
                 points.Add((Vector3)(shape.Center + corner));
             return points;
         }
 
         int meridians = isCoarse ? CoarseMeridians : Meridians;
-        Vector3D stretch = Stretch(shape);
-        points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, 1, 0))));
-        points.Add((Vector3)Support(shape, Vector3D.Multiply(stretch, new Vector3D(0, -1, 0))));
+        Double3 stretch = Stretch(shape);
+        points.Add((Vector3)Support(shape, Double3.Multiply(stretch, new Double3(0, 1, 0))));
+        points.Add((Vector3)Support(shape, Double3.Multiply(stretch, new Double3(0, -1, 0))));
         foreach (double latitude in Latitudes(shape, meridians / 2))
             AddRow(shape, stretch, latitude, meridians, points);
         return points;
     }
 
     /// <summary>The furthest point of the whole shape, including its margin.</summary>
-    public static Vector3D Support(in ConvexShape shape, in Vector3D direction)
+    public static Double3 Support(in ConvexShape shape, in Double3 direction)
     {
-        shape.Support(direction, out Vector3D point);
+        shape.Support(direction, out Double3 point);
         point += shape.Center;
         return shape.Margin > 0 ? point + direction * (shape.Margin / direction.Length) : point;
     }
@@ -75,14 +75,14 @@ internal static class SupportSamples
     }
 
     private static void AddRow(
-        in ConvexShape shape, in Vector3D stretch, double latitude, int meridians, List<Vector3> points)
+        in ConvexShape shape, in Double3 stretch, double latitude, int meridians, List<Vector3> points)
     {
         (double up, double outward) = Math.SinCos(latitude);
         for (int i = 0; i < meridians; i++)
         {
             (double z, double x) = Math.SinCos(2 * Math.PI * i / meridians);
-            var onBall = new Vector3D(outward * x, up, outward * z);
-            Vector3D point = Support(shape, Vector3D.Multiply(stretch, onBall));
+            var onBall = new Double3(outward * x, up, outward * z);
+            Double3 point = Support(shape, Double3.Multiply(stretch, onBall));
             points.Add((Vector3)point);
         }
     }
@@ -91,19 +91,19 @@ internal static class SupportSamples
     /// A scale for directions. It turns normals that are even on a ball into normals whose support points are even on
     /// the stretched shape.
     /// </summary>
-    private static Vector3D Stretch(in ConvexShape shape)
+    private static Double3 Stretch(in ConvexShape shape)
     {
-        if (shape.IsDecorated) return new Vector3D(1, 1, 1);
+        if (shape.IsDecorated) return new Double3(1, 1, 1);
         if (shape.Kind != ShapeKind.Ellipsoid)
-            return new Vector3D(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
-        double x = Extent(shape, new Vector3D(1, 0, 0));
-        double y = Extent(shape, new Vector3D(0, 1, 0));
-        double z = Extent(shape, new Vector3D(0, 0, 1));
+            return new Double3(1 / shape.Scale.X, 1 / shape.Scale.Y, 1 / shape.Scale.Z);
+        double x = Extent(shape, new Double3(1, 0, 0));
+        double y = Extent(shape, new Double3(0, 1, 0));
+        double z = Extent(shape, new Double3(0, 0, 1));
         double largest = Math.Max(x, Math.Max(y, z));
-        return new Vector3D(Inverse(x, largest), Inverse(y, largest), Inverse(z, largest));
+        return new Double3(Inverse(x, largest), Inverse(y, largest), Inverse(z, largest));
     }
 
-    private static double Extent(in ConvexShape shape, in Vector3D axis) => Vector3D.Dot(Support(shape, axis), axis);
+    private static double Extent(in ConvexShape shape, in Double3 axis) => Double3.Dot(Support(shape, axis), axis);
 
     /// <summary>The scale for one radius. No spread is even along a radius of 0, so any value works there.</summary>
     private static double Inverse(double radius, double largest) => radius > 0 ? largest / radius : 1;

@@ -56,7 +56,7 @@ public struct BitHash
         Add(manifold.Normal);
         for (int i = 0; i < manifold.Count; i++)
         {
-            ContactPoint point = manifold[i];
+            ManifoldPoint point = manifold[i];
             Add(point.PointA);
             Add(point.PointB);
             Add(point.LocalPointA);

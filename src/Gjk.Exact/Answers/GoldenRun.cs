@@ -118,7 +118,7 @@ public sealed class GoldenRun
             ConvexShape a = RandomShape.Make(random), b = RandomShape.Make(random);
             var poseA = new RigidPose(Rotations.Even(random), random.Vector(10));
             double apart = (a.BoundingRadius + b.BoundingRadius) * random.Range(0.2, 1.2);
-            Vector3D between = random.Direction() * apart;
+            Double3 between = random.Direction() * apart;
             var poseB = new RigidPose(Rotations.Even(random), (Vector3)(poseA.Position + between));
             DistanceResult distance = ConvexQuery.Distance(a, poseA, b, poseB);
             hash.Add(distance);
@@ -171,8 +171,8 @@ public sealed class GoldenRun
     private static void AddRay(in ConvexShape shape, in RigidPose pose, FuzzRandom random, ref BitHash hash)
     {
         double radius = shape.BoundingRadius > 0 ? shape.BoundingRadius : 1;
-        Vector3D target = pose.Position + random.Direction() * (radius * random.Unit());
-        Vector3D direction = random.OneIn(4) ? new Vector3D(0, random.Sign(), 0) : random.Direction();
+        Double3 target = pose.Position + random.Direction() * (radius * random.Unit());
+        Double3 direction = random.OneIn(4) ? new Double3(0, random.Sign(), 0) : random.Direction();
         var origin = (Vector3)(target - direction * (radius * random.Of(0.5, 3.0, 1000.0)));
         hash.Add(ConvexQuery.RayCast(shape, pose, origin, (Vector3)direction));
     }

@@ -43,12 +43,12 @@ public static class Certificate
     /// How far apart the planes across a unit direction stand that touch A and B; negative where the shapes reach past
     /// each other.
     /// </summary>
-    public static double Gap<TA, TB>(Body<TA> a, Body<TB> b, in Vector3D n)
+    public static double Gap<TA, TB>(Body<TA> a, Body<TB> b, in Double3 n)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D centers = new ExactProblem([b.Center], 0, b.Pose, [a.Center], 0, a.Pose).FirstVertex();
-        return Vector3D.Dot(n, centers) - a.HeightOverCenter(n) - b.HeightOverCenter(-n);
+        Double3 centers = new ExactProblem([b.Center], 0, b.Pose, [a.Center], 0, a.Pose).FirstVertex();
+        return Double3.Dot(n, centers) - a.HeightOverCenter(n) - b.HeightOverCenter(-n);
     }
 
     private static string? Problem(in CheckedAnswer check, in DistanceResult r, double scale, bool curved)

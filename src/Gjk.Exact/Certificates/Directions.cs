@@ -7,21 +7,21 @@ namespace Gjk.Exact.Certificates;
 public static class Directions
 {
     /// <summary>Across the faces, edges and corners of a cube.</summary>
-    public static readonly Vector3D[] Few = Lattice(1);
+    public static readonly Double3[] Few = Lattice(1);
 
     /// <summary>Those and finer ones, and some that are on no lattice.</summary>
-    public static readonly Vector3D[] Many = [.. Lattice(2), .. Scattered(60)];
+    public static readonly Double3[] Many = [.. Lattice(2), .. Scattered(60)];
 
-    private static Vector3D[] Lattice(int reach)
+    private static Double3[] Lattice(int reach)
     {
-        var found = new List<Vector3D>();
+        var found = new List<Double3>();
         for (int x = -reach; x <= reach; x++)
         {
             for (int y = -reach; y <= reach; y++)
             {
                 for (int z = -reach; z <= reach; z++)
                 {
-                    var v = new Vector3D(x, y, z);
+                    var v = new Double3(x, y, z);
                     if (v.LengthSquared > 0) found.Add(v * (1 / v.Length));
                 }
             }
@@ -30,7 +30,7 @@ public static class Directions
         return [.. found];
     }
 
-    private static IEnumerable<Vector3D> Scattered(int count)
+    private static IEnumerable<Double3> Scattered(int count)
     {
         var random = new FuzzRandom(1);
         for (int i = 0; i < count; i++) yield return random.Direction();

@@ -14,7 +14,7 @@ internal sealed class CurvedHeights
 {
     private readonly ShapeKind _kind;
     private readonly double[] _numbers;
-    private readonly Vector3D _factors;
+    private readonly Double3 _factors;
 
     public CurvedHeights(in ConvexShape shape)
     {
@@ -22,14 +22,14 @@ internal sealed class CurvedHeights
         _kind = shape.Kind;
         _numbers = Read(words.Numbers);
         double[] scale = Read(words.Scale);
-        _factors = scale.Length == 0 ? new Vector3D(1, 1, 1) : new Vector3D(scale[0], scale[1], scale[2]);
+        _factors = scale.Length == 0 ? new Double3(1, 1, 1) : new Double3(scale[0], scale[1], scale[2]);
     }
 
     /// <summary>The greatest dot product with a point of the core, its own curved margin included.</summary>
     /// <param name="direction">In the local frame, about of unit length.</param>
-    public double Of(in Vector3D direction)
+    public double Of(in Double3 direction)
     {
-        Vector3D d = Vector3D.Multiply(_factors, direction);
+        Double3 d = Double3.Multiply(_factors, direction);
         switch (_kind)
         {
             case ShapeKind.Cylinder:

@@ -83,7 +83,7 @@ internal sealed class FuzzPair
     public bool IsCurved => BodyA.IsCurved || BodyB.IsCurved;
 
     /// <summary>From A's centre to B's, in the world's axes, to the last place of a double.</summary>
-    public Vector3D Centers { get; }
+    public Double3 Centers { get; }
 
     /// <summary>
     /// What rounding may do to a length computed here from the shapes' sizes and the distance of their centres.
@@ -127,10 +127,10 @@ internal sealed class FuzzPair
     /// How far apart the planes across a unit direction of the world stand that touch A and B; negative where the
     /// shapes reach past each other.
     /// </summary>
-    public double Gap(in Vector3D n) => Vector3D.Dot(n, Centers) - BodyA.Height(n) - BodyB.Height(-n);
+    public double Gap(in Double3 n) => Double3.Dot(n, Centers) - BodyA.Height(n) - BodyB.Height(-n);
 
     /// <summary>From a point in A's frame to one in B's, in the world's axes, to the last place of a double.</summary>
-    public Vector3D Between(in Vector3D localA, in Vector3D localB) =>
+    public Double3 Between(in Double3 localA, in Double3 localB) =>
         new ExactProblem([localB], 0, PoseB, [localA], 0, PoseA).FirstVertex();
 
     /// <summary>The same pair with another motion.</summary>

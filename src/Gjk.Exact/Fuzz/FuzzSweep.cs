@@ -30,45 +30,45 @@ internal sealed class FuzzSweep
 
     public FuzzSweep(FuzzPair pair) => _pair = pair;
 
-    private Vector3D Motion => _pair.Motion.Relative;
+    private Double3 Motion => _pair.Motion.Relative;
 
     /// <summary>
     /// What is certain about the distance at a fraction: of two points from above, of two planes from below.
     /// </summary>
     /// <param name="fraction">Of the motion; any number.</param>
     /// <param name="shift">Moves B further, in the world.</param>
-    public Moment At(double fraction, in Vector3D shift = default)
+    public Moment At(double fraction, in Double3 shift = default)
     {
-        Vector3D centers = Centers(fraction) + shift;
+        Double3 centers = Centers(fraction) + shift;
         double noise = NoiseAt(fraction), margins = _pair.A.Margin + _pair.B.Margin;
         List<ExactGuess.Corner> feature = ExactGuess.Walk(
-            Difference(new Vector3D(1, 0, 0), centers), d => Difference(d, centers), out Vector3D nearest);
+            Difference(new Double3(1, 0, 0), centers), d => Difference(d, centers), out Double3 nearest);
         double cores = nearest.Length;
         if (!(cores > LeastCores * noise))
             return new Moment(fraction, double.NegativeInfinity, cores - margins + noise, default, double.NaN);
-        Vector3D normal = Across(feature, nearest * (-1 / cores));
+        Double3 normal = Across(feature, nearest * (-1 / cores));
         return new Moment(
-            fraction, Gap(normal, centers) - noise, cores - margins + noise, normal, Vector3D.Dot(normal, Motion));
+            fraction, Gap(normal, centers) - noise, cores - margins + noise, normal, Double3.Dot(normal, Motion));
     }
 
     /// <summary>
     /// The direction at a right angle to the nearest feature's edges: a point of small length that is the difference of
     /// long ones has lost its own direction.
     /// </summary>
-    private static Vector3D Across(List<ExactGuess.Corner> feature, in Vector3D nearest)
+    private static Double3 Across(List<ExactGuess.Corner> feature, in Double3 nearest)
     {
         if (feature.Count < 2) return nearest;
-        Vector3D ab = feature[1].W - feature[0].W;
-        Vector3D normal = feature.Count == 3
-            ? Vector3D.Cross(ab, feature[2].W - feature[0].W)
-            : nearest - ab * (Vector3D.Dot(nearest, ab) / ab.LengthSquared);
+        Double3 ab = feature[1].W - feature[0].W;
+        Double3 normal = feature.Count == 3
+            ? Double3.Cross(ab, feature[2].W - feature[0].W)
+            : nearest - ab * (Double3.Dot(nearest, ab) / ab.LengthSquared);
         double length = normal.Length;
         if (!(length > 0)) return nearest;
-        return normal * (Math.Sign(Vector3D.Dot(normal, nearest)) / length);
+        return normal * (Math.Sign(Double3.Dot(normal, nearest)) / length);
     }
 
     /// <summary>The gap between the planes across a unit direction at a fraction; negative where they cross.</summary>
-    public double Gap(in Vector3D normal, double fraction) => Gap(normal, Centers(fraction));
+    public double Gap(in Double3 normal, double fraction) => Gap(normal, Centers(fraction));
 
     /// <summary>What rounding may do to a length at a fraction.</summary>
     public double NoiseAt(double fraction) =>
@@ -90,7 +90,7 @@ internal sealed class FuzzSweep
     /// which is negative where the shapes touch. The normal is that of a plane that proves it for all fractions
     /// between.
     /// </returns>
-    public Moment Least(double from, double to, in Vector3D shift = default)
+    public Moment Least(double from, double to, in Double3 shift = default)
     {
         Moment left = At(from, shift), right = At(to, shift), least = left.AtMost <= right.AtMost ? left : right;
         if (left.Slope >= 0) return left;
@@ -117,7 +117,7 @@ internal sealed class FuzzSweep
     /// How deep the shapes reach into each other at most, on the way from one side of a touch to the other, by the
     /// last plane that closes before it and the first one that opens behind it.
     /// </summary>
-    private Moment Touching(Moment left, in Moment touch, Moment right, in Vector3D shift)
+    private Moment Touching(Moment left, in Moment touch, Moment right, in Double3 shift)
     {
         left = Towards(left, touch.Fraction, shift);
         right = Towards(right, touch.Fraction, shift);
@@ -130,7 +130,7 @@ internal sealed class FuzzSweep
     }
 
     /// <summary>The moment nearest to a touch, on the side of the given one, at which a plane is found.</summary>
-    private Moment Towards(Moment apart, double touch, in Vector3D shift)
+    private Moment Towards(Moment apart, double touch, in Double3 shift)
     {
         for (int i = 0; i < MostHalvings && apart.HasPlane; i++)
         {
@@ -152,24 +152,24 @@ internal sealed class FuzzSweep
     }
 
     /// <summary>The mean of two normals along which the motion leads nowhere.</summary>
-    private static Vector3D Level(in Moment left, in Moment right)
+    private static Double3 Level(in Moment left, in Moment right)
     {
-        Vector3D sum = left.Normal * right.Slope - right.Normal * left.Slope;
+        Double3 sum = left.Normal * right.Slope - right.Normal * left.Slope;
         double length = sum.Length;
         return length > 0 ? sum * (1 / length) : left.Normal;
     }
 
-    private Vector3D Centers(double fraction) => _pair.Centers + Motion * fraction;
+    private Double3 Centers(double fraction) => _pair.Centers + Motion * fraction;
 
-    private double Gap(in Vector3D normal, in Vector3D centers) =>
-        Vector3D.Dot(normal, centers) - _pair.BodyA.Height(normal) - _pair.BodyB.Height(-normal);
+    private double Gap(in Double3 normal, in Double3 centers) =>
+        Double3.Dot(normal, centers) - _pair.BodyA.Height(normal) - _pair.BodyB.Height(-normal);
 
     /// <summary>The furthest point of A - B in a direction of the world, seen from B's centre.</summary>
-    private ExactGuess.Corner Difference(in Vector3D direction, in Vector3D centers)
+    private ExactGuess.Corner Difference(in Double3 direction, in Double3 centers)
     {
         PosedShape a = _pair.BodyA, b = _pair.BodyB;
-        _pair.A.Support(a.InverseRotate(direction), out Vector3D onA);
-        _pair.B.Support(b.InverseRotate(-direction), out Vector3D onB);
+        _pair.A.Support(a.InverseRotate(direction), out Double3 onA);
+        _pair.B.Support(b.InverseRotate(-direction), out Double3 onB);
         return new ExactGuess.Corner(
             -1, -1,
             a.Rotate(_pair.A.Center - a.Center + onA) - b.Rotate(_pair.B.Center - b.Center + onB) - centers);
@@ -182,7 +182,7 @@ internal sealed class FuzzSweep
 /// <param name="AtMost">Two points of them are no further apart; less where they touch.</param>
 /// <param name="Normal">Of the plane, from A to B; zero where there is none.</param>
 /// <param name="Slope">By how much the plane's gap grows over the fraction 1; NaN where there is none.</param>
-internal readonly record struct Moment(double Fraction, double AtLeast, double AtMost, Vector3D Normal, double Slope)
+internal readonly record struct Moment(double Fraction, double AtLeast, double AtMost, Double3 Normal, double Slope)
 {
     /// <summary>False where the shapes, or their cores, are too near each other for a plane between them.</summary>
     public bool HasPlane => !double.IsNaN(Slope);

@@ -45,9 +45,9 @@ internal sealed class FuzzTruth
     }
 
     /// <summary>Whether moving B by so much parts the shapes: then they overlap by no more than that.</summary>
-    public bool PartsWith(in Vector3D moveB) => !Solve(moveB).Overlap;
+    public bool PartsWith(in Double3 moveB) => !Solve(moveB).Overlap;
 
-    private ExactAnswer Solve(in Vector3D moveB) =>
+    private ExactAnswer Solve(in Double3 moveB) =>
         ExactOracle.Solve(
             _pair.BodyA.Vertices, _pair.A.Margin, _pair.PoseA, _pair.BodyB.Vertices, _pair.B.Margin, _pair.PoseB,
             moveB);

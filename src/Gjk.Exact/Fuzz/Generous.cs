@@ -19,18 +19,18 @@ internal readonly struct Generous : ISupportMap
         _factor = factor;
     }
 
-    public Vector3D Center => _inner.Center;
+    public Double3 Center => _inner.Center;
 
     public double Margin => _inner.Margin;
 
     public double BoundingRadius => _inner.BoundingRadius * _factor;
 
-    public int Support(in Vector3D direction, out Vector3D point) =>
+    public int Support(in Double3 direction, out Double3 point) =>
         _inner.Support(direction, out point);
 
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
     }
 
-    public bool TryGetVertex(int id, out Vector3D point) => _inner.TryGetVertex(id, out point);
+    public bool TryGetVertex(int id, out Double3 point) => _inner.TryGetVertex(id, out point);
 }

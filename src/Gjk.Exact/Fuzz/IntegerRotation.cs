@@ -52,10 +52,10 @@ internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
     }
 
     /// <summary>Turns a vector; exact for multiples of the norm that are small enough.</summary>
-    public Vector3D Exactly(in Vector3D v)
+    public Double3 Exactly(in Double3 v)
     {
-        var p = new Vector3D(v.X / Norm, v.Y / Norm, v.Z / Norm);
-        return new Vector3D(
+        var p = new Double3(v.X / Norm, v.Y / Norm, v.Z / Norm);
+        return new Double3(
             (W * W + X * X - Y * Y - Z * Z) * p.X + 2 * (X * Y - W * Z) * p.Y + 2 * (X * Z + W * Y) * p.Z,
             2 * (X * Y + W * Z) * p.X + (W * W - X * X + Y * Y - Z * Z) * p.Y + 2 * (Y * Z - W * X) * p.Z,
             2 * (X * Z - W * Y) * p.X + 2 * (Y * Z + W * X) * p.Y + (W * W - X * X - Y * Y + Z * Z) * p.Z);

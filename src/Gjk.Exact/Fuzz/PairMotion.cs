@@ -9,7 +9,7 @@ namespace Gjk.Exact.Fuzz;
 internal readonly record struct PairMotion(Vector3 A, Vector3 B)
 {
     /// <summary>Of B, seen from A.</summary>
-    public Vector3D Relative => (Vector3D)B - A;
+    public Double3 Relative => (Double3)B - A;
 
     /// <summary>The way that B goes, seen from A, over the fraction 1.</summary>
     public double Length => Relative.Length;

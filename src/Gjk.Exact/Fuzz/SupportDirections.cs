@@ -20,10 +20,10 @@ internal static class SupportDirections
 
     /// <param name="body">The shape.</param>
     /// <param name="seed">Of those that are drawn at random.</param>
-    public static IEnumerable<Vector3D> Of(PosedShape body, ulong seed)
+    public static IEnumerable<Double3> Of(PosedShape body, ulong seed)
     {
         var random = new FuzzRandom(seed);
-        foreach (Vector3D d in Directions.Few) yield return d;
+        foreach (Double3 d in Directions.Few) yield return d;
         for (int i = 0; i < Scattered; i++)
         {
             yield return random.Direction();
@@ -31,28 +31,28 @@ internal static class SupportDirections
             yield return CellBorder(random, body.Sides);
         }
 
-        foreach (Vector3D n in body.FaceNormals(MostFaces))
+        foreach (Double3 n in body.FaceNormals(MostFaces))
         {
             yield return n;
             yield return -n;
             yield return Thinned(random, n);
         }
 
-        Vector3D[] vertices = body.Vertices;
+        Double3[] vertices = body.Vertices;
         for (int i = 0; i < Edges && vertices.Length > 1; i++)
         {
-            Vector3D edge = vertices[random.Below(vertices.Length)] - vertices[random.Below(vertices.Length)];
-            if (TryUnit(edge, out Vector3D along)) yield return along;
-            if (TryUnit(Vector3D.Cross(along, random.Direction()), out Vector3D across)) yield return across;
+            Double3 edge = vertices[random.Below(vertices.Length)] - vertices[random.Below(vertices.Length)];
+            if (TryUnit(edge, out Double3 along)) yield return along;
+            if (TryUnit(Double3.Cross(along, random.Direction()), out Double3 across)) yield return across;
         }
     }
 
     /// <summary>With one or two components next to nothing.</summary>
-    private static Vector3D Thinned(FuzzRandom random, in Vector3D d)
+    private static Double3 Thinned(FuzzRandom random, in Double3 d)
     {
         int spared = random.Below(3), other = random.Below(3);
         double x = Component(0, d.X), y = Component(1, d.Y), z = Component(2, d.Z);
-        return Math.Max(Math.Abs(x), Math.Max(Math.Abs(y), Math.Abs(z))) >= 0.1 ? new Vector3D(x, y, z) : d;
+        return Math.Max(Math.Abs(x), Math.Max(Math.Abs(y), Math.Abs(z))) >= 0.1 ? new Double3(x, y, z) : d;
 
         double Component(int axis, double value) => axis == spared || axis == other ? value : random.Of<double>(Tiny);
     }
@@ -61,25 +61,25 @@ internal static class SupportDirections
     /// On the border of a cell of a cube's face that is cut into 2^k squares a side, for a cube stretched to the
     /// shape's box or not.
     /// </summary>
-    private static Vector3D CellBorder(FuzzRandom random, in Vector3D sides)
+    private static Double3 CellBorder(FuzzRandom random, in Double3 sides)
     {
         int parts = 1 << random.Below(7);
         double u = (2.0 * random.Below(parts + 1) - parts) / parts;
         double v = random.OneIn(2) ? random.Range(-1, 1) : (2.0 * random.Below(parts + 1) - parts) / parts;
-        Vector3D d = random.Below(3) switch
+        Double3 d = random.Below(3) switch
         {
             0 => new(random.Sign(), u, v),
             1 => new(v, random.Sign(), u),
             _ => new(u, v, random.Sign()),
         };
         if (random.OneIn(2) || sides.X == 0 || sides.Y == 0 || sides.Z == 0) return d;
-        return TryUnit(new Vector3D(d.X / sides.X, d.Y / sides.Y, d.Z / sides.Z), out Vector3D stretched)
+        return TryUnit(new Double3(d.X / sides.X, d.Y / sides.Y, d.Z / sides.Z), out Double3 stretched)
             ? stretched
             : d;
     }
 
     /// <summary>Of unit length; false for zero, and for what is too long or too short to be squared.</summary>
-    private static bool TryUnit(in Vector3D v, out Vector3D unit)
+    private static bool TryUnit(in Double3 v, out Double3 unit)
     {
         double squared = v.LengthSquared;
         unit = v * (1 / Math.Sqrt(squared));

@@ -26,9 +26,9 @@ internal readonly struct Turning
     /// <summary>Where a body is at a fraction, rounded to float.</summary>
     public static RigidPose At(in RigidMotion motion, double fraction)
     {
-        var rate = (Vector3D)motion.AngularVelocity;
+        var rate = (Double3)motion.AngularVelocity;
         double speed = rate.Length, half = 0.5 * speed * fraction;
-        Vector3D v = speed > 0 ? rate * (Math.Sin(half) / speed) : default;
+        Double3 v = speed > 0 ? rate * (Math.Sin(half) / speed) : default;
         double w = Math.Cos(half);
         Quaternion q = motion.Pose.Rotation;
         var turned = new Quaternion(
@@ -37,7 +37,7 @@ internal readonly struct Turning
             (float)(w * q.Z + v.Z * q.W + v.X * q.Y - v.Y * q.X),
             (float)(w * q.W - v.X * q.X - v.Y * q.Y - v.Z * q.Z));
         return new RigidPose(
-            turned, (Vector3)((Vector3D)motion.Pose.Position + (Vector3D)motion.Velocity * fraction));
+            turned, (Vector3)((Double3)motion.Pose.Position + (Double3)motion.Velocity * fraction));
     }
 
     private static ulong Bits(Vector3 v) => Mix(1, v);

@@ -100,6 +100,6 @@ public static class Clouds
         float largest = 0;
         foreach (Vector3 p in cloud)
             largest = Math.Max(largest, Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
-        return Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p * (size / largest)));
+        return Array.ConvertAll(cloud, p => (Vector3)((Double3)p * (size / largest)));
     }
 }

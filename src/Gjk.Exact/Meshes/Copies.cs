@@ -37,9 +37,9 @@ public static class Copies
 
     /// <summary>Measured, with an error of a given size.</summary>
     public static Vector3[] Scanned(FuzzRandom random, Vector3[] cloud, double noise) =>
-        Array.ConvertAll(cloud, p => (Vector3)((Vector3D)p + Error(random, noise)));
+        Array.ConvertAll(cloud, p => (Vector3)((Double3)p + Error(random, noise)));
 
-    private static Vector3D Error(FuzzRandom random, double noise) =>
+    private static Double3 Error(FuzzRandom random, double noise) =>
         new(random.Range(-noise, noise), random.Range(-noise, noise), random.Range(-noise, noise));
 
     private static float Beside(FuzzRandom random, float x) =>

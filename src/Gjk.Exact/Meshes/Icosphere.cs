@@ -33,15 +33,15 @@ public static class Icosphere
 
     private static Vector3[] InDouble(int times)
     {
-        List<Vector3D> triangles = Corners(Unit);
+        List<Double3> triangles = Corners(Unit);
         for (int i = 0; i < times; i++) triangles = Split(triangles, (a, b) => Unit(a + b));
         return [.. triangles.ConvertAll(v => (Vector3)v)];
     }
 
-    private static List<T> Corners<T>(Func<Vector3D, T> make)
+    private static List<T> Corners<T>(Func<Double3, T> make)
     {
         double g = (1 + Math.Sqrt(5)) / 2;
-        Vector3D[] twelve =
+        Double3[] twelve =
         [
             new(-1, g, 0), new(1, g, 0), new(-1, -g, 0), new(1, -g, 0), new(0, -1, g), new(0, 1, g),
             new(0, -1, -g), new(0, 1, -g), new(g, 0, -1), new(g, 0, 1), new(-g, 0, -1), new(-g, 0, 1),
@@ -69,5 +69,5 @@ public static class Icosphere
         return smaller;
     }
 
-    private static Vector3D Unit(Vector3D v) => v * (1 / v.Length);
+    private static Double3 Unit(Double3 v) => v * (1 / v.Length);
 }

@@ -17,7 +17,7 @@ public sealed class ExactCloud
     /// </summary>
     private const double HeightError = 64.0 / (1L << 53);
 
-    private readonly Vector3D[] _points, _fromFirst;
+    private readonly Double3[] _points, _fromFirst;
     private readonly Int3[] _exact;
     private readonly bool[] _isKnown;
     private readonly double[] _heights;
@@ -33,7 +33,7 @@ public sealed class ExactCloud
     /// <param name="otherDenominator">The other rotation's: both clouds get the product of both.</param>
     /// <param name="exponent">Of the common unit, 2^exponent.</param>
     public ExactCloud(
-        Vector3D[] points, ExactRotation rotation, in Vector3D position, BigInteger otherDenominator, int exponent)
+        Double3[] points, ExactRotation rotation, in Double3 position, BigInteger otherDenominator, int exponent)
     {
         _points = points;
         _rotation = rotation;
@@ -43,10 +43,10 @@ public sealed class ExactCloud
         _exact = new Int3[points.Length];
         _isKnown = new bool[points.Length];
         _heights = new double[points.Length];
-        _fromFirst = new Vector3D[points.Length];
+        _fromFirst = new Double3[points.Length];
         for (int i = 0; i < points.Length; i++)
         {
-            Vector3D v = points[i] - points[0];
+            Double3 v = points[i] - points[0];
             _fromFirst[i] = v;
             _reach = Math.Max(_reach, Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z));
         }
@@ -70,12 +70,12 @@ public sealed class ExactCloud
     }
 
     /// <summary>A point's place in the world, seen from the first point's, to double rounding.</summary>
-    public Vector3D FromFirst(int index) => _rotation.Approximate.Rotate(_fromFirst[index]);
+    public Double3 FromFirst(int index) => _rotation.Approximate.Rotate(_fromFirst[index]);
 
     /// <summary>The index of a point that is furthest in a direction of the world.</summary>
     /// <param name="direction">Exact.</param>
     /// <param name="approximate">The same, of about unit length, to double rounding.</param>
-    public int Furthest(in Int3 direction, in Vector3D approximate)
+    public int Furthest(in Int3 direction, in Double3 approximate)
     {
         double enough = Highest(approximate) - HeightError * _reach;
         int best = -1;
@@ -93,20 +93,20 @@ public sealed class ExactCloud
     }
 
     /// <summary>The index of a point that is furthest in a direction, as far as doubles can tell.</summary>
-    public int Furthest(in Vector3D direction)
+    public int Furthest(in Double3 direction)
     {
         double highest = Highest(direction);
         return Array.IndexOf(_heights, highest);
     }
 
     /// <summary>The greatest height over the first point; fills in all of them.</summary>
-    private double Highest(in Vector3D direction)
+    private double Highest(in Double3 direction)
     {
-        Vector3D local = _rotation.Approximate.InverseRotate(direction);
+        Double3 local = _rotation.Approximate.InverseRotate(direction);
         double highest = double.NegativeInfinity;
         for (int i = 0; i < Count; i++)
         {
-            double height = Vector3D.Dot(local, _fromFirst[i]);
+            double height = Double3.Dot(local, _fromFirst[i]);
             _heights[i] = height;
             if (height > highest) highest = height;
         }
@@ -114,6 +114,6 @@ public sealed class ExactCloud
         return highest;
     }
 
-    private Int3 Integer(in Vector3D v) =>
+    private Int3 Integer(in Double3 v) =>
         new(Dyadic.ToInteger(v.X, _exponent), Dyadic.ToInteger(v.Y, _exponent), Dyadic.ToInteger(v.Z, _exponent));
 }

@@ -19,17 +19,17 @@ public static class ExactGuess
     private const double Closed = 1e-15;
 
     /// <summary>A point of the difference, and what made it: two indices, or nothing of interest.</summary>
-    public readonly record struct Corner(int I, int J, Vector3D W);
+    public readonly record struct Corner(int I, int J, Double3 W);
 
     /// <summary>The Minkowski vertices of the feature, at least one and at most four.</summary>
     public static Int3[] Feature(ExactProblem problem)
     {
-        Vector3D first = problem.FirstVertex();
+        Double3 first = problem.FirstVertex();
         List<Corner> feature = Walk(
             new Corner(0, 0, first),
             direction =>
             {
-                (int i, int j, Vector3D fromFirst) = problem.RoughSupport(direction);
+                (int i, int j, Double3 fromFirst) = problem.RoughSupport(direction);
                 return new Corner(i, j, first + fromFirst);
             },
             out _);
@@ -41,7 +41,7 @@ public static class ExactGuess
     /// <param name="support">The set's corner that is furthest in a unit direction.</param>
     /// <param name="nearest">The nearest point found; it is in the set, so the set is no further than that.</param>
     /// <returns>The corners around it.</returns>
-    public static List<Corner> Walk(Corner first, Func<Vector3D, Corner> support, out Vector3D nearest)
+    public static List<Corner> Walk(Corner first, Func<Double3, Corner> support, out Double3 nearest)
     {
         List<Corner> feature = [first];
         nearest = first.W;
@@ -50,8 +50,8 @@ public static class ExactGuess
             double squared = nearest.LengthSquared;
             if (!(squared > 0) || double.IsInfinity(squared)) break;
             Corner corner = support(nearest * (-1 / Math.Sqrt(squared)));
-            if (squared - Vector3D.Dot(nearest, corner.W) <= Closed * squared || feature.Contains(corner)) break;
-            List<Corner> next = Nearest([.. feature, corner], out Vector3D nearer);
+            if (squared - Double3.Dot(nearest, corner.W) <= Closed * squared || feature.Contains(corner)) break;
+            List<Corner> next = Nearest([.. feature, corner], out Double3 nearer);
             if (!(nearer.LengthSquared < squared)) break;
             (feature, nearest) = (next, nearer);
         }
@@ -60,7 +60,7 @@ public static class ExactGuess
     }
 
     /// <summary>The nearest of all faces that hold the projection of the origin.</summary>
-    private static List<Corner> Nearest(Corner[] simplex, out Vector3D nearest)
+    private static List<Corner> Nearest(Corner[] simplex, out Double3 nearest)
     {
         List<Corner> best = [];
         nearest = default;
@@ -73,7 +73,7 @@ public static class ExactGuess
                 if ((mask >> i & 1) != 0) face.Add(simplex[i]);
             }
 
-            if (!TryProject(face, out Vector3D v)) continue;
+            if (!TryProject(face, out Double3 v)) continue;
             double squared = v.LengthSquared;
             if (squared > least || (squared == least && face.Count >= best.Count)) continue;
             (best, nearest, least) = (face, v, squared);
@@ -86,23 +86,23 @@ public static class ExactGuess
     /// The origin's projection, if it lies inside the face: a mean of the corners with weights that are positive, so
     /// that rounding moves it within the face but never out of it.
     /// </summary>
-    private static bool TryProject(List<Corner> face, out Vector3D v)
+    private static bool TryProject(List<Corner> face, out Double3 v)
     {
-        Vector3D a = face[0].W;
+        Double3 a = face[0].W;
         v = a;
         if (face.Count == 1) return true;
-        Vector3D b = face[1].W, ab = b - a;
+        Double3 b = face[1].W, ab = b - a;
         if (face.Count == 2)
         {
-            double t = -Vector3D.Dot(a, ab) / ab.LengthSquared;
+            double t = -Double3.Dot(a, ab) / ab.LengthSquared;
             v = a * (1 - t) + b * t;
             return t > 0 && t < 1;
         }
 
-        Vector3D c = face[2].W, n = Vector3D.Cross(ab, c - a);
+        Double3 c = face[2].W, n = Double3.Cross(ab, c - a);
         if (face.Count == 3) return TryMean([a, b, c], [Area(n, b, c), Area(n, c, a), Area(n, a, b)], out v);
-        Vector3D d = face[3].W;
-        double side = Math.Sign(Vector3D.Dot(n, d - a));
+        Double3 d = face[3].W;
+        double side = Math.Sign(Double3.Dot(n, d - a));
         ReadOnlySpan<double> weights =
         [
             side * Volume(default, b, c, d), side * Volume(a, default, c, d), side * Volume(a, b, default, d),
@@ -111,7 +111,7 @@ public static class ExactGuess
         return TryMean([a, b, c, d], weights, out v);
     }
 
-    private static bool TryMean(ReadOnlySpan<Vector3D> corners, ReadOnlySpan<double> weights, out Vector3D mean)
+    private static bool TryMean(ReadOnlySpan<Double3> corners, ReadOnlySpan<double> weights, out Double3 mean)
     {
         mean = default;
         double sum = 0;
@@ -125,9 +125,9 @@ public static class ExactGuess
         return true;
     }
 
-    private static double Area(in Vector3D normal, in Vector3D a, in Vector3D b) =>
-        Vector3D.Dot(normal, Vector3D.Cross(a, b));
+    private static double Area(in Double3 normal, in Double3 a, in Double3 b) =>
+        Double3.Dot(normal, Double3.Cross(a, b));
 
-    private static double Volume(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d) =>
-        Vector3D.Dot(Vector3D.Cross(b - a, c - a), d - a);
+    private static double Volume(in Double3 a, in Double3 b, in Double3 c, in Double3 d) =>
+        Double3.Dot(Double3.Cross(b - a, c - a), d - a);
 }

@@ -26,8 +26,8 @@ public static class ExactOracle
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="shiftB">Moves B further, in the world.</param>
     public static ExactAnswer Solve(
-        Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB,
-        in Vector3D shiftB = default)
+        Double3[] a, double marginA, in RigidPose poseA, Double3[] b, double marginB, in RigidPose poseB,
+        in Double3 shiftB = default)
     {
         var problem = new ExactProblem(a, marginA, poseA, b, marginB, poseB, shiftB);
         ExactFeature feature = Nearest(problem);

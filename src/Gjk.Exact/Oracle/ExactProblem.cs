@@ -20,15 +20,15 @@ public sealed class ExactProblem
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="shiftB">Moves B further, in the world.</param>
     public ExactProblem(
-        Vector3D[] a, double marginA, in RigidPose poseA, Vector3D[] b, double marginB, in RigidPose poseB,
-        in Vector3D shiftB = default)
+        Double3[] a, double marginA, in RigidPose poseA, Double3[] b, double marginB, in RigidPose poseB,
+        in Double3 shiftB = default)
     {
         int exponent = Math.Min(
             Math.Min(Dyadic.Exponent(marginA), Dyadic.Exponent(marginB)),
             Math.Min(ExponentOf(poseA.Position), ExponentOf(poseB.Position)));
         exponent = Math.Min(exponent, ExponentOf(shiftB));
-        foreach (Vector3D v in a) exponent = Math.Min(exponent, ExponentOf(v));
-        foreach (Vector3D v in b) exponent = Math.Min(exponent, ExponentOf(v));
+        foreach (Double3 v in a) exponent = Math.Min(exponent, ExponentOf(v));
+        foreach (Double3 v in b) exponent = Math.Min(exponent, ExponentOf(v));
         Exponent = exponent == Dyadic.NoExponent ? 0 : exponent;
         var rotationA = new ExactRotation(poseA.Rotation);
         var rotationB = new ExactRotation(poseB.Rotation);
@@ -54,7 +54,7 @@ public sealed class ExactProblem
     /// <summary>The Minkowski vertex that is furthest in a direction, without rounding.</summary>
     public Int3 Support(in Int3 direction)
     {
-        Vector3D approximate = direction.ToDirection();
+        Double3 approximate = direction.ToDirection();
         return Vertex(_a.Furthest(direction, approximate), _b.Furthest(-direction, -approximate));
     }
 
@@ -62,17 +62,17 @@ public sealed class ExactProblem
     public Int3 SlowSupport(in Int3 direction) => SlowFurthest(_a, direction) - SlowFurthest(_b, -direction) - _shiftB;
 
     /// <summary>The Minkowski vertex of the first points, in the unit of the coordinates, to double rounding.</summary>
-    public Vector3D FirstVertex()
+    public Double3 FirstVertex()
     {
         Int3 w = Vertex(0, 0);
-        return new Vector3D(ToDouble(w.X), ToDouble(w.Y), ToDouble(w.Z));
+        return new Double3(ToDouble(w.X), ToDouble(w.Y), ToDouble(w.Z));
     }
 
     /// <summary>
     /// The indices of the points that are furthest in a direction, as far as doubles can tell, and their vertex seen
     /// from the first points' one.
     /// </summary>
-    public (int I, int J, Vector3D FromFirst) RoughSupport(in Vector3D direction)
+    public (int I, int J, Double3 FromFirst) RoughSupport(in Double3 direction)
     {
         int i = _a.Furthest(direction), j = _b.Furthest(-direction);
         return (i, j, _a.FromFirst(i) - _b.FromFirst(j));
@@ -96,6 +96,6 @@ public sealed class ExactProblem
         return Dyadic.ToDouble((numerator << shift) / Denominator, Exponent - shift);
     }
 
-    private static int ExponentOf(in Vector3D v) =>
+    private static int ExponentOf(in Double3 v) =>
         Math.Min(Math.Min(Dyadic.Exponent(v.X), Dyadic.Exponent(v.Y)), Dyadic.Exponent(v.Z));
 }

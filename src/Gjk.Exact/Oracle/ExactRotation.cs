@@ -36,19 +36,19 @@ public sealed class ExactRotation
 /// <summary>A rotation matrix in double, made from the quaternion here and not taken from the library.</summary>
 public sealed class ApproximateRotation
 {
-    private readonly Vector3D _row0, _row1, _row2;
+    private readonly Double3 _row0, _row1, _row2;
 
     public ApproximateRotation(Quaternion q)
     {
         double x = q.X, y = q.Y, z = q.Z, w = q.W;
         double s = 1 / (x * x + y * y + z * z + w * w);
-        _row0 = new Vector3D(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)) * s;
-        _row1 = new Vector3D(2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)) * s;
-        _row2 = new Vector3D(2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z) * s;
+        _row0 = new Double3(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)) * s;
+        _row1 = new Double3(2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)) * s;
+        _row2 = new Double3(2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z) * s;
     }
 
-    public Vector3D Rotate(in Vector3D v) =>
-        new(Vector3D.Dot(_row0, v), Vector3D.Dot(_row1, v), Vector3D.Dot(_row2, v));
+    public Double3 Rotate(in Double3 v) =>
+        new(Double3.Dot(_row0, v), Double3.Dot(_row1, v), Double3.Dot(_row2, v));
 
-    public Vector3D InverseRotate(in Vector3D v) => _row0 * v.X + _row1 * v.Y + _row2 * v.Z;
+    public Double3 InverseRotate(in Double3 v) => _row0 * v.X + _row1 * v.Y + _row2 * v.Z;
 }

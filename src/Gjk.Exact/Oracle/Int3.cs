@@ -23,11 +23,11 @@ public readonly record struct Int3(BigInteger X, BigInteger Y, BigInteger Z)
     public static Int3 operator *(in Int3 a, BigInteger s) => new(a.X * s, a.Y * s, a.Z * s);
 
     /// <summary>The direction to double rounding, its largest component between 1 and 2; zero for zero.</summary>
-    public Vector3D ToDirection()
+    public Double3 ToDirection()
     {
         int bits = (int)Math.Max(
             BigInteger.Abs(X).GetBitLength(),
             Math.Max(BigInteger.Abs(Y).GetBitLength(), BigInteger.Abs(Z).GetBitLength()));
-        return new Vector3D(Dyadic.ToDouble(X, 1 - bits), Dyadic.ToDouble(Y, 1 - bits), Dyadic.ToDouble(Z, 1 - bits));
+        return new Double3(Dyadic.ToDouble(X, 1 - bits), Dyadic.ToDouble(Y, 1 - bits), Dyadic.ToDouble(Z, 1 - bits));
     }
 }

@@ -32,11 +32,11 @@ public sealed class FuzzRandom : SplitMix64
     public int Sign() => OneIn(2) ? -1 : 1;
 
     /// <summary>A unit vector drawn evenly: a point of the ball, brought to unit length.</summary>
-    public Vector3D Direction()
+    public Double3 Direction()
     {
         while (true)
         {
-            var v = new Vector3D(Range(-1, 1), Range(-1, 1), Range(-1, 1));
+            var v = new Double3(Range(-1, 1), Range(-1, 1), Range(-1, 1));
             double squared = v.LengthSquared;
             if (squared is > 0.01 and <= 1) return v * (1 / Math.Sqrt(squared));
         }

@@ -18,7 +18,7 @@ public sealed class MovingObjects
     private readonly Vector3[] _steps;
 
     /// <summary>The axis times the tangent of half the angle, per frame.</summary>
-    private readonly Vector3D[] _turns;
+    private readonly Double3[] _turns;
 
     /// <param name="scene">Objects of unit size.</param>
     /// <param name="speed">Object sizes per frame. The turn is about twice as many radians. It moves a point half a
@@ -29,7 +29,7 @@ public sealed class MovingObjects
         IsMoving = speed > 0;
         Poses = [.. scene.Poses];
         _firstSteps = new Vector3[Poses.Length];
-        _turns = new Vector3D[Poses.Length];
+        _turns = new Double3[Poses.Length];
         var random = new FuzzRandom(Seed);
         for (int i = 0; i < Poses.Length; i++)
         {
@@ -53,7 +53,7 @@ public sealed class MovingObjects
         Aabb room = _scene.Room;
         for (int i = 0; i < Poses.Length; i++)
         {
-            RigidPose moved = PoseMotion.Moved(Poses[i], (Vector3D)_steps[i], _turns[i], 1);
+            RigidPose moved = PoseMotion.Moved(Poses[i], (Double3)_steps[i], _turns[i], 1);
             Vector3 position = moved.Position;
             ref Vector3 step = ref _steps[i];
             Reflect(ref position.X, ref step.X, room.Min.X, room.Max.X);

@@ -16,7 +16,7 @@ public static class PoseMotion
     /// <param name="turn">The imaginary part of the quaternion that turns the pose. The quaternion need not have unit
     /// length. The axis times the tangent of half the angle is enough, with a real part of 1.</param>
     /// <param name="turnW">The real part of that quaternion.</param>
-    public static RigidPose Moved(in RigidPose pose, in Vector3D by, in Vector3D turn, double turnW)
+    public static RigidPose Moved(in RigidPose pose, in Double3 by, in Double3 turn, double turnW)
     {
         Quaternion q = pose.Rotation;
         double x = turnW * q.X + turn.X * q.W + turn.Y * q.Z - turn.Z * q.Y;
@@ -26,6 +26,6 @@ public static class PoseMotion
         double unit = 1 / Math.Sqrt(x * x + y * y + z * z + w * w);
         var rotation = new Quaternion((float)(x * unit), (float)(y * unit), (float)(z * unit), (float)(w * unit));
         var position = (Vector3)(pose.Position + by);
-        return new RigidPose(rotation, ((Vector3D)position).IsFinite ? position : pose.Position);
+        return new RigidPose(rotation, ((Double3)position).IsFinite ? position : pose.Position);
     }
 }

@@ -69,7 +69,7 @@ internal static class SphereMeshes
                 bool isInside = x is > 0 and < Squares && y is > 0 and < Squares;
                 for (int z = 0; z <= Squares; z += isInside ? Squares : 1)
                 {
-                    var corner = new Vector3D(2 * x - Squares, 2 * y - Squares, 2 * z - Squares);
+                    var corner = new Double3(2 * x - Squares, 2 * y - Squares, 2 * z - Squares);
                     vertices.Add((Vector3)(corner * (radius / corner.Length)));
                 }
             }

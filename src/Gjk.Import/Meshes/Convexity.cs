@@ -83,7 +83,7 @@ internal static class Convexity
     }
 
     /// <summary>The sum of signed tetrahedra about a point that lies near, so that far meshes lose nothing.</summary>
-    private static double Volume(ImportedMesh part, Vector3D near)
+    private static double Volume(ImportedMesh part, Double3 near)
     {
         double six = 0;
         for (int i = 0; i < part.Triangles.Count; i += 3)
@@ -104,9 +104,9 @@ internal static class Convexity
         return six / 6;
     }
 
-    private static Vector3D Corner(ImportedMesh part, int i) => part.Vertices[part.Triangles[i]];
+    private static Double3 Corner(ImportedMesh part, int i) => part.Vertices[part.Triangles[i]];
 
-    private static double Six(in Vector3D a, in Vector3D b, in Vector3D c) => Vector3D.Dot(a, Vector3D.Cross(b, c));
+    private static double Six(in Double3 a, in Double3 b, in Double3 c) => Double3.Dot(a, Double3.Cross(b, c));
 
-    private static double Area(in Vector3D a, in Vector3D b, in Vector3D c) => Vector3D.Cross(b - a, c - a).Length / 2;
+    private static double Area(in Double3 a, in Double3 b, in Double3 c) => Double3.Cross(b - a, c - a).Length / 2;
 }

@@ -78,7 +78,7 @@ internal sealed class MeshText
 
     /// <exception cref="ImportException">A coordinate is not finite.</exception>
     public static Vector3 Checked(Vector3 vertex, Func<ImportException> refuse) =>
-        ((Vector3D)vertex).IsFinite ? vertex : throw refuse();
+        ((Double3)vertex).IsFinite ? vertex : throw refuse();
 
     private string RawLine()
     {

@@ -3,12 +3,12 @@ using Gjk.Core;
 namespace Gjk.Import;
 
 /// <summary>A linear map with a shift, in double: the images of the three axes, and of the origin.</summary>
-internal readonly record struct Affine(Vector3D X, Vector3D Y, Vector3D Z, Vector3D Origin)
+internal readonly record struct Affine(Double3 X, Double3 Y, Double3 Z, Double3 Origin)
 {
     public static readonly Affine Identity = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), default);
 
     /// <summary>Scales first, then turns, then shifts.</summary>
-    public static Affine Of(in Vector3D position, in TurnD rotation, in Vector3D scale)
+    public static Affine Of(in Double3 position, in TurnD rotation, in Double3 scale)
     {
         Affine r = rotation.ToAffine();
         return new Affine(r.X * scale.X, r.Y * scale.Y, r.Z * scale.Z, position);
@@ -17,13 +17,13 @@ internal readonly record struct Affine(Vector3D X, Vector3D Y, Vector3D Z, Vecto
     public bool IsFinite => X.IsFinite && Y.IsFinite && Z.IsFinite && Origin.IsFinite;
 
     /// <summary>The image of a point.</summary>
-    public Vector3D Apply(in Vector3D p) => Turn(p) + Origin;
+    public Double3 Apply(in Double3 p) => Turn(p) + Origin;
 
     /// <summary>The image of a direction, without the shift.</summary>
-    public Vector3D Turn(in Vector3D v) => X * v.X + Y * v.Y + Z * v.Z;
+    public Double3 Turn(in Double3 v) => X * v.X + Y * v.Y + Z * v.Z;
 
     /// <summary>The transposed linear part times a vector. It is the inverse if the map is a rotation.</summary>
-    public Vector3D TurnBack(in Vector3D v) => new(Vector3D.Dot(X, v), Vector3D.Dot(Y, v), Vector3D.Dot(Z, v));
+    public Double3 TurnBack(in Double3 v) => new(Double3.Dot(X, v), Double3.Dot(Y, v), Double3.Dot(Z, v));
 
     /// <summary>First the right one, then the left one.</summary>
     public static Affine operator *(in Affine parent, in Affine child) => new(
@@ -42,10 +42,10 @@ internal readonly record struct Affine(Vector3D X, Vector3D Y, Vector3D Z, Vecto
     /// </summary>
     public TurnD Rotation()
     {
-        Vector3D x = Unit(X), z = Unit(Vector3D.Cross(x, Unit(Y)));
-        TurnD turn = TurnD.FromAxes(x, Vector3D.Cross(z, x), z);
+        Double3 x = Unit(X), z = Unit(Double3.Cross(x, Unit(Y)));
+        TurnD turn = TurnD.FromAxes(x, Double3.Cross(z, x), z);
         return double.IsFinite(turn.X + turn.Y + turn.Z + turn.W) ? turn : TurnD.Identity;
     }
 
-    private static Vector3D Unit(in Vector3D v) => v * (1 / v.Length);
+    private static Double3 Unit(in Double3 v) => v * (1 / v.Length);
 }

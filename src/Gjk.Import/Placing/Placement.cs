@@ -17,22 +17,22 @@ internal static class Placement
     /// <summary>True if a map only scales along the axes, up to the rounding of rotations.</summary>
     /// <param name="local">The map, seen from the object's rotation.</param>
     /// <param name="factors">The scale.</param>
-    public static bool IsAlongAxes(in Affine local, out Vector3D factors)
+    public static bool IsAlongAxes(in Affine local, out Double3 factors)
     {
-        factors = new Vector3D(local.X.X, local.Y.Y, local.Z.Z);
+        factors = new Double3(local.X.X, local.Y.Y, local.Z.Z);
         double across = Largest(
             Largest(local.X.Y, local.X.Z, local.Y.X), Largest(local.Y.Z, local.Z.X, local.Z.Y), 0);
         return across <= RotationNoise * Largest(factors.X, factors.Y, factors.Z);
     }
 
     /// <summary>True if none is 0 or beyond the range of float.</summary>
-    public static bool IsUsableScale(in Vector3D factors) =>
+    public static bool IsUsableScale(in Double3 factors) =>
         IsUsableScale(factors.X) && IsUsableScale(factors.Y) && IsUsableScale(factors.Z);
 
     /// <summary>A ball, whatever the map makes of it.</summary>
     public static ImportedObject Ball(string name, double radius, in Affine world, in TurnD rotation)
     {
-        if (!IsAlongAxes(world.SeenFrom(rotation), out Vector3D factors))
+        if (!IsAlongAxes(world.SeenFrom(rotation), out Double3 factors))
         {
             Stretch stretch = Stretch.Of(world);
             return Ellipsoid(name, Absolute(stretch.Factors) * radius, world, stretch.After);
@@ -56,9 +56,9 @@ internal static class Placement
         string name, Func<double, double, ImportedShape> make, double radius, double halfHeight, in Affine world,
         in TurnD rotation)
     {
-        if (IsAlongAxes(world.SeenFrom(rotation), out Vector3D factors))
+        if (IsAlongAxes(world.SeenFrom(rotation), out Double3 factors))
         {
-            Vector3D size = Absolute(factors);
+            Double3 size = Absolute(factors);
             if (AreEqual(size.X, size.Y) && AreEqual(size.Y, size.Z))
                 return new ImportedObject(name, make(radius * size.X, halfHeight * size.X), world, rotation);
             if (!IsUsableScale(factors)) throw Flat();
@@ -72,9 +72,9 @@ internal static class Placement
         return new ImportedObject(name, turned, world, stretch.After) with { Scale = (Vector3)stretch.Factors };
     }
 
-    public static Vector3D Absolute(in Vector3D v) => new(Math.Abs(v.X), Math.Abs(v.Y), Math.Abs(v.Z));
+    public static Double3 Absolute(in Double3 v) => new(Math.Abs(v.X), Math.Abs(v.Y), Math.Abs(v.Z));
 
-    private static ImportedObject Ellipsoid(string name, in Vector3D radii, in Affine world, in TurnD rotation) =>
+    private static ImportedObject Ellipsoid(string name, in Double3 radii, in Affine world, in TurnD rotation) =>
         new(name, ImportedShape.Ellipsoid((Vector3)radii), world, rotation);
 
     private static bool IsUsableScale(double factor) => (float)factor != 0 && float.IsFinite((float)factor);

@@ -17,7 +17,7 @@ internal readonly record struct TurnD(double X, double Y, double Z, double W)
 
     /// <summary>The rotation with columns of length 1 at right angles (Shepperd 1978, "Quaternion from Rotation
     /// Matrix", the largest of the four components first).</summary>
-    public static TurnD FromAxes(in Vector3D x, in Vector3D y, in Vector3D z)
+    public static TurnD FromAxes(in Double3 x, in Double3 y, in Double3 z)
     {
         double trace = x.X + y.Y + z.Z;
         if (trace >= Math.Max(x.X, Math.Max(y.Y, z.Z)))
@@ -39,7 +39,7 @@ internal readonly record struct TurnD(double X, double Y, double Z, double W)
     /// <summary>
     /// The rotation as seen in a mirror: mirror * this * mirror. The mirror has a 1 or -1 along each axis.
     /// </summary>
-    public TurnD Mirrored(in Vector3D signs) =>
+    public TurnD Mirrored(in Double3 signs) =>
         new(X * signs.Y * signs.Z, Y * signs.Z * signs.X, Z * signs.X * signs.Y, W);
 
     /// <summary>Length 1. NaN if all four are 0.</summary>
@@ -56,8 +56,8 @@ internal readonly record struct TurnD(double X, double Y, double Z, double W)
 
     /// <summary>The rotation as a matrix. Expects length 1.</summary>
     public Affine ToAffine() => new(
-        new Vector3D(1 - 2 * (Y * Y + Z * Z), 2 * (X * Y + Z * W), 2 * (X * Z - Y * W)),
-        new Vector3D(2 * (X * Y - Z * W), 1 - 2 * (X * X + Z * Z), 2 * (Y * Z + X * W)),
-        new Vector3D(2 * (X * Z + Y * W), 2 * (Y * Z - X * W), 1 - 2 * (X * X + Y * Y)),
+        new Double3(1 - 2 * (Y * Y + Z * Z), 2 * (X * Y + Z * W), 2 * (X * Z - Y * W)),
+        new Double3(2 * (X * Y - Z * W), 1 - 2 * (X * X + Z * Z), 2 * (Y * Z + X * W)),
+        new Double3(2 * (X * Z + Y * W), 2 * (Y * Z - X * W), 1 - 2 * (X * X + Y * Y)),
         default);
 }

@@ -10,17 +10,17 @@ namespace Gjk.Import;
 /// <param name="Signs">The signs of all scales down to this object, along the axes: 1 or -1 each.</param>
 /// <param name="IsActive">True if the object and all above it are active.</param>
 /// <param name="HasLayout">True if a layout places it or an object above it.</param>
-internal readonly record struct UnityPlace(Affine World, TurnD Rotation, Vector3D Signs, bool IsActive, bool HasLayout)
+internal readonly record struct UnityPlace(Affine World, TurnD Rotation, Double3 Signs, bool IsActive, bool HasLayout)
 {
     public static readonly UnityPlace Root = new(Affine.Identity, TurnD.Identity, new(1, 1, 1), true, false);
 
     /// <summary>Unity's lossyScale: the scale that is left along the object's own axes.</summary>
-    public Vector3D LossyScale
+    public Double3 LossyScale
     {
         get
         {
             Affine local = World.SeenFrom(Rotation);
-            return new Vector3D(local.X.X, local.Y.Y, local.Z.Z);
+            return new Double3(local.X.X, local.Y.Y, local.Z.Z);
         }
     }
 }
@@ -87,12 +87,12 @@ internal sealed class UnityHierarchy
         var given = new TurnD(turn.Number("x"), turn.Number("y"), turn.Number("z"), turn.Number("w"));
         TurnD rotation = given.Normalized();
         if (!double.IsFinite(rotation.W)) throw new UnreadableException("m_LocalRotation has no length");
-        Vector3D scale = body.Vector("m_LocalScale");
+        Double3 scale = body.Vector("m_LocalScale");
         Affine local = Affine.Of(body.Vector("m_LocalPosition"), rotation, scale);
         bool isActive = parent.IsActive && (Find(transform.Owner) is not { } owner || !IsInactive(owner));
         bool hasLayout = parent.HasLayout || transform.ClassId == UnityClass.RectTransform;
         TurnD turned = (parent.Rotation * rotation.Mirrored(parent.Signs)).Normalized();
-        Vector3D signs = Vector3D.Multiply(parent.Signs, new(Sign(scale.X), Sign(scale.Y), Sign(scale.Z)));
+        Double3 signs = Double3.Multiply(parent.Signs, new(Sign(scale.X), Sign(scale.Y), Sign(scale.Z)));
         return new UnityPlace(parent.World * local, turned, signs, isActive, hasLayout);
     }
 

@@ -117,7 +117,7 @@ internal sealed class UnityMeshes
     private static ImportedMesh Mirrored(ImportedMesh part, float scale)
     {
         Vector3[] vertices = [.. part.Vertices.Select(v => new Vector3(-v.X, v.Y, v.Z) * scale)];
-        if (Array.Exists(vertices, v => !((Vector3D)v).IsFinite))
+        if (Array.Exists(vertices, v => !((Double3)v).IsFinite))
             throw new UnreadableException("its scale in the .meta file makes it too large for a float");
         return ImportedMesh.Weld(part.Name, vertices, part.Triangles);
     }

@@ -99,12 +99,12 @@ internal sealed class UnityNode
             : throw new UnreadableException($"{field}: \"{value.Text}\" is not a whole number");
     }
 
-    public Vector3D Vector(string field)
+    public Double3 Vector(string field)
     {
         UnityNode value = this[field] ?? throw new UnreadableException($"{field} is missing");
         try
         {
-            return new Vector3D(value.Number("x"), value.Number("y"), value.Number("z"));
+            return new Double3(value.Number("x"), value.Number("y"), value.Number("z"));
         }
         catch (UnreadableException e)
         {

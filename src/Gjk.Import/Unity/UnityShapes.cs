@@ -30,11 +30,11 @@ internal sealed class UnityShapes
         switch (component.ClassId)
         {
             case UnityClass.BoxCollider:
-                Vector3D size = Placement.Absolute(Vector3D.Multiply(body.Vector("m_Size"), place.LossyScale));
+                Double3 size = Placement.Absolute(Double3.Multiply(body.Vector("m_Size"), place.LossyScale));
                 Add(name, ImportedShape.Box((Vector3)(size * 0.5)), place, body.Vector("m_Center"), place.Rotation);
                 break;
             case UnityClass.SphereCollider:
-                Vector3D scale = Placement.Absolute(place.LossyScale);
+                Double3 scale = Placement.Absolute(place.LossyScale);
                 double radius = Radius(body) * Math.Max(scale.X, Math.Max(scale.Y, scale.Z));
                 Add(name, ImportedShape.Sphere(radius), place, body.Vector("m_Center"), place.Rotation);
                 break;
@@ -52,7 +52,7 @@ internal sealed class UnityShapes
     /// <summary>A capsule that is lower than it is wide is a ball.</summary>
     private void AddCapsule(string name, UnityNode body, in UnityPlace place)
     {
-        Vector3D scale = Placement.Absolute(place.LossyScale);
+        Double3 scale = Placement.Absolute(place.LossyScale);
         (double along, double across, TurnD turn) = body.Whole("m_Direction", 1) switch
         {
             0 => (scale.X, Math.Max(scale.Y, scale.Z), TurnD.YToX),
@@ -66,7 +66,7 @@ internal sealed class UnityShapes
         Add(name, shape, place, body.Vector("m_Center"), place.Rotation * turn);
     }
 
-    private void Add(string name, ImportedShape shape, in UnityPlace place, in Vector3D center, in TurnD rotation)
+    private void Add(string name, ImportedShape shape, in UnityPlace place, in Double3 center, in TurnD rotation)
     {
         Affine world = place.World with { Origin = place.World.Apply(center) };
         _scene.Add(new ImportedObject(name, shape, world, rotation));
@@ -84,7 +84,7 @@ internal sealed class UnityShapes
     {
         switch (mesh)
         {
-            case BuiltInMesh.Cube when Placement.IsAlongAxes(place.World.SeenFrom(place.Rotation), out Vector3D scale):
+            case BuiltInMesh.Cube when Placement.IsAlongAxes(place.World.SeenFrom(place.Rotation), out Double3 scale):
                 Vector3 half = (Vector3)(Placement.Absolute(scale) * BuiltInMesh.Half);
                 _scene.Add(new ImportedObject(name, ImportedShape.Box(half), place.World, place.Rotation));
                 break;

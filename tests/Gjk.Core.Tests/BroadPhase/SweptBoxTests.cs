@@ -159,7 +159,7 @@ public class SweptBoxTests
 
     private static double Way(in Aabb box, in Aabb start)
     {
-        Vector3D a = (Vector3D)box.Max - start.Min, b = (Vector3D)start.Max - box.Min;
+        Double3 a = (Double3)box.Max - start.Min, b = (Double3)start.Max - box.Min;
         return Math.Max(Math.Max(Math.Max(a.X, a.Y), a.Z), Math.Max(Math.Max(b.X, b.Y), b.Z));
     }
 

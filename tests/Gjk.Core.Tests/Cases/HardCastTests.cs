@@ -29,7 +29,7 @@ public class HardCastTests
                 continue;
             else if (Math.Abs(r.Fraction - c.Fraction) * way > 1e-7 * Math.Max(scale, c.Fraction * way))
                 faults.Add($"{c.Pair}: {r}, truly {c.Fraction:R}");
-            else if (c.IsNormalUnique && ((Vector3D)r.Normal - c.Normal).Length > 1e-6)
+            else if (c.IsNormalUnique && ((Double3)r.Normal - c.Normal).Length > 1e-6)
                 faults.Add($"{c.Pair}: {r}, the normal truly {c.Normal}");
         }
 

@@ -65,7 +65,7 @@ public class SolidTests
             for (int y = -3; y <= 3; y++)
                 for (int z = -3; z <= 3; z++)
                 {
-                    var point = new Vector3D(x * 0.5, y * 0.5, z * 0.5);
+                    var point = new Double3(x * 0.5, y * 0.5, z * 0.5);
                     if (Math.Max(Math.Abs(x), Math.Max(Math.Abs(y), Math.Abs(z))) == 2) continue;
                     bool isInside = Math.Abs(x) < 2 && Math.Abs(y) < 2 && Math.Abs(z) < 2;
                     Assert.Equal(isInside ? 1 : 0, winding.About(box, (VectorDD)point));

@@ -90,7 +90,7 @@ public class ContactPropertyTests
         Assert.Equal((4, -m.Normal), (swapped.Count, swapped.Normal));
         for (int i = 0; i < 4; i++)
         {
-            ContactPoint p = m[i], q = swapped[i];
+            ManifoldPoint p = m[i], q = swapped[i];
             Assert.Equal(
                 (p.PointA, p.PointB, p.LocalPointA, p.LocalPointB, p.Gap),
                 (q.PointB, q.PointA, q.LocalPointB, q.LocalPointA, q.Gap));
@@ -114,7 +114,7 @@ public class ContactPropertyTests
         }),
     ];
 
-    private static IEnumerable<ContactPoint> Points(ContactManifold m) =>
+    private static IEnumerable<ManifoldPoint> Points(ContactManifold m) =>
         Enumerable.Range(0, m.Count).Select(i => m[i]);
 
     private static void Check(TestPair p, in DistanceResult r, ContactManifold m, float maxGap)
@@ -125,7 +125,7 @@ public class ContactPropertyTests
         Assert.InRange(Points(m).Min(c => c.Gap), r.Distance, r.Distance + tolerance);
         var a = new Body<ConvexShape>(p.A.Shape, p.PoseA);
         var b = new Body<ConvexShape>(p.B.Shape, p.PoseB);
-        foreach (ContactPoint c in Points(m))
+        foreach (ManifoldPoint c in Points(m))
         {
             string text = $"{p}: {c} of {r}";
             Assert.True(c.Gap >= r.Distance && c.Gap <= maxGap + tolerance, text);

@@ -43,7 +43,7 @@ public class ContactTests
         RigidPose pose = Lowered(cube, Quaternion.CreateFromAxisAngle(Vector3.UnitZ, -angle));
         ContactManifold m = OnSlab(cube, pose);
         Assert.Equal(4, m.Count);
-        foreach (ContactPoint p in Points(m))
+        foreach (ManifoldPoint p in Points(m))
         {
             Assert.Equal(p.PointB.Y, p.Gap, 1e-6f);
             Assert.Equal(0, p.PointA.Y, 1e-6f);

@@ -59,7 +59,7 @@ public class MarginContactTests
             ContactManifold m = OnSlab(shape, pose, 1);
             Vector3 inward = Vector3.Transform(m.Normal, Quaternion.Conjugate(pose.Rotation)) * (float)size;
             if (m.Count > 1) several++;
-            foreach (ContactPoint p in Points(m))
+            foreach (ManifoldPoint p in Points(m))
             {
                 float off = Outside(shape, p.LocalPointB), left = Outside(shape, p.LocalPointB - 1e-3f * inward);
                 Assert.True(Math.Abs(off) <= slack, $"{i}: {p} is {off:R} off");

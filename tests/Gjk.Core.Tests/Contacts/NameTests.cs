@@ -133,9 +133,9 @@ public class NameTests
             RigidPose b = new(Quaternion.Normalize(turn * standing.Rotation), a.TransformPoint(standing.Position));
             ContactManifold m = Ask(plank, a, can, b), swapped = Ask(can, b, plank, a).Swapped;
             Assert.Equal(4, m.Count);
-            foreach (ContactPoint p in Points(m))
+            foreach (ManifoldPoint p in Points(m))
             {
-                ContactPoint same = Points(swapped).Single(q => q.FeatureId == p.FeatureId);
+                ManifoldPoint same = Points(swapped).Single(q => q.FeatureId == p.FeatureId);
                 Assert.True((same.PointA - p.PointA).Length() < 0.1f, $"{i}: {new QueryRecord(plank, a, can, b)}");
             }
         }

@@ -95,7 +95,7 @@ public class SurfaceContactTests
             points += manifold.Count;
             for (int i = 0; i < manifold.Count; i++)
             {
-                ContactPoint p = manifold[i];
+                ManifoldPoint p = manifold[i];
                 string where = $"{result}, point {i}: {p} of {a} and {b} at {pose}";
                 OnSurface(a, RigidPose.Identity, p.PointA, manifold.Normal, size, where);
                 OnSurface(b, pose, p.PointB, -manifold.Normal, size, where);

@@ -12,35 +12,35 @@ public class UserFaceTests
     /// <summary>A cube of side 2 whose faces are shown as its owner pleases.</summary>
     private readonly struct Cube(int corners, float badCoordinate = 0) : ISupportMap
     {
-        public Vector3D Center => default;
+        public Double3 Center => default;
         public double Margin => 0;
         public double BoundingRadius => 1.75;
-        public int Support(in Vector3D d, out Vector3D point) => new BoxShape(Vector3.One).Support(d, out point);
-        public bool TryGetVertex(int id, out Vector3D point) =>
+        public int Support(in Double3 d, out Double3 point) => new BoxShape(Vector3.One).Support(d, out point);
+        public bool TryGetVertex(int id, out Double3 point) =>
             new BoxShape(Vector3.One).TryGetVertex(id, out point);
 
-        public void GetFace(in Vector3D direction, ref FaceCorners shown)
+        public void GetFace(in Double3 direction, ref FaceCorners shown)
         {
             double y = direction.Y > 0 ? 1 : -1;
             for (int i = 0; i < corners; i++)
             {
                 double angle = (i + 0.5) * (2 * Math.PI / corners), root = Math.Sqrt(2);
-                shown.Add(new Vector3D(root * Math.Cos(angle), y + badCoordinate, root * Math.Sin(angle)), i);
+                shown.Add(new Double3(root * Math.Cos(angle), y + badCoordinate, root * Math.Sin(angle)), i);
             }
         }
     }
 
     private readonly struct NoFaces : ISupportMap
     {
-        public Vector3D Center => default;
+        public Double3 Center => default;
         public double Margin => 0;
         public double BoundingRadius => 1.75;
-        public int Support(in Vector3D d, out Vector3D point) => new BoxShape(Vector3.One).Support(d, out point);
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public int Support(in Double3 d, out Double3 point) => new BoxShape(Vector3.One).Support(d, out point);
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point) =>
+        public bool TryGetVertex(int id, out Double3 point) =>
             new BoxShape(Vector3.One).TryGetVertex(id, out point);
     }
 
@@ -99,7 +99,7 @@ public class UserFaceTests
     public void ADefaultListTakesNothing()
     {
         FaceCorners corners = default;
-        new BoxShape(Vector3.One).GetFace(new Vector3D(0, 1, 0), ref corners);
+        new BoxShape(Vector3.One).GetFace(new Double3(0, 1, 0), ref corners);
         Assert.Equal(0, corners.Count);
     }
 }

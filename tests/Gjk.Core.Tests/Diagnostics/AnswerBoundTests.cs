@@ -27,7 +27,7 @@ public class AnswerBoundTests
             TestPair p = Generators.Pair(i, [kind, "hull"]);
             ConvexShape a = p.A.Shape, b = p.B.Shape;
             PosedPair.Of(ref a, p.PoseA, ref b, p.PoseB, out PosedPair pair);
-            Vector3D n = new Rng(i).Direction();
+            Double3 n = new Rng(i).Direction();
             Assert.True(PosedPair.TryUnit(n, out n));
             double error = Math.Abs(pair.Gap(ref a, ref b, n, out _) - TrueGap(p, n));
             worst = Math.Max(worst, error / pair.Noise);
@@ -52,7 +52,7 @@ public class AnswerBoundTests
             var rng = new Rng(i);
             TestPair p = Generators.Pair(i, ["hull", "box"]);
             ConvexShape a = p.A.Shape, b = p.B.Shape;
-            Vector3D n = rng.Direction(), far = (Vector3D)rng.Direction() * rng.LogFloat(1, 1e12);
+            Double3 n = rng.Direction(), far = (Double3)rng.Direction() * rng.LogFloat(1, 1e12);
             Assert.True(PosedPair.TryUnit(n, out n));
             PosedPair.Of(ref a, p.PoseA, ref b, p.PoseB, out PosedPair pair);
             PosedPair back = pair.Moved(far).Moved(-far);
@@ -61,7 +61,7 @@ public class AnswerBoundTests
         }
     }
 
-    private static double TrueGap(TestPair p, in Vector3D n)
+    private static double TrueGap(TestPair p, in Double3 n)
     {
         FixedVector unit = n;
         Fixed least = p.B.Vertices!.Select(v => FixedVector.Dot(unit, World(v, p.PoseB))).Aggregate(Least);
@@ -73,10 +73,10 @@ public class AnswerBoundTests
     }
 
     /// <summary>v + 2 u × (u × v + w v) / |q|², and the position.</summary>
-    private static FixedVector World(in Vector3D local, in RigidPose pose)
+    private static FixedVector World(in Double3 local, in RigidPose pose)
     {
         Quaternion q = pose.Rotation;
-        FixedVector v = local, u = new Vector3D(q.X, q.Y, q.Z);
+        FixedVector v = local, u = new Double3(q.X, q.Y, q.Z);
         Fixed w = q.W, norm = FixedVector.Dot(u, u) + w * w;
         return v + FixedVector.Cross(u, FixedVector.Cross(u, v) + v * w) * ((Fixed)2.0 / norm) + pose.Position;
     }

@@ -230,18 +230,18 @@ public class AnswerCheckTests
     /// <summary>A shape as a user might write it.</summary>
     private readonly struct Own(ConvexShape inner) : ISupportMap
     {
-        public Vector3D Center => inner.Center;
+        public Double3 Center => inner.Center;
 
         public double Margin => inner.Margin;
 
         public double BoundingRadius => 1e6 * inner.BoundingRadius;
 
-        public int Support(in Vector3D direction, out Vector3D point) => inner.Support(direction, out point);
+        public int Support(in Double3 direction, out Double3 point) => inner.Support(direction, out point);
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point) => inner.TryGetVertex(id, out point);
+        public bool TryGetVertex(int id, out Double3 point) => inner.TryGetVertex(id, out point);
     }
 }

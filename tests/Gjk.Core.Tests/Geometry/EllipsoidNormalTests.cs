@@ -15,10 +15,10 @@ public class EllipsoidNormalTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(500); seed++)
         {
             var rng = new Rng(51_000 + seed);
-            var radii = new Vector3D(rng.LogFloat(0.1, 1), rng.LogFloat(0.1, 1), rng.LogFloat(0.1, 1));
-            Vector3D point = Vector3D.Multiply(radii, (Vector3D)rng.Direction() * rng.Float(0, 1.2));
-            if (seed % 3 == 0) point = new Vector3D(seed % 2 == 0 ? 0 : point.X, point.Y, 0);
-            if (seed % 7 == 0) point = new Vector3D(0, 0, point.Z);
+            var radii = new Double3(rng.LogFloat(0.1, 1), rng.LogFloat(0.1, 1), rng.LogFloat(0.1, 1));
+            Double3 point = Double3.Multiply(radii, (Double3)rng.Direction() * rng.Float(0, 1.2));
+            if (seed % 3 == 0) point = new Double3(seed % 2 == 0 ? 0 : point.X, point.Y, 0);
+            if (seed % 7 == 0) point = new Double3(0, 0, point.Z);
             AssertNearest(radii, point, rng, seed);
         }
     }
@@ -34,17 +34,17 @@ public class EllipsoidNormalTests
     [InlineData(0.84, 0, 0)]
     [InlineData(0.8400001, 1e-9, -1e-12)]
     public void PointsOnTheAxesHaveOne(double x, double y, double z) =>
-        AssertNearest(new Vector3D(1, 0.5, 0.4), new Vector3D(x, y, z), new Rng(1), 0);
+        AssertNearest(new Double3(1, 0.5, 0.4), new Double3(x, y, z), new Rng(1), 0);
 
     [Theory]
     [InlineData(1e-30)]
     [InlineData(1e30)]
     public void ASizeIsOnlyAFactor(double size)
     {
-        var radii = new Vector3D(0.9, 0.3, 0.5);
-        var point = new Vector3D(0.2, -0.1, 0.05);
-        Vector3D usual = EllipsoidNormal.Nearest(radii, point);
-        Vector3D scaled = EllipsoidNormal.Nearest(radii * size, point * size);
+        var radii = new Double3(0.9, 0.3, 0.5);
+        var point = new Double3(0.2, -0.1, 0.05);
+        Double3 usual = EllipsoidNormal.Nearest(radii, point);
+        Double3 scaled = EllipsoidNormal.Nearest(radii * size, point * size);
         Assert.InRange((usual - scaled).Length, 0, 1e-14);
     }
 
@@ -55,22 +55,22 @@ public class EllipsoidNormalTests
     [InlineData(1e6, 1, 1e-6)]
     public void ThinOnesEndToo(double x, double y, double z)
     {
-        var radii = new Vector3D(x, y * 1.1, z);
+        var radii = new Double3(x, y * 1.1, z);
         for (ulong seed = 0; seed < 50; seed++)
         {
             var rng = new Rng(seed);
-            AssertNearest(radii, Vector3D.Multiply(radii, (Vector3D)rng.Direction() * rng.Float(0, 1)), rng, seed);
+            AssertNearest(radii, Double3.Multiply(radii, (Double3)rng.Direction() * rng.Float(0, 1)), rng, seed);
         }
     }
 
-    private static void AssertNearest(in Vector3D radii, in Vector3D point, Rng rng, ulong seed)
+    private static void AssertNearest(in Double3 radii, in Double3 point, Rng rng, ulong seed)
     {
-        Vector3D normal = EllipsoidNormal.Nearest(radii, point);
+        Double3 normal = EllipsoidNormal.Nearest(radii, point);
         Assert.InRange(normal.Length, 1 - 1e-12, 1 + 1e-12);
         double way = Way(radii, point, normal), size = Math.Max(Math.Max(radii.X, radii.Y), radii.Z);
         for (int i = 0; i < 300; i++)
         {
-            Vector3D other = i % 2 == 0 ? rng.Direction() : normal + (Vector3D)rng.Direction() * rng.Float(0, 0.01);
+            Double3 other = i % 2 == 0 ? rng.Direction() : normal + (Double3)rng.Direction() * rng.Float(0, 0.01);
             other *= 1 / other.Length;
             Assert.True(
                 way <= Way(radii, point, other) + 1e-14 * size, $"seed {seed}: {radii} {point}: {way:R} {normal}");
@@ -78,6 +78,6 @@ public class EllipsoidNormalTests
     }
 
     /// <summary>How far the point is from the plane that touches the ellipsoid across a normal.</summary>
-    private static double Way(in Vector3D radii, in Vector3D point, in Vector3D normal) =>
-        Vector3D.Multiply(radii, normal).Length - Vector3D.Dot(point, normal);
+    private static double Way(in Double3 radii, in Double3 point, in Double3 normal) =>
+        Double3.Multiply(radii, normal).Length - Double3.Dot(point, normal);
 }

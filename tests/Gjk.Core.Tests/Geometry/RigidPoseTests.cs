@@ -65,7 +65,7 @@ public class RigidPoseTests
             ];
             Assert.All(
                 Enumerable.Range(0, 9), k => Assert.True((exact[k / 3, k % 3] - numbers[k]).Absolute <= 1e-15));
-            Vector3D v = rng.Vector(-1, 1);
+            Double3 v = rng.Vector(-1, 1);
             Assert.Equal(0, (matrix.InverseRotate(matrix.Rotate(v)) - v).Length, 1e-15);
         }
     }

@@ -14,7 +14,7 @@ public class ConvexHullTests
         var hull = new ConvexHull(cloud);
         HullCheck.All(hull, cloud, "one point");
         Assert.Equal((0, 1, 0, 0), (hull.Dimension, hull.VertexCount, hull.TriangleCount, hull.NeighborCount(0)));
-        Assert.Equal(new Vector3D(1, -2, 3), hull.Center);
+        Assert.Equal(new Double3(1, -2, 3), hull.Center);
         Assert.Equal(0, hull.BoundingRadius);
     }
 
@@ -58,7 +58,7 @@ public class ConvexHullTests
         var hull = new ConvexHull(cloud);
         HullCheck.All(hull, cloud, "cube");
         Assert.Equal((3, 8, 12), (hull.Dimension, hull.VertexCount, hull.TriangleCount));
-        Assert.Equal(new Vector3D(0.5, 0.5, 0.5), hull.Center);
+        Assert.Equal(new Double3(0.5, 0.5, 0.5), hull.Center);
     }
 
     [Theory]
@@ -235,7 +235,7 @@ public class ConvexHullTests
         var offset = new Vector3(1 << 23, -(1 << 23), 0);
         Vector3[] cloud = HullClouds.Grid(2).Select(p => p + offset).ToArray();
         var hull = new ConvexHull(cloud);
-        Assert.Equal(new Vector3D((1 << 23) + 0.5, -(1 << 23) + 0.5, 0.5), hull.Center);
+        Assert.Equal(new Double3((1 << 23) + 0.5, -(1 << 23) + 0.5, 0.5), hull.Center);
         Assert.InRange(hull.BoundingRadius, Math.Sqrt(0.75), Math.Sqrt(0.75) * (1 + 1e-14));
     }
 }

@@ -18,7 +18,7 @@ public class HullFacesTests
     public void CornersRoundedToFloatStillMakeAFace(int sides, float offset)
     {
         var rotation = Quaternion.CreateFromYawPitchRoll(0.4f, 1.1f, -0.3f);
-        var axis = (Vector3D)Vector3.Transform(Vector3.UnitY, rotation);
+        var axis = (Double3)Vector3.Transform(Vector3.UnitY, rotation);
         var hull = new ConvexHull(
         [
             .. Enumerable.Range(0, 2 * sides).Select(i =>
@@ -42,8 +42,8 @@ public class HullFacesTests
         var half = new Vector3(1, thickness, 1);
         var hull = new ConvexHull(Corners(half));
         Assert.Equal(6, hull.Faces.Count);
-        Assert.Equal(4, Show(hull, new Vector3D(0, 1, 0)).Count);
-        Assert.Empty(Show(hull, new Vector3D(0, 1, 0)).Intersect(Show(hull, new Vector3D(0, -1, 0))));
+        Assert.Equal(4, Show(hull, new Double3(0, 1, 0)).Count);
+        Assert.Empty(Show(hull, new Double3(0, 1, 0)).Intersect(Show(hull, new Double3(0, -1, 0))));
     }
 
     [Fact]
@@ -53,21 +53,21 @@ public class HullFacesTests
         Assert.Equal(7, hull.Faces.Count);
         hull = new ConvexHull([.. Corners(Vector3.One), new(-1, 1.0000005f, 0), new(1, 1.0000005f, 0)]);
         Assert.Equal(6, hull.Faces.Count);
-        Assert.Equal(4, Show(hull, new Vector3D(0, 1, 0)).Count);
+        Assert.Equal(4, Show(hull, new Double3(0, 1, 0)).Count);
     }
 
     [Fact]
     public void WhatHasNoFaceShowsItsEdgeOrCorner()
     {
         var point = new ConvexHull([Vector3.One]);
-        Assert.Equal([0], Show(point, new Vector3D(0, 1, 0)));
+        Assert.Equal([0], Show(point, new Double3(0, 1, 0)));
         var segment = new ConvexHull([Vector3.Zero, Vector3.UnitX]);
-        Assert.Equal([0, 1], Show(segment, new Vector3D(0, 1, 0)));
-        Assert.Equal([1], Show(segment, new Vector3D(1, 0.5, 0)));
+        Assert.Equal([0, 1], Show(segment, new Double3(0, 1, 0)));
+        Assert.Equal([1], Show(segment, new Double3(1, 0.5, 0)));
         var flat = new ConvexHull([Vector3.Zero, Vector3.UnitX, Vector3.UnitZ]);
-        Assert.Equal(3, Show(flat, new Vector3D(0, 1, 0)).Count);
-        Assert.Equal(3, Show(flat, new Vector3D(0, -1, 0)).Count);
-        Assert.Equal([0, 1], Show(flat, new Vector3D(0, 0.1, -1)));
+        Assert.Equal(3, Show(flat, new Double3(0, 1, 0)).Count);
+        Assert.Equal(3, Show(flat, new Double3(0, -1, 0)).Count);
+        Assert.Equal([0, 1], Show(flat, new Double3(0, 0.1, -1)));
     }
 
     /// <summary>Of every face of many hulls: convex corners in order, all of them in its plane.</summary>
@@ -80,19 +80,19 @@ public class HullFacesTests
             ConvexHull hull = Generators.Shape(rng, i % 2 == 0 ? "made" : "bigHull").Shape.Hull!;
             for (int k = 0; k < 20; k++)
             {
-                Vector3D d = rng.Direction();
+                Double3 d = rng.Direction();
                 List<int> ids = Show(hull, d);
                 Assert.Equal(ids.Count, ids.Distinct().Count());
                 if (ids.Count < 3) continue;
-                Vector3D[] p = [.. ids.Select(id => (Vector3D)hull.GetVertex(id))];
-                Vector3D normal = default;
-                for (int j = 1; j + 1 < p.Length; j++) normal += Vector3D.Cross(p[j] - p[0], p[j + 1] - p[0]);
-                Assert.True(Vector3D.Dot(normal, d) > 0, $"seed {i}: inside out");
+                Double3[] p = [.. ids.Select(id => (Double3)hull.GetVertex(id))];
+                Double3 normal = default;
+                for (int j = 1; j + 1 < p.Length; j++) normal += Double3.Cross(p[j] - p[0], p[j + 1] - p[0]);
+                Assert.True(Double3.Dot(normal, d) > 0, $"seed {i}: inside out");
                 for (int j = 0; j < p.Length; j++)
                 {
-                    Vector3D turn = Vector3D.Cross(
+                    Double3 turn = Double3.Cross(
                         p[(j + 1) % p.Length] - p[j], p[(j + 2) % p.Length] - p[(j + 1) % p.Length]);
-                    Assert.True(Vector3D.Dot(turn, normal) >= -1e-12 * normal.LengthSquared, $"seed {i}: not convex");
+                    Assert.True(Double3.Dot(turn, normal) >= -1e-12 * normal.LengthSquared, $"seed {i}: not convex");
                 }
             }
         }
@@ -104,7 +104,7 @@ public class HullFacesTests
             i => half * new Vector3((i & 1) == 0 ? 1 : -1, (i & 2) == 0 ? 1 : -1, (i & 4) == 0 ? 1 : -1)),
     ];
 
-    private static unsafe List<int> Show(ConvexHull hull, Vector3D direction)
+    private static unsafe List<int> Show(ConvexHull hull, Double3 direction)
     {
         FaceCorner* memory = stackalloc FaceCorner[FaceCorners.Capacity];
         var corners = new FaceCorners(memory);

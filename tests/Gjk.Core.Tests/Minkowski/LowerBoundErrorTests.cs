@@ -70,20 +70,20 @@ public class LowerBoundErrorTests
             var poseA = new RigidPose(TurnA, Vector3.Zero);
             PoseComposition.Compose(
                 poseA, poseB, out RotationD rotationA, out RotationD rotation, out _, out _);
-            Vector3D normal = Normal, translation = rotationA.InverseRotate(Between);
-            Vector3D vertex = CornerA - (rotation.Rotate(CornerB) + translation);
-            double gap = Vector3D.Dot(normal, vertex) * (1 / Math.Sqrt(normal.LengthSquared));
+            Double3 normal = Normal, translation = rotationA.InverseRotate(Between);
+            Double3 vertex = CornerA - (rotation.Rotate(CornerB) + translation);
+            double gap = Double3.Dot(normal, vertex) * (1 / Math.Sqrt(normal.LengthSquared));
 
             // The same in 106 bits; A's frame is reached by the opposite rotation, of each half.
             VectorDD placed = VectorDD.Place(poseB, CornerB);
-            var high = (Vector3D)placed;
-            var low = (Vector3D)(placed - high);
+            var high = (Double3)placed;
+            var low = (Double3)(placed - high);
             var back = new Quaternion(-TurnA.X, -TurnA.Y, -TurnA.Z, TurnA.W);
-            VectorDD exact = (VectorDD)(Vector3D)CornerA - (VectorDD.Rotate(back, high) + VectorDD.Rotate(back, low));
+            VectorDD exact = (VectorDD)(Double3)CornerA - (VectorDD.Rotate(back, high) + VectorDD.Rotate(back, low));
             DoubleDouble squared = VectorDD.Dot(normal, normal), length = Math.Sqrt((double)squared);
             length = (length + squared / length) * 0.5;
             double error = (double)(gap - VectorDD.Dot(exact, normal) / length);
-            double size = ((Vector3D)CornerA).Length + ((Vector3D)CornerB).Length, reach = 2 * size + Math.Abs(gap);
+            double size = ((Double3)CornerA).Length + ((Double3)CornerB).Length, reach = 2 * size + Math.Abs(gap);
             return translation.Length <= size + Math.Abs(gap) ? error / reach : 0;
         }
 

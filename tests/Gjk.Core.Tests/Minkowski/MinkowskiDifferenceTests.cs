@@ -21,25 +21,25 @@ public class MinkowskiDifferenceTests
             var problem = new ExactProblem(a.Vertices!, 0, RigidPose.Identity, b.Vertices!, 0, poseB);
             ConvexShape shapeA = a.Shape, shapeB = b.Shape;
             PairFrame.Compose(ref shapeA, RigidPose.Identity, ref shapeB, poseB, out PairFrame frame);
-            foreach (Vector3D normal in Directions.Few)
+            foreach (Double3 normal in Directions.Few)
             {
                 Simplex simplex = default;
-                Vector3D w = MinkowskiDifference.Support(
+                Double3 w = MinkowskiDifference.Support(
                     ref shapeA, ref shapeB, frame, normal, ref simplex, 2, out int ids);
                 (int idA, int idB) = (simplex.IdA(2), simplex.IdB(2));
                 Assert.Equal(idA | idB, ids);
                 Assert.Equal(w, simplex.W(2));
-                Assert.True(shapeA.TryGetVertex(idA, out Vector3D vertexA) && vertexA == simplex.OnA(2));
-                Assert.True(shapeB.TryGetVertex(idB, out Vector3D vertexB) && vertexB == simplex.OnB(2));
+                Assert.True(shapeA.TryGetVertex(idA, out Double3 vertexA) && vertexA == simplex.OnA(2));
+                Assert.True(shapeB.TryGetVertex(idB, out Double3 vertexB) && vertexB == simplex.OnB(2));
                 Assert.True(MinkowskiDifference.TryPlace(ref shapeA, ref shapeB, frame, idA, idB, ref simplex, 1));
                 Assert.Equal(w, simplex.W(1));
-                Assert.Equal(Lowest(problem, a, b, normal), Vector3D.Dot(normal, w), 10 * Rounding);
+                Assert.Equal(Lowest(problem, a, b, normal), Double3.Dot(normal, w), 10 * Rounding);
             }
         }
     }
 
     /// <summary>The least height of all differences of two points.</summary>
-    private static double Lowest(ExactProblem problem, TestShape a, TestShape b, in Vector3D normal)
+    private static double Lowest(ExactProblem problem, TestShape a, TestShape b, in Double3 normal)
     {
         double lowest = double.PositiveInfinity;
         for (int i = 0; i < a.Vertices!.Length; i++)

@@ -38,7 +38,7 @@ public class PairFrameTests
     public void TheTranslationIsRoundedByNoMoreThanItsParts(double position, double offset) =>
         ForPairs(position, offset, (a, b, frame) =>
         {
-            Vector3D between = (Vector3D)b.Pose.Position - a.Pose.Position;
+            Double3 between = (Double3)b.Pose.Position - a.Pose.Position;
             double parts = between.Length + a.Shape.Center.Length + b.Shape.Center.Length;
             AssertTranslation(a, b, frame, Rounding * parts);
         });
@@ -86,8 +86,8 @@ public class PairFrameTests
         var sphere = ConvexShape.Sphere(1);
         var apart = new Posed(sphere, new RigidPose(new Vector3(0, 3, 0)));
         PairFrame frame = Compose(new Posed(sphere, RigidPose.Identity), apart);
-        Assert.Equal(new Vector3D(0, -3, 0), frame.FirstNormal);
-        Assert.Equal(new Vector3D(1, 0, 0), Compose(apart, apart).FirstNormal);
+        Assert.Equal(new Double3(0, -3, 0), frame.FirstNormal);
+        Assert.Equal(new Double3(1, 0, 0), Compose(apart, apart).FirstNormal);
     }
 
     /// <summary>A normal that a query has kept has the length 1 but for float's rounding, and is taken.</summary>
@@ -97,8 +97,8 @@ public class PairFrameTests
         var warm = default(WarmStart);
         PairFrame frame = default;
         Assert.Equal(frame.FirstNormal, warm.FirstNormal(frame));
-        warm.SetNormal(new Vector3D(0, 3, 4));
-        Assert.Equal(new Vector3D(0, 0.6f, 0.8f), warm.FirstNormal(frame));
+        warm.SetNormal(new Double3(0, 3, 4));
+        Assert.Equal(new Double3(0, 0.6f, 0.8f), warm.FirstNormal(frame));
     }
 
     /// <summary>
@@ -117,7 +117,7 @@ public class PairFrameTests
                 / (a.Shape.BoundingRadius + b.Shape.BoundingRadius);
             if (ratio < 4.5 || ratio > 15) continue;
             count++;
-            Vector3D between = new RotationD(a.Pose.Rotation).Rotate(a.Shape.Center)
+            Double3 between = new RotationD(a.Pose.Rotation).Rotate(a.Shape.Center)
                 - new RotationD(b.Pose.Rotation).Rotate(b.Shape.Center);
             a = a with { Pose = new RigidPose(a.Pose.Rotation, Vector3.Zero) };
             b = b with { Pose = new RigidPose(b.Pose.Rotation, (Vector3)between) };
@@ -136,9 +136,9 @@ public class PairFrameTests
     public void CentersThatNearlyCoincideDo(int exponent, double factor)
     {
         var away = new Vector3((float)Math.ScaleB(1, exponent), 0, 0);
-        Vector3D center = new(0, 1, 0);
-        Vector3D between = PairFrame.BetweenCenters(RigidPose.Identity, center, new RigidPose(away), center);
-        Assert.Equal((Vector3D)away * factor, between);
+        Double3 center = new(0, 1, 0);
+        Double3 between = PairFrame.BetweenCenters(RigidPose.Identity, center, new RigidPose(away), center);
+        Assert.Equal((Double3)away * factor, between);
     }
 
     [Theory]
@@ -146,7 +146,7 @@ public class PairFrameTests
     [InlineData(2e150, GjkStatus.InvalidInput)]
     public void LengthsEndAtTheLargestMagnitude(double length, GjkStatus status)
     {
-        var shape = new ScriptedShape([new Vector3D(length, 0, 0)]);
+        var shape = new ScriptedShape([new Double3(length, 0, 0)]);
         Assert.Equal(
             status,
             ConvexQuery.Distance(shape, RigidPose.Identity, new PointShape(), new RigidPose(Vector3.UnitX)).Status);
@@ -177,7 +177,7 @@ public class PairFrameTests
         var frame = new PairFrame { RadiusA = 8, RadiusB = 9, MarginA = 0.5, MarginB = 0.25 };
         PairSize.Begin<ScriptedShape, ScriptedShape>(frame, out PairSize seen);
         Assert.Equal(0.75, seen.Value);
-        seen.See(frame, new Vector3D(reachA, 0, 0), new Vector3D(0, reachB, 0));
+        seen.See(frame, new Double3(reachA, 0, 0), new Double3(0, reachB, 0));
         Assert.Equal(size, seen.Value);
         seen.See(frame, default, default);
         Assert.Equal(size, seen.Value);
@@ -189,7 +189,7 @@ public class PairFrameTests
     [Fact]
     public void GenerousRadiiAreTightened()
     {
-        var generous = new ScriptedShape([new Vector3D(1, 0, 0)], radius: 8);
+        var generous = new ScriptedShape([new Double3(1, 0, 0)], radius: 8);
         var box = new BoxShape(Vector3.One);
         PairFrame.Compose(ref generous, RigidPose.Identity, ref box, RigidPose.Identity, out PairFrame frame);
         frame.TightenRadii(ref generous, ref box);

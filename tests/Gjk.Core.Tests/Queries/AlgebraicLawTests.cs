@@ -56,7 +56,7 @@ public class AlgebraicLawTests
         Check(from pair in Pairs from t in Points select (pair, t), x =>
     {
         double before = x.pair.Distance().Distance, after = Moved(x.pair, default, x.t).Distance().Distance;
-        return Math.Abs(before - after) <= ((Vector3D)x.t).Length + 2 * Accuracy.Band(
+        return Math.Abs(before - after) <= ((Double3)x.t).Length + 2 * Accuracy.Band(
             Math.Max(before, after), x.pair.Scale);
     });
 

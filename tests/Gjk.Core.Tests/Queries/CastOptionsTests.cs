@@ -225,6 +225,6 @@ public class CastOptionsTests
 
         double At(double fraction) => ConvexQuery.SignedDistance(
             p.A.Shape, p.PoseA, p.B.Shape,
-            new RigidPose(p.PoseB.Rotation, (Vector3)((Vector3D)motion * fraction + p.PoseB.Position))).Distance;
+            new RigidPose(p.PoseB.Rotation, (Vector3)((Double3)motion * fraction + p.PoseB.Position))).Distance;
     }
 }

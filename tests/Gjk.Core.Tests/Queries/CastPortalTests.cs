@@ -152,7 +152,7 @@ public class CastPortalTests
     private static bool Check(TestPair pair, Vector3 motion)
     {
         CastResult r = Cast(pair, motion);
-        (double entry, double exit, Vector3D normal) = Depth.Along(pair, motion);
+        (double entry, double exit, Double3 normal) = Depth.Along(pair, motion);
         double speed = motion.Length(), graze = 1e-9 * pair.Scale / speed, way = Math.Max(entry, 0) * speed;
         string what = $"{pair} along {TestShape.T(motion)}: {r}, truly {entry:R} to {exit:R}";
         if (Math.Abs(exit - entry) < graze || Math.Abs(entry - 1) < graze || Math.Abs(entry) < graze) return r.IsHit;
@@ -163,8 +163,8 @@ public class CastPortalTests
         Assert.True(Math.Abs(r.Fraction - entry) * speed <= 1e-7 * Math.Max(pair.Scale, way), what);
 
         // Another normal is as good where its plane is entered no earlier.
-        double slope = Vector3D.Dot(r.Normal, motion), at = PlaneOf(pair, r.Normal) / slope;
-        bool isSame = ((Vector3D)r.Normal - normal).Length < 1e-6;
+        double slope = Double3.Dot(r.Normal, motion), at = PlaneOf(pair, r.Normal) / slope;
+        bool isSame = ((Double3)r.Normal - normal).Length < 1e-6;
         Assert.True(isSame || (slope < 0 && (at - entry) * speed > -2e-6 * Math.Max(pair.Scale, way)), what);
         return true;
     }
@@ -174,9 +174,9 @@ public class CastPortalTests
     {
         var a = new Body<ConvexShape>(p.A.Shape, p.PoseA);
         var b = new Body<ConvexShape>(p.B.Shape, p.PoseB);
-        Vector3D between = (Vector3D)p.PoseB.Position - p.PoseA.Position;
-        return p.A.Vertices!.Max(v => Vector3D.Dot(a.Rotate(v), n))
-            - p.B.Vertices!.Min(v => Vector3D.Dot(b.Rotate(v) + between, n));
+        Double3 between = (Double3)p.PoseB.Position - p.PoseA.Position;
+        return p.A.Vertices!.Max(v => Double3.Dot(a.Rotate(v), n))
+            - p.B.Vertices!.Min(v => Double3.Dot(b.Rotate(v) + between, n));
     }
 
     private static TestShape Shape(Rng rng, string kind) => kind switch

@@ -35,7 +35,7 @@ public class CertifiedPairTests
             return $"distance {r.Distance:R}, swapped {s.Distance:R}";
 
         // The normal of the closest points is unique, but its direction is only as sure as the distance is long.
-        double turn = ((Vector3D)r.Normal + s.Normal).Length * r.Distance;
+        double turn = ((Double3)r.Normal + s.Normal).Length * r.Distance;
         double sure = pair.IsPolytope ? 1e-6 * pair.Scale : 4e-3 * Math.Max(pair.Scale, r.Distance);
         return turn <= sure ? null : $"normal {r.Normal}, swapped {s.Normal}";
     });

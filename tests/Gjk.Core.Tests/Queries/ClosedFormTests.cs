@@ -14,7 +14,7 @@ public class ClosedFormTests
     {
         float ra = rng.Float(0, 1), rb = rng.Float(0, 1);
         RigidPose a = Generators.Pose(rng, rng.Vector(-2, 2)), b = Generators.Pose(rng, rng.Vector(-2, 2));
-        double d = ((Vector3D)a.Position - b.Position).Length - ra - rb;
+        double d = ((Double3)a.Position - b.Position).Length - ra - rb;
         return (ConvexQuery.Distance(new SphereShape(ra), a, new SphereShape(rb), b), d, 2);
     });
 
@@ -24,8 +24,8 @@ public class ClosedFormTests
         Vector3 h = rng.Vector(0, 1), p = rng.Vector(-2, 2);
         var box = new RigidPose(rng.Vector(-100, 100));
         var at = new RigidPose(Quaternion.Identity, box.Position + p);
-        Vector3D v = (Vector3D)at.Position - box.Position;
-        double d = new Vector3D(Past(v.X, h.X), Past(v.Y, h.Y), Past(v.Z, h.Z)).Length;
+        Double3 v = (Double3)at.Position - box.Position;
+        double d = new Double3(Past(v.X, h.X), Past(v.Y, h.Y), Past(v.Z, h.Z)).Length;
         return (ConvexQuery.Distance(new PointShape(), at, new BoxShape(h), box), d, 2);
     });
 
@@ -34,8 +34,8 @@ public class ClosedFormTests
     {
         Vector3 h = rng.Vector(0, 1), k = rng.Vector(0, 1);
         RigidPose a = new(rng.Vector(-2, 2)), b = new(rng.Vector(-2, 2));
-        Vector3D v = (Vector3D)b.Position - a.Position;
-        double d = new Vector3D(
+        Double3 v = (Double3)b.Position - a.Position;
+        double d = new Double3(
             Past(v.X, (double)h.X + k.X), Past(v.Y, (double)h.Y + k.Y), Past(v.Z, (double)h.Z + k.Z)).Length;
         return (ConvexQuery.Distance(new BoxShape(h), a, new BoxShape(k), b), d, 2);
     });
@@ -54,7 +54,7 @@ public class ClosedFormTests
     {
         float ra = rng.Float(0, 0.5), rb = rng.Float(0, 0.5), ha = rng.Float(0, 1), hb = rng.Float(0, 1);
         RigidPose a = Generators.Pose(rng, rng.Vector(-1.5, 1.5)), b = Generators.Pose(rng, rng.Vector(-1.5, 1.5));
-        Vector3D ya = Axis(a) * ha, yb = Axis(b) * hb;
+        Double3 ya = Axis(a) * ha, yb = Axis(b) * hb;
         double d = SegmentDistance(ya + a.Position, -ya + a.Position, yb + b.Position, -yb + b.Position) - ra - rb;
         return (ConvexQuery.Distance(new CapsuleShape(ra, ha), a, new CapsuleShape(rb, hb), b), d, 2);
     });
@@ -75,8 +75,8 @@ public class ClosedFormTests
 
         // In the half plane of the point the cone is the triangle (0, h), (r, -h), (0, -h).
         bool inside = p.Y >= -h && radial <= r * (h - p.Y) / (2.0 * h);
-        Vector3D at = new(radial, p.Y, 0), apex = new(0, h, 0), rim = new(r, -(double)h, 0);
-        Vector3D foot = new(0, -(double)h, 0);
+        Double3 at = new(radial, p.Y, 0), apex = new(0, h, 0), rim = new(r, -(double)h, 0);
+        Double3 foot = new(0, -(double)h, 0);
         double outside = Math.Min(SegmentDistance(at, at, apex, rim), SegmentDistance(at, at, rim, foot));
         return (TestShape.Cone(r, h), inside ? 0 : outside);
     });
@@ -113,29 +113,29 @@ public class ClosedFormTests
 
     private static double Past(double x, double half) => Math.Max(Math.Abs(x) - half, 0);
 
-    private static Vector3D Axis(in RigidPose pose) =>
-        new Body<PointShape>(new PointShape(), pose).Rotate(new Vector3D(0, 1, 0));
+    private static Double3 Axis(in RigidPose pose) =>
+        new Body<PointShape>(new PointShape(), pose).Rotate(new Double3(0, 1, 0));
 
     /// <summary>
     /// The least of: the ends' distances to the other segment, and the lines' distance where both feet are inside.
     /// </summary>
-    private static double SegmentDistance(in Vector3D p, in Vector3D q, in Vector3D r, in Vector3D s)
+    private static double SegmentDistance(in Double3 p, in Double3 q, in Double3 r, in Double3 s)
     {
-        Vector3D e = q - p, f = s - r, w = p - r;
+        Double3 e = q - p, f = s - r, w = p - r;
         double ends = Math.Min(
             Math.Min(ToSegment(p, r, s), ToSegment(q, r, s)), Math.Min(ToSegment(r, p, q), ToSegment(s, p, q)));
-        Vector3D n = Vector3D.Cross(e, f);
+        Double3 n = Double3.Cross(e, f);
         double nn = n.LengthSquared;
         if (nn == 0) return ends;
-        double t = Vector3D.Dot(Vector3D.Cross(f, w), n) / nn, u = Vector3D.Dot(Vector3D.Cross(e, w), n) / nn;
+        double t = Double3.Dot(Double3.Cross(f, w), n) / nn, u = Double3.Dot(Double3.Cross(e, w), n) / nn;
         bool inside = t >= 0 && t <= 1 && u >= 0 && u <= 1;
-        return inside ? Math.Min(ends, Math.Abs(Vector3D.Dot(w, n)) / Math.Sqrt(nn)) : ends;
+        return inside ? Math.Min(ends, Math.Abs(Double3.Dot(w, n)) / Math.Sqrt(nn)) : ends;
     }
 
-    private static double ToSegment(in Vector3D p, in Vector3D a, in Vector3D b)
+    private static double ToSegment(in Double3 p, in Double3 a, in Double3 b)
     {
-        Vector3D e = b - a;
-        double t = e.LengthSquared == 0 ? 0 : Math.Clamp(Vector3D.Dot(p - a, e) / e.LengthSquared, 0, 1);
+        Double3 e = b - a;
+        double t = e.LengthSquared == 0 ? 0 : Math.Clamp(Double3.Dot(p - a, e) / e.LengthSquared, 0, 1);
         return (p - a - e * t).Length;
     }
 

@@ -28,8 +28,8 @@ public class CurvedCastTests
             string what = $"seed {i}: {r:R} {q:R} {side:R}: {c}";
             Assert.True(c.Status == CastStatus.Hit, what);
             Assert.True(Math.Abs(c.Fraction * 40.0 - 20 - x) <= 1e-7 * (20 + x), what);
-            Assert.True(((Vector3D)c.Normal - new Vector3D(x, 0, side) * (1 / radii)).Length <= 1e-6, what);
-            Vector3D onAxis = (Vector3D)c.Point - new Vector3D(0, c.Point.Y, 0);
+            Assert.True(((Double3)c.Normal - new Double3(x, 0, side) * (1 / radii)).Length <= 1e-6, what);
+            Double3 onAxis = (Double3)c.Point - new Double3(0, c.Point.Y, 0);
             Assert.True(Math.Abs(onAxis.Length - r) <= 1e-6, what);
         }
     }
@@ -52,7 +52,7 @@ public class CurvedCastTests
             string what = $"seed {i}: {r:R} {margin:R} {side:R}: {c}";
             Assert.True(c.Status == CastStatus.Hit, what);
             Assert.True(Math.Abs(c.Fraction * 40.0 - 20 - x) <= 1e-7 * (20 + x), what);
-            Assert.True(((Vector3D)c.Normal - new Vector3D(x, 0, side) * (1 / radii)).Length <= 1e-6, what);
+            Assert.True(((Double3)c.Normal - new Double3(x, 0, side) * (1 / radii)).Length <= 1e-6, what);
         }
     }
 
@@ -81,10 +81,10 @@ public class CurvedCastTests
                 new RigidPose(new Vector3(2 + aside, 9, 0)), new Vector3(0, -10, 0));
             double radii = (double)margin + 0.02f, out0 = (double)(2 + aside) - 2;
             double up = out0 > 0 ? Math.Sqrt(radii * radii - out0 * out0) : radii;
-            var normal = new Vector3D(Math.Max(out0, 0), up, 0);
+            var normal = new Double3(Math.Max(out0, 0), up, 0);
             string what = $"seed {i}: {margin:R} {aside:R}: {c}";
             Assert.True(Math.Abs(c.Fraction * 10.0 - (9 - 1 - up)) <= 1e-6, what);
-            Assert.True(((Vector3D)c.Normal - normal * (1 / radii)).Length <= 1e-6, what);
+            Assert.True(((Double3)c.Normal - normal * (1 / radii)).Length <= 1e-6, what);
         }
     }
 }

@@ -21,8 +21,8 @@ public class FinalSimplexTests
             DistanceResult r = ConvexQuery.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, out FinalSimplex simplex);
             Assert.Equal(ResultBits.Of(p.Distance()), ResultBits.Of(r));
             Assert.InRange(simplex.Count, 1, 4);
-            double sum = 0, reach = p.Scale + ((Vector3D)p.PoseA.Position - p.PoseB.Position).Length;
-            Vector3D onA = default, onB = default;
+            double sum = 0, reach = p.Scale + ((Double3)p.PoseA.Position - p.PoseB.Position).Length;
+            Double3 onA = default, onB = default;
             for (int i = 0; i < simplex.Count; i++)
             {
                 Assert.True(simplex.Weight(i) >= 0, $"weight {simplex.Weight(i):R}: {p}");
@@ -77,9 +77,9 @@ public class FinalSimplexTests
         Assert.Throws<ArgumentOutOfRangeException>(() => simplex.Weight(0));
     }
 
-    private static void AssertVertex(TestShape shape, int id, Vector3D point, double reach)
+    private static void AssertVertex(TestShape shape, int id, Double3 point, double reach)
     {
-        Assert.True(shape.Shape.TryGetVertex(id, out Vector3D vertex), $"no vertex {id} in {shape.Text}");
+        Assert.True(shape.Shape.TryGetVertex(id, out Double3 vertex), $"no vertex {id} in {shape.Text}");
 
         vertex += shape.Shape.Center;
 

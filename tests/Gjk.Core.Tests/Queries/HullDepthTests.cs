@@ -112,8 +112,8 @@ public class HullDepthTests
         DistanceResult r = ConvexQuery.SignedDistance(mesh, RigidPose.Identity, mesh, RigidPose.Identity);
         Assert.Equal(GjkStatus.IterationLimit, r.Status);
         Assert.InRange(r.Iterations, 500, 4000);
-        Vector3D normal = r.Normal;
-        double[] heights = [.. Points(spiral).Select(p => Vector3D.Dot(p, normal))];
+        Double3 normal = r.Normal;
+        double[] heights = [.. Points(spiral).Select(p => Double3.Dot(p, normal))];
         double cost = heights.Max() - heights.Min();
         Assert.InRange(-r.LowerBound, cost - 1e-6, cost + 1e-6);
         Assert.InRange(-r.Distance, 1.9, cost);

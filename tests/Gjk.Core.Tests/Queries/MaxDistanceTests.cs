@@ -21,7 +21,7 @@ public class MaxDistanceTests
             return $"lower bound {r.LowerBound:R} above the distance {full.Distance:R}";
         if (!(r.LowerBound >= limit * (1 - Accuracy.DistanceRatio)))
             return $"lower bound {r.LowerBound:R} does not prove the limit {limit:R}";
-        Vector3D n = r.Normal;
+        Double3 n = r.Normal;
         if (Math.Abs(n.Length - 1) > 1e-6) return $"normal {r.Normal}";
         var a = new Body<ConvexShape>(pair.A.Shape, pair.PoseA);
         var b = new Body<ConvexShape>(pair.B.Shape, pair.PoseB);

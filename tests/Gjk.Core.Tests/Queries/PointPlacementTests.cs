@@ -46,12 +46,12 @@ public class PointPlacementTests
         (TestShape large, TestShape small) = a.Reach > b.Reach ? (a, b) : (b, a);
         Quaternion turn = rng.Rotation();
         Vector3 direction = rng.Direction();
-        Vector3D place = rng.Below(4) switch
+        Double3 place = rng.Below(4) switch
         {
-            0 => (Vector3D)direction * (large.Reach * rng.LogFloat(1, 1e4)),
-            1 => (Vector3D)direction * (large.Reach * rng.Float(0, 1)),
+            0 => (Double3)direction * (large.Reach * rng.LogFloat(1, 1e4)),
+            1 => (Double3)direction * (large.Reach * rng.Float(0, 1)),
             _ => OnSurface(rng, large.Shape, turn, direction)
-                + (Vector3D)direction * (small.Reach * rng.Range(-2, 1.5)),
+                + (Double3)direction * (small.Reach * rng.Range(-2, 1.5)),
         };
         RigidPose near = Generators.Pose(rng, rng.Vector(-1, 1) * (float)small.Reach);
         RigidPose far = new(turn, (Vector3)(near.Position - place));
@@ -59,12 +59,12 @@ public class PointPlacementTests
     }
 
     /// <summary>A point between two of the furthest in directions that are nearly the same.</summary>
-    private static Vector3D OnSurface(Rng rng, in ConvexShape shape, Quaternion turn, Vector3 direction)
+    private static Double3 OnSurface(Rng rng, in ConvexShape shape, Quaternion turn, Vector3 direction)
     {
         var body = new Body<ConvexShape>(shape, new RigidPose(turn, default));
-        shape.Support(body.InverseRotate(direction), out Vector3D p);
-        shape.Support(body.InverseRotate(direction + rng.Direction() * 0.01f), out Vector3D q);
-        return body.Rotate(shape.Center + p + (q - p) * rng.Unit()) + (Vector3D)direction * shape.Margin;
+        shape.Support(body.InverseRotate(direction), out Double3 p);
+        shape.Support(body.InverseRotate(direction + rng.Direction() * 0.01f), out Double3 q);
+        return body.Rotate(shape.Center + p + (q - p) * rng.Unit()) + (Double3)direction * shape.Margin;
     }
 
     private static void Check(TestPair pair, in DistanceResult r)
@@ -72,7 +72,7 @@ public class PointPlacementTests
         if (r.Status is not (GjkStatus.Separated or GjkStatus.Overlapping or GjkStatus.IterationLimit)) return;
         AssertNear(pair, r, new Body<ConvexShape>(pair.A.Shape, pair.PoseA), r.LocalPointA, r.PointA);
         AssertNear(pair, r, new Body<ConvexShape>(pair.B.Shape, pair.PoseB), r.LocalPointB, r.PointB);
-        Vector3D reached = (Vector3D)r.PointA + (Vector3D)r.Normal * r.Distance;
+        Double3 reached = (Double3)r.PointA + (Double3)r.Normal * r.Distance;
         double unit = FloatUnit * (Largest(r.PointA) + Largest(r.PointB) + Math.Abs(r.Distance));
         double off = (reached - r.PointB).Length;
         Assert.True(off <= MostUnits * unit, $"PointA + Normal * Distance is {off / unit:G3} units off: {r}\n{pair}");

@@ -28,10 +28,10 @@ public class PointQueryTests
             Assert.Equal(ConvexQuery.Overlaps(shape, pose, new PointShape(), at), contains);
             Assert.Equal(contains ? point : pair.PointA, ConvexQuery.ClosestPoint(shape, pose, point));
             Assert.True(signed.Status != GjkStatus.Overlapping || signed.Distance <= 0, $"seed {i}: {signed}");
-            Vector3D error = (Vector3D)signed.PointA + (Vector3D)signed.Normal * signed.Distance - signed.PointB;
+            Double3 error = (Double3)signed.PointA + (Double3)signed.Normal * signed.Distance - signed.PointB;
             Assert.True(error.Length <= 2e-6 * (1 + p.Scale), $"seed {i}: {signed}");
             Assert.True(
-                ((Vector3D)signed.PointB - point).Length <= 3e-6 * (1 + p.Scale), $"seed {i}: {point}, {signed}");
+                ((Double3)signed.PointB - point).Length <= 3e-6 * (1 + p.Scale), $"seed {i}: {point}, {signed}");
             if (contains) inside++;
         }
 

@@ -127,10 +127,10 @@ public class SignedDistanceTests
         DistanceResult r = ConvexQuery.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, out FinalSimplex simplex);
         if (!ResultBits.AreSame(r, pair.SignedDistance())) return "another answer";
         if (r.Status == GjkStatus.IterationLimit) return null;
-        Vector3D onA = default;
+        Double3 onA = default;
         for (int i = 0; i < simplex.Count; i++) onA += simplex.PointOnA(i) * simplex.Weight(i);
         var body = new Body<ConvexShape>(p.A.Shape, p.PoseA);
-        Vector3D reached = onA + body.InverseRotate(r.Normal) * p.A.Shape.Margin;
+        Double3 reached = onA + body.InverseRotate(r.Normal) * p.A.Shape.Margin;
         double off = (reached - r.LocalPointA).Length;
         return simplex.Count is >= 1 and <= 4 && off <= 1e-6 * (p.Scale + onA.Length) ? null : $"off by {off:R}";
     });

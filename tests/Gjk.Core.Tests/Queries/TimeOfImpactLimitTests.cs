@@ -35,20 +35,20 @@ public class TimeOfImpactLimitTests
     /// <summary>A support that returns NaN once the shapes are near.</summary>
     private readonly struct Broken : ISupportMap
     {
-        public Vector3D Center => default;
+        public Double3 Center => default;
         public double Margin => 0;
         public double BoundingRadius => 2;
-        public int Support(in Vector3D d, out Vector3D point)
+        public int Support(in Double3 d, out Double3 point)
         {
-            point = new Vector3D(double.NaN, 0, 0);
+            point = new Double3(double.NaN, 0, 0);
             return -1;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
             point = default;
             return false;

@@ -164,10 +164,10 @@ public class TouchingImpactTests
 
     private static RigidPose At(in RigidMotion motion, double fraction)
     {
-        Vector3 position = (Vector3)((Vector3D)motion.Velocity * fraction + motion.Pose.Position);
-        double rate = ((Vector3D)motion.AngularVelocity).Length;
+        Vector3 position = (Vector3)((Double3)motion.Velocity * fraction + motion.Pose.Position);
+        double rate = ((Double3)motion.AngularVelocity).Length;
         if (rate == 0) return new RigidPose(motion.Pose.Rotation, position);
-        QuaternionD turned = QuaternionD.About((Vector3D)motion.AngularVelocity * (1 / rate), rate * fraction)
+        QuaternionD turned = QuaternionD.About((Double3)motion.AngularVelocity * (1 / rate), rate * fraction)
             * motion.Pose.Rotation;
         return new RigidPose(
             Quaternion.Normalize(new Quaternion((float)turned.X, (float)turned.Y, (float)turned.Z, (float)turned.W)),

@@ -12,10 +12,10 @@ public class UserShapeTests
     /// <summary>Ten lines: a regular octahedron.</summary>
     private readonly struct Octahedron(float radius) : ISupportMap
     {
-        public Vector3D Center => default;
+        public Double3 Center => default;
         public double Margin => 0;
         public double BoundingRadius => radius;
-        public int Support(in Vector3D d, out Vector3D point)
+        public int Support(in Double3 d, out Double3 point)
         {
             double x = Math.Abs(d.X), y = Math.Abs(d.Y), z = Math.Abs(d.Z);
             point = x >= y && x >= z ? new(d.X < 0 ? -radius : radius, 0, 0)
@@ -24,11 +24,11 @@ public class UserShapeTests
             return -1;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
             point = default;
             return false;
@@ -37,22 +37,22 @@ public class UserShapeTests
 
     /// <summary>A support function from outside, to be wrong in ways of every kind.</summary>
     private readonly struct Broken(
-        Func<Vector3D, Vector3D> support, double margin = 0, double radius = 2, Vector3D center = default) : ISupportMap
+        Func<Double3, Double3> support, double margin = 0, double radius = 2, Double3 center = default) : ISupportMap
     {
-        public Vector3D Center => center;
+        public Double3 Center => center;
         public double Margin => margin;
         public double BoundingRadius => radius;
-        public int Support(in Vector3D d, out Vector3D point)
+        public int Support(in Double3 d, out Double3 point)
         {
             point = support(d);
             return -1;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
             point = default;
             return false;
@@ -95,7 +95,7 @@ public class UserShapeTests
             var ball = new Broken(d => center + (Vector3)(d * (1 / d.Length)), 0, 1.0001, center);
             Vector3 away = rng.Direction() * rng.Float(2.01, 6);
             DistanceResult r = ConvexQuery.Distance(ball, RigidPose.Identity, ball, new RigidPose(away));
-            double truth = ((Vector3D)away).Length - 2;
+            double truth = ((Double3)away).Length - 2;
             Assert.True(
                 r.Status == GjkStatus.Separated && Math.Abs(r.Distance - truth) <= noise,
                 $"seed {seed}: {r.Status} {r.Distance:R}, truly {truth:R}");
@@ -180,12 +180,12 @@ public class UserShapeTests
 
     private static Broken Make(string fault)
     {
-        static Vector3D Ball(Vector3D d) => d * (1 / d.Length);
+        static Double3 Ball(Double3 d) => d * (1 / d.Length);
         int calls = 0;
         return fault switch
         {
-            "nan" => new(_ => new Vector3D(double.NaN, 0, 0)),
-            "infinite" => new(_ => new Vector3D(double.PositiveInfinity, 0, 0)),
+            "nan" => new(_ => new Double3(double.NaN, 0, 0)),
+            "infinite" => new(_ => new Double3(double.PositiveInfinity, 0, 0)),
             "huge" => new(d => Ball(d) * 1e300),
             "opposite" => new(d => -Ball(d)),
             "wandering" => new(d => Ball(d) * (1 + 0.5 * (calls++ % 3))),
@@ -193,8 +193,8 @@ public class UserShapeTests
             "negativeMargin" => new(Ball, -1),
             "nanRadius" => new(Ball, 0, double.NaN),
             "infiniteRadius" => new(Ball, 0, double.PositiveInfinity),
-            "nanCenter" => new(Ball, 0, 2, new Vector3D(double.NaN, 0, 0)),
-            "farCenter" => new(Ball, 0, 2, new Vector3D(1e200, 0, 0)),
+            "nanCenter" => new(Ball, 0, 2, new Double3(double.NaN, 0, 0)),
+            "farCenter" => new(Ball, 0, 2, new Double3(1e200, 0, 0)),
             _ => throw new ArgumentException("No such fault.", nameof(fault)),
         };
     }

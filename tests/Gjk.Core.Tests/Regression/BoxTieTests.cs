@@ -24,9 +24,9 @@ public class BoxTieTests
         {
             Vector3[] corners = TestShape.Corners(half);
             Array.Reverse(corners);
-            AssertSame(half, new ConvexHull(corners), new Vector3D(x, y, z));
-            AssertSame(half, new ConvexHull(corners), new Vector3D(-x, -y, -z));
-            AssertSame(half, new ConvexHull(TestShape.Corners(half)), new Vector3D(x, y, z));
+            AssertSame(half, new ConvexHull(corners), new Double3(x, y, z));
+            AssertSame(half, new ConvexHull(corners), new Double3(-x, -y, -z));
+            AssertSame(half, new ConvexHull(TestShape.Corners(half)), new Double3(x, y, z));
         }
     }
 
@@ -45,15 +45,15 @@ public class BoxTieTests
                 (corners[k], corners[other]) = (corners[other], corners[k]);
             }
 
-            var d = new Vector3D(rng.Range(-1, 1), rng.Range(-1, 1), rng.Range(-1, 1) * Math.Pow(2, -rng.Below(60)));
+            var d = new Double3(rng.Range(-1, 1), rng.Range(-1, 1), rng.Range(-1, 1) * Math.Pow(2, -rng.Below(60)));
             AssertSame(half, new ConvexHull(corners), d);
         }
     }
 
-    private static void AssertSame(Vector3 half, ConvexHull hull, in Vector3D d)
+    private static void AssertSame(Vector3 half, ConvexHull hull, in Double3 d)
     {
-        new BoxShape(half).Support(d, out Vector3D expected);
-        int id = new ConvexMesh(hull).Support(d, out Vector3D point);
+        new BoxShape(half).Support(d, out Double3 expected);
+        int id = new ConvexMesh(hull).Support(d, out Double3 point);
         Assert.True(point == expected, $"{point} towards {d}, the box has {expected}");
         Assert.Equal((Vector3)expected, hull.GetVertex(id));
     }

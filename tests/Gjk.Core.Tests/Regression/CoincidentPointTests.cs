@@ -45,7 +45,7 @@ public class CoincidentPointTests
         const string near = "gjk1 point 0 @ 0 0 0 1 0 0 0 mesh 1 -0.511116683 -0.777237654 -0.983893991 "
             + "@ 0 6.99999997E-12 0 1 0.511116683 0.777237654 0.983893991";
         DistanceResult r = QueryRecord.Parse(near).Distance();
-        Vector3D error = (Vector3D)r.PointB - r.PointA - (Vector3D)r.Normal * r.Distance;
+        Double3 error = (Double3)r.PointB - r.PointA - (Double3)r.Normal * r.Distance;
         Assert.Equal(GjkStatus.Separated, r.Status);
         Assert.InRange(error.Length, 0, 2e-7 * r.Distance);
     }

@@ -34,9 +34,9 @@ public class DeepHullCostTests
         for (int i = 0; i < Directions; i++)
         {
             hull.GetTriangle(rng.Below(hull.TriangleCount), out int a, out int b, out int c);
-            Vector3D origin = hull.GetVertex(a);
-            Vector3D d = Vector3D.Cross(hull.GetVertex(b) - origin, hull.GetVertex(c) - origin);
-            if (i % 2 == 1) d += (Vector3D)rng.Direction() * (d.Length * Math.Pow(10, -rng.Range(1, 18)));
+            Double3 origin = hull.GetVertex(a);
+            Double3 d = Double3.Cross(hull.GetVertex(b) - origin, hull.GetVertex(c) - origin);
+            if (i % 2 == 1) d += (Double3)rng.Direction() * (d.Length * Math.Pow(10, -rng.Range(1, 18)));
             int slot = hull.Cells.Tree!.Find(hull.Cells, d, hull.Cells.FirstSlot, ref steps);
             Assert.Equal(HullSupport.Scan(hull.Cells, d), hull.Cells.Ids[slot]);
         }

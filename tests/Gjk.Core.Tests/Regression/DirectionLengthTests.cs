@@ -34,11 +34,11 @@ public class DirectionLengthTests
         for (int i = 0; i < 2000; i++)
         {
             // Few bits, so that even denormal components hold them.
-            var direction = new Vector3D(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
+            var direction = new Double3(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
             if (direction == default) continue;
             ConvexShape shape = Shapes[i % Shapes.Length];
-            shape.Support(direction, out Vector3D expected);
-            shape.Support(direction * factor, out Vector3D point);
+            shape.Support(direction, out Double3 expected);
+            shape.Support(direction * factor, out Double3 point);
             Assert.True(
                 (point - expected).Length <= 1e-12 * expected.Length,
                 $"{point}, not {expected}, towards {direction} x 2^{exponent}, shape {i % Shapes.Length}");
@@ -53,8 +53,8 @@ public class DirectionLengthTests
     {
         foreach (ConvexShape shape in new[] { ConvexShape.Cylinder(1, 2), ConvexShape.Cone(1, 2) })
         {
-            shape.Support(new Vector3D(radial, -1, 0), out Vector3D point);
-            Assert.True((point - new Vector3D(1, -2, 0)).Length < 1e-12, $"{point}");
+            shape.Support(new Double3(radial, -1, 0), out Double3 point);
+            Assert.True((point - new Double3(1, -2, 0)).Length < 1e-12, $"{point}");
         }
     }
 }

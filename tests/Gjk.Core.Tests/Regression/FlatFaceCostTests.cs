@@ -56,7 +56,7 @@ public class FlatFaceCostTests
             var steps = default(Steps);
             for (int i = 0; i < Count; i++)
             {
-                Vector3D d = (Vector3D)axis + (Vector3D)rng.Direction() * Math.Pow(10, exponent);
+                Double3 d = (Double3)axis + (Double3)rng.Direction() * Math.Pow(10, exponent);
                 int slot = hull.Cells.Tree!.Find(hull.Cells, d, hull.Cells.FirstSlot, ref steps);
                 Assert.Equal(HullSupport.Scan(hull.Cells, d), hull.Cells.Ids[slot]);
             }

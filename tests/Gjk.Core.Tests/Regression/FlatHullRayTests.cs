@@ -58,7 +58,7 @@ public class FlatHullRayTests
             ];
             var hull = new ConvexHull(cloud);
             if (hull.Dimension < 3) continue;
-            var body = new PolytopeReference([.. cloud.Select(c => (Vector3D)c)]);
+            var body = new PolytopeReference([.. cloud.Select(c => (Double3)c)]);
             var shape = new RayShape($"seed {i}", ConvexShape.Mesh(hull), body, Vector3.One, 2);
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
             for (int k = 0; k < 4; k++)
@@ -102,7 +102,7 @@ public class FlatHullRayTests
         if (truth.Status != CastStatus.Hit) return;
         double error = 1e-7 * Math.Max(2, truth.Distance);
         Assert.True(Math.Abs(ray.Distance - truth.Distance) <= error, text);
-        Assert.True(Math.Abs(cast.Fraction * ((Vector3D)direction).Length - truth.Distance) <= error, text);
-        Assert.True(!truth.IsNormalUnique || ((Vector3D)ray.Normal - truth.Normal).Length <= 1e-6, text);
+        Assert.True(Math.Abs(cast.Fraction * ((Double3)direction).Length - truth.Distance) <= error, text);
+        Assert.True(!truth.IsNormalUnique || ((Double3)ray.Normal - truth.Normal).Length <= 1e-6, text);
     }
 }

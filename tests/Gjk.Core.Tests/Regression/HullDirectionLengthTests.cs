@@ -26,7 +26,7 @@ public class HullDirectionLengthTests
             for (int i = 0; i < 50; i++)
             {
                 // Few bits, so that even denormal components hold them.
-                var d = new Vector3D(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
+                var d = new Double3(rng.Below(31) - 15, rng.Below(31) - 15, rng.Below(31) - 15);
                 int id = HullSupport.Find(hull.Cells, d * factor, out _);
                 int expected = HullSupport.Find(hull.Cells, d, out _);
                 Assert.True(id == expected, $"seed {seed}: vertex {id}, not {expected}, towards {d} x 2^{exponent}");
@@ -42,9 +42,9 @@ public class HullDirectionLengthTests
         ConvexHull disc = new(LargeClouds.Disc(500));
         foreach (double big in new[] { 1e300, 1, 1e-10, 0 })
         {
-            HullSupport.Find(square.Cells, new Vector3D(1e-320, big, -1e-320), out Vector3D corner);
-            Assert.Equal(new Vector3D(1, 0, -1), corner);
-            HullSupport.Find(disc.Cells, new Vector3D(0, 5e-324, -big), out Vector3D top);
+            HullSupport.Find(square.Cells, new Double3(1e-320, big, -1e-320), out Double3 corner);
+            Assert.Equal(new Double3(1, 0, -1), corner);
+            HullSupport.Find(disc.Cells, new Double3(0, 5e-324, -big), out Double3 top);
             Assert.Equal(1, top.Y);
         }
     }
@@ -60,17 +60,17 @@ public class HullDirectionLengthTests
         for (ulong seed = 0; seed < 200; seed++)
         {
             ConvexHull hull = Hull(seed);
-            var d = new Vector3D(x, y, z);
-            int id = HullSupport.Find(hull.Cells, d, out Vector3D point);
+            var d = new Double3(x, y, z);
+            int id = HullSupport.Find(hull.Cells, d, out Double3 point);
             Assert.InRange(id, 0, hull.VertexCount - 1);
             Assert.Equal(HullSupport.Scan(hull.Cells, d), id);
-            Assert.Equal((Vector3D)hull.GetVertex(id), point);
+            Assert.Equal((Double3)hull.GetVertex(id), point);
         }
 
         foreach (string kind in new[] { "prism", "disc", "turned disc" })
         {
             var hull = new ConvexHull(LargeClouds.Make(kind));
-            var d = new Vector3D(x, y, z);
+            var d = new Double3(x, y, z);
             Assert.Equal(HullSupport.Scan(hull.Cells, d), HullSupport.Find(hull.Cells, d, out _));
         }
     }

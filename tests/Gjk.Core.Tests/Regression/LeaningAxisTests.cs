@@ -24,7 +24,7 @@ public class LeaningAxisTests
                 new Quaternion(lean * rng.Float(-1, 1), 0, lean * rng.Float(-1, 1), 1), new(0, rng.Float(0, 0.3), 0));
             var pair = new TestPair($"seed {i}", disc, RigidPose.Identity, other, pose);
             DistanceResult r = pair.SignedDistance();
-            double cheapest = CheapestWay.Of(pair, new Vector3D(0, 1, 0), (ulong)i);
+            double cheapest = CheapestWay.Of(pair, new Double3(0, 1, 0), (ulong)i);
             Assert.True(-r.Distance <= cheapest + 1e-6 * 4, $"{r}, a way costs {cheapest:R}: seed {i}");
         }
     }

@@ -28,8 +28,8 @@ public class LongHelixTests
         for (int i = 0; i < 2000; i++)
         {
             double spread = i % 2 == 0 ? 1e-2 : 2;
-            Vector3D direction = new Vector3D(
-                0.07440950995460804, 1.6945090610734834, 0.030966655724690553) + (Vector3D)rng.Vector(-1, 1) * spread;
+            Double3 direction = new Double3(
+                0.07440950995460804, 1.6945090610734834, 0.030966655724690553) + (Double3)rng.Vector(-1, 1) * spread;
             Assert.Equal(HullSupport.Scan(hull.Cells, direction), mesh.Support(direction, out _));
         }
     }

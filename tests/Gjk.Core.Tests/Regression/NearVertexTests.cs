@@ -53,7 +53,7 @@ public class NearVertexTests
         TestShape a = Tip(rng, -1), b = Tip(rng, 1);
         return new TestPair(
             $"seed {seed}, gap {gap}", a, new RigidPose(q, default), b,
-            new RigidPose(q, (Vector3)new RotationD(q).Rotate(new Vector3D(gap, 0, 0))));
+            new RigidPose(q, (Vector3)new RotationD(q).Rotate(new Double3(gap, 0, 0))));
     }
 
     private static TestShape Tip(Rng rng, float side)

@@ -22,11 +22,11 @@ public class OffsetMeshTests
             var rng = new Rng(seed);
             TestShape a = Mesh(rng, offset), b = Mesh(rng, offset);
             RigidPose poseA = Generators.Pose(rng, rng.Vector(-1, 1)), turned = Generators.Pose(rng, default);
-            Vector3D centers = new RotationD(poseA.Rotation).Rotate(a.Shape.Center) - new RotationD(
+            Double3 centers = new RotationD(poseA.Rotation).Rotate(a.Shape.Center) - new RotationD(
                 turned.Rotation).Rotate(b.Shape.Center);
             var pair = new TestPair(
                 $"seed {seed}", a, poseA, b,
-                new RigidPose(turned.Rotation, (Vector3)(centers + poseA.Position + (Vector3D)rng.Vector(-0.7, 0.7))));
+                new RigidPose(turned.Rotation, (Vector3)(centers + poseA.Position + (Double3)rng.Vector(-0.7, 0.7))));
             string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact);
             Assert.True(problem is null, $"{problem}\n{pair}");
             hits += exact.Overlap ? 1 : 0;

@@ -27,12 +27,12 @@ public class OffsetSupportTests
             for (int i = 0; i < 100; i++)
             {
                 // Two vertices are level but for a little, less than the rounding of absolute heights.
-                hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D p);
-                hull.GetVertex(rng.Below(hull.VertexCount), out Vector3D q);
-                Vector3D d = Vector3D.Cross(p - q, (Vector3D)rng.Direction()) + (Vector3D)rng.Direction() * 1e-12;
-                HullSupport.Find(hull.Cells, d, out Vector3D point);
-                double behind = cloud.Max(c => Height((Vector3D)c - point, d));
-                double reach = cloud.Max(c => ((Vector3D)c - point).Length) * d.Length;
+                hull.GetVertex(rng.Below(hull.VertexCount), out Double3 p);
+                hull.GetVertex(rng.Below(hull.VertexCount), out Double3 q);
+                Double3 d = Double3.Cross(p - q, (Double3)rng.Direction()) + (Double3)rng.Direction() * 1e-12;
+                HullSupport.Find(hull.Cells, d, out Double3 point);
+                double behind = cloud.Max(c => Height((Double3)c - point, d));
+                double reach = cloud.Max(c => ((Double3)c - point).Length) * d.Length;
                 Assert.True(behind <= 1e-15 * reach, $"seed {seed}: {point} towards {d} is {behind} behind");
             }
         }
@@ -50,17 +50,17 @@ public class OffsetSupportTests
     public void TheVerticesComeBackBitForBit(double offset, double size)
     {
         var rng = new Rng(5);
-        var away = new Vector3D(offset, -offset, 0);
+        var away = new Double3(offset, -offset, 0);
         var cloud = new Vector3[40];
-        for (int i = 0; i < cloud.Length; i++) cloud[i] = (Vector3)(away + (Vector3D)rng.Vector(-1, 1) * size);
+        for (int i = 0; i < cloud.Length; i++) cloud[i] = (Vector3)(away + (Double3)rng.Vector(-1, 1) * size);
         var hull = new ConvexHull(cloud);
-        Vector3D half = ((Vector3D)hull.Bounds.Max - hull.Bounds.Min) * 0.5;
+        Double3 half = ((Double3)hull.Bounds.Max - hull.Bounds.Min) * 0.5;
         for (int i = 0; i < hull.VertexCount; i++)
         {
             Vector3 vertex = hull.GetVertex(i);
-            hull.GetVertex(i, out Vector3D wide);
+            hull.GetVertex(i, out Double3 wide);
             Assert.Equal(cloud[hull.SourceIndex(i)], vertex);
-            Assert.Equal((Vector3D)vertex, wide);
+            Assert.Equal((Double3)vertex, wide);
             Assert.InRange(Math.Abs(hull.Vertices.X[i]), 0, 4 * half.X);
             Assert.InRange(Math.Abs(hull.Vertices.Y[i]), 0, 4 * half.Y);
             Assert.InRange(Math.Abs(hull.Vertices.Z[i]), 0, 4 * half.Z);
@@ -68,6 +68,6 @@ public class OffsetSupportTests
     }
 
     /// <summary>In double-double: a difference of vertices is exact here, and so are its products.</summary>
-    private static double Height(in Vector3D v, in Vector3D d) =>
+    private static double Height(in Double3 v, in Double3 d) =>
         (double)(DoubleDouble.Product(v.X, d.X) + DoubleDouble.Product(v.Y, d.Y) + DoubleDouble.Product(v.Z, d.Z));
 }

@@ -14,9 +14,9 @@ public class PoleRingSupportTests
     public void TheSupportIsNotTheOppositePole()
     {
         var hull = new ConvexHull(Sphere(6, 20));
-        var direction = new Vector3D(-0.17, 0.83, -0.53);
-        HullSupport.Find(hull.Cells, direction, out Vector3D point);
-        Assert.True(Vector3D.Dot(point, direction) > 0.9, $"{point}");
+        var direction = new Double3(-0.17, 0.83, -0.53);
+        HullSupport.Find(hull.Cells, direction, out Double3 point);
+        Assert.True(Double3.Dot(point, direction) > 0.9, $"{point}");
     }
 
     [Fact]
@@ -54,12 +54,12 @@ public class PoleRingSupportTests
             var hull = new ConvexHull(cloud);
             for (int i = 0; i < Budget.Count(100); i++)
             {
-                Vector3D d = random.Direction();
-                HullSupport.Find(hull.Cells, d, out Vector3D point);
-                double height = Vector3D.Dot(point, d);
+                Double3 d = random.Direction();
+                HullSupport.Find(hull.Cells, d, out Double3 point);
+                double height = Double3.Dot(point, d);
                 foreach (Vector3 p in cloud)
                 {
-                    bool isFurther = Vector3D.Dot(p, d) > height + 1e-14;
+                    bool isFurther = Double3.Dot(p, d) > height + 1e-14;
                     Assert.False(isFurther, $"{kind}, seed {seed}, towards {d}: {point}, but {p} is further");
                 }
             }

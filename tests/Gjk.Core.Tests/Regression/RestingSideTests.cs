@@ -96,7 +96,7 @@ public class RestingSideTests
                 along, new Vector3(0.5f, 0, 0) + normal * (radius + margin + rng.Float(-0.02, 0.02)));
             ContactManifold m = Ask(cone, RigidPose.Identity, log, pose, 0.5f);
             Assert.InRange(m.Count, 2, 3);
-            foreach (ContactPoint p in Points(m))
+            foreach (ManifoldPoint p in Points(m))
             {
                 float onA = ConvexQuery.SignedDistance(cone, RigidPose.Identity, p.LocalPointA).Distance;
                 float onB = ConvexQuery.SignedDistance(log, RigidPose.Identity, p.LocalPointB).Distance;
@@ -113,7 +113,7 @@ public class RestingSideTests
         for (int i = 0; i < m.Count; i++)
         {
             Assert.True(Points(expected).Any(p => p.FeatureId == m[i].FeatureId), $"other names: {text}");
-            ContactPoint same = Points(expected).First(p => p.FeatureId == m[i].FeatureId);
+            ManifoldPoint same = Points(expected).First(p => p.FeatureId == m[i].FeatureId);
             float moved = (same.PointA - m[i].PointA).Length();
             Assert.True(moved <= 1e-5f, $"moved by {moved}: {text}");
         }

@@ -65,7 +65,7 @@ public class SliverTests
 
     private static void AssertExact(in QueryRecord query)
     {
-        Vector3D[] a = Vertices(query.A), b = Vertices(query.B);
+        Double3[] a = Vertices(query.A), b = Vertices(query.B);
         ExactAnswer exact = ExactOracle.Solve(a, 0, query.PoseA, b, 0, query.PoseB);
         double scale = Math.Max(Side(a), Side(b));
         DistanceResult r = query.Distance();
@@ -75,17 +75,17 @@ public class SliverTests
             good, $"{r.Status}, distance {r.Distance:R}, bound {r.LowerBound:R}, truly {exact.Distance:R}\n{query}");
     }
 
-    private static Vector3D[] Vertices(in ConvexShape shape)
+    private static Double3[] Vertices(in ConvexShape shape)
     {
-        var vertices = new List<Vector3D>();
-        for (int id = 0; shape.TryGetVertex(id, out Vector3D v); id++) vertices.Add(shape.Center + v);
+        var vertices = new List<Double3>();
+        for (int id = 0; shape.TryGetVertex(id, out Double3 v); id++) vertices.Add(shape.Center + v);
         return [.. vertices];
     }
 
-    private static double Side(Vector3D[] points)
+    private static double Side(Double3[] points)
     {
-        Vector3D min = points[0], max = min;
-        foreach (Vector3D p in points)
+        Double3 min = points[0], max = min;
+        foreach (Double3 p in points)
         {
             min = new(Math.Min(min.X, p.X), Math.Min(min.Y, p.Y), Math.Min(min.Z, p.Z));
             max = new(Math.Max(max.X, p.X), Math.Max(max.Y, p.Y), Math.Max(max.Z, p.Z));

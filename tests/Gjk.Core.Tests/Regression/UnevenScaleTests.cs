@@ -18,26 +18,26 @@ public class UnevenScaleTests
     /// <summary>A unit cube about the local origin that reports any bounding radius.</summary>
     private readonly struct GenerousCube(double radius) : ISupportMap
     {
-        public Vector3D Center => default;
+        public Double3 Center => default;
 
         public double Margin => 0;
 
         public double BoundingRadius => radius;
 
-        public int Support(in Vector3D direction, out Vector3D point)
+        public int Support(in Double3 direction, out Double3 point)
         {
-            point = new Vector3D(
+            point = new Double3(
                 direction.X < 0 ? -0.5 : 0.5, direction.Y < 0 ? -0.5 : 0.5, direction.Z < 0 ? -0.5 : 0.5);
             return (direction.X < 0 ? 1 : 0) + (direction.Y < 0 ? 2 : 0) + (direction.Z < 0 ? 4 : 0);
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
-            point = new Vector3D((id & 1) != 0 ? -0.5 : 0.5, (id & 2) != 0 ? -0.5 : 0.5, (id & 4) != 0 ? -0.5 : 0.5);
+            point = new Double3((id & 1) != 0 ? -0.5 : 0.5, (id & 2) != 0 ? -0.5 : 0.5, (id & 4) != 0 ? -0.5 : 0.5);
             return id is >= 0 and < 8;
         }
     }

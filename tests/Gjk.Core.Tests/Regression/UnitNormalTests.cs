@@ -19,7 +19,7 @@ public class UnitNormalTests
     {
         QueryRecord p = QueryRecord.Parse(Record);
         DistanceResult r = ConvexQuery.SignedDistance(p.A, p.PoseA, p.B, p.PoseB);
-        Assert.Equal(1, ((Vector3D)r.Normal).Length, 1e-7);
+        Assert.Equal(1, ((Double3)r.Normal).Length, 1e-7);
     }
 
     [Fact]
@@ -35,7 +35,7 @@ public class UnitNormalTests
             var pair = new TestPair($"seed {seed}", a, RigidPose.Identity, b, pose);
             foreach (DistanceResult r in new[] { pair.SignedDistance(), pair.Swapped.SignedDistance() })
             {
-                double off = Math.Abs(((Vector3D)r.Normal).Length - 1);
+                double off = Math.Abs(((Double3)r.Normal).Length - 1);
                 Assert.True(off <= 1e-7, $"{off}: {r}, {pair}");
             }
         }

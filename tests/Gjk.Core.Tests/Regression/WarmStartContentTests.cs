@@ -51,23 +51,23 @@ public class WarmStartContentTests
 
     private readonly struct Wild : ISupportMap
     {
-        public Vector3D Center => default;
+        public Double3 Center => default;
 
         public double Margin => 0;
 
         public double BoundingRadius => 1;
 
-        public int Support(in Vector3D direction, out Vector3D point)
+        public int Support(in Double3 direction, out Double3 point)
         {
-            point = new Vector3D(double.NaN, 0, 0);
+            point = new Double3(double.NaN, 0, 0);
             return -1;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
             point = default;
             return false;

@@ -14,8 +14,8 @@ public class DecoratorTests
     {
         var scaled = new Scaled<CapsuleShape>(new CapsuleShape(0.5f, 2), 3);
         Assert.Equal(1.5, scaled.Margin);
-        Assert.Equal(0, scaled.Support(new Vector3D(0.25, 1, 0), out Vector3D top));
-        Assert.Equal(new Vector3D(0, 6, 0), top);
+        Assert.Equal(0, scaled.Support(new Double3(0.25, 1, 0), out Double3 top));
+        Assert.Equal(new Double3(0, 6, 0), top);
         Assert.Equal(7.5, scaled.BoundingRadius);
         Assert.Equal(1.5, ConvexShape.Capsule(0.5f, 2).Scaled(new Vector3(3)).Margin);
         Assert.Equal(1.5, ConvexShape.Sphere(0.5f).Scaled(new Vector3(-3, 3, 3)).Margin);
@@ -26,9 +26,9 @@ public class DecoratorTests
     {
         var scaled = new Scaled<CapsuleShape>(new CapsuleShape(0.5f, 2), new Vector3(1, 2, 4));
         Assert.Equal(0, scaled.Margin);
-        Assert.Equal(-1, scaled.Support(new Vector3D(0, 0, 1), out Vector3D side));
+        Assert.Equal(-1, scaled.Support(new Double3(0, 0, 1), out Double3 side));
         Assert.Equal(2, side.Z, 1e-15);
-        scaled.Support(new Vector3D(0, -1, 0), out Vector3D bottom);
+        scaled.Support(new Double3(0, -1, 0), out Double3 bottom);
         Assert.Equal(-5, bottom.Y, 1e-15);
         Assert.False(scaled.TryGetVertex(0, out _));
         Assert.Equal(ShapeKind.Ellipsoid, ConvexShape.Sphere(1).Scaled(new Vector3(1, 2, 3)).Kind);
@@ -39,9 +39,9 @@ public class DecoratorTests
     {
         var triangle = new TriangleShape(new Vector3(1, 2, 3), new Vector3(-1, 0, 0.5f), new Vector3(0, -3, 1));
         var mirrored = new Scaled<TriangleShape>(triangle, new Vector3(-1, 1, 2));
-        mirrored.Support(new Vector3D(-1, 1, 0.25), out Vector3D point);
-        Assert.Equal(new Vector3D(-1, 2, 6), mirrored.Center + point);
-        Assert.Equal(Vector3D.Multiply(new Vector3D(-1, 1, 2), triangle.Center), mirrored.Center);
+        mirrored.Support(new Double3(-1, 1, 0.25), out Double3 point);
+        Assert.Equal(new Double3(-1, 2, 6), mirrored.Center + point);
+        Assert.Equal(Double3.Multiply(new Double3(-1, 1, 2), triangle.Center), mirrored.Center);
     }
 
     [Fact]
@@ -50,8 +50,8 @@ public class DecoratorTests
         var round = new Rounded<CapsuleShape>(new CapsuleShape(0.5f, 2), 0.25f);
         Assert.Equal(0.75, round.Margin);
         Assert.Equal(2.75, round.BoundingRadius);
-        Assert.Equal(1, round.Support(new Vector3D(0, -1, 0), out Vector3D point));
-        Assert.Equal(new Vector3D(0, -2, 0), point);
+        Assert.Equal(1, round.Support(new Double3(0, -1, 0), out Double3 point));
+        Assert.Equal(new Double3(0, -2, 0), point);
         Assert.Equal(0.25f, round.Radius);
         Assert.Equal(2f, round.Inner.HalfHeight);
     }
@@ -69,17 +69,17 @@ public class DecoratorTests
                 TestShape inner = Generators.Shape(rng, plain);
                 Vector3 s = rng.Vector(0.3, 2) * new Vector3(-1, 1, 1);
                 ConvexShape scaled = inner.Scaled(s).Shape;
-                Vector3D d = rng.Direction();
-                scaled.Support(d, out Vector3D best);
+                Double3 d = rng.Direction();
+                scaled.Support(d, out Double3 best);
                 best += scaled.Center;
                 for (int i = 0; i < 50; i++)
                 {
-                    Vector3D u = rng.Direction();
-                    inner.Shape.Support(u, out Vector3D core);
+                    Double3 u = rng.Direction();
+                    inner.Shape.Support(u, out Double3 core);
                     core += inner.Shape.Center;
-                    Vector3D p = Vector3D.Multiply(core + u * (inner.Shape.Margin / u.Length), s);
+                    Double3 p = Double3.Multiply(core + u * (inner.Shape.Margin / u.Length), s);
                     Assert.True(
-                        Vector3D.Dot(p, d) <= Vector3D.Dot(best, d) + 1e-14, $"seed {seed}: {inner} scaled {s} in {d}");
+                        Double3.Dot(p, d) <= Double3.Dot(best, d) + 1e-14, $"seed {seed}: {inner} scaled {s} in {d}");
                     Assert.True(
                         (p - scaled.Center).Length <= scaled.BoundingRadius * (1 + 1e-14),
                         $"seed {seed}: {inner} scaled {s} leaves its bounding ball");
@@ -122,14 +122,14 @@ public class DecoratorTests
         var rng = new Rng(9);
         for (int i = 0; i < 200; i++)
         {
-            Vector3D d = rng.Direction();
-            Assert.Equal(shape.Support(d, out Vector3D p), tagged.Support(d, out Vector3D q));
+            Double3 d = rng.Direction();
+            Assert.Equal(shape.Support(d, out Double3 p), tagged.Support(d, out Double3 q));
             Assert.True(p == q, $"{typeof(T).Name} in {d}: {p}, ConvexShape {q}");
         }
 
         for (int id = -1; id < 10; id++)
         {
-            Assert.Equal(shape.TryGetVertex(id, out Vector3D p), tagged.TryGetVertex(id, out Vector3D q));
+            Assert.Equal(shape.TryGetVertex(id, out Double3 p), tagged.TryGetVertex(id, out Double3 q));
             if (shape.TryGetVertex(id, out _)) Assert.Equal(p, q);
         }
 

@@ -219,8 +219,8 @@ public class PlacedTests
         var rng = new Rng(11);
         for (int i = 0; i < 200; i++)
         {
-            Vector3D d = rng.Direction();
-            Assert.Equal(typed.Support(d, out Vector3D p), shape.Support(d, out Vector3D q));
+            Double3 d = rng.Direction();
+            Assert.Equal(typed.Support(d, out Double3 p), shape.Support(d, out Double3 q));
             Assert.Equal(p, q);
             var pose = new RigidPose(rng.Rotation(), 12 * rng.Direction());
             DistanceResult a = ConvexQuery.Distance(typed, RigidPose.Identity, new SphereShape(1), pose);

@@ -19,12 +19,12 @@ public class SupportTests
                 TestShape shape = Generators.Shape(new Rng(seed), kind);
                 EachDirection(seed, d =>
                 {
-                    shape.Shape.Support(d, out Vector3D point);
+                    shape.Shape.Support(d, out Double3 point);
                     point += shape.Shape.Center;
                     double best = double.NegativeInfinity;
-                    foreach (Vector3D v in shape.Vertices!) best = Math.Max(best, Vector3D.Dot(v, d));
+                    foreach (Double3 v in shape.Vertices!) best = Math.Max(best, Double3.Dot(v, d));
                     Assert.True(
-                        Vector3D.Dot(point, d) >= best - 1e-15 * d.Length * shape.LongestSide * 4,
+                        Double3.Dot(point, d) >= best - 1e-15 * d.Length * shape.LongestSide * 4,
                         $"{shape} in {d}: {point}");
                     Assert.Contains(shape.Vertices!, v => (v - point).Length <= 1e-15 * shape.LongestSide);
                 });
@@ -41,10 +41,10 @@ public class SupportTests
             bool curved = Array.IndexOf(Generators.CurvedKinds, kind) >= 0 && kind != "scaledSphere";
             EachDirection(3, d =>
             {
-                int id = shape.Support(d, out Vector3D point);
+                int id = shape.Support(d, out Double3 point);
                 Assert.True(curved ? id == -1 : id >= 0 || kind == "scaledSphere", $"{kind}: id {id}");
                 if (id < 0) return;
-                Assert.True(shape.TryGetVertex(id, out Vector3D vertex));
+                Assert.True(shape.TryGetVertex(id, out Double3 vertex));
                 Assert.Equal(point, vertex);
             });
             Assert.False(shape.TryGetVertex(-1, out _));
@@ -61,10 +61,10 @@ public class SupportTests
             ConvexShape shape = Generators.Shape(new Rng(5), kind).Shape;
             EachDirection(5, d =>
             {
-                shape.Support(d, out Vector3D point);
+                shape.Support(d, out Double3 point);
                 foreach (double length in new[] { 1e-30, 1024.0, 1e30 })
                 {
-                    shape.Support(d * length, out Vector3D same);
+                    shape.Support(d * length, out Double3 same);
                     Assert.True((same - point).Length <= 1e-7, $"{kind}: {point} but {same} in {length} times {d}");
                 }
             });
@@ -81,7 +81,7 @@ public class SupportTests
 
     [Fact]
     public void TheEllipsoidsHeightIsItsFormula() => EachDirection(8, d =>
-        AssertHeight(new EllipsoidShape(new Vector3(0.25f, 1, 3)), d, new Vector3D(0.25 * d.X, d.Y, 3 * d.Z).Length));
+        AssertHeight(new EllipsoidShape(new Vector3(0.25f, 1, 3)), d, new Double3(0.25 * d.X, d.Y, 3 * d.Z).Length));
 
     [Fact]
     public void TheBoxesHeightIsItsFormula() => EachDirection(9, d =>
@@ -105,22 +105,22 @@ public class SupportTests
         for (int i = 0; i < 2000; i++)
         {
             double angle = rng.Range(0, 2 * Math.PI), t = rng.Range(-1, 1), x = Math.Cos(angle), z = Math.Sin(angle);
-            Vector3D d = rng.Direction();
-            AssertBelow(new CylinderShape(0.7f, 1.3f), d, new Vector3D(0.7f * x, t * 1.3f, 0.7f * z));
+            Double3 d = rng.Direction();
+            AssertBelow(new CylinderShape(0.7f, 1.3f), d, new Double3(0.7f * x, t * 1.3f, 0.7f * z));
             AssertBelow(
-                new ConeShape(0.7f, 1.3f), d, new Vector3D(0.7f * x * (1 - t) / 2, t * 1.3f, 0.7f * z * (1 - t) / 2));
+                new ConeShape(0.7f, 1.3f), d, new Double3(0.7f * x * (1 - t) / 2, t * 1.3f, 0.7f * z * (1 - t) / 2));
             double ring = Math.Sqrt(1 - t * t);
             AssertBelow(
-                new EllipsoidShape(new Vector3(0.25f, 1, 3)), d, new Vector3D(0.25 * ring * x, t, 3 * ring * z));
+                new EllipsoidShape(new Vector3(0.25f, 1, 3)), d, new Double3(0.25 * ring * x, t, 3 * ring * z));
         }
     }
 
     [Fact]
     public void FlattenedShapesStayFinite()
     {
-        Vector3D[] alongAxes =
+        Double3[] alongAxes =
             [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), new(0, -1, 0), new(1e-300, 0, 0), new(0, 5e-324, 0)];
-        foreach (Vector3D d in alongAxes)
+        foreach (Double3 d in alongAxes)
         {
             Finite(new EllipsoidShape(new Vector3(1, 0, 1)), d);
             Finite(new EllipsoidShape(Vector3.Zero), d);
@@ -131,20 +131,20 @@ public class SupportTests
         }
     }
 
-    private static void Finite<T>(in T shape, in Vector3D d)
+    private static void Finite<T>(in T shape, in Double3 d)
         where T : struct, ISupportMap
     {
-        shape.Support(d, out Vector3D point);
+        shape.Support(d, out Double3 point);
         Assert.True(point.IsFinite, $"{typeof(T).Name} in {d}: {point}");
     }
 
-    private static double Radial(in Vector3D d) => Math.Sqrt(d.X * d.X + d.Z * d.Z);
+    private static double Radial(in Double3 d) => Math.Sqrt(d.X * d.X + d.Z * d.Z);
 
-    private static void AssertHeight<T>(in T shape, in Vector3D d, double expected)
+    private static void AssertHeight<T>(in T shape, in Double3 d, double expected)
         where T : struct, ISupportMap
     {
-        shape.Support(d, out Vector3D point);
-        double height = Vector3D.Dot(shape.Center + point, d) + shape.Margin * d.Length;
+        shape.Support(d, out Double3 point);
+        double height = Double3.Dot(shape.Center + point, d) + shape.Margin * d.Length;
         Assert.True(
             Math.Abs(height - expected) <= 1e-14 * shape.BoundingRadius * d.Length,
             $"{typeof(T).Name} in {d}: {height:R}, not {expected:R}");
@@ -153,18 +153,18 @@ public class SupportTests
             $"{typeof(T).Name}: {point} outside of the bounding ball");
     }
 
-    private static void AssertBelow<T>(in T shape, in Vector3D d, in Vector3D p)
+    private static void AssertBelow<T>(in T shape, in Double3 d, in Double3 p)
         where T : struct, ISupportMap
     {
-        shape.Support(d, out Vector3D point);
+        shape.Support(d, out Double3 point);
         point += shape.Center;
         Assert.True(
-            Vector3D.Dot(p, d) <= Vector3D.Dot(point, d) + 1e-14, $"{typeof(T).Name} in {d}: {p} is past {point}");
+            Double3.Dot(p, d) <= Double3.Dot(point, d) + 1e-14, $"{typeof(T).Name} in {d}: {p} is past {point}");
     }
 
-    private static void EachDirection(ulong seed, Action<Vector3D> examine)
+    private static void EachDirection(ulong seed, Action<Double3> examine)
     {
-        foreach (Vector3D d in Directions.Many) examine(d);
+        foreach (Double3 d in Directions.Many) examine(d);
         var rng = new Rng(seed);
         for (int i = 0; i < RandomDirections; i++) examine(rng.Direction());
     }

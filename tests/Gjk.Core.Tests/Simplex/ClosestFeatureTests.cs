@@ -50,9 +50,9 @@ public class ClosestFeatureTests
     [Fact]
     public void AnEdgeOfOneRoundingIsItsNearerVertex()
     {
-        Vector3D a = new(1, 1, 1), b = new(1 - 1.0 / (1L << 53), 1, 1);
+        Double3 a = new(1, 1, 1), b = new(1 - 1.0 / (1L << 53), 1, 1);
         Assert.Equal(a.LengthSquared, b.LengthSquared);
-        foreach (Vector3D[] vertices in new[] { new[] { a, b }, [b, a] })
+        foreach (Double3[] vertices in new[] { new[] { a, b }, [b, a] })
         {
             Simplex simplex = Filled(vertices);
             Assert.True(ExtendedFeatureStep.TryReduce(ref simplex, out ClosestFeature feature, out _));
@@ -124,10 +124,10 @@ public class ClosestFeatureTests
         for (int i = 0; i < simplex.Count; i++) Assert.Equal(simplex.W(simplex[i]), simplex.OnA(simplex[i]));
     }
 
-    private static Simplex Filled(Vector3D[] vertices)
+    private static Simplex Filled(Double3[] vertices)
     {
         Simplex simplex = default;
-        foreach (Vector3D w in vertices.Reverse()) simplex.Push(w, w, w, -1, -1);
+        foreach (Double3 w in vertices.Reverse()) simplex.Push(w, w, w, -1, -1);
         return simplex;
     }
 
@@ -149,7 +149,7 @@ public class ClosestFeatureTests
             C = new MinkowskiVertex(s.WD, s.D),
             Count = s.Count - 1,
         };
-        older.Winding = Vector3D.Dot(Vector3D.Cross(s.WC - s.WB, s.WD - s.WB), s.WB) < 0 ? -1 : 1;
+        older.Winding = Double3.Dot(Double3.Cross(s.WC - s.WB, s.WD - s.WB), s.WB) < 0 ? -1 : 1;
         return older;
     }
 
@@ -170,8 +170,8 @@ public class ClosestFeatureTests
     /// <summary>A lies on the origin's side of BCD: GJK would not have found it otherwise.</summary>
     private static bool IsBeyond(in Simplex s)
     {
-        Vector3D normal = Vector3D.Cross(s.WC - s.WB, s.WD - s.WB);
-        if (Vector3D.Dot(normal, s.WB) < 0) normal = -normal;
-        return Vector3D.Dot(normal, s.WA) < Vector3D.Dot(normal, s.WB);
+        Double3 normal = Double3.Cross(s.WC - s.WB, s.WD - s.WB);
+        if (Double3.Dot(normal, s.WB) < 0) normal = -normal;
+        return Double3.Dot(normal, s.WA) < Double3.Dot(normal, s.WB);
     }
 }

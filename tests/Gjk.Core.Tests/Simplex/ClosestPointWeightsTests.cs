@@ -22,7 +22,7 @@ public class ClosestPointWeightsTests
     public void EveryRegionGivesItsOwnWeights(int n, int subset, double distance, int side)
     {
         SimplexCase c = SimplexCase.Make(n, subset, distance, side);
-        Vector3D[] v = c.Vertices;
+        Double3[] v = c.Vertices;
         Weights w = n == 2 ? ClosestPointWeights.Segment(v[0], v[1])
             : n == 3 ? ClosestPointWeights.Triangle(v[0], v[1], v[2])
             : ClosestPointWeights.Tetrahedron(v[0], v[1], v[2], v[3]);
@@ -34,7 +34,7 @@ public class ClosestPointWeightsTests
     [Fact]
     public void RepeatedPointsFallBackToThePoint()
     {
-        var p = new Vector3D(0.4, -1.3, 2.2);
+        var p = new Double3(0.4, -1.3, 2.2);
         Assert.Equal(1, ClosestPointWeights.Segment(p, p).A);
         Weights w = ClosestPointWeights.Triangle(p, p, p);
         Assert.True(w.IsInside);
@@ -48,10 +48,10 @@ public class ClosestPointWeightsTests
     public void ACollinearTriangleFallsBackToItsBestEdge()
     {
         // The line through (1, 2, 3) along (2, -1, 0.5); the origin's nearest point on it is inside the long edge.
-        Vector3D start = new(1, 2, 3), along = new(2, -1, 0.5);
-        Vector3D a = start + along * -2, b = start + along * 1.5, c = start + along * 0.25;
-        double t = -Vector3D.Dot(start, along) / along.LengthSquared;
-        Vector3D expected = start + along * t;
+        Double3 start = new(1, 2, 3), along = new(2, -1, 0.5);
+        Double3 a = start + along * -2, b = start + along * 1.5, c = start + along * 0.25;
+        double t = -Double3.Dot(start, along) / along.LengthSquared;
+        Double3 expected = start + along * t;
         Weights w = ClosestPointWeights.Triangle(a, b, c);
         Assert.True(w.IsInside);
         Assert.Equal(0, (w.PointOf(a, b, c, default) - expected).Length, 1e-14);
@@ -61,11 +61,11 @@ public class ClosestPointWeightsTests
     public void AFlatTetrahedronFallsBackToItsBestFace()
     {
         // Four points of the plane x + 2 y - z = 3; the origin's foot (0.5, 1, -0.5) is inside their quadrilateral.
-        static Vector3D Plane(double x, double y) => new(x, y, x + 2 * y - 3);
-        Vector3D a = Plane(-2, 0.5), b = Plane(3, -0.25), c = Plane(1.5, 4), d = Plane(-1, 3.5);
+        static Double3 Plane(double x, double y) => new(x, y, x + 2 * y - 3);
+        Double3 a = Plane(-2, 0.5), b = Plane(3, -0.25), c = Plane(1.5, 4), d = Plane(-1, 3.5);
         Weights w = ClosestPointWeights.Tetrahedron(a, b, c, d);
         Assert.True(w.IsInside);
-        Assert.Equal(0, (w.PointOf(a, b, c, d) - new Vector3D(0.5, 1, -0.5)).Length, 1e-14);
+        Assert.Equal(0, (w.PointOf(a, b, c, d) - new Double3(0.5, 1, -0.5)).Length, 1e-14);
     }
 
     /// <summary>
@@ -79,12 +79,12 @@ public class ClosestPointWeightsTests
         {
             var rng = new Rng(seed);
             double width = Math.Pow(10, -rng.Range(2, 14));
-            Vector3D along = Vector(rng, 1);
-            Vector3D a = along * rng.Range(0.5, 1) + Vector(rng, width);
-            Vector3D b = along * -rng.Range(0.5, 1) + Vector(rng, width);
-            Vector3D c = along * rng.Range(-1, 1) + Vector(rng, width);
-            Vector3D weights = new(rng.Range(0.1, 1), rng.Range(0.1, 1), rng.Range(0.1, 1));
-            Vector3D d = a * -weights.X + b * -weights.Y + c * -weights.Z;
+            Double3 along = Vector(rng, 1);
+            Double3 a = along * rng.Range(0.5, 1) + Vector(rng, width);
+            Double3 b = along * -rng.Range(0.5, 1) + Vector(rng, width);
+            Double3 c = along * rng.Range(-1, 1) + Vector(rng, width);
+            Double3 weights = new(rng.Range(0.1, 1), rng.Range(0.1, 1), rng.Range(0.1, 1));
+            Double3 d = a * -weights.X + b * -weights.Y + c * -weights.Z;
             Weights w = ClosestPointWeights.Tetrahedron(a, b, c, d);
             Assert.True(w.IsInside, $"seed {seed}");
             double error = w.PointOf(a, b, c, d).Length;
@@ -105,11 +105,11 @@ public class ClosestPointWeightsTests
         {
             var rng = new Rng(seed);
             double width = Math.Pow(10, -rng.Range(2, 16));
-            Vector3D along = Vector(rng, 1), start = Vector(rng, Math.Pow(10, -rng.Range(0, 16)));
-            Vector3D a = start + along + Vector(rng, width), b = start - along + Vector(rng, width);
-            Vector3D c = start + along * rng.Range(-1, 1) + Vector(rng, width);
+            Double3 along = Vector(rng, 1), start = Vector(rng, Math.Pow(10, -rng.Range(0, 16)));
+            Double3 a = start + along + Vector(rng, width), b = start - along + Vector(rng, width);
+            Double3 c = start + along * rng.Range(-1, 1) + Vector(rng, width);
             double nearest = ClosestPointWeights.Triangle(a, b, c).PointOf(a, b, c, default).Length;
-            foreach ((Vector3D p, Vector3D q) in new[] { (a, b), (b, c), (c, a) })
+            foreach ((Double3 p, Double3 q) in new[] { (a, b), (b, c), (c, a) })
             {
                 double edge = ClosestPointWeights.Segment(p, q).PointOf(p, q, default, default).Length;
                 Assert.True(nearest <= edge + 1e-9, $"seed {seed}, width {width:R}: {nearest:R}, an edge {edge:R}");
@@ -127,12 +127,12 @@ public class ClosestPointWeightsTests
         for (ulong seed = 0; seed < 200; seed++)
         {
             var rng = new Rng(seed);
-            Vector3D along = Vector(rng, 1), across = Vector3D.Cross(along, Vector(rng, 1));
-            Vector3D normal = Vector3D.Cross(along, across);
+            Double3 along = Vector(rng, 1), across = Double3.Cross(along, Vector(rng, 1));
+            Double3 normal = Double3.Cross(along, across);
             across *= along.Length * sine / across.Length;
             double wb = rng.Range(0.2, 0.4), wc = rng.Range(0.2, 0.4);
-            Vector3D foot = normal * (-0.5 / normal.Length), a = foot - along * wb - (along * 0.5 + across) * wc;
-            Vector3D b = a + along, c = a + along * 0.5 + across;
+            Double3 foot = normal * (-0.5 / normal.Length), a = foot - along * wb - (along * 0.5 + across) * wc;
+            Double3 b = a + along, c = a + along * 0.5 + across;
             Weights w = ClosestPointWeights.Triangle(a, b, c);
             Assert.True(IsExact(w, a, b, c), $"seed {seed}: {w.B:R} {w.C:R}");
         }
@@ -142,13 +142,13 @@ public class ClosestPointWeightsTests
     [Fact]
     public void AFeatureThatTheOriginIsNotBesideGivesItsEnd()
     {
-        Vector3D near = new(1, 0, 0), far = new(2, 0, 0);
+        Double3 near = new(1, 0, 0), far = new(2, 0, 0);
         Assert.Equal(1, ClosestPointWeights.OfFeature(Filled(near, far), default).A);
         Assert.Equal(1, ClosestPointWeights.OfFeature(Filled(far, near), default).B);
         Assert.Equal(1, ClosestPointWeights.OfFeature(Filled(near, far, far), default).A);
 
         // An area that is too small for a double, so that the weights are infinite.
-        var tiny = new Vector3D(0, 1e-120, 1e-100);
+        var tiny = new Double3(0, 1e-120, 1e-100);
         Weights w = ClosestPointWeights.OfFeature(Filled(near, near + tiny, near - tiny), default);
         Assert.Equal((1.0, 0.0, 0.0), (w.A, w.B, w.C));
     }
@@ -162,14 +162,14 @@ public class ClosestPointWeightsTests
         for (ulong seed = 0; seed < 300; seed++)
         {
             var rng = new Rng(seed);
-            Vector3D[] v = new Vector3D[4];
+            Double3[] v = new Double3[4];
             for (int i = 0; i < 4; i++)
             {
                 double x = Math.Round(rng.Range(-1, 1) * (1L << 48)), y = Math.Round(rng.Range(-1, 1) * (1L << 48));
                 v[i] = new(x / (1L << 48), y / (1L << 48), (x + 2 * y) / (1L << 48));
             }
 
-            Vector3D nearest = ClosestPointWeights.Tetrahedron(v[0], v[1], v[2], v[3]).PointOf(v[0], v[1], v[2], v[3]);
+            Double3 nearest = ClosestPointWeights.Tetrahedron(v[0], v[1], v[2], v[3]).PointOf(v[0], v[1], v[2], v[3]);
             double least = double.PositiveInfinity;
             foreach ((int i, int j, int k) in new[] { (0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3) })
             {
@@ -208,7 +208,7 @@ public class ClosestPointWeightsTests
     }
 
     /// <summary>Whether they are those of the origin's projection, in fractions, to 1e-15.</summary>
-    private static bool IsExact(in Weights w, Vector3D a, Vector3D b, Vector3D c)
+    private static bool IsExact(in Weights w, Double3 a, Double3 b, Double3 c)
     {
         Fraction[] ab = Minus(b, a), ac = Minus(c, a), p = Minus(default, a);
         Fraction bb = Dot(ab, ab), bc = Dot(ab, ac), cc = Dot(ac, ac), pb = Dot(p, ab), pc = Dot(p, ac);
@@ -216,19 +216,19 @@ public class ClosestPointWeightsTests
         return (area * w.B - (pb * cc - pc * bc)).Absolute <= allowed
             && (area * w.C - (pc * bb - pb * bc)).Absolute <= allowed;
 
-        static Fraction[] Minus(Vector3D u, Vector3D v) =>
+        static Fraction[] Minus(Double3 u, Double3 v) =>
             [(Fraction)u.X - v.X, (Fraction)u.Y - v.Y, (Fraction)u.Z - v.Z];
         static Fraction Dot(Fraction[] u, Fraction[] v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     }
 
     /// <summary>The first vertex is A.</summary>
-    private static Simplex Filled(params Vector3D[] vertices)
+    private static Simplex Filled(params Double3[] vertices)
     {
         Simplex simplex = default;
         for (int i = vertices.Length - 1; i >= 0; i--) simplex.Push(vertices[i], default, default, 0, 0);
         return simplex;
     }
 
-    private static Vector3D Vector(Rng rng, double size) =>
+    private static Double3 Vector(Rng rng, double size) =>
         new(rng.Range(-size, size), rng.Range(-size, size), rng.Range(-size, size));
 }

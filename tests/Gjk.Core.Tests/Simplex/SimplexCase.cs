@@ -10,14 +10,14 @@ namespace Gjk.Core.Tests;
 /// </summary>
 internal sealed class SimplexCase
 {
-    private static readonly Vector3D[] Corners =
+    private static readonly Double3[] Corners =
     [
         new(0.3, -0.7, 1.1), new(1.9, 0.4, -0.2), new(-0.8, 1.6, 0.5), new(0.2, 0.3, 2.7),
     ];
 
     private static readonly double[] Shares = [0.31, 0.17, 0.29, 0.23];
 
-    private SimplexCase(Vector3D[] vertices, double[] weights, Vector3D normal, double distance)
+    private SimplexCase(Double3[] vertices, double[] weights, Double3 normal, double distance)
     {
         Vertices = vertices;
         Weights = weights;
@@ -26,13 +26,13 @@ internal sealed class SimplexCase
     }
 
     /// <summary>The vertices, seen from the origin.</summary>
-    public Vector3D[] Vertices { get; }
+    public Double3[] Vertices { get; }
 
     /// <summary>The nearest point's weights.</summary>
     public double[] Weights { get; }
 
     /// <summary>The unit vector from the origin to the nearest point.</summary>
-    public Vector3D Normal { get; }
+    public Double3 Normal { get; }
 
     public double Distance { get; }
 
@@ -57,31 +57,31 @@ internal sealed class SimplexCase
         double total = Enumerable.Range(0, n).Where(i => (subset >> i & 1) != 0).Sum(i => Shares[i]);
         double[] weights =
             [.. Enumerable.Range(0, 4).Select(i => i < n && (subset >> i & 1) != 0 ? Shares[i] / total : 0)];
-        var point = default(Vector3D);
+        var point = default(Double3);
         for (int i = 0; i < n; i++) point += Corners[i] * weights[i];
-        Vector3D outward = distance == 0 ? default : Outward(n, subset, side);
-        Vector3D origin = point + outward * distance;
-        Vector3D[] vertices = [.. Corners.Take(n).Select(c => c - origin)];
+        Double3 outward = distance == 0 ? default : Outward(n, subset, side);
+        Double3 origin = point + outward * distance;
+        Double3[] vertices = [.. Corners.Take(n).Select(c => c - origin)];
 
         // The fixture's own precondition: no vertex lies further out than the feature.
-        foreach (Vector3D c in Corners.Take(n)) Assert.True(Vector3D.Dot(outward, c - point) < 1e-9);
+        foreach (Double3 c in Corners.Take(n)) Assert.True(Double3.Dot(outward, c - point) < 1e-9);
         return new SimplexCase(vertices, weights, -outward, distance);
     }
 
     /// <summary>A unit vector inside the feature's normal cone.</summary>
-    private static Vector3D Outward(int n, int subset, int side)
+    private static Double3 Outward(int n, int subset, int side)
     {
-        var sum = default(Vector3D);
+        var sum = default(Double3);
         if (n == 2)
         {
-            Vector3D along = Unit(Corners[1] - Corners[0]);
-            Vector3D across = Unit(Vector3D.Cross(along, new Vector3D(0.3, 0.5, -0.8)));
+            Double3 along = Unit(Corners[1] - Corners[0]);
+            Double3 across = Unit(Double3.Cross(along, new Double3(0.3, 0.5, -0.8)));
             return Unit(subset == 3 ? across : across + along * (subset == 2 ? 0.6 : -0.6));
         }
 
         if (n == 3)
         {
-            Vector3D normal = Unit(Vector3D.Cross(Corners[1] - Corners[0], Corners[2] - Corners[0])) * side;
+            Double3 normal = Unit(Double3.Cross(Corners[1] - Corners[0], Corners[2] - Corners[0])) * side;
             for (int missing = 0; missing < 3; missing++)
             {
                 if ((subset >> missing & 1) == 0) sum += InPlaneOutward(missing);
@@ -101,19 +101,19 @@ internal sealed class SimplexCase
     /// <summary>
     /// In the triangle's plane, away from its corner that is missing, perpendicular to the other two's edge.
     /// </summary>
-    private static Vector3D InPlaneOutward(int missing)
+    private static Double3 InPlaneOutward(int missing)
     {
-        Vector3D p = Corners[(missing + 1) % 3], q = Corners[(missing + 2) % 3], e = Unit(q - p);
-        Vector3D inward = Corners[missing] - p;
-        return -Unit(inward - e * Vector3D.Dot(e, inward));
+        Double3 p = Corners[(missing + 1) % 3], q = Corners[(missing + 2) % 3], e = Unit(q - p);
+        Double3 inward = Corners[missing] - p;
+        return -Unit(inward - e * Double3.Dot(e, inward));
     }
 
-    private static Vector3D FaceOutward(int missing)
+    private static Double3 FaceOutward(int missing)
     {
-        Vector3D[] face = [.. Corners.Where((_, i) => i != missing)];
-        Vector3D normal = Unit(Vector3D.Cross(face[1] - face[0], face[2] - face[0]));
-        return Vector3D.Dot(normal, Corners[missing] - face[0]) > 0 ? -normal : normal;
+        Double3[] face = [.. Corners.Where((_, i) => i != missing)];
+        Double3 normal = Unit(Double3.Cross(face[1] - face[0], face[2] - face[0]));
+        return Double3.Dot(normal, Corners[missing] - face[0]) > 0 ? -normal : normal;
     }
 
-    private static Vector3D Unit(Vector3D v) => v * (1 / v.Length);
+    private static Double3 Unit(Double3 v) => v * (1 / v.Length);
 }

@@ -15,27 +15,27 @@ public class CastJumpTests
     /// </summary>
     private readonly struct Capsule(double angle) : ISupportMap
     {
-        private readonly Vector3D _end =
+        private readonly Double3 _end =
             new(0.6 * Math.Cos(angle) - 0.8 * Math.Sin(angle), 0.8 * Math.Cos(angle) + 0.6 * Math.Sin(angle), 0);
 
-        public Vector3D Center => default;
+        public Double3 Center => default;
 
         public double Margin => 1;
 
         public double BoundingRadius => 2;
 
-        public int Support(in Vector3D direction, out Vector3D point)
+        public int Support(in Double3 direction, out Double3 point)
         {
-            int id = Vector3D.Dot(direction, _end) > 0 ? 1 : 0;
+            int id = Double3.Dot(direction, _end) > 0 ? 1 : 0;
             TryGetVertex(id, out point);
             return id;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
             point = id == 1 ? _end : default;
             return id is 0 or 1;

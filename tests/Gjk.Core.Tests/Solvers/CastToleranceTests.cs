@@ -14,7 +14,7 @@ public class CastToleranceTests
     public void TheLineIsKnownToThirtyTwoRoundings()
     {
         CastLine line = Line();
-        Assert.Equal(MotionVerdict.Hit, CastLine.Make(Frame(), new Vector3D(4, 0, 0), out _));
+        Assert.Equal(MotionVerdict.Hit, CastLine.Make(Frame(), new Double3(4, 0, 0), out _));
         Assert.InRange(line.Error, 20 * U * (1 + 3), 45 * U * (1 + 3));
     }
 
@@ -29,8 +29,8 @@ public class CastToleranceTests
     public void ALineWithoutAMiddleIsAPoint()
     {
         PairFrame frame = Frame();
-        frame.Translation = new Vector3D(1e150, 0, 0);
-        Assert.Equal(MotionVerdict.Undecided, CastLine.Make(frame, new Vector3D(1e-161, 0, 0), out CastLine line));
+        frame.Translation = new Double3(1e150, 0, 0);
+        Assert.Equal(MotionVerdict.Undecided, CastLine.Make(frame, new Double3(1e-161, 0, 0), out CastLine line));
         Assert.Equal(default, line.Axis);
     }
 
@@ -71,11 +71,11 @@ public class CastToleranceTests
         Assert.Equal(status, r.Status);
     }
 
-    private static PairFrame Frame() => new() { RadiusA = 1, Translation = new Vector3D(-3, 0, 0) };
+    private static PairFrame Frame() => new() { RadiusA = 1, Translation = new Double3(-3, 0, 0) };
 
     private static CastLine Line()
     {
-        CastLine.Make(Frame(), new Vector3D(4, 0, 0), out CastLine line);
+        CastLine.Make(Frame(), new Double3(4, 0, 0), out CastLine line);
         return line;
     }
 
@@ -86,7 +86,7 @@ public class CastToleranceTests
     {
         SolverState state = default;
         state.Verdict = Verdict.Apart;
-        state.Feature = new ClosestFeature { Normal = new Vector3D(slope, 0, 0), Height = gap, NormalSquared = 1 };
+        state.Feature = new ClosestFeature { Normal = new Double3(slope, 0, 0), Height = gap, NormalSquared = 1 };
         state.Plane.Set(state.Feature, gap);
         return state;
     }

@@ -15,20 +15,20 @@ public class DepthToleranceTests
     /// <summary>The block of half sides 1, 1 and a height, by default 0.5, and the tip.</summary>
     private readonly struct Block(double tip, bool isCurved, double height = 0.5) : ISupportMap
     {
-        public Vector3D Center => default;
+        public Double3 Center => default;
 
         public double Margin => 0;
 
         public double BoundingRadius => 1.5;
 
-        public int Support(in Vector3D direction, out Vector3D point)
+        public int Support(in Double3 direction, out Double3 point)
         {
             double most = double.NegativeInfinity;
             int best = 0;
             for (int id = 0; id < 9; id++)
             {
-                TryGetVertex(id, out Vector3D vertex);
-                double along = Vector3D.Dot(direction, vertex);
+                TryGetVertex(id, out Double3 vertex);
+                double along = Double3.Dot(direction, vertex);
                 if (along > most) (most, best) = (along, id);
             }
 
@@ -36,15 +36,15 @@ public class DepthToleranceTests
             return isCurved ? -1 : best;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
             point = id == 8
-                ? new Vector3D(0, 0, -height - tip)
-                : new Vector3D((id & 1) != 0 ? 1 : -1, (id & 2) != 0 ? 1 : -1, (id & 4) != 0 ? height : -height);
+                ? new Double3(0, 0, -height - tip)
+                : new Double3((id & 1) != 0 ? 1 : -1, (id & 2) != 0 ? 1 : -1, (id & 4) != 0 ? height : -height);
             return id is >= 0 and <= 8;
         }
     }

@@ -186,7 +186,7 @@ public class PolytopeTraceTests
                     edges[(from, to)] = edges.GetValueOrDefault((from, to)) + 1;
                     edges[(to, from)] = edges.GetValueOrDefault((to, from)) - 1;
                     if (from >= step.VertexCount - 1) return "a corner that is not on the surface";
-                    double offset = Vector3D.Dot(face.Normal, step.Vertex(from)), size = step.Vertex(from).Length;
+                    double offset = Double3.Dot(face.Normal, step.Vertex(from)), size = step.Vertex(from).Length;
                     if (!(offset >= face.Height - 1e-14 * size)) return "a corner below its face";
                 }
 

@@ -132,35 +132,35 @@ public class TerminationTests
     {
         private readonly int[] _calls = new int[1];
 
-        public Vector3D Center => default;
+        public Double3 Center => default;
 
         public double Margin => 0;
 
         public double BoundingRadius => 2;
 
-        public int Support(in Vector3D d, out Vector3D point)
+        public int Support(in Double3 d, out Double3 point)
         {
             int call = _calls[0]++;
             point = Corner(d.X, d.Y, d.Z);
-            if (lie == "stuck" && call > 1) point = new Vector3D(1, 1, 1);
+            if (lie == "stuck" && call > 1) point = new Double3(1, 1, 1);
             if (lie == "jumping" && call % 2 == 1) point = -point;
             if (lie == "turned") point = Corner(d.Y, d.Z, d.X);
             if (lie == "growing") point *= 1 + 0.1 * call;
-            if (lie == "late NaN" && call > 1) point = new Vector3D(0, double.NaN, 0);
+            if (lie == "late NaN" && call > 1) point = new Double3(0, double.NaN, 0);
             return -1;
         }
 
-        public void GetFace(in Vector3D direction, ref FaceCorners corners)
+        public void GetFace(in Double3 direction, ref FaceCorners corners)
         {
         }
 
-        public bool TryGetVertex(int id, out Vector3D point)
+        public bool TryGetVertex(int id, out Double3 point)
         {
             point = default;
             return false;
         }
 
-        private static Vector3D Corner(double x, double y, double z) =>
+        private static Double3 Corner(double x, double y, double z) =>
             new(x < 0 ? -1 : 1, y < 0 ? -1 : 1, z < 0 ? -1 : 1);
     }
 }

@@ -14,7 +14,7 @@ public class ToleranceTests
     /// <summary>A rounding in double, 2^-53.</summary>
     private const double U = 1.0 / (1L << 53);
 
-    private static readonly Vector3D Z = new(0, 0, 1);
+    private static readonly Double3 Z = new(0, 0, 1);
 
     /// <summary>
     /// The first vertex is the nearest, and the second lies lower by a part of the distance: the bounds have met, or
@@ -28,7 +28,7 @@ public class ToleranceTests
     public void ARelativeGapIsClosed(bool isCurved, double ratio, bool isClosed)
     {
         const double distance = 1 << 20;
-        Vector3D[] vertices = [Z * distance, new(1, 0, distance * (1 - ratio))];
+        Double3[] vertices = [Z * distance, new(1, 0, distance * (1 - ratio))];
         foreach (bool isExtended in new[] { false, true })
         {
             SolverState state = Solve(vertices, -Z * distance, isCurved, isExtended);
@@ -45,7 +45,7 @@ public class ToleranceTests
     public void AGapBelowTheNoiseIsClosed(bool isCurved, double gap, bool isClosed)
     {
         const double distance = 1.0 / (1 << 10);
-        Vector3D[] vertices = [Z * distance, new(1, 0, distance - gap)];
+        Double3[] vertices = [Z * distance, new(1, 0, distance - gap)];
         foreach (bool isExtended in new[] { false, true })
         {
             SolverState state = Solve(vertices, -Z * distance, isCurved, isExtended);
@@ -62,7 +62,7 @@ public class ToleranceTests
     {
         foreach (bool isExtended in new[] { false, true })
         {
-            SolverState state = Solve([Z * distance], new Vector3D(-1, 0, 0), isCurved, isExtended);
+            SolverState state = Solve([Z * distance], new Double3(-1, 0, 0), isCurved, isExtended);
             Assert.Equal(isTouching ? Verdict.Enclosed : Verdict.Apart, state.Verdict);
             state.Verdict = Verdict.Apart;
             Assert.Equal(isTouching, Proofs.IsTouching(state, distance));
@@ -102,9 +102,9 @@ public class ToleranceTests
     [InlineData(2e-5, Verdict.Contradiction)]
     public void ASupportThatIsFurtherBehindContradictsItself(double behind, object verdict)
     {
-        Vector3D[] vertices = [Z, Z * (1 + behind)];
-        Assert.Equal(verdict, Solve(vertices, new Vector3D(-1, 0, 0), false, false).Verdict);
-        Assert.Equal(verdict, Solve(vertices, new Vector3D(-1, 0, 0), false, true).Verdict);
+        Double3[] vertices = [Z, Z * (1 + behind)];
+        Assert.Equal(verdict, Solve(vertices, new Double3(-1, 0, 0), false, false).Verdict);
+        Assert.Equal(verdict, Solve(vertices, new Double3(-1, 0, 0), false, true).Verdict);
     }
 
     /// <summary>The second plane is further than asked, and the first feature is not the nearest.</summary>
@@ -113,11 +113,11 @@ public class ToleranceTests
     [InlineData(true)]
     public void APlaneBeyondTheLargestDistanceEnds(bool isExtended)
     {
-        Vector3D[] vertices = [Z, Z * 0.75];
-        SolverState state = Solve(vertices, new Vector3D(-1, 0, 0), false, isExtended, 0.5);
+        Double3[] vertices = [Z, Z * 0.75];
+        SolverState state = Solve(vertices, new Double3(-1, 0, 0), false, isExtended, 0.5);
         Assert.Equal(Verdict.Beyond, state.Verdict);
         Assert.True(state.Plane.Distance > 0.5);
-        state = Solve(vertices, new Vector3D(-1, 0, 0), false, isExtended, 0.8);
+        state = Solve(vertices, new Double3(-1, 0, 0), false, isExtended, 0.8);
         Assert.Equal((Verdict.Apart, 0.75), (state.Verdict, state.Plane.Distance));
     }
 
@@ -128,16 +128,16 @@ public class ToleranceTests
     [Fact]
     public void AWalkThatDoesNotEndIsEnded()
     {
-        Vector3D[] falling = [.. Enumerable.Range(0, 3000).Select(i => Z * (1 - 1e-4 * i))];
+        Double3[] falling = [.. Enumerable.Range(0, 3000).Select(i => Z * (1 - 1e-4 * i))];
         foreach (bool isExtended in new[] { false, true })
         {
-            SolverState state = Solve(falling, new Vector3D(-1, 0, 0), false, isExtended);
+            SolverState state = Solve(falling, new Double3(-1, 0, 0), false, isExtended);
             Assert.Equal((Verdict.Undecided, 256), (state.Verdict, state.Iterations));
             if (isExtended) Assert.Equal(1 - 1e-4, state.Plane.Distance, 1e-12);
         }
 
         DistanceResult r = ConvexQuery.Distance(
-            new ScriptedShape([.. falling.Select(p => p + new Vector3D(1, 0, 0))]), RigidPose.Identity,
+            new ScriptedShape([.. falling.Select(p => p + new Double3(1, 0, 0))]), RigidPose.Identity,
             new PointShape(), new RigidPose(Vector3.UnitX));
         Assert.Equal((GjkStatus.IterationLimit, 512), (r.Status, r.Iterations));
         Assert.True(r.LowerBound <= r.Distance);
@@ -155,9 +155,9 @@ public class ToleranceTests
     [Fact]
     public void AnOriginThatAPlaneHadSeparatedIsNotEnclosed()
     {
-        Vector3D[] vertices = [new(2, 0, 1), new(-1, 2, 1), new(-1, -2, 1), new(0, 0, -3)];
+        Double3[] vertices = [new(2, 0, 1), new(-1, 2, 1), new(-1, -2, 1), new(0, 0, -3)];
         Assert.True(ClosestPointWeights.IsInside(vertices[0], vertices[1], vertices[2], vertices[3]));
-        SolverState state = Solve(vertices, new Vector3D(-1, 0, 0), false, false);
+        SolverState state = Solve(vertices, new Double3(-1, 0, 0), false, false);
         Assert.Equal((Verdict.Undecided, 4), (state.Verdict, state.Simplex.Count));
     }
 
@@ -175,7 +175,7 @@ public class ToleranceTests
     {
         // The determinant is |e × f| h = 2.6 h, the product of the lengths 1 · √3 · √3.
         double h = height / (1.5 * Math.Sqrt(3) / 3), side = Math.Sqrt(0.75);
-        Vector3D[] v = [new(1, 0, -h), new(-0.5, side, -h), new(-0.5, -side, -h), new(0, 0, 1e6)];
+        Double3[] v = [new(1, 0, -h), new(-0.5, side, -h), new(-0.5, -side, -h), new(0, 0, 1e6)];
         int[][] orders = [[0, 1, 2, 3], [3, 0, 1, 2], [0, 3, 1, 2], [1, 2, 3, 0], [1, 0, 2, 3], [3, 1, 0, 2]];
         foreach (int[] o in orders)
             Assert.Equal(isInside, Proofs.IsCertainlyInside(v[o[0]], v[o[1]], v[o[2]], v[o[3]]));
@@ -193,16 +193,16 @@ public class ToleranceTests
         for (int i = 0; i < 20000; i++)
         {
             // A frame that is turned at random, so that no product is exact.
-            Vector3D along = rng.Direction(), across = Vector3D.Cross(along, rng.Direction());
-            Vector3D away = Vector3D.Cross(along, across) * (1.0 / (1 << 20));
+            Double3 along = rng.Direction(), across = Double3.Cross(along, rng.Direction());
+            Double3 away = Double3.Cross(along, across) * (1.0 / (1 << 20));
             across *= rng.LogFloat(1e-4, 1);
-            Vector3D[] v = [.. new[] { -0.4, 0.5, rng.Range(-1, 1) }.Select(
+            Double3[] v = [.. new[] { -0.4, 0.5, rng.Range(-1, 1) }.Select(
                 x => along * x + across * rng.Range(-1, 1) + away)];
             SolverState state = Solve([.. v, v[2]], default, false, false);
             if (state.Simplex.Count != 3 || state.Iterations != 4) continue;
-            Vector3D normal = state.Feature.Normal;
-            double plane = Vector3D.Dot(normal, v[2]), unit = U * state.Size.Value * normal.Length;
-            double off = v.Max(p => Math.Abs(Vector3D.Dot(normal, p) - plane)) / unit;
+            Double3 normal = state.Feature.Normal;
+            double plane = Double3.Dot(normal, v[2]), unit = U * state.Size.Value * normal.Length;
+            double off = v.Max(p => Math.Abs(Double3.Dot(normal, p) - plane)) / unit;
             bool isApart = state.Verdict == Verdict.Apart;
             if (isApart && off > 5) level++;
             if (!isApart && off < 60) tilted++;
@@ -213,7 +213,7 @@ public class ToleranceTests
     }
 
     private static SolverState Solve(
-        Vector3D[] vertices, in Vector3D translation, bool isCurved, bool isExtended,
+        Double3[] vertices, in Double3 translation, bool isCurved, bool isExtended,
         double most = double.PositiveInfinity)
     {
         PairFrame frame = Pair(vertices, translation, isCurved, out ScriptedShape a, out PointShape b);
@@ -229,7 +229,7 @@ public class ToleranceTests
 
     /// <summary>A pair whose Minkowski difference has these vertices, with B's centre at the translation.</summary>
     private static PairFrame Pair(
-        Vector3D[] vertices, Vector3D translation, bool isCurved, out ScriptedShape a, out PointShape b)
+        Double3[] vertices, Double3 translation, bool isCurved, out ScriptedShape a, out PointShape b)
     {
         a = new ScriptedShape([.. vertices.Select(w => w + translation)], isCurved);
         b = new PointShape();

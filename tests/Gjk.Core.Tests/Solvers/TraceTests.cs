@@ -55,7 +55,7 @@ public class TraceTests
             ConvexShape.Sphere(1), RigidPose.Identity, ConvexShape.Sphere(1), new RigidPose(new(3, 0, 0)), ref spheres);
         Assert.Equal((GjkStatus.Separated, 1f, 1), (apart.Status, apart.Distance, apart.Iterations));
         Assert.Equal(
-            (new Vector3D(-3, 0, 0), 3.0), (Assert.Single(spheres.Supports).Vertex, spheres.Supports[0].LowerBound));
+            (new Double3(-3, 0, 0), 3.0), (Assert.Single(spheres.Supports).Vertex, spheres.Supports[0].LowerBound));
         Assert.Equal((1, 3.0), (Assert.Single(spheres.Simplices).Count, spheres.Simplices[0].UpperBound));
 
         var invalid = new Recorder();
@@ -136,7 +136,7 @@ public class TraceTests
             TracedSimplex s = trace.Simplices[i];
             if (i > 0 && s.IsExtended != trace.Simplices[i - 1].IsExtended) before = double.PositiveInfinity;
             Assert.InRange(s.Count, 1, 4);
-            Vector3D sum = default;
+            Double3 sum = default;
             double weights = 0;
             for (int k = 0; k < s.Count; k++)
             {

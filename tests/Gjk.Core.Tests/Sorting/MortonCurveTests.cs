@@ -11,21 +11,21 @@ public class MortonCurveTests
     public void ACellIsTheBitsOfItsThreeNumbersInTurn()
     {
         var rng = new Rng(1);
-        var corner = new Vector3D(-3, 5, 1e6);
+        var corner = new Double3(-3, 5, 1e6);
         for (int i = 0; i < 2000; i++)
         {
             int x = rng.Below(1024), y = rng.Below(1024), z = rng.Below(1024);
-            Vector3D point = corner + new Vector3D(x + 0.5, y + 0.5, z + 0.5) * 0.25;
-            Assert.Equal(Interleaved(x, y, z), MortonCurve.Cell(point, corner, new Vector3D(4, 4, 4)));
+            Double3 point = corner + new Double3(x + 0.5, y + 0.5, z + 0.5) * 0.25;
+            Assert.Equal(Interleaved(x, y, z), MortonCurve.Cell(point, corner, new Double3(4, 4, 4)));
         }
     }
 
     [Fact]
     public void WhatLiesOutsideCountsToTheNearestCell()
     {
-        var perUnit = new Vector3D(1, 1, 1);
-        Assert.Equal(0u, MortonCurve.Cell(new Vector3D(-5, double.NaN, -1e300), default, perUnit));
-        Assert.Equal(Interleaved(1023, 1023, 0), MortonCurve.Cell(new Vector3D(1024, 1e300, 0), default, perUnit));
+        var perUnit = new Double3(1, 1, 1);
+        Assert.Equal(0u, MortonCurve.Cell(new Double3(-5, double.NaN, -1e300), default, perUnit));
+        Assert.Equal(Interleaved(1023, 1023, 0), MortonCurve.Cell(new Double3(1024, 1e300, 0), default, perUnit));
         Assert.Equal(0, MortonCurve.PerUnit(0));
     }
 

@@ -10,7 +10,7 @@ namespace Gjk.Core.Tests.Support;
 
 /// <summary>A cast and its proved answer: B moves by the velocity over the fractions from 0 to 1.</summary>
 internal sealed record CastCase(
-    TestPair Pair, Vector3 Velocity, CastStatus Outcome, double Fraction, Vector3D Normal, bool IsNormalUnique)
+    TestPair Pair, Vector3 Velocity, CastStatus Outcome, double Fraction, Double3 Normal, bool IsNormalUnique)
 {
     public CastResult Cast() =>
         ConvexQuery.Cast(Pair.A.Shape, Pair.PoseA, default, Pair.B.Shape, Pair.PoseB, Velocity);

@@ -16,34 +16,34 @@ internal static class CheapestWay
     /// <summary>Ratio: what gains less is no step, or a walk along a level valley would not end for long.</summary>
     private const double LeastGain = 1e-10;
 
-    public static double Of(TestPair pair, Vector3D first, ulong seed)
+    public static double Of(TestPair pair, Double3 first, ulong seed)
     {
         var rng = new Rng(seed);
         var a = new Body<ConvexShape>(pair.A.Shape, pair.PoseA);
         var b = new Body<ConvexShape>(pair.B.Shape, pair.PoseB);
-        (double Cost, Vector3D Way)[] starts =
+        (double Cost, Double3 Way)[] starts =
         [
             .. Enumerable.Range(0, Starts).Select(i => i == 0 ? first * (1 / first.Length) : Direction())
                 .Select(way => (Cost(way), way)).OrderBy(s => s.Item1).Take(Walks)
         ];
         return starts.Min(s => Downhill(s.Cost, s.Way));
 
-        Vector3D Direction()
+        Double3 Direction()
         {
-            Vector3D way = rng.Direction();
+            Double3 way = rng.Direction();
             return way * (1 / way.Length);
         }
 
-        double Cost(Vector3D way) =>
-            a.Height(way) + b.Height(-way) - Vector3D.Dot(way, b.Position - a.Position);
+        double Cost(Double3 way) =>
+            a.Height(way) + b.Height(-way) - Double3.Dot(way, b.Position - a.Position);
 
-        double Downhill(double least, Vector3D way)
+        double Downhill(double least, Double3 way)
         {
             int failed = 0;
             double gain = LeastGain * Math.Abs(least);
             for (double step = 0.2; step > LeastStep;)
             {
-                Vector3D next = way + Direction() * step;
+                Double3 next = way + Direction() * step;
                 next *= 1 / next.Length;
                 double cost = Cost(next);
                 if (cost < least - gain)

@@ -26,7 +26,7 @@ internal sealed class ExactPose
     public Fraction this[int row, int column] => _matrix[3 * row + column];
 
     /// <summary>A local point in the world.</summary>
-    public Fraction[] Place(in Vector3D v)
+    public Fraction[] Place(in Double3 v)
     {
         Fraction[] local = [v.X, v.Y, v.Z];
         return [.. Enumerable.Range(0, 3).Select(i => Row(i, local) + _position[i])];

@@ -83,10 +83,10 @@ internal static class Generators
         TestShape b = rng.Below(4) == 0 ? Shape(rng, "hull") : Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
         Body<ConvexShape> bodyA = new(a.Shape, poseA), bodyB = new(b.Shape, turned);
-        Vector3D n = rng.Direction(), centerA = bodyA.Rotate(a.Shape.Center), centerB = bodyB.Rotate(b.Shape.Center);
+        Double3 n = rng.Direction(), centerA = bodyA.Rotate(a.Shape.Center), centerB = bodyB.Rotate(b.Shape.Center);
         n *= 1 / n.Length;
         double apart = gap is { } g
-            ? bodyA.Height(n) - Vector3D.Dot(n, centerA) + bodyB.Height(-n) + Vector3D.Dot(n, centerB) + g
+            ? bodyA.Height(n) - Double3.Dot(n, centerA) + bodyB.Height(-n) + Double3.Dot(n, centerB) + g
             : rng.Range(0, 0.7) * (a.LongestSide + b.LongestSide);
         return new TestPair(
             $"seed {seed}", a, poseA, b,
@@ -102,7 +102,7 @@ internal static class Generators
         var rng = new Rng(seed);
         TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
-        Vector3D n = rng.Direction();
+        Double3 n = rng.Direction();
         n *= 1 / n.Length;
         Body<ConvexShape> bodyA = new(a.Shape, poseA), bodyB = new(b.Shape, turned);
         double apart = bodyA.Height(n) + bodyB.Height(-n) + gap;

@@ -104,7 +104,7 @@ internal static class MotionFamilies
         var bodyA = new Body<ConvexShape>(a.Shape, poseA);
         var bodyB = new Body<ConvexShape>(b.Shape, poseB);
         double apart = bodyA.Height(direction) + bodyB.Height(-direction) + rng.LogFloat(1e-7, 1);
-        return (Vector3)(poseA.Position + (Vector3D)direction * apart);
+        return (Vector3)(poseA.Position + (Double3)direction * apart);
     }
 
     private static Quaternion FromTo(Vector3 direction)

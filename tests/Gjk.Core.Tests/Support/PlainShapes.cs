@@ -24,7 +24,7 @@ internal readonly struct PlainShape(PlainKind kind, double size, bool hasIds) : 
 {
     private const int XBit = 1, YBit = 2, ZBit = 4;
 
-    public Vector3D Center => default;
+    public Double3 Center => default;
 
     public double Margin => kind == PlainKind.Sphere ? size : 0;
 
@@ -32,7 +32,7 @@ internal readonly struct PlainShape(PlainKind kind, double size, bool hasIds) : 
 
     private bool IsCurved => kind >= PlainKind.Ball;
 
-    public int Support(in Vector3D d, out Vector3D point)
+    public int Support(in Double3 d, out Double3 point)
     {
         int id = IdTowards(d);
         point = kind switch
@@ -45,11 +45,11 @@ internal readonly struct PlainShape(PlainKind kind, double size, bool hasIds) : 
         return IsCurved || !hasIds ? -1 : id;
     }
 
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
     }
 
-    public bool TryGetVertex(int id, out Vector3D point)
+    public bool TryGetVertex(int id, out Double3 point)
     {
         bool isCorner = id >= 0 && id <= (XBit | YBit | ZBit) && !IsCurved && hasIds;
         point = isCorner ? Corner(id) : default;
@@ -57,7 +57,7 @@ internal readonly struct PlainShape(PlainKind kind, double size, bool hasIds) : 
     }
 
     /// <summary>The signs of the components that count.</summary>
-    private int IdTowards(in Vector3D d)
+    private int IdTowards(in Double3 d)
     {
         double x = Math.Abs(d.X), y = Math.Abs(d.Y), z = Math.Abs(d.Z);
         return kind switch
@@ -69,7 +69,7 @@ internal readonly struct PlainShape(PlainKind kind, double size, bool hasIds) : 
         };
     }
 
-    private Vector3D Corner(int id)
+    private Double3 Corner(int id)
     {
         double x = (id & XBit) != 0 ? -size : size, y = (id & YBit) != 0 ? -size : size;
         return kind switch
@@ -81,9 +81,9 @@ internal readonly struct PlainShape(PlainKind kind, double size, bool hasIds) : 
         };
     }
 
-    private static Vector3D Unit(in Vector3D d)
+    private static Double3 Unit(in Double3 d)
     {
-        Vector3D unit = DirectionRange.ToUnit(d);
+        Double3 unit = DirectionRange.ToUnit(d);
         return unit * (1 / unit.Length);
     }
 }

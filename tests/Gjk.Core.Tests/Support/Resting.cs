@@ -34,9 +34,9 @@ internal static class Resting
         new(rotation, new Vector3(0, Height(shape, rotation) - Depth, 0));
 
     public static float Height(ConvexShape shape, Quaternion rotation) =>
-        (float)new Body<ConvexShape>(shape, new RigidPose(rotation, default)).Height(new Vector3D(0, -1, 0));
+        (float)new Body<ConvexShape>(shape, new RigidPose(rotation, default)).Height(new Double3(0, -1, 0));
 
-    public static List<ContactPoint> Points(ContactManifold m) =>
+    public static List<ManifoldPoint> Points(ContactManifold m) =>
         [.. Enumerable.Range(0, m.Count).Select(i => m[i])];
 
     /// <summary>The points on A, seen from above.</summary>

@@ -78,7 +78,7 @@ internal sealed class StackSolver(int iterations = 10)
         var points = new PointState[manifold.Count];
         for (int p = 0; p < points.Length; p++)
         {
-            ContactPoint contact = manifold[p];
+            ManifoldPoint contact = manifold[p];
             float away = contact.Gap > 0 ? -contact.Gap / Step : Push / Step * MathF.Max(-contact.Gap - Slop, 0);
             points[p] = new PointState(a, b, contact, manifold.Normal, away);
             PointState? last = before?.FirstOrDefault(q => q.Id == contact.FeatureId);
@@ -96,7 +96,7 @@ internal sealed class StackSolver(int iterations = 10)
     }
 
     /// <summary>A contact point of a frame and its impulses.</summary>
-    private sealed class PointState(SolidBody a, SolidBody b, ContactPoint contact, Vector3 normal, float away)
+    private sealed class PointState(SolidBody a, SolidBody b, ManifoldPoint contact, Vector3 normal, float away)
     {
         private readonly Vector3 _fromA = contact.PointA - a.Pose.Position, _fromB = contact.PointB - b.Pose.Position;
         private readonly Vector3 _first = Across(normal), _second = Vector3.Cross(normal, Across(normal));

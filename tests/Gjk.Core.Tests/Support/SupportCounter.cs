@@ -5,21 +5,21 @@ namespace Gjk.Core.Tests.Support;
 /// </summary>
 internal readonly struct SupportCounter(ConvexShape shape, int[] calls) : ISupportMap
 {
-    public Vector3D Center => shape.Center;
+    public Double3 Center => shape.Center;
 
     public double Margin => shape.Margin;
 
     public double BoundingRadius => shape.BoundingRadius;
 
-    public int Support(in Vector3D direction, out Vector3D point)
+    public int Support(in Double3 direction, out Double3 point)
     {
         calls[0]++;
         return shape.Support(direction, out point);
     }
 
-    public void GetFace(in Vector3D direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
     }
 
-    public bool TryGetVertex(int id, out Vector3D point) => shape.TryGetVertex(id, out point);
+    public bool TryGetVertex(int id, out Double3 point) => shape.TryGetVertex(id, out point);
 }

@@ -12,7 +12,7 @@ namespace Gjk.Core.Tests.Support;
 /// </summary>
 internal sealed class TestShape
 {
-    private TestShape(string text, in ConvexShape shape, Vector3D[]? vertices, double margin, Vector3D extent)
+    private TestShape(string text, in ConvexShape shape, Double3[]? vertices, double margin, Double3 extent)
     {
         Text = text;
         Shape = shape;
@@ -29,7 +29,7 @@ internal sealed class TestShape
     /// <summary>
     /// The core's points, scale applied (exact: a product of two floats is a double); null where the core is curved.
     /// </summary>
-    public Vector3D[]? Vertices { get; }
+    public Double3[]? Vertices { get; }
 
     public double Margin { get; }
 
@@ -72,19 +72,19 @@ internal sealed class TestShape
         new($"ConvexShape.Cone({T(r)}, {T(h)})", ConvexShape.Cone(r, h), null, 0, new(2.0 * r, 2.0 * h, 2.0 * r));
 
     public static TestShape Ellipsoid(Vector3 r) =>
-        new($"ConvexShape.Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), null, 0, (Vector3D)r * 2);
+        new($"ConvexShape.Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), null, 0, (Double3)r * 2);
 
     public TestShape Scaled(Vector3 s)
     {
-        var factors = new Vector3D(Math.Abs(s.X), Math.Abs(s.Y), Math.Abs(s.Z));
+        var factors = new Double3(Math.Abs(s.X), Math.Abs(s.Y), Math.Abs(s.Z));
         bool even = factors.X == factors.Y && factors.Y == factors.Z;
         string text = $"{Text}.Scaled({T(s)})";
         bool polytope = Vertices is not null && (Margin == 0 || even);
         double largest = Math.Max(Math.Max(factors.X, factors.Y), factors.Z);
-        Vector3D[]? vertices = polytope ? [.. Vertices!.Select(v => Vector3D.Multiply(v, s))] : null;
-        Vector3D extent = polytope
+        Double3[]? vertices = polytope ? [.. Vertices!.Select(v => Double3.Multiply(v, s))] : null;
+        Double3 extent = polytope
             ? Extent(vertices!, Margin * factors.X)
-            : new Vector3D(1, 1, 1) * (LongestSide * largest);
+            : new Double3(1, 1, 1) * (LongestSide * largest);
         double margin = polytope ? Margin * factors.X : Margin * (even ? factors.X : 0);
         bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone
             || (Shape.Kind == ShapeKind.Capsule && !even);
@@ -95,7 +95,7 @@ internal sealed class TestShape
 
     /// <summary>A curved shape with something around it that makes no side longer than its own margin does.</summary>
     public TestShape Decorated(Func<ConvexShape, ConvexShape> by, string text) =>
-        new($"{Text}.{text}", by(Shape), null, 0, new Vector3D(1, 1, 1) * (LongestSide + 2 * by(Shape).Margin));
+        new($"{Text}.{text}", by(Shape), null, 0, new Double3(1, 1, 1) * (LongestSide + 2 * by(Shape).Margin));
 
     public override string ToString() => Text;
 
@@ -108,15 +108,15 @@ internal sealed class TestShape
     ];
 
     private static TestShape Polytope(string text, in ConvexShape shape, Vector3[] vertices, double margin) =>
-        Polytope(text, shape, [.. vertices.Select(v => (Vector3D)v)], margin);
+        Polytope(text, shape, [.. vertices.Select(v => (Double3)v)], margin);
 
-    private static TestShape Polytope(string text, in ConvexShape shape, Vector3D[] vertices, double margin) =>
+    private static TestShape Polytope(string text, in ConvexShape shape, Double3[] vertices, double margin) =>
         new(text, shape, vertices, margin, Extent(vertices, margin));
 
-    private static Vector3D Extent(Vector3D[] vertices, double margin) =>
-        new Vector3D(
+    private static Double3 Extent(Double3[] vertices, double margin) =>
+        new Double3(
             Side(vertices.Select(v => v.X)), Side(vertices.Select(v => v.Y)),
-            Side(vertices.Select(v => v.Z))) + new Vector3D(2, 2, 2) * margin;
+            Side(vertices.Select(v => v.Z))) + new Double3(2, 2, 2) * margin;
 
     private static double Side(IEnumerable<double> values) => values.Max() - values.Min();
 

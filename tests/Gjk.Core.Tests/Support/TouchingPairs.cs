@@ -49,7 +49,7 @@ internal static class TouchingPairs
         return shape.Vertices!.Select(v => Rounded(body.Rotate(v))).MaxBy(v => Vector3.Dot(v, direction));
     }
 
-    private static Vector3 Rounded(in Vector3D v) =>
+    private static Vector3 Rounded(in Double3 v) =>
         new((float)Math.Round(v.X), (float)Math.Round(v.Y), (float)Math.Round(v.Z));
 
     private static Vector3 Lattice(Rng rng, int most) =>

@@ -30,7 +30,7 @@ public class ExtremeSceneTests
             Assert.True(scene.TryFindRayHit(new RayQuery(above.Position, down), out hit, out _), where);
             Assert.True(scene.TryFindNearest(sphere, above, out hit, out DistanceResult r), where);
             Assert.Equal(4e37f, r.Distance);
-            scene.FindOverlapping(sphere, new RigidPose(1.5f * Vector3.UnitY), touching);
+            scene.FindObjectsOverlapping(sphere, new RigidPose(1.5f * Vector3.UnitY), touching);
             Assert.Equal([id], touching);
         }
     }
@@ -82,7 +82,7 @@ public class ExtremeSceneTests
         {
             string where = $"{message}, {scene.Bound}";
             List<int> ids = [];
-            scene.FindOverlapping(shape, pose, ids);
+            scene.FindObjectsOverlapping(shape, pose, ids);
             Assert.True(touching.SequenceEqual(ids), $"{where}: overlapping");
             List<RayHit> rayHits = [];
             scene.FindRayHits(ray, rayHits);

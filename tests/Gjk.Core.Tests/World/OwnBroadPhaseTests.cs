@@ -60,7 +60,7 @@ public class OwnBroadPhaseTests
         Assert.Same(
             own,
             Assert.Throws<InvalidOperationException>(
-                () => scene.FindOverlapping(ConvexShape.Sphere(9), RigidPose.Identity, ids, thrower)));
+                () => scene.FindObjectsOverlapping(ConvexShape.Sphere(9), RigidPose.Identity, ids, thrower)));
     }
 
     [Fact]

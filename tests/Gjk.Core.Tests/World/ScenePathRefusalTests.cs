@@ -38,7 +38,7 @@ public class ScenePathRefusalTests
         Assert.Equal([(3, 0.5f), (2, 0.8f), (0, 1.2f)], casts.Select(h => (h.Id, h.Result.Fraction)));
 
         List<int> touching = [];
-        scene.FindOverlapping(Ball, new RigidPose(new Vector3(7, 0, 0)), touching);
+        scene.FindObjectsOverlapping(Ball, new RigidPose(new Vector3(7, 0, 0)), touching);
         Assert.Equal([0, 2], touching);
         Assert.True(scene.TryFindNearest(Ball, start, out id, out DistanceResult nearest, 5));
         Assert.Equal((3, 5f), (id, nearest.Distance));
@@ -53,12 +53,12 @@ public class ScenePathRefusalTests
         var visitor = new Visitor { Use = seen.Add };
         scene.FindRayHits(AlongX, ref visitor);
         scene.FindCastHits(Ball, Here, Vector3.UnitX * 10, ref visitor);
-        scene.FindOverlapping(Ball, Here, ref visitor);
+        scene.FindObjectsOverlapping(Ball, Here, ref visitor);
         Assert.Equal([1, 3, 2, 0, 1, 3, 2, 0, 1, 3], seen);
         visitor.Use = _ => scene.TryFindRayHit(AlongX, out int _, out RayCastResult _);
         Assert.Throws<InvalidOperationException>(() => scene.FindRayHits(AlongX, ref visitor));
         Assert.Throws<InvalidOperationException>(() => scene.FindCastHits(Ball, Here, Vector3.UnitX, ref visitor, 9));
-        Assert.Throws<InvalidOperationException>(() => scene.FindOverlapping(Ball, Here, ref visitor));
+        Assert.Throws<InvalidOperationException>(() => scene.FindObjectsOverlapping(Ball, Here, ref visitor));
         Assert.True(scene.TryFindRayHit(AlongX, out int _, out RayCastResult _));
     }
 
@@ -73,7 +73,7 @@ public class ScenePathRefusalTests
         List<int> ids = [3];
         scene.FindRayHits(AlongX, rays);
         scene.FindCastHits(Ball, Here, Vector3.UnitX, casts);
-        scene.FindOverlapping(Ball, Here, ids);
+        scene.FindObjectsOverlapping(Ball, Here, ids);
         Assert.Equal((0, 0, 0), (rays.Count, casts.Count, ids.Count));
         Assert.False(scene.TryFindRayHit(AlongX, out int id, out RayCastResult ray) || id >= 0);
         Assert.Equal((CastStatus.Miss, float.PositiveInfinity), (ray.Status, ray.Distance));
@@ -133,8 +133,8 @@ public class ScenePathRefusalTests
             Refused<ArgumentException>(name, () => scene.TryFindCastHit(shape, pose, x, out int _, out CastResult _));
             Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, hits));
             Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, ref visitor));
-            Refused<ArgumentException>(name, () => scene.FindOverlapping(shape, pose, ids));
-            Refused<ArgumentException>(name, () => scene.FindOverlapping(shape, pose, ref visitor));
+            Refused<ArgumentException>(name, () => scene.FindObjectsOverlapping(shape, pose, ids));
+            Refused<ArgumentException>(name, () => scene.FindObjectsOverlapping(shape, pose, ref visitor));
             Refused<ArgumentException>(name, () => scene.TryFindNearest(shape, pose, out int _, out _));
         }
 
@@ -155,7 +155,7 @@ public class ScenePathRefusalTests
         }
 
         Refused<ArgumentNullException>("results", () => scene.FindCastHits(Ball, Here, x, null!));
-        Refused<ArgumentNullException>("ids", () => scene.FindOverlapping(Ball, Here, null!));
+        Refused<ArgumentNullException>("ids", () => scene.FindObjectsOverlapping(Ball, Here, null!));
         Assert.Equal((1, 1), (hits.Count, ids.Count));
     }
 

@@ -31,7 +31,7 @@ public class ScenePathTests
                 (Vector3 start, Vector3 motion, float most) =
                     PathFamilies.Make(set.Rng, k % PathFamilies.Count, set.World, set.Side);
                 if (motion == default) continue;
-                rays.Add(new RayQuery(start, motion, (float)(most * ((Vector3D)motion).Length)));
+                rays.Add(new RayQuery(start, motion, (float)(most * ((Double3)motion).Length)));
                 QueryFilter filter = set.Filter();
                 CastOptions options = set.Options();
                 RayHit[] expected = [.. set.Seen(filter).Select(i => new RayHit(i, set.RayCast(i, rays[^1], options)))
@@ -111,7 +111,7 @@ public class ScenePathTests
                 {
                     string where = $"{message}, {scene.Bound}, {k}";
                     List<int> found = [];
-                    scene.FindOverlapping(shape, pose, found, filter);
+                    scene.FindObjectsOverlapping(shape, pose, found, filter);
                     Assert.True(touching.SequenceEqual(found), where);
                     bool any = scene.TryFindNearest(shape, pose, out int id, out DistanceResult result, most, filter);
                     Assert.True(any == (nearest.Id >= 0) && id == nearest.Id, $"{where}: {id}, not {nearest.Id}");

@@ -131,8 +131,8 @@ public class WorldAllocationTests
             scene.TryFindCastHit(shapes[i], poses[i], Vector3.UnitX, out int _, out CastResult _);
             scene.FindCastHits(shapes[i], poses[i], Vector3.UnitX, castHits);
             scene.FindCastHits(shapes[i], poses[i], Vector3.UnitX, ref counter);
-            scene.FindOverlapping(shapes[i], poses[i], ids);
-            scene.FindOverlapping(shapes[i], poses[i], ref counter);
+            scene.FindObjectsOverlapping(shapes[i], poses[i], ids);
+            scene.FindObjectsOverlapping(shapes[i], poses[i], ref counter);
             scene.TryFindNearest(shapes[i], poses[i], out int _, out _, 1);
         }
     }

@@ -59,7 +59,7 @@ public sealed class FuzzTruthTests
         {
             var random = new FuzzRandom(seed);
             IntegerRotation r = IntegerRotation.Any(random).Times(IntegerRotation.AboutY(random));
-            Vector3D v = r.Exactly(new Vector3D(3, -2, 5) * r.Norm);
+            Double3 v = r.Exactly(new Double3(3, -2, 5) * r.Norm);
             Assert.True(
                 v.X == Math.Round(v.X) && v.Y == Math.Round(v.Y) && v.Z == Math.Round(v.Z),
                 $"{r}: {v.X}, {v.Y}, {v.Z}");
@@ -86,8 +86,8 @@ public sealed class FuzzTruthTests
             FuzzPair pair = RestFamilies.Resting(new FuzzRandom(seed));
             if (!pair.Truth.IsKnown) continue;
             known++;
-            Vector3D up = new PosedShape(ConvexShape.Point(), new RigidPose(pair.PoseA.Rotation, Vector3.Zero)).Rotate(
-                new Vector3D(0, 1, 0));
+            Double3 up = new PosedShape(ConvexShape.Point(), new RigidPose(pair.PoseA.Rotation, Vector3.Zero)).Rotate(
+                new Double3(0, 1, 0));
             if (pair.Truth.Answer.Overlap && pair.Truth.PartsWith(up * (1e-14 * pair.Scale))) touching++;
         }
 
@@ -105,17 +105,17 @@ public sealed class FuzzTruthTests
     {
         Assert.True(FuzzPair.TryParse($"gjk1 {shape} @ 0 0 0 1 0 0 0 point 0 @ 0 0 0 1 9 9 9", out FuzzPair? pair));
         Assert.True(pair.BodyA.IsCurved);
-        foreach (Vector3D d in Directions.Many)
+        foreach (Double3 d in Directions.Many)
         {
             double highest = double.NegativeInfinity;
-            foreach (Vector3D u in Directions.Many)
+            foreach (Double3 u in Directions.Many)
             {
-                pair.A.Support(u, out Vector3D point);
-                highest = Math.Max(highest, Vector3D.Dot(d, point));
+                pair.A.Support(u, out Double3 point);
+                highest = Math.Max(highest, Double3.Dot(d, point));
             }
 
-            pair.A.Support(d, out Vector3D furthest);
-            Assert.Equal(Vector3D.Dot(d, furthest), pair.BodyA.CoreHeight(d), 1e-14);
+            pair.A.Support(d, out Double3 furthest);
+            Assert.Equal(Double3.Dot(d, furthest), pair.BodyA.CoreHeight(d), 1e-14);
             Assert.True(pair.BodyA.CoreHeight(d) >= highest - 1e-14);
         }
     }

@@ -38,7 +38,7 @@ public sealed class HierarchyTests
         Vector3[] cloud = [.. Enumerable.Range(0, 12).Select(_ => Vector(1))];
         var text = new UnityText();
         text.Mesh(77, "cloud", cloud, []);
-        var expected = new Dictionary<string, Func<Vector3D, double>>();
+        var expected = new Dictionary<string, Func<Double3, double>>();
         int skewed = 0;
         for (int i = 0; i < Hierarchies; i++)
         {
@@ -56,15 +56,15 @@ public sealed class HierarchyTests
         AssertReach(imported, expected);
     }
 
-    private void AssertReach(Imported imported, Dictionary<string, Func<Vector3D, double>> expected)
+    private void AssertReach(Imported imported, Dictionary<string, Func<Double3, double>> expected)
     {
         Assert.Equal(expected.Count, imported.Scene.Objects.Length);
-        foreach ((string name, Func<Vector3D, double> reach) in expected)
+        foreach ((string name, Func<Double3, double> reach) in expected)
         {
             double size = Sides().Max(d => Math.Abs(reach(d)));
             for (int k = 0; k < Directions; k++)
             {
-                Vector3D d = Direction();
+                Double3 d = Direction();
                 double difference = Imported.Reach(imported[name], d) - reach(d);
                 Assert.True(
                     Math.Abs(difference) <= Tolerance * size,
@@ -82,7 +82,7 @@ public sealed class HierarchyTests
     {
         using var directory = new TempDirectory();
         var text = new UnityText();
-        var expected = new Dictionary<string, Func<Vector3D, double>>();
+        var expected = new Dictionary<string, Func<Double3, double>>();
         for (int i = 0; i < Hierarchies; i++)
         {
             _isEven = true;
@@ -91,13 +91,13 @@ public sealed class HierarchyTests
             (UnityObject leaf, world) = Object(text, middle, world, false, $"leaf {i}");
             Assert.False(world.IsSkewed);
             Vector3 center = Vector(2), size = 2 * new Vector3(_random.NextSingle(), 0.5f, _random.NextSingle());
-            Vector3D half = 0.5 * (Vector3D)size;
+            Double3 half = 0.5 * (Double3)size;
             int axis = i % 3;
             if (i % 2 == 0) text.Box(leaf, size, center);
             else text.Capsule(leaf, 0.5f, 3, axis, center);
             expected.Add($"leaf {i}", i % 2 == 0
-                ? d => Across(Vector3D.Multiply(half, world.Back(d))) + Vector3D.Dot(d, world.Apply(center))
-                : d => Along(world.Back(d), axis) + 0.5 * world.Back(d).Length + Vector3D.Dot(d, world.Apply(center)));
+                ? d => Across(Double3.Multiply(half, world.Back(d))) + Double3.Dot(d, world.Apply(center))
+                : d => Along(world.Back(d), axis) + 0.5 * world.Back(d).Length + Double3.Dot(d, world.Apply(center)));
         }
 
         AssertReach(Imported.Quietly(text.Save(directory, "mirrors.unity")), expected);
@@ -136,24 +136,24 @@ public sealed class HierarchyTests
         text.MeshFilter(text.Object("leaf", top, rotation: turn), "{fileID: 77}");
         text.MeshFilter(text.Object("ball", top, rotation: turn), UnityText.Sphere);
         Imported imported = Imported.Quietly(text.Save(directory, "small.unity"));
-        Vector3D d = new(1, 0, 0);
+        Double3 d = new(1, 0, 0);
         double leaf = factor * Turned(turn, Vector3.UnitX).X;
         Assert.Equal(leaf, Imported.Reach(imported["leaf"], d), Tolerance / 5);
         Assert.Equal(0.5 * factor, Imported.Reach(imported["ball"], d), Tolerance / 5);
     }
 
-    private static double Across(Vector3D v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
+    private static double Across(Double3 v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
 
-    private static double Along(Vector3D v, int axis) => Math.Abs(axis == 0 ? v.X : axis == 1 ? v.Y : v.Z);
+    private static double Along(Double3 v, int axis) => Math.Abs(axis == 0 ? v.X : axis == 1 ? v.Y : v.Z);
 
     /// <summary>The kinds take turns. A flat capsule or cylinder cannot be made, so these stay solid.</summary>
     private static void AddShape(
         UnityText text, UnityObject leaf, int i, bool isFlat, Matrix world, Vector3[] cloud,
-        Dictionary<string, Func<Vector3D, double>> expected)
+        Dictionary<string, Func<Double3, double>> expected)
     {
-        (string mesh, Func<Vector3D, double> local) = (isFlat ? i / 10 % 4 : i % 7) switch
+        (string mesh, Func<Double3, double> local) = (isFlat ? i / 10 % 4 : i % 7) switch
         {
-            0 => ("{fileID: 77}", (Func<Vector3D, double>)(e => cloud.Max(v => Vector3D.Dot(e, v)))),
+            0 => ("{fileID: 77}", (Func<Double3, double>)(e => cloud.Max(v => Double3.Dot(e, v)))),
             1 => (UnityText.Cube, e => 0.5 * (Math.Abs(e.X) + Math.Abs(e.Y) + Math.Abs(e.Z))),
             2 => (UnityText.Sphere, e => 0.5 * e.Length),
             3 => (Quad, e => 0.5 * (Math.Abs(e.X) + Math.Abs(e.Y))),
@@ -162,7 +162,7 @@ public sealed class HierarchyTests
             _ => (Cylinder, e => Math.Abs(e.Y) + 0.5 * Math.Sqrt(e.X * e.X + e.Z * e.Z)),
         };
         text.MeshFilter(leaf, mesh);
-        expected.Add($"leaf {i}", d => local(world.Back(d)) + Vector3D.Dot(d, world.Origin));
+        expected.Add($"leaf {i}", d => local(world.Back(d)) + Double3.Dot(d, world.Origin));
     }
 
     private (UnityObject Object, Matrix World) Object(
@@ -173,19 +173,19 @@ public sealed class HierarchyTests
             scale = MathF.Abs(scale.X) * new Vector3(Math.Sign(scale.X), Math.Sign(scale.Y), Math.Sign(scale.Z));
         Quaternion turn = Quaternion.Normalize(new Quaternion(Vector(1), Number(1)));
         UnityObject added = text.Object(name, parent, position, turn, scale);
-        Vector3D X(Vector3 axis, float factor) => above.Turn(Turned(turn, axis)) * factor;
+        Double3 X(Vector3 axis, float factor) => above.Turn(Turned(turn, axis)) * factor;
         return (added, new Matrix(
             X(Vector3.UnitX, scale.X), X(Vector3.UnitY, scale.Y), X(Vector3.UnitZ, scale.Z),
             above.Turn(position) + above.Origin));
     }
 
     /// <summary>v + 2 q x (q x v + w v) over |q|^2, without a matrix.</summary>
-    private static Vector3D Turned(Quaternion q, Vector3 v)
+    private static Double3 Turned(Quaternion q, Vector3 v)
     {
-        var axis = new Vector3D(q.X, q.Y, q.Z);
+        var axis = new Double3(q.X, q.Y, q.Z);
         double length = axis.LengthSquared + (double)q.W * q.W;
-        Vector3D across = Vector3D.Cross(axis, v) + (Vector3D)v * q.W;
-        return (Vector3D)v + Vector3D.Cross(axis, across) * (2 / length);
+        Double3 across = Double3.Cross(axis, v) + (Double3)v * q.W;
+        return (Double3)v + Double3.Cross(axis, across) * (2 / length);
     }
 
     private float Number(float largest) => (float)((2 * _random.NextDouble() - 1) * largest);
@@ -194,28 +194,28 @@ public sealed class HierarchyTests
 
     private float Factor() => (_random.Next(4) == 0 ? -1 : 1) * (0.3f + 2.7f * _random.NextSingle());
 
-    private Vector3D Direction()
+    private Double3 Direction()
     {
-        Vector3D v = Vector(1);
+        Double3 v = Vector(1);
         return v * (1 / v.Length);
     }
 
-    private static Vector3D[] Sides() =>
+    private static Double3[] Sides() =>
         [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(0, 0, 1), new(0, 0, -1)];
 
     /// <summary>The images of the axes and of the origin.</summary>
-    private sealed record Matrix(Vector3D X, Vector3D Y, Vector3D Z, Vector3D Origin)
+    private sealed record Matrix(Double3 X, Double3 Y, Double3 Z, Double3 Origin)
     {
         public static readonly Matrix Identity = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), default);
 
         public bool IsSkewed =>
-            Math.Abs(Vector3D.Dot(X, Y)) + Math.Abs(Vector3D.Dot(Y, Z)) + Math.Abs(Vector3D.Dot(Z, X))
+            Math.Abs(Double3.Dot(X, Y)) + Math.Abs(Double3.Dot(Y, Z)) + Math.Abs(Double3.Dot(Z, X))
             > 1e-3 * Math.Max(X.LengthSquared, Math.Max(Y.LengthSquared, Z.LengthSquared));
 
-        public Vector3D Turn(Vector3D v) => X * v.X + Y * v.Y + Z * v.Z;
+        public Double3 Turn(Double3 v) => X * v.X + Y * v.Y + Z * v.Z;
 
-        public Vector3D Apply(Vector3D p) => Turn(p) + Origin;
+        public Double3 Apply(Double3 p) => Turn(p) + Origin;
 
-        public Vector3D Back(Vector3D d) => new(Vector3D.Dot(X, d), Vector3D.Dot(Y, d), Vector3D.Dot(Z, d));
+        public Double3 Back(Double3 d) => new(Double3.Dot(X, d), Double3.Dot(Y, d), Double3.Dot(Z, d));
     }
 }

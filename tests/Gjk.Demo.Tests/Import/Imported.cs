@@ -70,20 +70,20 @@ internal sealed class Imported
     }
 
     /// <summary>How far an object reaches in a direction of length 1, in the world.</summary>
-    public static double Reach(SceneObject one, in Vector3D direction)
+    public static double Reach(SceneObject one, in Double3 direction)
     {
         Affine turn = TurnD.From(one.Pose.Rotation).ToAffine();
-        Vector3D inward = turn.TurnBack(direction);
-        one.Shape.Support(inward, out Vector3D point);
-        return Vector3D.Dot(inward, point + one.Shape.Center) + one.Shape.Margin
-            + Vector3D.Dot(direction, one.Pose.Position);
+        Double3 inward = turn.TurnBack(direction);
+        one.Shape.Support(inward, out Double3 point);
+        return Double3.Dot(inward, point + one.Shape.Center) + one.Shape.Margin
+            + Double3.Dot(direction, one.Pose.Position);
     }
 
     /// <summary>Asserts how far an object reaches along the axes.</summary>
     public static void AssertBounds(SceneObject one, Vector3 min, Vector3 max)
     {
         const double tolerance = 1e-6;
-        Vector3D[] axes = [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)];
+        Double3[] axes = [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)];
         double size = Math.Max(min.Length(), max.Length());
         for (int i = 0; i < 3; i++)
         {

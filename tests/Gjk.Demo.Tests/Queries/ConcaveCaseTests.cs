@@ -64,7 +64,7 @@ public sealed class ConcaveCaseTests
             PartCast found = ConcaveQuery.Cast(a.Any, a.Pose, a.Velocity, b.Any, b.Pose, b.Velocity, _scratch);
             string what = $"{string.Join(',', row)}: {found}";
             Assert.True(found.Status.ToString().ToLowerInvariant() == row[2].Replace("_", ""), what);
-            double way = ((Vector3D)b.Velocity - a.Velocity).Length;
+            double way = ((Double3)b.Velocity - a.Velocity).Length;
             if (found.Status == CastStatus.Hit)
                 Assert.True(Math.Abs(found.Fraction - truth) * way <= PerWay * Math.Max(scale, truth * way), what);
         }

@@ -81,9 +81,9 @@ public sealed class PlacementTests
             {
                 (double sin, double cos) = Math.SinCos(2.4 * i);
                 double y = 1 - 2 * (i + 0.5) / 200, ring = Math.Sqrt(1 - y * y);
-                var direction = new Vector3D(ring * cos, y, ring * sin);
-                double more = Vector3D.Dot(direction, SupportSamples.Support(collider, direction))
-                    - Vector3D.Dot(direction, SupportSamples.Support(shape, direction));
+                var direction = new Double3(ring * cos, y, ring * sin);
+                double more = Double3.Dot(direction, SupportSamples.Support(collider, direction))
+                    - Double3.Dot(direction, SupportSamples.Support(shape, direction));
 
                 // Spheres and capsules hold sampled points of round shapes, between which the shapes bulge a little.
                 Assert.True(isAround ? more > -0.01 : more < 1e-6, $"{name}: {more}");

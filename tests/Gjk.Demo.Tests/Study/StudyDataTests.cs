@@ -65,7 +65,8 @@ public sealed class StudyDataTests : IDisposable
     [Theory]
     [InlineData("\"seed\": 1", "\"seed\": -1", "$.seed: must be 0 to")]
     [InlineData("\"radius\": 0.4 } }", "\"radius\": -0.4 } }", "$.pairs[1].b.radius: must not be negative")]
-    [InlineData("\"mesh\": \"wedge\"", "\"mesh\": \"wege\"", "$.pairs[2].b.mesh: there is no mesh \"wege\" above")]
+    [InlineData(
+        "\"mesh\": \"wedge\"", "\"mesh\": \"wege\"", "$.pairs[2].b.mesh: there is no mesh \"wege\" in \"meshes\"")]
     [InlineData(
         "\"gaps\": [-0.03, -0.015,", "\"gaps\": [-0.03, -0.03,", "$.constant.gaps[1]: the gap -0.03 is there already")]
     [InlineData(

@@ -24,7 +24,7 @@ namespace Gjk.Unity
             new UnityEngine.Quaternion(q.X, q.Y, q.Z, q.W);
 
         /// <summary>The same vector, rounded to float.</summary>
-        public static UnityEngine.Vector3 ToUnity(this Vector3D v) =>
+        public static UnityEngine.Vector3 ToUnity(this Double3 v) =>
             new UnityEngine.Vector3((float)v.X, (float)v.Y, (float)v.Z);
     }
 }

@@ -82,14 +82,14 @@ namespace Gjk.Unity
         public static bool Cast(
             Collider colliderA, Vector3 direction, float maxDistance, Collider colliderB, out ColliderCastHit hit)
         {
-            double length = new Vector3D(direction.x, direction.y, direction.z).Length;
+            double length = new Double3(direction.x, direction.y, direction.z).Length;
             if (!(length > 0) || double.IsInfinity(length))
                 throw new ArgumentOutOfRangeException(nameof(direction), direction, "The direction has no length.");
             if (!(maxDistance >= 0) || float.IsInfinity(maxDistance))
                 throw new ArgumentOutOfRangeException(nameof(maxDistance), maxDistance, "Must be finite, from 0 on.");
             PosedShape a = GjkShapes.From(colliderA), b = GjkShapes.From(colliderB);
             var way = (System.Numerics.Vector3)(
-                new Vector3D(direction.x, direction.y, direction.z) * (maxDistance / length));
+                new Double3(direction.x, direction.y, direction.z) * (maxDistance / length));
             CastResult result = ConvexQuery.Cast(a.Shape, a.Pose, way, b.Shape, b.Pose, default);
             bool mayHit = result.IsHit || result.Status == CastStatus.IterationLimit;
             hit = mayHit ? new ColliderCastHit(result, maxDistance) : default;

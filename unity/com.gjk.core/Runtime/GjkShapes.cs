@@ -54,7 +54,7 @@ namespace Gjk.Unity
             if (source == null) throw new ArgumentNullException(nameof(source));
             TransformFrame.Of(source.transform, out TransformFrame frame);
             frame.Turn = new Turn(rotation);
-            frame.Position = new Vector3D(position.x, position.y, position.z);
+            frame.Position = new Double3(position.x, position.y, position.z);
             if (TryFrom(source, frame, out PosedShape posed, out string reason)) return posed;
             throw Refused(source, reason, nameof(source));
         }

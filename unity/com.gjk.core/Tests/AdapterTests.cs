@@ -39,7 +39,7 @@ namespace Gjk.Unity.Tests
                     Check(hierarchy, body, Through(whole, mesh.vertices), 0, 0, seed);
                     if (whole.Skew > SkewedFrom) skewed++;
                     if (hierarchy.IsFlat) flat++;
-                    Vector3D scale = Affine.LossyScale(hierarchy.Leaf.transform, out _);
+                    Double3 scale = Affine.LossyScale(hierarchy.Leaf.transform, out _);
                     if (scale.X * scale.Y * scale.Z < 0) mirrored++;
                 }
             }
@@ -77,14 +77,14 @@ namespace Gjk.Unity.Tests
                     box.center = hierarchy.Vector(-1, 1);
                     box.size = hierarchy.Vector(0, 2);
                     Transform t = hierarchy.Leaf.transform;
-                    Vector3D scale = Affine.LossyScale(t, out Affine rotation);
-                    Vector3D center = Affine.Of(t).Point(box.center);
-                    var corners = new List<Vector3D>();
+                    Double3 scale = Affine.LossyScale(t, out Affine rotation);
+                    Double3 center = Affine.Of(t).Point(box.center);
+                    var corners = new List<Double3>();
                     foreach (Vector3 corner in Corners(box))
                     {
                         Vector3 arm = corner - box.center;
                         corners.Add(center
-                            + rotation.Vector(Vector3D.Multiply(scale, new Vector3D(arm.x, arm.y, arm.z))));
+                            + rotation.Vector(Double3.Multiply(scale, new Double3(arm.x, arm.y, arm.z))));
                     }
 
                     Check(hierarchy, GjkShapes.From(box), corners, 0, 0, seed);
@@ -103,9 +103,9 @@ namespace Gjk.Unity.Tests
                     sphere.center = hierarchy.Vector(-1, 1);
                     sphere.radius = hierarchy.Float(0, 2);
                     Transform t = hierarchy.Leaf.transform;
-                    Vector3D s = Affine.LossyScale(t, out _);
+                    Double3 s = Affine.LossyScale(t, out _);
                     double radius = sphere.radius * Math.Max(Math.Abs(s.X), Math.Max(Math.Abs(s.Y), Math.Abs(s.Z)));
-                    var center = new List<Vector3D> { Affine.Of(t).Point(sphere.center) };
+                    var center = new List<Double3> { Affine.Of(t).Point(sphere.center) };
                     Check(hierarchy, GjkShapes.From(sphere), center, radius, radius, seed);
                 }
             }
@@ -125,16 +125,16 @@ namespace Gjk.Unity.Tests
                     capsule.height = hierarchy.Float(0, 4);
                     capsule.direction = seed % 3;
                     Transform t = hierarchy.Leaf.transform;
-                    Vector3D s = Affine.LossyScale(t, out Affine rotation);
+                    Double3 s = Affine.LossyScale(t, out Affine rotation);
                     double[] scale = { Math.Abs(s.X), Math.Abs(s.Y), Math.Abs(s.Z) };
                     int axis = capsule.direction;
                     double radius = capsule.radius * Math.Max(scale[(axis + 1) % 3], scale[(axis + 2) % 3]);
                     double half = Math.Max(capsule.height * scale[axis] / 2 - radius, 0);
                     if (half == 0) balls++;
-                    Vector3D along = rotation.Vector(
-                        new Vector3D(axis == 0 ? half : 0, axis == 1 ? half : 0, axis == 2 ? half : 0));
-                    Vector3D center = Affine.Of(t).Point(capsule.center);
-                    var ends = new List<Vector3D> { center + along, center - along };
+                    Double3 along = rotation.Vector(
+                        new Double3(axis == 0 ? half : 0, axis == 1 ? half : 0, axis == 2 ? half : 0));
+                    Double3 center = Affine.Of(t).Point(capsule.center);
+                    var ends = new List<Double3> { center + along, center - along };
                     Check(hierarchy, GjkShapes.From(capsule), ends, radius, radius, seed);
                 }
             }
@@ -153,7 +153,7 @@ namespace Gjk.Unity.Tests
                 {
                     Transform t = hierarchy.Leaf.transform;
                     TransformFrame.Of(t, out TransformFrame frame);
-                    Vector3D scale = frame.Stretch.Scale;
+                    Double3 scale = frame.Stretch.Scale;
                     Assert.IsTrue(Affine.Of(t).Difference(t.localToWorldMatrix) < 5 * rounding, "matrix, seed " + seed);
                     Assert.IsTrue((scale.ToUnity() - t.lossyScale).magnitude < 5 * rounding, "scale, seed " + seed);
                     Vector3 x = t.rotation * Vector3.right, y = t.rotation * Vector3.up;
@@ -184,18 +184,18 @@ namespace Gjk.Unity.Tests
         [Test]
         public void ALittleNoiseIsNoSkew()
         {
-            var scale = new Vector3D(1, 2, 3);
+            var scale = new Double3(1, 2, 3);
             Stretch uneven = Stretch.None.Child(Turn.None, Turn.None, scale);
             foreach (double angle in new[] { 1e-8, 1e-6 })
             {
                 var turn = new Turn(0, 0, angle / 2, 1);
-                Assert.AreEqual(angle < 1e-7, uneven.Child(turn, turn, new Vector3D(1, 1, 1)).IsDiagonal);
+                Assert.AreEqual(angle < 1e-7, uneven.Child(turn, turn, new Double3(1, 1, 1)).IsDiagonal);
             }
         }
 
-        private static List<Vector3D> Through(in Affine whole, Vector3[] points)
+        private static List<Double3> Through(in Affine whole, Vector3[] points)
         {
-            var found = new List<Vector3D>();
+            var found = new List<Double3>();
             foreach (Vector3 point in points) found.Add(whole.Point(point));
             return found;
         }
@@ -213,7 +213,7 @@ namespace Gjk.Unity.Tests
         }
 
         private static void Check(
-            RandomHierarchy hierarchy, in PosedShape body, List<Vector3D> points, double margin, double width, int seed)
+            RandomHierarchy hierarchy, in PosedShape body, List<Double3> points, double margin, double width, int seed)
         {
             double size = Reach.Size(points) + width;
             for (int k = 0; k < Directions; k++)

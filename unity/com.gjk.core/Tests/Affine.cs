@@ -9,9 +9,9 @@ namespace Gjk.Unity.Tests
     /// </summary>
     internal readonly struct Affine
     {
-        private readonly Vector3D _x, _y, _z, _position;
+        private readonly Double3 _x, _y, _z, _position;
 
-        private Affine(Vector3D x, Vector3D y, Vector3D z, Vector3D position)
+        private Affine(Double3 x, Double3 y, Double3 z, Double3 position)
         {
             _x = x;
             _y = y;
@@ -28,11 +28,11 @@ namespace Gjk.Unity.Tests
                 parent.Vector(own._x), parent.Vector(own._y), parent.Vector(own._z), parent.Point(own._position));
         }
 
-        public Vector3D Vector(Vector3D v) => _x * v.X + _y * v.Y + _z * v.Z;
+        public Double3 Vector(Double3 v) => _x * v.X + _y * v.Y + _z * v.Z;
 
-        public Vector3D Point(Vector3D v) => Vector(v) + _position;
+        public Double3 Point(Double3 v) => Vector(v) + _position;
 
-        public Vector3D Point(Vector3 v) => Point(new Vector3D(v.x, v.y, v.z));
+        public Double3 Point(Vector3 v) => Point(new Double3(v.x, v.y, v.z));
 
         /// <summary>The largest difference to the engine's matrix, entry by entry.</summary>
         public double Difference(Matrix4x4 m)
@@ -40,7 +40,7 @@ namespace Gjk.Unity.Tests
             double most = 0;
             for (int column = 0; column < 4; column++)
             {
-                Vector3D own = column == 0 ? _x : column == 1 ? _y : column == 2 ? _z : _position;
+                Double3 own = column == 0 ? _x : column == 1 ? _y : column == 2 ? _z : _position;
                 most = Math.Max(most, Math.Abs(own.X - m[0, column]));
                 most = Math.Max(most, Math.Abs(own.Y - m[1, column]));
                 most = Math.Max(most, Math.Abs(own.Z - m[2, column]));
@@ -58,13 +58,13 @@ namespace Gjk.Unity.Tests
         /// The diagonal of inverse(rotation) * matrix, with the rotation that the engine's manual implies: each turn as
         /// the mirrors above it show it.
         /// </summary>
-        public static Vector3D LossyScale(Transform transform, out Affine rotation)
+        public static Double3 LossyScale(Transform transform, out Affine rotation)
         {
             rotation = Rotation(transform);
             Affine whole = Of(transform);
-            return new Vector3D(
-                Vector3D.Dot(rotation._x, whole._x), Vector3D.Dot(rotation._y, whole._y),
-                Vector3D.Dot(rotation._z, whole._z));
+            return new Double3(
+                Double3.Dot(rotation._x, whole._x), Double3.Dot(rotation._y, whole._y),
+                Double3.Dot(rotation._z, whole._z));
         }
 
         private static Affine Rotation(Transform transform)
@@ -81,19 +81,19 @@ namespace Gjk.Unity.Tests
                 z *= t.localScale.z < 0 ? -1 : 1;
             }
 
-            var signs = new Vector3D(x, y, z);
+            var signs = new Double3(x, y, z);
             Affine outer = Rotation(parent);
             return new Affine(
-                outer.Vector(Vector3D.Multiply(signs, turn._x) * x),
-                outer.Vector(Vector3D.Multiply(signs, turn._y) * y),
-                outer.Vector(Vector3D.Multiply(signs, turn._z) * z), default);
+                outer.Vector(Double3.Multiply(signs, turn._x) * x),
+                outer.Vector(Double3.Multiply(signs, turn._y) * y),
+                outer.Vector(Double3.Multiply(signs, turn._z) * z), default);
         }
 
         private static Affine Local(Transform t)
         {
             Affine turn = Turn(t.localRotation);
             Vector3 s = t.localScale, p = t.localPosition;
-            return new Affine(turn._x * s.x, turn._y * s.y, turn._z * s.z, new Vector3D(p.x, p.y, p.z));
+            return new Affine(turn._x * s.x, turn._y * s.y, turn._z * s.z, new Double3(p.x, p.y, p.z));
         }
 
         private static Affine Turn(Quaternion q)
@@ -101,15 +101,15 @@ namespace Gjk.Unity.Tests
             double n = 2 / ((double)q.x * q.x + (double)q.y * q.y + (double)q.z * q.z + (double)q.w * q.w);
             double x = q.x, y = q.y, z = q.z, w = q.w;
             return new Affine(
-                new Vector3D(1 - n * (y * y + z * z), n * (x * y + w * z), n * (x * z - w * y)),
-                new Vector3D(n * (x * y - w * z), 1 - n * (x * x + z * z), n * (y * z + w * x)),
-                new Vector3D(n * (x * z + w * y), n * (y * z - w * x), 1 - n * (x * x + y * y)), default);
+                new Double3(1 - n * (y * y + z * z), n * (x * y + w * z), n * (x * z - w * y)),
+                new Double3(n * (x * y - w * z), 1 - n * (x * x + z * z), n * (y * z + w * x)),
+                new Double3(n * (x * z + w * y), n * (y * z - w * x), 1 - n * (x * x + y * y)), default);
         }
 
-        private static double Cosine(Vector3D a, Vector3D b)
+        private static double Cosine(Double3 a, Double3 b)
         {
             double lengths = a.Length * b.Length;
-            return lengths > 0 ? Math.Abs(Vector3D.Dot(a, b)) / lengths : 0;
+            return lengths > 0 ? Math.Abs(Double3.Dot(a, b)) / lengths : 0;
         }
     }
 }

@@ -12,28 +12,28 @@ namespace Gjk.Unity.Tests
     {
         public static double Of(in PosedShape body, Vector3 direction)
         {
-            var d = new Vector3D(direction.x, direction.y, direction.z);
+            var d = new Double3(direction.x, direction.y, direction.z);
             System.Numerics.Quaternion q = body.Pose.Rotation;
             var turn = new Turn(q.X, q.Y, q.Z, q.W);
-            Vector3D inward = turn.RotateBack(d);
-            body.Shape.Support(inward, out Vector3D point);
-            return Vector3D.Dot(inward, point + body.Shape.Center) + body.Shape.Margin * d.Length
-                + Vector3D.Dot(d, body.Pose.Position);
+            Double3 inward = turn.RotateBack(d);
+            body.Shape.Support(inward, out Double3 point);
+            return Double3.Dot(inward, point + body.Shape.Center) + body.Shape.Margin * d.Length
+                + Double3.Dot(d, body.Pose.Position);
         }
 
-        public static double Of(List<Vector3D> points, Vector3 direction)
+        public static double Of(List<Double3> points, Vector3 direction)
         {
             double most = double.NegativeInfinity;
-            var d = new Vector3D(direction.x, direction.y, direction.z);
-            foreach (Vector3D point in points) most = Math.Max(most, Vector3D.Dot(d, point));
+            var d = new Double3(direction.x, direction.y, direction.z);
+            foreach (Double3 point in points) most = Math.Max(most, Double3.Dot(d, point));
             return most;
         }
 
         /// <summary>The largest coordinate: what a float error of a thousand-thousandth is measured by.</summary>
-        public static double Size(List<Vector3D> points)
+        public static double Size(List<Double3> points)
         {
             double most = 0;
-            foreach (Vector3D p in points)
+            foreach (Double3 p in points)
                 most = Math.Max(most, Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
             return most;
         }

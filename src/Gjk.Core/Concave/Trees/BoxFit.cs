@@ -25,7 +25,7 @@ internal sealed class BoxFit
     private readonly IPartSource _source;
     private readonly PartItem[] _items;
     private readonly double _inverse;
-    private Vector3D _u, _v, _w, _center, _half;
+    private Double3 _u, _v, _w, _center, _half;
 
     /// <param name="source">The parts.</param>
     /// <param name="items">Their boxes, in the shape's frame; they are brought to the tree's.</param>
@@ -35,7 +35,7 @@ internal sealed class BoxFit
         _source = source;
         _items = items;
         Origin = (all.Min + all.Max) * 0.5;
-        Vector3D half = (all.Max - all.Min) * 0.5;
+        Double3 half = (all.Max - all.Min) * 0.5;
         double most = half.SumOfMagnitudes;
         Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
         _inverse = 1 / Unit;
@@ -49,7 +49,7 @@ internal sealed class BoxFit
         }
     }
 
-    public Vector3D Origin { get; }
+    public Double3 Origin { get; }
 
     public double Unit { get; }
 
@@ -61,14 +61,14 @@ internal sealed class BoxFit
         PartBox box = PartBox.Nothing;
         for (int i = begin; i < end; i++) box.Add(_items[i].Box);
         SetAlongAxes(box);
-        if (!TryGetSpread(begin, end, out Vector3D u, out Vector3D v, out Vector3D w)) return;
+        if (!TryGetSpread(begin, end, out Double3 u, out Double3 v, out Double3 w)) return;
         (u, v, w) = (ToFloats(u), ToFloats(v), ToFloats(w));
-        MeasureAlong(begin, end, u, v, w, out Vector3D low, out Vector3D high);
-        Vector3D size = high - low;
+        MeasureAlong(begin, end, u, v, w, out Double3 low, out Double3 high);
+        Double3 size = high - low;
         if (size.X * size.Y + size.Y * size.Z + size.Z * size.X >= box.Area) return;
-        Vector3D middle = (low + high) * 0.5;
-        Vector3D center = ToFloats(u * middle.X + v * middle.Y + w * middle.Z);
-        Vector3D along = Along(center, u, v, w);
+        Double3 middle = (low + high) * 0.5;
+        Double3 center = ToFloats(u * middle.X + v * middle.Y + w * middle.Z);
+        Double3 along = Along(center, u, v, w);
         (_u, _v, _w, _center) = (u, v, w, center);
         _half = Widened(high - along, along - low);
     }
@@ -83,7 +83,7 @@ internal sealed class BoxFit
         Write(boxes, at + PartTree.Axes + 6 * PartTree.Lanes, _w);
     }
 
-    private static void Write(float[] boxes, int at, in Vector3D v)
+    private static void Write(float[] boxes, int at, in Double3 v)
     {
         boxes[at] = (float)v.X;
         boxes[at + PartTree.Lanes] = (float)v.Y;
@@ -92,17 +92,17 @@ internal sealed class BoxFit
 
     private void SetAlongAxes(in PartBox box)
     {
-        (_u, _v, _w) = (new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1));
+        (_u, _v, _w) = (new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1));
         _center = ToFloats((box.Min + box.Max) * 0.5);
         _half = Widened(box.Max - _center, _center - box.Min);
     }
 
-    private bool TryGetSpread(int begin, int end, out Vector3D u, out Vector3D v, out Vector3D w)
+    private bool TryGetSpread(int begin, int end, out Double3 u, out Double3 v, out Double3 w)
     {
         BoxSpread spread = default;
         for (int i = begin; i < end; i++)
         {
-            if (!_source.TryGetTriangle(_items[i].Part, out Vector3D a, out Vector3D b, out Vector3D c))
+            if (!_source.TryGetTriangle(_items[i].Part, out Double3 a, out Double3 b, out Double3 c))
             {
                 u = v = w = default;
                 return false;
@@ -115,12 +115,12 @@ internal sealed class BoxFit
     }
 
     private void MeasureAlong(
-        int begin, int end, in Vector3D u, in Vector3D v, in Vector3D w, out Vector3D low, out Vector3D high)
+        int begin, int end, in Double3 u, in Double3 v, in Double3 w, out Double3 low, out Double3 high)
     {
         PartBox box = PartBox.Nothing;
         for (int i = begin; i < end; i++)
         {
-            _source.TryGetTriangle(_items[i].Part, out Vector3D a, out Vector3D b, out Vector3D c);
+            _source.TryGetTriangle(_items[i].Part, out Double3 a, out Double3 b, out Double3 c);
             box.Add(Along(Local(a), u, v, w));
             box.Add(Along(Local(b), u, v, w));
             box.Add(Along(Local(c), u, v, w));
@@ -129,18 +129,18 @@ internal sealed class BoxFit
         (low, high) = (box.Min, box.Max);
     }
 
-    private static Vector3D Along(in Vector3D p, in Vector3D u, in Vector3D v, in Vector3D w) =>
-        new(Vector3D.Dot(p, u), Vector3D.Dot(p, v), Vector3D.Dot(p, w));
+    private static Double3 Along(in Double3 p, in Double3 u, in Double3 v, in Double3 w) =>
+        new(Double3.Dot(p, u), Double3.Dot(p, v), Double3.Dot(p, w));
 
-    private Vector3D Local(in Vector3D p) => (p - Origin) * _inverse;
+    private Double3 Local(in Double3 p) => (p - Origin) * _inverse;
 
-    private static Vector3D ToFloats(in Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
+    private static Double3 ToFloats(in Double3 v) => new((float)v.X, (float)v.Y, (float)v.Z);
 
     /// <summary>The larger of both ways along each axis, and a little more.</summary>
-    private Vector3D Widened(in Vector3D up, in Vector3D down)
+    private Double3 Widened(in Double3 up, in Double3 down)
     {
         double radius = Radius * _inverse * (Outward / 2) + Origin.SumOfMagnitudes * _inverse * FromFar;
-        return new Vector3D(
+        return new Double3(
             Math.Max(up.X, down.X) * (1 + Outward) + radius, Math.Max(up.Y, down.Y) * (1 + Outward) + radius,
             Math.Max(up.Z, down.Z) * (1 + Outward) + radius);
     }

@@ -20,10 +20,10 @@ internal struct BoxSpread
     private double _area, _x, _y, _z, _xx, _xy, _xz, _yy, _yz, _zz;
 
     /// <summary>Adds a triangle, whose corners are measured from near the middle of all.</summary>
-    public void Add(in Vector3D a, in Vector3D b, in Vector3D c)
+    public void Add(in Double3 a, in Double3 b, in Double3 c)
     {
-        Vector3D sum = a + b + c;
-        double area = Vector3D.Cross(b - a, c - a).Length;
+        Double3 sum = a + b + c;
+        double area = Double3.Cross(b - a, c - a).Length;
         _area += area;
         _x += area * sum.X;
         _y += area * sum.Y;
@@ -40,12 +40,12 @@ internal struct BoxSpread
     /// <param name="u">The first axis, a unit vector.</param>
     /// <param name="v">The second, perpendicular to it.</param>
     /// <param name="w">The third.</param>
-    public readonly bool TryGetAxes(out Vector3D u, out Vector3D v, out Vector3D w)
+    public readonly bool TryGetAxes(out Double3 u, out Double3 v, out Double3 w)
     {
         double k = 1 / (12 * _area), x = _x / (3 * _area), y = _y / (3 * _area), z = _z / (3 * _area);
         double xx = _xx * k - x * x, yy = _yy * k - y * y, zz = _zz * k - z * z;
         double xy = _xy * k - x * y, xz = _xz * k - x * z, yz = _yz * k - y * z;
-        (u, v, w) = (new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1));
+        (u, v, w) = (new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1));
         if (!Guard.IsFinite(xx + yy + zz + xy + xz + yz)) return false;
         for (int sweep = 0; sweep < Sweeps; sweep++)
         {
@@ -61,7 +61,7 @@ internal struct BoxSpread
 
     /// <summary>One of Jacobi's rotations (Golub and Van Loan, 8.5): what couples two axes becomes 0.</summary>
     private static void Turn(
-        ref double pp, ref double qq, ref double pq, ref double pr, ref double qr, ref Vector3D p, ref Vector3D q)
+        ref double pp, ref double qq, ref double pq, ref double pr, ref double qr, ref Double3 p, ref Double3 q)
     {
         if (pq == 0) return;
         double theta = (qq - pp) / (2 * pq);

@@ -5,7 +5,7 @@ internal struct PartBox
 {
     public double MinX, MinY, MinZ, MaxX, MaxY, MaxZ;
 
-    public PartBox(in Vector3D min, in Vector3D max)
+    public PartBox(in Double3 min, in Double3 max)
     {
         (MinX, MinY, MinZ) = (min.X, min.Y, min.Z);
         (MaxX, MaxY, MaxZ) = (max.X, max.Y, max.Z);
@@ -13,12 +13,12 @@ internal struct PartBox
 
     /// <summary>Holds no point.</summary>
     public static PartBox Nothing { get; } = new(
-        new Vector3D(double.MaxValue, double.MaxValue, double.MaxValue),
-        new Vector3D(double.MinValue, double.MinValue, double.MinValue));
+        new Double3(double.MaxValue, double.MaxValue, double.MaxValue),
+        new Double3(double.MinValue, double.MinValue, double.MinValue));
 
-    public readonly Vector3D Min => new(MinX, MinY, MinZ);
+    public readonly Double3 Min => new(MinX, MinY, MinZ);
 
-    public readonly Vector3D Max => new(MaxX, MaxY, MaxZ);
+    public readonly Double3 Max => new(MaxX, MaxY, MaxZ);
 
     /// <summary>Half the surface.</summary>
     public readonly double Area
@@ -40,7 +40,7 @@ internal struct PartBox
         if (box.MaxZ > MaxZ) MaxZ = box.MaxZ;
     }
 
-    public void Add(in Vector3D point)
+    public void Add(in Double3 point)
     {
         if (point.X < MinX) MinX = point.X;
         if (point.Y < MinY) MinY = point.Y;

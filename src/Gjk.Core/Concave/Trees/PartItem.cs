@@ -14,8 +14,8 @@ internal interface IPartSource
     int Count { get; }
 
     /// <summary>A part's box in the shape's frame; holds it for certain.</summary>
-    void GetBox(int part, out Vector3D min, out Vector3D max);
+    void GetBox(int part, out Double3 min, out Double3 max);
 
     /// <summary>A part's three corners, where it is a triangle.</summary>
-    bool TryGetTriangle(int part, out Vector3D a, out Vector3D b, out Vector3D c);
+    bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c);
 }

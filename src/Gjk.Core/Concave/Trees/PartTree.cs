@@ -32,7 +32,7 @@ internal sealed class PartTree
     public readonly int[] Order;
 
     /// <summary>The frame's origin in the shape's own frame.</summary>
-    public Vector3D Origin;
+    public Double3 Origin;
 
     /// <summary>The shape's units per tree unit: a power of two.</summary>
     public double Unit = 1;

@@ -38,7 +38,7 @@ internal sealed class PartTreeBuilder
         PartBox all = PartBox.Nothing;
         for (int i = 0; i < count; i++)
         {
-            source.GetBox(i, out Vector3D min, out Vector3D max);
+            source.GetBox(i, out Double3 min, out Double3 max);
             _items[i] = new PartItem { Box = new PartBox(min, max), Part = i };
             all.Add(_items[i].Box);
         }

@@ -11,10 +11,10 @@ internal static class SinglePart
     /// <param name="tree">Made by <see cref="PartTree.Single"/>.</param>
     /// <param name="min">Of a box that holds the part, in its own frame.</param>
     /// <param name="max">The other corner of the box.</param>
-    public static void Write(PartTree tree, in Vector3D min, in Vector3D max)
+    public static void Write(PartTree tree, in Double3 min, in Double3 max)
     {
         tree.Origin = (min + max) * 0.5;
-        Vector3D half = (max - min) * (0.5 * Outward);
+        Double3 half = (max - min) * (0.5 * Outward);
         double most = half.SumOfMagnitudes;
         tree.Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
         half *= 1 / tree.Unit;

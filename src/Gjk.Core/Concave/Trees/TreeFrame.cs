@@ -26,7 +26,7 @@ internal struct TreeFrame
     public RotationD RotationA;
 
     /// <summary>From A's tree's origin to B's, in A's frame and pair units.</summary>
-    public Vector3D Translation;
+    public Double3 Translation;
 
     /// <summary>World units per pair unit.</summary>
     public double Unit;
@@ -49,9 +49,9 @@ internal struct TreeFrame
         frame = default;
         PoseComposition.Compose(
             poseA, poseB, out frame.RotationA, out frame.Rotation, out _, out _);
-        Vector3D between = (Vector3D)poseB.Position - poseA.Position;
-        Vector3D originB = frame.Rotation.Rotate(b.Origin);
-        Vector3D translation = frame.RotationA.InverseRotate(between) + (originB - a.Origin);
+        Double3 between = (Double3)poseB.Position - poseA.Position;
+        Double3 originB = frame.Rotation.Rotate(b.Origin);
+        Double3 translation = frame.RotationA.InverseRotate(between) + (originB - a.Origin);
         double far = between.SumOfMagnitudes + a.Origin.SumOfMagnitudes + b.Origin.SumOfMagnitudes;
         double most = Math.Max(Math.Max(a.Radius, b.Radius), Math.Max(translation.SumOfMagnitudes, reach));
         frame.Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
@@ -69,7 +69,7 @@ internal struct TreeFrame
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void SeenFromB(in TurnedBox box, out TurnedBox seen)
     {
-        seen.Center = Narrow(Rotation.InverseRotate((Vector3D)box.Center - Translation));
+        seen.Center = Narrow(Rotation.InverseRotate((Double3)box.Center - Translation));
         seen.Half = box.Half;
         seen.U = Narrow(Rotation.InverseRotate(box.U));
         seen.V = Narrow(Rotation.InverseRotate(box.V));
@@ -77,7 +77,7 @@ internal struct TreeFrame
     }
 
     /// <summary>A point of A's tree in pair units, as B's tree sees it.</summary>
-    public readonly Vector3D PlacedInB(in Vector3D point) => Rotation.InverseRotate(point - Translation);
+    public readonly Double3 PlacedInB(in Double3 point) => Rotation.InverseRotate(point - Translation);
 
     /// <summary>A box of B's tree in pair units, as A's tree sees it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -91,5 +91,5 @@ internal struct TreeFrame
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3 Narrow(in Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
+    private static Vector3 Narrow(in Double3 v) => new((float)v.X, (float)v.Y, (float)v.Z);
 }

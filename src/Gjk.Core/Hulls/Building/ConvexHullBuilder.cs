@@ -91,7 +91,7 @@ internal sealed class ConvexHullBuilder
 
     private int FurthestFrom(int a)
     {
-        Vector3D origin = _points[a];
+        Double3 origin = _points[a];
         int best = -1;
         double most = 0;
         for (int i = 0; i < _points.Length; i++)
@@ -109,13 +109,13 @@ internal sealed class ConvexHullBuilder
     /// <summary>A point that is not on the line through a and b, or -1.</summary>
     private int OffLine(int a, int b)
     {
-        Vector3D origin = _points[a];
-        Vector3D along = _points[b] - origin;
+        Double3 origin = _points[a];
+        Double3 along = _points[b] - origin;
         int best = a;
         double most = 0;
         for (int i = 0; i < _points.Length; i++)
         {
-            double squared = Vector3D.Cross(along, _points[i] - origin).LengthSquared;
+            double squared = Double3.Cross(along, _points[i] - origin).LengthSquared;
             if (squared <= most) continue;
             most = squared;
             best = i;

@@ -21,7 +21,7 @@ internal sealed class FaceOutline
     /// <param name="triangles">Three corners each.</param>
     /// <param name="normal">Outward, of unit length.</param>
     /// <param name="outline">What is appended to.</param>
-    public void Append(List<int> region, int[] triangles, in Vector3D normal, List<int> outline)
+    public void Append(List<int> region, int[] triangles, in Double3 normal, List<int> outline)
     {
         if (region.Count == 1)
         {
@@ -36,10 +36,10 @@ internal sealed class FaceOutline
         AddChain(outline);
     }
 
-    private void Collect(List<int> region, int[] triangles, in Vector3D normal)
+    private void Collect(List<int> region, int[] triangles, in Double3 normal)
     {
         var basis = new PlaneBasis(normal);
-        Vector3D origin = _points[triangles[3 * region[0]]];
+        Double3 origin = _points[triangles[3 * region[0]]];
         _seen.Clear();
         _ids.Clear();
         foreach (int triangle in region)
@@ -48,8 +48,8 @@ internal sealed class FaceOutline
             {
                 int id = triangles[3 * triangle + k];
                 if (!_ids.Add(id)) continue;
-                Vector3D p = _points[id] - origin;
-                _seen.Add(new Corner(Vector3D.Dot(p, basis.U), Vector3D.Dot(p, basis.V), id));
+                Double3 p = _points[id] - origin;
+                _seen.Add(new Corner(Double3.Dot(p, basis.U), Double3.Dot(p, basis.V), id));
             }
         }
     }

@@ -25,7 +25,7 @@ internal sealed class FaceRegions
     private const double SameSide = 0.99;
 
     public readonly int[] FaceStart, Corners, VertexStart, VertexFaces;
-    public readonly Vector3D[] Normals;
+    public readonly Double3[] Normals;
 
     /// <summary>
     /// Ratio to a coordinate: 2^-23, twice its rounding to float, which far from the local origin is what is left of
@@ -39,7 +39,7 @@ internal sealed class FaceRegions
     private readonly int[] _triangles, _trianglesAt, _faceOf, _facesSeen;
     private readonly double _flatness;
     private readonly List<int> _corners = [], _start = [0], _region = [], _beyond = [];
-    private readonly List<Vector3D> _normals = [];
+    private readonly List<Double3> _normals = [];
     private readonly FaceOutline _outline;
 
     /// <param name="points">The hull's corners.</param>
@@ -49,7 +49,7 @@ internal sealed class FaceRegions
     {
         _points = points;
         _triangles = triangles;
-        Vector3D extent = (Vector3D)bounds.Max - bounds.Min;
+        Double3 extent = (Double3)bounds.Max - bounds.Min;
         _flatness = Math.Max(Flatness * Largest(extent), Math.Max(Rounding(bounds.Min), Rounding(bounds.Max)));
         _outline = new FaceOutline(points);
         _faceOf = new int[triangles.Length / 3];
@@ -80,7 +80,7 @@ internal sealed class FaceRegions
     private void GrowAll()
     {
         int count = _faceOf.Length;
-        var normals = new Vector3D[count];
+        var normals = new Double3[count];
         double[] areas = new double[count];
         int[] order = new int[count];
         for (int i = 0; i < count; i++)
@@ -98,10 +98,10 @@ internal sealed class FaceRegions
             if (_faceOf[sliver] == None) _faceOf[sliver] = FaceBeside(sliver);
     }
 
-    private void Grow(int seed, Vector3D[] normals, double[] areas)
+    private void Grow(int seed, Double3[] normals, double[] areas)
     {
         int face = _normals.Count;
-        Vector3D normal = normals[seed] * (1 / areas[seed]), origin = Corner(seed, 0);
+        Double3 normal = normals[seed] * (1 / areas[seed]), origin = Corner(seed, 0);
         _region.Clear();
         _region.Add(seed);
         _faceOf[seed] = face;
@@ -126,8 +126,8 @@ internal sealed class FaceRegions
         bool LiesIn(int triangle)
         {
             for (int k = 0; k < 3; k++)
-                if (Math.Abs(Vector3D.Dot(Corner(triangle, k) - origin, normal)) > _flatness) return false;
-            return Vector3D.Dot(normals[triangle], normal) >= SameSide * areas[triangle];
+                if (Math.Abs(Double3.Dot(Corner(triangle, k) - origin, normal)) > _flatness) return false;
+            return Double3.Dot(normals[triangle], normal) >= SameSide * areas[triangle];
         }
     }
 
@@ -182,15 +182,15 @@ internal sealed class FaceRegions
         return faces.ToArray();
     }
 
-    private static double Rounding(in Vector3D corner) => FloatRounding * Largest(corner);
+    private static double Rounding(in Double3 corner) => FloatRounding * Largest(corner);
 
-    private static double Largest(in Vector3D v) => Math.Max(Math.Max(Math.Abs(v.X), Math.Abs(v.Y)), Math.Abs(v.Z));
+    private static double Largest(in Double3 v) => Math.Max(Math.Max(Math.Abs(v.X), Math.Abs(v.Y)), Math.Abs(v.Z));
 
-    private Vector3D Corner(int triangle, int k) => _points[_triangles[3 * triangle + k]];
+    private Double3 Corner(int triangle, int k) => _points[_triangles[3 * triangle + k]];
 
-    private Vector3D Normal(int triangle)
+    private Double3 Normal(int triangle)
     {
-        Vector3D a = Corner(triangle, 0);
-        return Vector3D.Cross(Corner(triangle, 1) - a, Corner(triangle, 2) - a);
+        Double3 a = Corner(triangle, 0);
+        return Double3.Cross(Corner(triangle, 1) - a, Corner(triangle, 2) - a);
     }
 }

@@ -61,7 +61,7 @@ internal sealed class HullDeterminant
     /// <summary>As <see cref="Sign"/>, with differences from a.</summary>
     private int SignFrom(in Vector3 a, in Vector3 b, in Vector3 c, in Vector3 p)
     {
-        Vector3D origin = a, u = b - origin, v = c - origin, w = p - origin;
+        Double3 origin = a, u = b - origin, v = c - origin, w = p - origin;
         double yz = u.Y * v.Z, zy = u.Z * v.Y, zx = u.Z * v.X, xz = u.X * v.Z, xy = u.X * v.Y, yx = u.Y * v.X;
         double volume = (yz - zy) * w.X + (zx - xz) * w.Y + (xy - yx) * w.Z;
         double magnitude = (Math.Abs(yz) + Math.Abs(zy)) * Math.Abs(w.X)
@@ -85,7 +85,7 @@ internal sealed class HullDeterminant
     }
 
     /// <summary>|b-a, c-a, p-a| by rows, multiplied out: terms with two rows a vanish.</summary>
-    private void AddCoordinates(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D p)
+    private void AddCoordinates(in Double3 a, in Double3 b, in Double3 c, in Double3 p)
     {
         Add(b, c, p);
         Add(-a, c, p);
@@ -97,7 +97,7 @@ internal sealed class HullDeterminant
     /// Adds the determinant with rows p, q, r, whose components are floats, or differences of floats that need no
     /// rounding.
     /// </summary>
-    private void Add(in Vector3D p, in Vector3D q, in Vector3D r)
+    private void Add(in Double3 p, in Double3 q, in Double3 r)
     {
         _sum.AddProduct(p.X, q.Y, r.Z);
         _sum.AddProduct(-p.X, q.Z, r.Y);
@@ -111,7 +111,7 @@ internal sealed class HullDeterminant
         Math.Abs((double)a.X - b.X) + Math.Abs((double)a.Y - b.Y) + Math.Abs((double)a.Z - b.Z);
 
     /// <summary>a - b without error.</summary>
-    private static VectorDD Difference(in Vector3D a, in Vector3D b) =>
+    private static VectorDD Difference(in Double3 a, in Double3 b) =>
         new(DoubleDouble.Sum(a.X, -b.X), DoubleDouble.Sum(a.Y, -b.Y), DoubleDouble.Sum(a.Z, -b.Z));
 
     private static bool IsDouble(in VectorDD v) => v.X.Low == 0 && v.Y.Low == 0 && v.Z.Low == 0;

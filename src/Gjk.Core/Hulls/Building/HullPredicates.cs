@@ -66,8 +66,8 @@ internal sealed class HullPredicates
 
     public HullPlane PlaneThrough(int a, int b, int c)
     {
-        Vector3D origin = _points[a];
-        Vector3D u = _points[b] - origin, v = _points[c] - origin;
+        Double3 origin = _points[a];
+        Double3 u = _points[b] - origin, v = _points[c] - origin;
         double yz = u.Y * v.Z, zy = u.Z * v.Y, zx = u.Z * v.X, xz = u.X * v.Z, xy = u.X * v.Y, yx = u.Y * v.X;
         double largest = (Math.Abs(yz) + Math.Abs(zy)) * _extentX
             + (Math.Abs(zx) + Math.Abs(xz)) * _extentY

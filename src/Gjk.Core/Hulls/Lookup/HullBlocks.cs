@@ -18,7 +18,7 @@ namespace Gjk.Core;
 internal static class HullBlocks
 {
     /// <summary>The dot product of the vertex in a slot.</summary>
-    public static double Dot(float[] blocks, int slot, in Vector3D direction)
+    public static double Dot(float[] blocks, int slot, in Double3 direction)
     {
         int x = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
         double y = blocks[x + HullCells.Lanes], z = blocks[x + 2 * HullCells.Lanes];
@@ -28,7 +28,7 @@ internal static class HullBlocks
 #if NET
     /// <summary>The best of a run of blocks, four vertices at a time.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Best(float[] blocks, int block, int end, in Vector3D direction)
+    public static int Best(float[] blocks, int block, int end, in Double3 direction)
     {
         Debug.Assert(block >= 0 && end > block && end * HullCells.BlockFloats <= blocks.Length);
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(blocks);
@@ -47,13 +47,13 @@ internal static class HullBlocks
 
     /// <summary>Reads the vertex in a slot; gives the slot back.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Read(float[] blocks, int slot, out Vector3D point)
+    public static int Read(float[] blocks, int slot, out Double3 point)
     {
         Debug.Assert((uint)slot < (uint)(blocks.Length / HullCells.BlockFloats * HullCells.Lanes));
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(blocks);
         uint block = (uint)slot / HullCells.Lanes, lane = (uint)slot % HullCells.Lanes;
         ref float x = ref Unsafe.Add(ref coordinates, block * HullCells.BlockFloats + lane);
-        point = new Vector3D(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
+        point = new Double3(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
         return slot;
     }
 
@@ -128,7 +128,7 @@ internal static class HullBlocks
         Vector256.WidenLower(Vector128.LoadUnsafe(ref four).ToVector256Unsafe());
 #else
     /// <summary>The best of a run of blocks, one vertex at a time.</summary>
-    public static int Best(float[] blocks, int block, int end, in Vector3D direction)
+    public static int Best(float[] blocks, int block, int end, in Double3 direction)
     {
         double dx = direction.X, dy = direction.Y, dz = direction.Z, bestDot = double.NegativeInfinity;
         int best = block * HullCells.Lanes;
@@ -149,10 +149,10 @@ internal static class HullBlocks
     }
 
     /// <summary>Reads the vertex in a slot; gives the slot back.</summary>
-    public static int Read(float[] blocks, int slot, out Vector3D point)
+    public static int Read(float[] blocks, int slot, out Double3 point)
     {
         int x = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
-        point = new Vector3D(blocks[x], blocks[x + HullCells.Lanes], blocks[x + 2 * HullCells.Lanes]);
+        point = new Double3(blocks[x], blocks[x + HullCells.Lanes], blocks[x + 2 * HullCells.Lanes]);
         return slot;
     }
 #endif

@@ -52,14 +52,14 @@ internal sealed class HullCellLists
 
     private readonly int _count;
     private readonly double[] _points;
-    private readonly Vector3D _stretch;
+    private readonly Double3 _stretch;
     private CellGrid _grid;
     private List<CellPart> _parts = [];
     private int[] _lists = [], _samples = [], _listOf = [0];
 
     /// <param name="hull">Its coordinates are read.</param>
     /// <param name="stretch">What directions are stretched by; along an axis where it is 0 nothing counts.</param>
-    public HullCellLists(HullVertices hull, in Vector3D stretch)
+    public HullCellLists(HullVertices hull, in Double3 stretch)
     {
         _count = hull.Count;
         _stretch = stretch;

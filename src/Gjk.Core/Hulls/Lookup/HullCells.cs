@@ -68,7 +68,7 @@ internal sealed class HullCells
     public readonly int NoCell;
 
     /// <summary>What a direction is stretched by, along each axis: half the hull's extents.</summary>
-    public readonly Vector3D Stretch;
+    public readonly Double3 Stretch;
 
     /// <summary>The corners that the lists are of.</summary>
     public readonly HullVertices Vertices;

@@ -19,7 +19,7 @@ internal readonly struct HullDirection
     /// What a prepared direction is multiplied by, along each axis: half the hull's extents; 0 for the axis that is
     /// folded away. The products say how much each component can contribute to a dot product.
     /// </summary>
-    public readonly Vector3D Stretch;
+    public readonly Double3 Stretch;
 
     /// <summary>
     /// The reach of a direction is the sum of the magnitudes of its components, without those along which the hull has
@@ -29,23 +29,23 @@ internal readonly struct HullDirection
     /// </summary>
     private const double LeastSafe = 1.9010815379079637e-211, MostSafe = 6.6680144328798543e240;
 
-    private readonly Vector3D _extents, _fold;
+    private readonly Double3 _extents, _fold;
 
     public HullDirection(HullVertices hull)
     {
-        _extents = ((Vector3D)hull.Bounds.Max - hull.Bounds.Min) * 0.5;
+        _extents = ((Double3)hull.Bounds.Max - hull.Bounds.Min) * 0.5;
         Stretch = _extents;
         _fold = default;
         IsFolded = false;
         if (hull.Dimension != 2 || !(_extents.X > 0 && _extents.Y > 0 && _extents.Z > 0)) return;
         VectorDD normal = HullNormal.Of(hull, _extents);
-        Vector3D sizes = Vector3D.Multiply((Vector3D)normal, _extents);
+        Double3 sizes = Double3.Multiply((Double3)normal, _extents);
         double x = Math.Abs(sizes.X), y = Math.Abs(sizes.Y), z = Math.Abs(sizes.Z);
         if (x + y + z == 0) return;
         bool dropX = x >= y && x >= z, dropY = !dropX && y >= z, dropZ = !dropX && !dropY;
-        Vector3D ratios = (Vector3D)(normal * (-1.0 / (dropX ? normal.X : dropY ? normal.Y : normal.Z)));
-        _fold = new Vector3D(dropX ? -1 : ratios.X, dropY ? -1 : ratios.Y, dropZ ? -1 : ratios.Z);
-        Stretch = new Vector3D(dropX ? 0 : _extents.X, dropY ? 0 : _extents.Y, dropZ ? 0 : _extents.Z);
+        Double3 ratios = (Double3)(normal * (-1.0 / (dropX ? normal.X : dropY ? normal.Y : normal.Z)));
+        _fold = new Double3(dropX ? -1 : ratios.X, dropY ? -1 : ratios.Y, dropZ ? -1 : ratios.Z);
+        Stretch = new Double3(dropX ? 0 : _extents.X, dropY ? 0 : _extents.Y, dropZ ? 0 : _extents.Z);
         IsFolded = true;
     }
 
@@ -70,12 +70,12 @@ internal readonly struct HullDirection
     /// <summary>Folds and rescales where that is needed.</summary>
     /// <param name="direction">Any; prepared when the result is true.</param>
     /// <returns>False when all vertices are level, or when the direction is none: 0, NaN or infinite.</returns>
-    public bool TryPrepare(ref Vector3D direction)
+    public bool TryPrepare(ref Double3 direction)
     {
-        Vector3D folded = Fold(direction);
+        Double3 folded = Fold(direction);
         if (!IsSafe(Reach(folded)))
         {
-            if (!TryRescale(direction, _extents, out Vector3D rescaled)) return false;
+            if (!TryRescale(direction, _extents, out Double3 rescaled)) return false;
             if (!TryRescale(Fold(rescaled), Stretch, out folded)) return false;
         }
 
@@ -83,7 +83,7 @@ internal readonly struct HullDirection
         return true;
     }
 
-    private static bool TryRescale(in Vector3D direction, in Vector3D stretch, out Vector3D rescaled)
+    private static bool TryRescale(in Double3 direction, in Double3 stretch, out Double3 rescaled)
     {
         rescaled = DirectionRange.ToUnit(WithExtent(direction, stretch));
         double largest = Math.Max(Math.Max(Math.Abs(rescaled.X), Math.Abs(rescaled.Y)), Math.Abs(rescaled.Z));
@@ -91,18 +91,18 @@ internal readonly struct HullDirection
     }
 
     /// <summary>A component along which the hull has no extent must not count, however large it is.</summary>
-    private static Vector3D WithExtent(in Vector3D direction, in Vector3D extents) => new(
+    private static Double3 WithExtent(in Double3 direction, in Double3 extents) => new(
         extents.X > 0 ? direction.X : 0,
         extents.Y > 0 ? direction.Y : 0,
         extents.Z > 0 ? direction.Z : 0);
 
-    private Vector3D Fold(in Vector3D direction)
+    private Double3 Fold(in Double3 direction)
     {
         if (!IsFolded) return direction;
         double along = Stretch.X == 0 ? direction.X : Stretch.Y == 0 ? direction.Y : direction.Z;
         return direction + along * _fold;
     }
 
-    private double Reach(in Vector3D d) =>
+    private double Reach(in Double3 d) =>
         (Stretch.X > 0 ? Math.Abs(d.X) : 0) + (Stretch.Y > 0 ? Math.Abs(d.Y) : 0) + (Stretch.Z > 0 ? Math.Abs(d.Z) : 0);
 }

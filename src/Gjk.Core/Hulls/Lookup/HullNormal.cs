@@ -13,14 +13,14 @@ internal static class HullNormal
     private const double Roundoff = 1.0 / (1L << 52);
 
     /// <summary>The normal, or 0 where double-double cannot tell it: a polygon 2^-50 times as wide as long.</summary>
-    public static VectorDD Of(HullVertices hull, in Vector3D extents)
+    public static VectorDD Of(HullVertices hull, in Double3 extents)
     {
         int far = 0;
         double most = 0;
         for (int i = 1; i < hull.Count; i++)
         {
-            Vector3D edge = (Vector3D)Edge(hull, i);
-            double size = new Vector3D(edge.X / extents.X, edge.Y / extents.Y, edge.Z / extents.Z).LengthSquared;
+            Double3 edge = (Double3)Edge(hull, i);
+            double size = new Double3(edge.X / extents.X, edge.Y / extents.Y, edge.Z / extents.Z).LengthSquared;
             if (size > most) (most, far) = (size, i);
         }
 
@@ -30,16 +30,16 @@ internal static class HullNormal
         {
             // Multiplying the cross product by the extents measures the triangle as if the extents were all the same.
             VectorDD candidate = VectorDD.Cross(line, Edge(hull, i));
-            double size = Vector3D.Multiply((Vector3D)candidate, extents).LengthSquared;
+            double size = Double3.Multiply((Double3)candidate, extents).LengthSquared;
             if (size > most) (most, normal) = (size, candidate);
         }
 
         return IsFlat(hull, extents, normal) ? normal : default;
     }
 
-    private static bool IsFlat(HullVertices hull, in Vector3D extents, in VectorDD normal)
+    private static bool IsFlat(HullVertices hull, in Double3 extents, in VectorDD normal)
     {
-        var n = (Vector3D)normal;
+        var n = (Double3)normal;
         double allowed = Roundoff * (Math.Abs(n.X) * extents.X + Math.Abs(n.Y) * extents.Y + Math.Abs(n.Z) * extents.Z);
         for (int i = 1; i < hull.Count; i++)
         {

@@ -19,7 +19,7 @@ internal static class HullSupport
 {
     /// <summary>The furthest vertex of a hull.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Find(HullCells cells, in Vector3D direction, out Vector3D point)
+    public static int Find(HullCells cells, in Double3 direction, out Double3 point)
     {
         double dx = direction.X, dy = direction.Y, dz = direction.Z;
         if (cells.Kind == HullCells.LookupKind.Box)
@@ -44,7 +44,7 @@ internal static class HullSupport
 
     /// <summary>The same for hulls that are neither boxes nor scanned as a whole.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int FindInCell(HullCells cells, in Vector3D direction, out Vector3D point)
+    public static int FindInCell(HullCells cells, in Double3 direction, out Double3 point)
     {
         double dx = direction.X, dy = direction.Y, dz = direction.Z;
         int cell = cells.Kind == HullCells.LookupKind.Cells ? CubeCell(cells, dx, dy, dz) : cells.NoCell;
@@ -58,7 +58,7 @@ internal static class HullSupport
 #if NET
     /// <summary>The id of the furthest vertex of a hull that is scanned as a whole.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int FindByScan(HullCells cells, in Vector3D d) =>
+    public static int FindByScan(HullCells cells, in Double3 d) =>
         HullDirection.IsSafe(Math.Abs(d.X) + Math.Abs(d.Y) + Math.Abs(d.Z))
             ? HullScan.Best(cells.ScanBlocks, d.X, d.Y, d.Z)
             : FindRarely(cells, d.X, d.Y, d.Z);
@@ -69,9 +69,9 @@ internal static class HullSupport
         BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
 
     /// <summary>The definition that every faster way must agree with.</summary>
-    public static int Scan(HullCells cells, in Vector3D direction)
+    public static int Scan(HullCells cells, in Double3 direction)
     {
-        Vector3D d = direction;
+        Double3 d = direction;
         if (cells.Kind == HullCells.LookupKind.Box) return cells.Corners.Id(Signs(d.X, d.Y, d.Z));
         if (!cells.Direction.TryPrepare(ref d)) return 0;
         HullVertices hull = cells.Vertices;
@@ -98,7 +98,7 @@ internal static class HullSupport
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static int FindRarely(HullCells cells, double dx, double dy, double dz)
     {
-        var d = new Vector3D(dx, dy, dz);
+        var d = new Double3(dx, dy, dz);
         if (!cells.Direction.TryPrepare(ref d)) return cells.FirstSlot;
         if (cells.Side == 0) return HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, d);
         int cell = cells.Direction.IsPlanar ? SquareCell(cells, d) : CubeCell(cells, d.X, d.Y, d.Z);
@@ -140,9 +140,9 @@ internal static class HullSupport
     }
 
     /// <summary>The same on the sides of a square, for a flat hull, with the two components that matter.</summary>
-    private static int SquareCell(HullCells cells, in Vector3D direction)
+    private static int SquareCell(HullCells cells, in Double3 direction)
     {
-        Vector3D stretch = cells.Direction.Stretch, s = Vector3D.Multiply(direction, stretch);
+        Double3 stretch = cells.Direction.Stretch, s = Double3.Multiply(direction, stretch);
         double a = stretch.X > 0 ? s.X : s.Y, b = stretch.Z > 0 ? s.Z : s.Y;
         bool isA = Math.Abs(a) >= Math.Abs(b);
         double u = isA ? b : a, w = isA ? a : b;

@@ -44,16 +44,16 @@ internal sealed class HullTree
     /// <summary>Count: nodes that wait on the way to a leaf; 2^31 vertices have fewer.</summary>
     private const int MaxDepth = 40;
 
-    private readonly Vector3D _scale;
+    private readonly Double3 _scale;
     private readonly HullTreeNode[] _nodes;
 
     /// <param name="nodes">The root first.</param>
     /// <param name="inverse">The factors of the nodes' coordinates: powers of two, 0 for an axis without
     /// extent.</param>
-    public HullTree(HullTreeNode[] nodes, in Vector3D inverse)
+    public HullTree(HullTreeNode[] nodes, in Double3 inverse)
     {
         _nodes = nodes;
-        _scale = new Vector3D(Inverse(inverse.X), Inverse(inverse.Y), Inverse(inverse.Z));
+        _scale = new Double3(Inverse(inverse.X), Inverse(inverse.Y), Inverse(inverse.Z));
     }
 
     /// <summary>What a search tells while it runs.</summary>
@@ -67,17 +67,17 @@ internal sealed class HullTree
     /// <param name="cells">Holds the leaves' blocks.</param>
     /// <param name="d">The direction, prepared.</param>
     /// <param name="start">The slot of a vertex that is furthest nearby.</param>
-    public int Find(HullCells cells, in Vector3D d, int start)
+    public int Find(HullCells cells, in Double3 d, int start)
     {
         var trace = default(Unobserved);
         return Find(cells, d, start, ref trace);
     }
 
     /// <summary>The same, observed.</summary>
-    public unsafe int Find<TTrace>(HullCells cells, in Vector3D d, int start, ref TTrace trace)
+    public unsafe int Find<TTrace>(HullCells cells, in Double3 d, int start, ref TTrace trace)
         where TTrace : struct, ITrace
     {
-        Vector3D s = Vector3D.Multiply(d, _scale);
+        Double3 s = Double3.Multiply(d, _scale);
         double best = HullBlocks.Dot(cells.Coordinates, start, d);
         int* waiting = stackalloc int[MaxDepth];
         double* bounds = stackalloc double[MaxDepth];
@@ -129,7 +129,7 @@ internal sealed class HullTree
         bound > best || (bound == best && node.LeastId < bestId);
 
     /// <summary>No computed dot product of a vertex inside is larger.</summary>
-    private static double Bound(ref HullTreeNode node, in Vector3D s, in Vector3D d)
+    private static double Bound(ref HullTreeNode node, in Double3 s, in Double3 d)
     {
         double x = d.X < 0 ? node.MinX : node.MaxX;
         double y = d.Y < 0 ? node.MinY : node.MaxY;

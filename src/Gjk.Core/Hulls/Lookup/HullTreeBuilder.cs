@@ -35,12 +35,12 @@ internal sealed class HullTreeBuilder
     /// <param name="hull">Its coordinates are read.</param>
     /// <param name="stretch">What directions are stretched by.</param>
     /// <param name="firstBlock">Where the blocks of the leaves will be.</param>
-    public HullTreeBuilder(HullVertices hull, in Vector3D stretch, int firstBlock)
+    public HullTreeBuilder(HullVertices hull, in Double3 stretch, int firstBlock)
     {
         int count = hull.Count;
         _hull = hull;
         _firstBlock = firstBlock;
-        Inverse = new Vector3D(InversePower(stretch.X), InversePower(stretch.Y), InversePower(stretch.Z));
+        Inverse = new Double3(InversePower(stretch.X), InversePower(stretch.Y), InversePower(stretch.Z));
         _x = Multiplied(hull.X, Inverse.X, count);
         _y = Multiplied(hull.Y, Inverse.Y, count);
         _z = Multiplied(hull.Z, Inverse.Z, count);
@@ -49,14 +49,14 @@ internal sealed class HullTreeBuilder
         for (int i = 0; i < count; i++) Order[i] = i;
         int leaves = (count + HullTree.LeafVertices - 1) / HullTree.LeafVertices;
         Nodes = new HullTreeNode[2 * leaves - 1];
-        Build(0, 0, leaves, new Vector3D(0, 0, 1));
+        Build(0, 0, leaves, new Double3(0, 0, 1));
     }
 
     /// <summary>
     /// What coordinates are multiplied by in the nodes: powers of two, which round nothing; 0 for an axis without
     /// extent.
     /// </summary>
-    public Vector3D Inverse { get; }
+    public Double3 Inverse { get; }
 
     /// <summary>The root first.</summary>
     public HullTreeNode[] Nodes { get; }
@@ -78,7 +78,7 @@ internal sealed class HullTreeBuilder
     /// <summary>What the rounding of the vertices in a node to floats can make of a plane.</summary>
     private double RoughnessOf(in HullTreeNode node)
     {
-        Vector3D origin = _hull.Origin;
+        Double3 origin = _hull.Origin;
         double x = Step(node.MinX + origin.X, node.MaxX + origin.X) * Inverse.X;
         double y = Step(node.MinY + origin.Y, node.MaxY + origin.Y) * Inverse.Y;
         double z = Step(node.MinZ + origin.Z, node.MaxZ + origin.Z) * Inverse.Z;
@@ -88,12 +88,12 @@ internal sealed class HullTreeBuilder
     /// <summary>The relative step of a float is 2^-23.</summary>
     private static double Step(double min, double max) => Math.Max(Math.Abs(min), Math.Abs(max)) / (1 << 23);
 
-    private void Build(int node, int leaf, int leaves, in Vector3D parentNormal)
+    private void Build(int node, int leaf, int leaves, in Double3 parentNormal)
     {
         int from = leaf * HullTree.LeafVertices, to = Math.Min(from + leaves * HullTree.LeafVertices, Order.Length);
         SetBox(ref Nodes[node], from, to);
-        Vector3D normal = FitNormal(from, to, RoughnessOf(Nodes[node]), parentNormal, out Vector3D chord);
-        Vector3D longest = SetTurnedBox(ref Nodes[node], from, to, chord, normal);
+        Double3 normal = FitNormal(from, to, RoughnessOf(Nodes[node]), parentNormal, out Double3 chord);
+        Double3 longest = SetTurnedBox(ref Nodes[node], from, to, chord, normal);
         if (leaves == 1)
         {
             Array.Sort(Order, from, to - from);
@@ -111,20 +111,20 @@ internal sealed class HullTreeBuilder
     }
 
     /// <summary>The box along a chord, a normal, and across; gives the axis of its longest side.</summary>
-    private Vector3D SetTurnedBox(ref HullTreeNode node, int from, int to, in Vector3D chord, in Vector3D normal)
+    private Double3 SetTurnedBox(ref HullTreeNode node, int from, int to, in Double3 chord, in Double3 normal)
     {
         // Offsets from a vertex of the node are as small as the node is, and so is their rounding.
-        Vector3D across = Vector3D.Cross(normal, chord);
+        Double3 across = Double3.Cross(normal, chord);
         Extent(chord, from, to, out double middle1, out double half1);
         Extent(normal, from, to, out double middle2, out double half2);
         Extent(across, from, to, out double middle3, out double half3);
-        Vector3D longest = half1 >= half2 && half1 >= half3 ? chord : half2 >= half3 ? normal : across;
+        Double3 longest = half1 >= half2 && half1 >= half3 ? chord : half2 >= half3 ? normal : across;
         double more = half1 + half2 + half3 + Math.Abs(middle1) + Math.Abs(middle2) + Math.Abs(middle3);
         more *= Enlargement;
         int origin = Order[from];
-        Vector3D middle = chord * middle1 + normal * middle2 + across * middle3;
-        Vector3D center = new Vector3D(_x[origin], _y[origin], _z[origin]) + middle;
-        Vector3D first = chord * (half1 + more), second = normal * (half2 + more), third = across * (half3 + more);
+        Double3 middle = chord * middle1 + normal * middle2 + across * middle3;
+        Double3 center = new Double3(_x[origin], _y[origin], _z[origin]) + middle;
+        Double3 first = chord * (half1 + more), second = normal * (half2 + more), third = across * (half3 + more);
         (node.CenterX, node.FirstX, node.SecondX, node.ThirdX) = (center.X, first.X, second.X, third.X);
         (node.CenterY, node.FirstY, node.SecondY, node.ThirdY) = (center.Y, first.Y, second.Y, third.Y);
         (node.CenterZ, node.FirstZ, node.SecondZ, node.ThirdZ) = (center.Z, first.Z, second.Z, third.Z);
@@ -134,18 +134,18 @@ internal sealed class HullTreeBuilder
     /// <summary>
     /// A unit vector along the longest chord found, and a unit normal of the plane that the vertices lie near.
     /// </summary>
-    private Vector3D FitNormal(int from, int to, double roughness, in Vector3D parentNormal, out Vector3D chord)
+    private Double3 FitNormal(int from, int to, double roughness, in Double3 parentNormal, out Double3 chord)
     {
         Extreme(from, to, out int a, out int b);
-        chord = Unit(Offset(a, b), new Vector3D(1, 0, 0));
+        chord = Unit(Offset(a, b), new Double3(1, 0, 0));
         Extent(parentNormal, from, to, out _, out double thickness);
-        Vector3D normal = parentNormal;
+        Double3 normal = parentNormal;
         if (2 * thickness > roughness)
         {
             double most = 0;
             for (int k = from; k < to; k++)
             {
-                Vector3D cross = Vector3D.Cross(chord, Offset(a, Order[k]));
+                Double3 cross = Double3.Cross(chord, Offset(a, Order[k]));
                 if (!(cross.LengthSquared > most)) continue;
                 most = cross.LengthSquared;
                 normal = cross;
@@ -154,10 +154,10 @@ internal sealed class HullTreeBuilder
 
         // The chord and the normal are made orthogonal, the normal being the one that is kept.
         normal = Unit(normal, parentNormal);
-        Vector3D inPlane = chord - normal * Vector3D.Dot(normal, chord);
-        Vector3D other = Math.Abs(normal.X) < 0.6 ? new Vector3D(1, 0, 0) : new Vector3D(0, 1, 0);
-        chord = inPlane.LengthSquared > 0.01 ? Unit(inPlane, other) : Unit(Vector3D.Cross(normal, other), other);
-        chord = Unit(chord - normal * Vector3D.Dot(normal, chord), chord);
+        Double3 inPlane = chord - normal * Double3.Dot(normal, chord);
+        Double3 other = Math.Abs(normal.X) < 0.6 ? new Double3(1, 0, 0) : new Double3(0, 1, 0);
+        chord = inPlane.LengthSquared > 0.01 ? Unit(inPlane, other) : Unit(Double3.Cross(normal, other), other);
+        chord = Unit(chord - normal * Double3.Dot(normal, chord), chord);
         return normal;
     }
 
@@ -182,7 +182,7 @@ internal sealed class HullTreeBuilder
         }
     }
 
-    private void Extent(in Vector3D axis, int from, int to, out double middle, out double half)
+    private void Extent(in Double3 axis, int from, int to, out double middle, out double half)
     {
         double least = double.PositiveInfinity, most = double.NegativeInfinity;
         for (int k = from; k < to; k++)
@@ -215,12 +215,12 @@ internal sealed class HullTreeBuilder
         }
     }
 
-    private Vector3D Offset(int from, int to) => new(_x[to] - _x[from], _y[to] - _y[from], _z[to] - _z[from]);
+    private Double3 Offset(int from, int to) => new(_x[to] - _x[from], _y[to] - _y[from], _z[to] - _z[from]);
 
     /// <summary>How far a vertex lies from another along an axis.</summary>
-    private double Along(in Vector3D axis, int origin, int i) => Vector3D.Dot(axis, Offset(origin, i));
+    private double Along(in Double3 axis, int origin, int i) => Double3.Dot(axis, Offset(origin, i));
 
-    private static Vector3D Unit(in Vector3D v, in Vector3D otherwise)
+    private static Double3 Unit(in Double3 v, in Double3 otherwise)
     {
         double length = v.Length;
         return length > 1e-100 ? v * (1 / length) : otherwise;

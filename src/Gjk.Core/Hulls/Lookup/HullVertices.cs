@@ -24,7 +24,7 @@ internal sealed class HullVertices
     public readonly Aabb Bounds;
 
     /// <summary>The middle of <see cref="Bounds"/>.</summary>
-    public Vector3D Center => ((Vector3D)Bounds.Min + Bounds.Max) * 0.5;
+    public Double3 Center => ((Double3)Bounds.Min + Bounds.Max) * 0.5;
 
     /// <param name="points">The corners, in the order of their ids.</param>
     /// <param name="dimension">What they span.</param>
@@ -61,7 +61,7 @@ internal sealed class HullVertices
         double[] centered = new double[4 * Count];
         for (int id = 0; id < Count; id++)
         {
-            Vector3D p = (Vector3D)GetVertex(id) - Center;
+            Double3 p = (Double3)GetVertex(id) - Center;
             (centered[4 * id], centered[4 * id + 1], centered[4 * id + 2]) = (p.X, p.Y, p.Z);
         }
 

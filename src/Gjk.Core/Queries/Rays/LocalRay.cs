@@ -35,10 +35,10 @@ internal struct LocalRay
     private const double ExactError = 1.0 / (1L << 45) / (1L << 45);
 
     /// <summary>From the centre to the foot.</summary>
-    public Vector3D Foot;
+    public Double3 Foot;
 
     /// <summary>Of unit length.</summary>
-    public Vector3D Direction;
+    public Double3 Direction;
 
     /// <summary>How far along the direction the foot is from the origin; negative behind it.</summary>
     public double Shift;
@@ -55,10 +55,10 @@ internal struct LocalRay
     /// <returns>False where the origin is too far away for double.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryMake(
-        in Vector3D between, in Vector3D direction, double length, double radius, out LocalRay ray)
+        in Double3 between, in Double3 direction, double length, double radius, out LocalRay ray)
     {
         ray.Direction = direction * (1 / length);
-        ray.Shift = -Vector3D.Dot(between, ray.Direction);
+        ray.Shift = -Double3.Dot(between, ray.Direction);
         ray.Foot = between + ray.Direction * ray.Shift;
         ray.IsExact = false;
         return between.LengthSquared <= FarOrigin * FarOrigin * radius * radius;
@@ -70,16 +70,16 @@ internal struct LocalRay
     /// <param name="line">The ray in the world.</param>
     /// <param name="ray">The ray.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void MakeFar(in RigidPose pose, in Vector3D center, in WorldRay line, out LocalRay ray)
+    public static void MakeFar(in RigidPose pose, in Double3 center, in WorldRay line, out LocalRay ray)
     {
-        VectorDD between = (VectorDD)(Vector3D)line.Origin - (Vector3D)pose.Position;
+        VectorDD between = (VectorDD)(Double3)line.Origin - (Double3)pose.Position;
         if (center.SumOfMagnitudes > 0) between -= VectorDD.Rotate(pose.Rotation, center);
-        Vector3D direction = line.Direction;
+        Double3 direction = line.Direction;
         double inverse = 1 / line.Length;
-        var cross = (Vector3D)VectorDD.Cross(between, direction);
-        ray.Foot = Vector3D.Cross(direction, cross) * inverse * inverse;
+        var cross = (Double3)VectorDD.Cross(between, direction);
+        ray.Foot = Double3.Cross(direction, cross) * inverse * inverse;
         ray.Direction = direction * inverse;
-        ray.Shift = -Vector3D.Dot((Vector3D)between, ray.Direction);
+        ray.Shift = -Double3.Dot((Double3)between, ray.Direction);
         ray.IsExact = false;
     }
 
@@ -94,7 +94,7 @@ internal struct LocalRay
     public static void MakeExact(in RigidPose pose, in RayTarget target, in WorldRay line, out LocalRay ray)
     {
         Quaternion back = Quaternion.Conjugate(pose.Rotation);
-        VectorDD between = VectorDD.Rotate(back, (VectorDD)(Vector3D)line.Origin - (Vector3D)pose.Position);
+        VectorDD between = VectorDD.Rotate(back, (VectorDD)(Double3)line.Origin - (Double3)pose.Position);
         VectorDD direction = VectorDD.Rotate(back, line.Direction) * (1 / line.Length);
         between = between - target.Center - target.CenterError;
         if (target.IsPlaced)
@@ -105,7 +105,7 @@ internal struct LocalRay
         }
 
         DoubleDouble shift = -VectorDD.Dot(between, direction) / VectorDD.Dot(direction, direction);
-        double magnitude = ((Vector3D)between).SumOfMagnitudes + target.Center.SumOfMagnitudes;
+        double magnitude = ((Double3)between).SumOfMagnitudes + target.Center.SumOfMagnitudes;
         ray.Foot = RoundingOf(between + direction * shift, magnitude);
         ray.Direction = RoundingOf(direction, 1);
         ray.Shift = (double)shift;
@@ -113,11 +113,11 @@ internal struct LocalRay
     }
 
     /// <summary>To double, and to 0 where no digit is left.</summary>
-    private static Vector3D RoundingOf(in VectorDD v, double magnitude)
+    private static Double3 RoundingOf(in VectorDD v, double magnitude)
     {
         double error = ExactError * magnitude;
-        var rounded = (Vector3D)v;
-        return new Vector3D(
+        var rounded = (Double3)v;
+        return new Double3(
             Math.Abs(rounded.X) > error ? rounded.X : 0, Math.Abs(rounded.Y) > error ? rounded.Y : 0,
             Math.Abs(rounded.Z) > error ? rounded.Z : 0);
     }
@@ -132,12 +132,12 @@ internal struct LocalRay
     /// <param name="foot">The point; moved.</param>
     /// <param name="direction">Of any length.</param>
     /// <returns>How far it was moved, in lengths of the direction.</returns>
-    public static double MoveToFoot(ref Vector3D foot, in Vector3D direction)
+    public static double MoveToFoot(ref Double3 foot, in Double3 direction)
     {
         double square = direction.LengthSquared, shift = 0;
         while (true)
         {
-            double before = foot.LengthSquared, way = -Vector3D.Dot(foot, direction) / square;
+            double before = foot.LengthSquared, way = -Double3.Dot(foot, direction) / square;
             foot += direction * way;
             shift += way;
             if (!(foot.LengthSquared < Farther * before)) return shift;
@@ -146,5 +146,5 @@ internal struct LocalRay
 
     /// <summary>A point of the ray, measured from the centre.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3D At(double t) => Foot + Direction * t;
+    public readonly Double3 At(double t) => Foot + Direction * t;
 }

@@ -27,9 +27,9 @@ internal static class RayBall
     /// <param name="radius">The radius.</param>
     /// <param name="span">The part of the line in the ball.</param>
     /// <returns>False where it misses.</returns>
-    public static bool TryFind(in Vector3D toFoot, in Vector3D direction, double radius, out RaySpan span)
+    public static bool TryFind(in Double3 toFoot, in Double3 direction, double radius, out RaySpan span)
     {
-        Vector3D foot = toFoot;
+        Double3 foot = toFoot;
         double middle = LocalRay.MoveToFoot(ref foot, direction);
         double squared = radius * radius - foot.LengthSquared;
         double half = Math.Sqrt(Math.Max(squared, 0) / direction.LengthSquared);

@@ -57,14 +57,14 @@ internal static class RayBody
             return RayFinding.Close;
         }
 
-        var inverse = new Vector3D(1 / target.Factors.X, 1 / target.Factors.Y, 1 / target.Factors.Z);
-        own.Foot = Vector3D.Multiply(own.Foot, inverse);
-        own.Direction = Vector3D.Multiply(own.Direction, inverse);
+        var inverse = new Double3(1 / target.Factors.X, 1 / target.Factors.Y, 1 / target.Factors.Z);
+        own.Foot = Double3.Multiply(own.Foot, inverse);
+        own.Direction = Double3.Multiply(own.Direction, inverse);
         double shift = LocalRay.MoveToFoot(ref own.Foot, own.Direction);
         RayFinding found = FindPlain(target, own, out span);
         span.Enter += shift;
         span.Exit += shift;
-        span.Normal = Vector3D.Multiply(span.Normal, inverse);
+        span.Normal = Double3.Multiply(span.Normal, inverse);
         return found;
     }
 
@@ -72,7 +72,7 @@ internal static class RayBody
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static RayFinding FindPlain(in RayTarget target, in LocalRay ray, out RaySpan span)
     {
-        Vector3D size = target.A;
+        Double3 size = target.A;
         bool isFound, isAlong = false;
         switch (target.Form)
         {
@@ -96,13 +96,13 @@ internal static class RayBody
             case RayForm.Cone when size.X > 0 && size.Y > 0:
                 isFound = RayCone.TryFind(ray.Foot, ray.Direction, size.X, size.Y, out span);
                 isAlong = IsAlongCap(ray, size)
-                    || RayGraze.IsAlongFlat(new Vector3D(size.X, size.Y, size.X), ray.Direction);
+                    || RayGraze.IsAlongFlat(new Double3(size.X, size.Y, size.X), ray.Direction);
                 break;
             case RayForm.Ellipsoid when size.X > 0 && size.Y > 0 && size.Z > 0:
                 isFound = RayEllipsoid.TryFind(ray, size, out span);
                 isAlong = RayGraze.IsAlongFlat(size, ray.Direction);
                 break;
-            case RayForm.Triangle when RayTriangle.IsFit(ray, target.A, target.B, target.C, out Vector3D normal):
+            case RayForm.Triangle when RayTriangle.IsFit(ray, target.A, target.B, target.C, out Double3 normal):
                 isFound = RayTriangle.TryFind(ray, target.A, target.B, target.C, normal, out span);
                 break;
             default:
@@ -115,7 +115,7 @@ internal static class RayBody
     }
 
     /// <summary>Whether the line runs along the base of a cone, or an end of a cylinder.</summary>
-    private static bool IsAlongCap(in LocalRay ray, in Vector3D size) =>
+    private static bool IsAlongCap(in LocalRay ray, in Double3 size) =>
         RayGraze.IsAlongSlab(
             size.Y, ray.Foot.Y, ray.Direction.Y, RayGraze.LengthOf(ray.Direction), size.X + size.Y);
 }

@@ -8,11 +8,11 @@ internal static class RayBox
 {
     /// <summary>Whether it is more than a line or a point.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsSolid(in Vector3D half) => half.X * half.Y + half.Y * half.Z + half.Z * half.X > 0;
+    public static bool IsSolid(in Double3 half) => half.X * half.Y + half.Y * half.Z + half.Z * half.X > 0;
 
     /// <summary>Whether the line runs along a side.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsAlongSide(in LocalRay ray, in Vector3D half)
+    public static bool IsAlongSide(in LocalRay ray, in Double3 half)
     {
         double length = RayGraze.LengthOf(ray.Direction), size = half.X + half.Y + half.Z;
         return RayGraze.IsAlongSlab(half.X, ray.Foot.X, ray.Direction.X, length, size)
@@ -25,15 +25,15 @@ internal static class RayBox
     /// to be guessed.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool TryFind(in LocalRay ray, in Vector3D half, out RaySpan span)
+    public static bool TryFind(in LocalRay ray, in Double3 half, out RaySpan span)
     {
-        Vector3D slope = ray.Direction, foot = ray.Foot;
+        Double3 slope = ray.Direction, foot = ray.Foot;
         span = RaySpan.Everything;
         if (slope.X == 0 | slope.Y == 0 | slope.Z == 0)
         {
-            return span.Clip(half.X, foot.X, slope.X, new Vector3D(1, 0, 0))
-                && span.Clip(half.Y, foot.Y, slope.Y, new Vector3D(0, 1, 0))
-                && span.Clip(half.Z, foot.Z, slope.Z, new Vector3D(0, 0, 1));
+            return span.Clip(half.X, foot.X, slope.X, new Double3(1, 0, 0))
+                && span.Clip(half.Y, foot.Y, slope.Y, new Double3(0, 1, 0))
+                && span.Clip(half.Z, foot.Z, slope.Z, new Double3(0, 0, 1));
         }
 
         double ix = 1 / slope.X, iy = 1 / slope.Y, iz = 1 / slope.Z;
@@ -43,7 +43,7 @@ internal static class RayBox
         span.Enter = Math.Max(Math.Max(enterX, enterY), enterZ);
         span.Exit = Math.Min(Math.Min((x - foot.X) * ix, (y - foot.Y) * iy), (z - foot.Z) * iz);
         bool isX = enterX == span.Enter, isY = enterY == span.Enter;
-        var axis = new Vector3D(isX ? 1 : 0, isY && !isX ? 1 : 0, isX || isY ? 0 : 1);
+        var axis = new Double3(isX ? 1 : 0, isY && !isX ? 1 : 0, isX || isY ? 0 : 1);
         span.Normal = (isX ? slope.X : isY ? slope.Y : slope.Z) > 0 ? -axis : axis;
         return span.Enter <= span.Exit;
     }

@@ -17,20 +17,20 @@ internal static class RayCapsule
     /// <param name="span">The part of the line in the capsule.</param>
     /// <returns>False where it misses.</returns>
     public static bool TryFind(
-        in Vector3D foot, in Vector3D direction, in Vector3D first, in Vector3D second, double radius,
+        in Double3 foot, in Double3 direction, in Double3 first, in Double3 second, double radius,
         out RaySpan span)
     {
-        Vector3D toFirst = first - second;
+        Double3 toFirst = first - second;
         double length = toFirst.Length, half = length * 0.5;
         if (!(length > 0)) return RayBall.TryFind(foot, direction, radius, out span);
-        var axis = new Vector3D(toFirst.X / length, toFirst.Y / length, toFirst.Z / length);
+        var axis = new Double3(toFirst.X / length, toFirst.Y / length, toFirst.Z / length);
         if (!TryFindSide(foot, direction, axis, radius, half, out span)) return false;
-        double footAlong = Vector3D.Dot(foot, axis), along = Vector3D.Dot(direction, axis);
+        double footAlong = Double3.Dot(foot, axis), along = Double3.Dot(direction, axis);
         double enterAlong = At(span.Enter), exitAlong = At(span.Exit);
         if (Math.Abs(enterAlong) <= half)
         {
-            Vector3D entry = foot + direction * span.Enter;
-            span.Normal = entry - axis * Vector3D.Dot(entry, axis);
+            Double3 entry = foot + direction * span.Enter;
+            span.Normal = entry - axis * Double3.Dot(entry, axis);
         }
         else
         {
@@ -51,13 +51,13 @@ internal static class RayCapsule
 
     /// <summary>The infinite cylinder about an axis.</summary>
     private static bool TryFindSide(
-        in Vector3D foot, in Vector3D direction, in Vector3D axis, double radius, double half, out RaySpan span)
+        in Double3 foot, in Double3 direction, in Double3 axis, double radius, double half, out RaySpan span)
     {
-        Vector3D f = foot - axis * Vector3D.Dot(foot, axis), d = direction - axis * Vector3D.Dot(direction, axis);
+        Double3 f = foot - axis * Double3.Dot(foot, axis), d = direction - axis * Double3.Dot(direction, axis);
         double a = d.LengthSquared, c = f.LengthSquared - radius * radius;
-        double cross = Vector3D.Dot(axis, Vector3D.Cross(foot, direction));
+        double cross = Double3.Dot(axis, Double3.Cross(foot, direction));
         span = RaySpan.Everything;
-        if (!RayCylinder.TryCutSide(a, Vector3D.Dot(f, d), c, cross, radius, ref span)) return false;
+        if (!RayCylinder.TryCutSide(a, Double3.Dot(f, d), c, cross, radius, ref span)) return false;
         span.IsClose |= RayGraze.IsAlongSide(a, c, direction, radius, radius + half);
         return true;
     }

@@ -66,7 +66,7 @@ internal static class RayCaster
     {
         hit = default;
         if (target.IsRounded || !(radius >= LeastRadius && radius <= MostRadius)) return false;
-        Vector3D between = (Vector3D)line.Origin - pose.Position;
+        Double3 between = (Double3)line.Origin - pose.Position;
         if (target.Form == RayForm.Ball && target.Center.SumOfMagnitudes == 0)
             return TryCastBall(target.Radius, pose, between, line, ref hit);
         bool isNear = TryApproach(
@@ -107,12 +107,12 @@ internal static class RayCaster
     /// <returns>False where it is to be asked as a <see cref="RayTarget"/>, which knows more.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static bool TryCastPlain(
-        RayForm form, in Vector3D size, double radius, in RigidPose pose, double turn, in WorldRay line,
+        RayForm form, in Double3 size, double radius, in RigidPose pose, double turn, in WorldRay line,
         out RayMeeting hit)
     {
         hit = default;
         if (!(radius >= LeastRadius && radius <= MostRadius)) return false;
-        Vector3D between = (Vector3D)line.Origin - pose.Position;
+        Double3 between = (Double3)line.Origin - pose.Position;
         if (form == RayForm.Ball) return TryCastBall(size.X, pose, between, line, ref hit);
         bool isNear = TryApproach(
             default, radius, between, pose, turn, line, ref hit, out RotationD rotation, out LocalRay ray);
@@ -128,12 +128,12 @@ internal static class RayCaster
     /// <returns>False where the origin, or the centre, is too far away for double.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool TryApproach(
-        in Vector3D center, double radius, in Vector3D between, in RigidPose pose, double turn, in WorldRay line,
+        in Double3 center, double radius, in Double3 between, in RigidPose pose, double turn, in WorldRay line,
         ref RayMeeting hit, out RotationD rotation, out LocalRay ray)
     {
         Quaternion q = pose.Rotation;
         RotationD.Set(out rotation, q.X, q.Y, q.Z, q.W, turn);
-        Vector3D local = rotation.InverseRotate(between) - center;
+        Double3 local = rotation.InverseRotate(between) - center;
         double offset = center.SumOfMagnitudes;
         bool isNear = LocalRay.TryMake(
             local, rotation.InverseRotate(line.Direction), line.Length, radius, out ray)
@@ -148,7 +148,7 @@ internal static class RayCaster
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Place(in RotationD rotation, in RaySpan span, in WorldRay line, ref RayMeeting hit)
     {
-        Vector3D normal = rotation.Rotate(span.Normal);
+        Double3 normal = rotation.Rotate(span.Normal);
         double length = normal.Length;
 
         // Of a body that is thinner than rounding the closed form has none; it is met head on.
@@ -159,7 +159,7 @@ internal static class RayCaster
     /// <summary>A ball about its own origin needs no rotation.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool TryCastBall(
-        double radius, in RigidPose pose, in Vector3D between, in WorldRay line, ref RayMeeting hit)
+        double radius, in RigidPose pose, in Double3 between, in WorldRay line, ref RayMeeting hit)
     {
         if (!(radius > 0)) return false;
         bool isNear = LocalRay.TryMake(between, line.Direction, line.Length, radius, out LocalRay ray);

@@ -31,11 +31,11 @@ internal static class RayCone
     /// <param name="span">The part of the line in the cone.</param>
     /// <returns>False where it misses.</returns>
     public static bool TryFind(
-        in Vector3D foot, in Vector3D direction, double radius, double halfHeight, out RaySpan span)
+        in Double3 foot, in Double3 direction, double radius, double halfHeight, out RaySpan span)
     {
         double k = radius / (2 * halfHeight);
-        var f = new Vector3D(foot.X, k * (halfHeight - foot.Y), foot.Z);
-        var d = new Vector3D(direction.X, -k * direction.Y, direction.Z);
+        var f = new Double3(foot.X, k * (halfHeight - foot.Y), foot.Z);
+        var d = new Double3(direction.X, -k * direction.Y, direction.Z);
 
         // From the point nearest to the apex, where the constant is as small as it can be.
         double shift = LocalRay.MoveToFoot(ref f, d);
@@ -60,20 +60,20 @@ internal static class RayCone
             else span.Exit = least;
         }
 
-        span.Normal = new Vector3D(f.X + d.X * span.Enter, k * (f.Y + d.Y * span.Enter), f.Z + d.Z * span.Enter);
+        span.Normal = new Double3(f.X + d.X * span.Enter, k * (f.Y + d.Y * span.Enter), f.Z + d.Z * span.Enter);
 
         // At the apex, where all directions of a cone are normals, one that is.
         double apex = RoundOff.Unit * radius;
-        if (!(span.Normal.LengthSquared > apex * apex)) span.Normal = new Vector3D(0, 1, 0);
+        if (!(span.Normal.LengthSquared > apex * apex)) span.Normal = new Double3(0, 1, 0);
         double middle = radius * 0.5;
-        bool isLeft = span.Clip(middle, middle - f.Y, -d.Y, new Vector3D(0, 1, 0));
+        bool isLeft = span.Clip(middle, middle - f.Y, -d.Y, new Double3(0, 1, 0));
         span.Enter += shift;
         span.Exit += shift;
         return isLeft;
     }
 
     /// <summary>Whether the line runs along a side: such a line passes the apex closely.</summary>
-    private static bool IsAlongSide(double a, in Vector3D f, in Vector3D d, double radius)
+    private static bool IsAlongSide(double a, in Double3 f, in Double3 d, double radius)
     {
         double slope = RayGraze.LeastSlope * d.LengthSquared;
         return Math.Abs(a) <= slope && f.LengthSquared <= RayGraze.LeastSlope * RayGraze.LeastSlope * radius * radius;

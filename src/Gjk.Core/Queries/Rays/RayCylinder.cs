@@ -14,7 +14,7 @@ internal static class RayCylinder
     /// <param name="span">The part of the line in the cylinder.</param>
     /// <returns>False where it misses.</returns>
     public static bool TryFind(
-        in Vector3D foot, in Vector3D direction, double radius, double halfHeight, out RaySpan span)
+        in Double3 foot, in Double3 direction, double radius, double halfHeight, out RaySpan span)
     {
         double fx = foot.X, fz = foot.Z, dx = direction.X, dz = direction.Z;
         double a = dx * dx + dz * dz, b = fx * dx + fz * dz, cross = fx * dz - fz * dx;
@@ -22,9 +22,9 @@ internal static class RayCylinder
         span = RaySpan.Everything;
         if (!TryCutSide(a, b, c, cross, radius, ref span)) return false;
         span.IsClose |= RayGraze.IsAlongSide(a, c, direction, radius, radius + halfHeight);
-        Vector3D entry = foot + direction * span.Enter;
-        span.Normal = new Vector3D(entry.X, 0, entry.Z);
-        return span.Clip(halfHeight, foot.Y, direction.Y, new Vector3D(0, 1, 0));
+        Double3 entry = foot + direction * span.Enter;
+        span.Normal = new Double3(entry.X, 0, entry.Z);
+        return span.Clip(halfHeight, foot.Y, direction.Y, new Double3(0, 1, 0));
     }
 
     /// <summary>

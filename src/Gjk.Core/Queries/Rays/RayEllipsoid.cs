@@ -5,12 +5,12 @@ namespace Gjk.Core;
 /// </summary>
 internal static class RayEllipsoid
 {
-    public static bool TryFind(in LocalRay ray, in Vector3D radii, out RaySpan span)
+    public static bool TryFind(in LocalRay ray, in Double3 radii, out RaySpan span)
     {
-        var inverse = new Vector3D(1 / radii.X, 1 / radii.Y, 1 / radii.Z);
+        var inverse = new Double3(1 / radii.X, 1 / radii.Y, 1 / radii.Z);
         bool found = RayBall.TryFind(
-            Vector3D.Multiply(ray.Foot, inverse), Vector3D.Multiply(ray.Direction, inverse), 1, out span);
-        span.Normal = Vector3D.Multiply(span.Normal, inverse);
+            Double3.Multiply(ray.Foot, inverse), Double3.Multiply(ray.Direction, inverse), 1, out span);
+        span.Normal = Double3.Multiply(span.Normal, inverse);
         return found;
     }
 }

@@ -34,7 +34,7 @@ internal static class RayGraze
     /// <param name="size">The half extents, of either sign.</param>
     /// <param name="direction">The line's.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsAlongFlat(in Vector3D size, in Vector3D direction)
+    public static bool IsAlongFlat(in Double3 size, in Double3 direction)
     {
         double flat = Flat * LengthOf(size), slope = LeastSlope * LengthOf(direction);
         return (Math.Abs(size.X) <= flat & Math.Abs(direction.X) <= slope)
@@ -55,7 +55,7 @@ internal static class RayGraze
     /// <param name="radius">The cylinder's.</param>
     /// <param name="size">How far the body reaches from its centre, at least.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsAlongSide(double slope, double outside, in Vector3D direction, double radius, double size)
+    public static bool IsAlongSide(double slope, double outside, in Double3 direction, double radius, double size)
     {
         double length = LengthOf(direction);
         return slope <= LeastSlope * LeastSlope * length * length
@@ -81,6 +81,6 @@ internal static class RayGraze
 
     /// <summary>The largest component of a direction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double LengthOf(in Vector3D direction) =>
+    public static double LengthOf(in Double3 direction) =>
         Math.Max(Math.Max(Math.Abs(direction.X), Math.Abs(direction.Y)), Math.Abs(direction.Z));
 }

@@ -24,7 +24,7 @@ internal static class RayHull
     /// <param name="planes">Its planes.</param>
     /// <param name="span">The part of the line in the hull.</param>
     public static RayFinding Find(
-        in Vector3D foot, in Vector3D direction, ConvexHull hull, HullPlanes planes, out RaySpan span)
+        in Double3 foot, in Double3 direction, ConvexHull hull, HullPlanes planes, out RaySpan span)
     {
         span = RaySpan.Everything;
         int entry = -1;
@@ -39,13 +39,13 @@ internal static class RayHull
         if (entry == Along) return RayFinding.Unfit;
         if (!isLeft || !(span.Enter <= span.Exit) || entry < 0) return RayFinding.Missed;
         double[] blocks = planes.Blocks;
-        span.Normal = new Vector3D(
+        span.Normal = new Double3(
             blocks[entry], blocks[entry + HullPlanes.Lanes], blocks[entry + 2 * HullPlanes.Lanes]);
         return RayFinding.Found;
     }
 
     private static bool Clip(
-        in Vector3D foot, in Vector3D direction, double[] blocks, double length, double size, ref RaySpan span,
+        in Double3 foot, in Double3 direction, double[] blocks, double length, double size, ref RaySpan span,
         out int entry)
     {
         entry = -1;
@@ -76,7 +76,7 @@ internal static class RayHull
 #if NET
     /// <summary>The same with four planes at a time.</summary>
     private static bool ClipLanes(
-        in Vector3D foot, in Vector3D direction, double[] blocks, double length, double size, ref RaySpan span,
+        in Double3 foot, in Double3 direction, double[] blocks, double length, double size, ref RaySpan span,
         out int entry)
     {
         Vector256<double> fx = Vector256.Create(foot.X), fy = Vector256.Create(foot.Y), fz = Vector256.Create(foot.Z);

@@ -16,7 +16,7 @@ internal struct RayMeeting
     public double Distance;
 
     /// <summary>The shape's outward normal, of unit length, and the point of the ray, in the world.</summary>
-    public Vector3D Normal, Point;
+    public Double3 Normal, Point;
 
     /// <summary>Support calls made.</summary>
     public int Iterations;

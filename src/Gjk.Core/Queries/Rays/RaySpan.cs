@@ -12,7 +12,7 @@ internal struct RaySpan
     public double Enter, Exit;
 
     /// <summary>The body's outward normal where the line enters, of any length.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>
     /// Whether the line so nearly touches the body, or runs along it, that what rounding did to the foot moves the
@@ -33,7 +33,7 @@ internal struct RaySpan
     /// <param name="axis">The axis.</param>
     /// <returns>False where nothing is left.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Clip(double half, double foot, double slope, in Vector3D axis)
+    public bool Clip(double half, double foot, double slope, in Double3 axis)
     {
         if (slope == 0) return foot <= half && -foot <= half;
         double near = slope > 0 ? -half : half, inverse = 1 / slope;

@@ -9,12 +9,12 @@ internal readonly struct WorldRay
     public readonly Vector3 Origin;
 
     /// <summary>Of any length but 0.</summary>
-    public readonly Vector3D Direction;
+    public readonly Double3 Direction;
 
     /// <summary>The direction's length, and how far the ray reaches, in world units; at least 0.</summary>
     public readonly double Length, Reach;
 
-    public WorldRay(Vector3 origin, in Vector3D direction, double length, double reach)
+    public WorldRay(Vector3 origin, in Double3 direction, double length, double reach)
     {
         Origin = origin;
         Direction = direction;
@@ -23,5 +23,5 @@ internal readonly struct WorldRay
     }
 
     /// <summary>The point at a distance.</summary>
-    public Vector3D At(double distance) => Direction * (distance / Length) + Origin;
+    public Double3 At(double distance) => Direction * (distance / Length) + Origin;
 }

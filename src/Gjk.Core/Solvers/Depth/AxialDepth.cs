@@ -126,14 +126,14 @@ internal static unsafe class AxialDepth
     {
         for (double step = FirstStep; step > LastStep; step *= 0.5)
         {
-            Vector3D best = depth.Normal, around = Vector3D.Cross(way.Axis, best);
-            Vector3D along = Vector3D.Cross(best, around);
+            Double3 best = depth.Normal, around = Double3.Cross(way.Axis, best);
+            Double3 along = Double3.Cross(best, around);
             for (int i = 0; i < 4; i++)
             {
-                Vector3D normal = best + (i < 2 ? around : along) * ((i & 1) == 0 ? step : -step);
+                Double3 normal = best + (i < 2 ? around : along) * ((i & 1) == 0 ? step : -step);
                 normal *= 1 / normal.Length;
                 Simplex.Begin(out Simplex simplex);
-                depth.See(normal, Vector3D.Dot(normal, Support(ref a, ref b, frame, normal, ref state, ref simplex)));
+                depth.See(normal, Double3.Dot(normal, Support(ref a, ref b, frame, normal, ref state, ref simplex)));
             }
         }
     }
@@ -198,9 +198,9 @@ internal static unsafe class AxialDepth
         where TB : struct, ISupportMap
     {
         Simplex.Begin(out Simplex simplex);
-        Vector3D normal = plane.At(across, along), w = Support(ref a, ref b, frame, normal, ref state, ref simplex);
-        depth.See(normal, Vector3D.Dot(normal, w));
-        Vector3D moved = default, bent = default;
+        Double3 normal = plane.At(across, along), w = Support(ref a, ref b, frame, normal, ref state, ref simplex);
+        depth.See(normal, Double3.Dot(normal, w));
+        Double3 moved = default, bent = default;
         if (plane.Slope > 0)
         {
             plane.Follow(
@@ -210,12 +210,12 @@ internal static unsafe class AxialDepth
         return new AxialSide(plane, across, along, w, moved, bent);
     }
 
-    private static Vector3D Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref SolverState state, ref Simplex simplex)
+    private static Double3 Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out int ids);
+        Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out int ids);
         state.Iterations++;
         if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, 0);
         return w;

@@ -18,16 +18,16 @@ internal readonly struct AxialSide
     private readonly double _movedX, _movedY, _bentX, _bentY;
 
     public AxialSide(
-        in WayOut plane, double x, double y, in Vector3D point, in Vector3D moved, in Vector3D bent)
+        in WayOut plane, double x, double y, in Double3 point, in Double3 moved, in Double3 bent)
     {
         X = x;
         Y = y;
-        PointX = Vector3D.Dot(plane.Across, point);
-        PointY = Vector3D.Dot(plane.Axis, point);
-        _movedX = Vector3D.Dot(plane.Across, moved);
-        _movedY = Vector3D.Dot(plane.Axis, moved);
-        _bentX = Vector3D.Dot(plane.Across, bent);
-        _bentY = Vector3D.Dot(plane.Axis, bent);
+        PointX = Double3.Dot(plane.Across, point);
+        PointY = Double3.Dot(plane.Axis, point);
+        _movedX = Double3.Dot(plane.Across, moved);
+        _movedY = Double3.Dot(plane.Axis, moved);
+        _bentX = Double3.Dot(plane.Across, bent);
+        _bentY = Double3.Dot(plane.Axis, bent);
     }
 
     /// <summary>What the way out in the direction costs.</summary>

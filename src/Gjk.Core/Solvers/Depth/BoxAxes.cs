@@ -49,12 +49,12 @@ internal static unsafe class BoxAxes
     /// lengths of the axes across edges, which are unit vectors of A times those of B.
     /// </summary>
     public static void Find(
-        in Vector3D halfA, in Vector3D halfB, in PairFrame frame, double* costs, double* squares)
+        in Double3 halfA, in Double3 halfB, in PairFrame frame, double* costs, double* squares)
     {
         ref readonly RotationD m = ref frame.Rotation;
         Xyz x = frame.Inverse.Column0, y = frame.Inverse.Column1, z = frame.Inverse.Column2;
         Xyz absX = x.Abs(), absY = y.Abs(), absZ = z.Abs(), xx = x.Times(x), yy = y.Times(y), zz = z.Times(z);
-        Vector3D t = frame.Translation;
+        Double3 t = frame.Translation;
         Xyz onFacesOfB = m.Column0.Abs() * halfB.X + m.Column1.Abs() * halfB.Y + m.Column2.Abs() * halfB.Z;
         (halfA.ToXyz() + onFacesOfB - t.ToXyz().Abs()).StoreAt(costs);
         Xyz ofA = absX * halfA.X + absY * halfA.Y + absZ * halfA.Z;

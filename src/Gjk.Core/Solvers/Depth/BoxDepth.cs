@@ -32,7 +32,7 @@ internal static unsafe class BoxDepth
     /// <param name="frame">Of the pair.</param>
     /// <param name="state">With the size.</param>
     public static DepthVerdict Solve(
-        in Vector3D halfA, in Vector3D halfB, in PairFrame frame, ref SolverState state)
+        in Double3 halfA, in Double3 halfB, in PairFrame frame, ref SolverState state)
     {
         double* costs = stackalloc double[BoxAxes.Lanes], squares = stackalloc double[BoxAxes.Lanes];
         BoxAxes.Find(halfA, halfB, frame, costs, squares);
@@ -54,7 +54,7 @@ internal static unsafe class BoxDepth
         depth.Settle(pair.Outward * scale, above);
         depth.Store(ref state, above);
         if (depth.IsApart(state)) return DepthVerdict.Apart;
-        BoxDepthPoints.Find(pair, depth, state.Size.Value, out Vector3D onA, out Vector3D inB);
+        BoxDepthPoints.Find(pair, depth, state.Size.Value, out Double3 onA, out Double3 inB);
         state.Simplex.Fill(0, depth.Normal * above, onA, inB, -1, -1);
         state.Simplex.Select(1, 0, 0, 0, 0);
         return DepthVerdict.Found;

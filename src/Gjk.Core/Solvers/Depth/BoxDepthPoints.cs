@@ -34,9 +34,9 @@ internal static class BoxDepthPoints
     private const double Slack = 1e-12;
 
     /// <summary>Finds both points, from the boxes' centres and in their frames.</summary>
-    public static void Find(in BoxPair pair, in DepthBounds depth, double size, out Vector3D onA, out Vector3D inB)
+    public static void Find(in BoxPair pair, in DepthBounds depth, double size, out Double3 onA, out Double3 inB)
     {
-        Vector3D way = depth.Normal * depth.Above;
+        Double3 way = depth.Normal * depth.Above;
         int face = FaceOf(pair, depth.Normal);
         if (face >= BoxPair.Faces)
         {
@@ -62,7 +62,7 @@ internal static class BoxDepthPoints
                 return;
             }
 
-            Vector3D onB = Opposite(
+            Double3 onB = Opposite(
                 pair.Between, SidesOfB(pair), default, SidesOfA(pair), face, depth.Normal, size);
             onA = onB + way;
             inB = InB(pair, onB);
@@ -70,10 +70,10 @@ internal static class BoxDepthPoints
     }
 
     /// <summary>The corner of a box that is furthest in a direction, where no side is level across it.</summary>
-    private static bool TryCorner(in Vector3D half, in Vector3D direction, double size, out Vector3D corner)
+    private static bool TryCorner(in Double3 half, in Double3 direction, double size, out Double3 corner)
     {
         double x = direction.X * half.X, y = direction.Y * half.Y, z = direction.Z * half.Z;
-        corner = new Vector3D(x < 0 ? -half.X : half.X, y < 0 ? -half.Y : half.Y, z < 0 ? -half.Z : half.Z);
+        corner = new Double3(x < 0 ? -half.X : half.X, y < 0 ? -half.Y : half.Y, z < 0 ? -half.Z : half.Z);
         return !(IsLevel(x, half.X, size) | IsLevel(y, half.Y, size) | IsLevel(z, half.Z, size));
     }
 
@@ -82,7 +82,7 @@ internal static class BoxDepthPoints
         Math.Abs(rise) <= LevelSide * size & Math.Abs(rise) <= Steep * half;
 
     /// <summary>A point of A's frame, from B's centre in B's.</summary>
-    private static Vector3D InB(in BoxPair pair, in Vector3D point) => pair.ToB(point - pair.Between);
+    private static Double3 InB(in BoxPair pair, in Double3 point) => pair.ToB(point - pair.Between);
 
     /// <summary>The point of a box that lies deepest behind a face of another, and opposite the face.</summary>
     /// <param name="center">The centre of the box.</param>
@@ -92,15 +92,15 @@ internal static class BoxDepthPoints
     /// <param name="face">Which of its axes the face is across.</param>
     /// <param name="outward">The face's normal.</param>
     /// <param name="size">Of the pair.</param>
-    private static Vector3D Opposite(
-        in Vector3D center, in Sides sides, in Vector3D faceCenter, in Sides faceSides, int face, in Vector3D outward,
+    private static Double3 Opposite(
+        in Double3 center, in Sides sides, in Double3 faceCenter, in Sides faceSides, int face, in Double3 outward,
         double size)
     {
-        Vector3D point = center, first = default, second = default;
+        Double3 point = center, first = default, second = default;
         for (int i = 0; i < 3; i++)
         {
-            Vector3D side = sides[i];
-            double rise = Vector3D.Dot(side, outward);
+            Double3 side = sides[i];
+            double rise = Double3.Dot(side, outward);
             if (sides.Half(i) == 0) continue;
             if (!IsLevel(rise, sides.Half(i), size)) point -= side * Math.Sign(rise);
             else if (first == default) first = side;
@@ -119,44 +119,44 @@ internal static class BoxDepthPoints
     /// itself where there is none. An axis that costs no more than another but for rounding is not opposite its own
     /// edges by that rounding over the angle between both, and which of the parallel edges it is may be rounding, too.
     /// </summary>
-    private static int FaceOf(in BoxPair pair, in Vector3D normal)
+    private static int FaceOf(in BoxPair pair, in Double3 normal)
     {
         if (pair.Axis < BoxPair.Faces) return pair.Axis;
         int i = pair.EdgeOfA, j = pair.EdgeOfB;
         for (int k = 1; k < 3; k++)
         {
             int beside = (i + k) % 3, besideB = (j + k) % 3;
-            if (Math.Abs(Vector3D.Dot(BoxPair.Unit(beside), normal)) <= LevelSide) return 3 - i - beside;
-            if (Math.Abs(Vector3D.Dot(pair.AxisOfB(besideB), normal)) <= LevelSide) return 6 - j - besideB;
+            if (Math.Abs(Double3.Dot(BoxPair.Unit(beside), normal)) <= LevelSide) return 3 - i - beside;
+            if (Math.Abs(Double3.Dot(pair.AxisOfB(besideB), normal)) <= LevelSide) return 6 - j - besideB;
         }
 
         return pair.Axis;
     }
 
     /// <summary>The point of A's edge where B's passes it.</summary>
-    private static Vector3D OnEdge(in BoxPair pair, in DepthBounds depth)
+    private static Double3 OnEdge(in BoxPair pair, in DepthBounds depth)
     {
         int i = pair.EdgeOfA, j = pair.EdgeOfB;
-        Vector3D normal = depth.Normal, along = BoxPair.Unit(i), alongB = pair.AxisOfB(j);
-        Vector3D a = MiddleOfEdge(pair.HalfA, normal, i), inB = MiddleOfEdge(pair.HalfB, -pair.ToB(normal), j);
-        Vector3D b = pair.Between + pair.X * inB.X + pair.Y * inB.Y + pair.Z * inB.Z;
+        Double3 normal = depth.Normal, along = BoxPair.Unit(i), alongB = pair.AxisOfB(j);
+        Double3 a = MiddleOfEdge(pair.HalfA, normal, i), inB = MiddleOfEdge(pair.HalfB, -pair.ToB(normal), j);
+        Double3 b = pair.Between + pair.X * inB.X + pair.Y * inB.Y + pair.Z * inB.Z;
 
         // a + s along = b + normal depth + r alongB; the cross product with alongB leaves s, the dot product with along
         // says where B's edge lies beside A's. Of nearly parallel edges rounding moves s far, but not out of both.
-        Vector3D across = Vector3D.Cross(along, alongB), between = b + normal * depth.Above - a;
-        double half = Along(pair.HalfA, i), reach = Along(pair.HalfB, j) * Math.Abs(Vector3D.Dot(along, alongB));
-        double s = Vector3D.Dot(Vector3D.Cross(between, alongB), across) / across.LengthSquared;
-        double middle = Vector3D.Dot(between, along);
+        Double3 across = Double3.Cross(along, alongB), between = b + normal * depth.Above - a;
+        double half = Along(pair.HalfA, i), reach = Along(pair.HalfB, j) * Math.Abs(Double3.Dot(along, alongB));
+        double s = Double3.Dot(Double3.Cross(between, alongB), across) / across.LengthSquared;
+        double middle = Double3.Dot(between, along);
         double first = Math.Max(-half, middle - reach), last = Math.Min(half, middle + reach);
         return a + along * Math.Max(first, Math.Min(last, s));
     }
 
     /// <summary>The middle of a box's edge that is furthest in a direction.</summary>
-    private static Vector3D MiddleOfEdge(in Vector3D half, in Vector3D direction, int edge) => new(
+    private static Double3 MiddleOfEdge(in Double3 half, in Double3 direction, int edge) => new(
         edge == 0 ? 0 : half.X * Math.Sign(direction.X), edge == 1 ? 0 : half.Y * Math.Sign(direction.Y),
         edge == 2 ? 0 : half.Z * Math.Sign(direction.Z));
 
-    private static double Along(in Vector3D half, int axis) => axis == 0 ? half.X : axis == 1 ? half.Y : half.Z;
+    private static double Along(in Double3 half, int axis) => axis == 0 ? half.X : axis == 1 ? half.Y : half.Z;
 
     private static Sides SidesOfA(in BoxPair pair) =>
         new(BoxPair.Unit(0), BoxPair.Unit(1), BoxPair.Unit(2), pair.HalfA);
@@ -166,9 +166,9 @@ internal static class BoxDepthPoints
     /// <summary>A box's axes and half of its sides, which may be 0.</summary>
     private readonly struct Sides
     {
-        private readonly Vector3D _x, _y, _z, _half;
+        private readonly Double3 _x, _y, _z, _half;
 
-        public Sides(in Vector3D x, in Vector3D y, in Vector3D z, in Vector3D half)
+        public Sides(in Double3 x, in Double3 y, in Double3 z, in Double3 half)
         {
             _x = x;
             _y = y;
@@ -176,9 +176,9 @@ internal static class BoxDepthPoints
             _half = half;
         }
 
-        public Vector3D this[int index] => Axis(index) * Half(index);
+        public Double3 this[int index] => Axis(index) * Half(index);
 
-        public Vector3D Axis(int index) => index == 0 ? _x : index == 1 ? _y : _z;
+        public Double3 Axis(int index) => index == 0 ? _x : index == 1 ? _y : _z;
 
         public double Half(int index) => Along(_half, index);
     }

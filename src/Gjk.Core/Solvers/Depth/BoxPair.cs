@@ -7,35 +7,35 @@ internal readonly struct BoxPair
     public const int Faces = 6;
 
     /// <summary>Half the side lengths.</summary>
-    public readonly Vector3D HalfA, HalfB;
+    public readonly Double3 HalfA, HalfB;
 
     /// <summary>B's axes.</summary>
-    public readonly Vector3D X, Y, Z;
+    public readonly Double3 X, Y, Z;
 
     /// <summary>B's centre.</summary>
-    public readonly Vector3D Between;
+    public readonly Double3 Between;
 
     /// <summary>
     /// The axis's number: across A's faces, across B's, and then across A's first edge and each of B's.
     /// </summary>
     public readonly int Axis;
 
-    public BoxPair(in Vector3D halfA, in Vector3D halfB, in PairFrame frame, int axis)
+    public BoxPair(in Double3 halfA, in Double3 halfB, in PairFrame frame, int axis)
     {
         HalfA = halfA;
         HalfB = halfB;
-        X = new Vector3D(frame.Rotation.M00, frame.Rotation.M10, frame.Rotation.M20);
-        Y = new Vector3D(frame.Rotation.M01, frame.Rotation.M11, frame.Rotation.M21);
-        Z = new Vector3D(frame.Rotation.M02, frame.Rotation.M12, frame.Rotation.M22);
+        X = new Double3(frame.Rotation.M00, frame.Rotation.M10, frame.Rotation.M20);
+        Y = new Double3(frame.Rotation.M01, frame.Rotation.M11, frame.Rotation.M21);
+        Z = new Double3(frame.Rotation.M02, frame.Rotation.M12, frame.Rotation.M22);
         Between = frame.Translation;
         Axis = axis;
     }
 
     /// <summary>One of B's axes.</summary>
-    public Vector3D AxisOfB(int index) => index == 0 ? X : index == 1 ? Y : Z;
+    public Double3 AxisOfB(int index) => index == 0 ? X : index == 1 ? Y : Z;
 
     /// <summary>A direction in B's axes.</summary>
-    public Vector3D ToB(in Vector3D v) => new(Vector3D.Dot(X, v), Vector3D.Dot(Y, v), Vector3D.Dot(Z, v));
+    public Double3 ToB(in Double3 v) => new(Double3.Dot(X, v), Double3.Dot(Y, v), Double3.Dot(Z, v));
 
     /// <summary>Along which of A's axes the edge of the axis lies.</summary>
     public int EdgeOfA => (Axis - Faces) / 3;
@@ -44,31 +44,31 @@ internal readonly struct BoxPair
     public int EdgeOfB => (Axis - Faces) % 3;
 
     /// <summary>The axis, turned to the side of B; of unit length across a face, and of any across edges.</summary>
-    public Vector3D Outward
+    public Double3 Outward
     {
         get
         {
-            Vector3D axis = Axis < 3 ? Unit(Axis) : Axis < Faces ? AxisOfB(Axis - 3) : AcrossEdges;
-            return Vector3D.Dot(axis, Between) < 0 ? -axis : axis;
+            Double3 axis = Axis < 3 ? Unit(Axis) : Axis < Faces ? AxisOfB(Axis - 3) : AcrossEdges;
+            return Double3.Dot(axis, Between) < 0 ? -axis : axis;
         }
     }
 
     /// <summary>Perpendicular to A's edge without rounding.</summary>
-    private Vector3D AcrossEdges
+    private Double3 AcrossEdges
     {
         get
         {
-            Vector3D b = AxisOfB(EdgeOfB);
+            Double3 b = AxisOfB(EdgeOfB);
             return EdgeOfA switch
             {
-                0 => new Vector3D(0, -b.Z, b.Y),
-                1 => new Vector3D(b.Z, 0, -b.X),
-                _ => new Vector3D(-b.Y, b.X, 0),
+                0 => new Double3(0, -b.Z, b.Y),
+                1 => new Double3(b.Z, 0, -b.X),
+                _ => new Double3(-b.Y, b.X, 0),
             };
         }
     }
 
     /// <summary>One of A's axes.</summary>
-    public static Vector3D Unit(int index) =>
-        index == 0 ? new Vector3D(1, 0, 0) : index == 1 ? new Vector3D(0, 1, 0) : new Vector3D(0, 0, 1);
+    public static Double3 Unit(int index) =>
+        index == 0 ? new Double3(1, 0, 0) : index == 1 ? new Double3(0, 1, 0) : new Double3(0, 0, 1);
 }

@@ -50,7 +50,7 @@ internal static class CornerDepth
         int before = state.Iterations;
         var depth = DepthBounds.Of(state);
         int limit = before + AxialDepth.MostSupports;
-        Vector3D dear = default;
+        Double3 dear = default;
         var verdict = DepthVerdict.Found;
         for (int i = 0; i < count && verdict == DepthVerdict.Found; i++)
             verdict = Turn(ref a, ref b, frame, form, i, limit, ref state, ref depth, ref dear);
@@ -66,29 +66,29 @@ internal static class CornerDepth
     /// </summary>
     private static DepthVerdict Turn<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in PairForm form, int id, int limit, ref SolverState state,
-        ref DepthBounds depth, ref Vector3D dear)
+        ref DepthBounds depth, ref Double3 dear)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         ref readonly BodyForm body = ref (form.A.CornerCount > 0 ? ref form.A : ref form.B);
-        Vector3D corner = Offset(ref a, ref b, frame, form, id);
+        Double3 corner = Offset(ref a, ref b, frame, form, id);
         DepthVerdict verdict = Look(ref a, ref b, frame, form, corner, default, limit, ref state, ref depth);
         if (body.IsBox && id < body.CornerCount - 1 && !form.HasEllipsoid) return verdict;
         for (int i = 0; i < body.NeighborCount(id) && body.Neighbor(id, i) < id; i++)
         {
-            Vector3D edge = Offset(ref a, ref b, frame, form, body.Neighbor(id, i)) - corner;
+            Double3 edge = Offset(ref a, ref b, frame, form, body.Neighbor(id, i)) - corner;
             if (!(edge.LengthSquared > 0)) continue;
             if (verdict != DepthVerdict.Found) return verdict;
             edge *= 1 / edge.Length;
-            double same = Vector3D.Dot(edge, dear);
+            double same = Double3.Dot(edge, dear);
             if (same * same >= 1 - PairForm.Parallel * PairForm.Parallel) continue;
             int before = state.Iterations;
             verdict = Look(ref a, ref b, frame, form, corner, edge, limit, ref state, ref depth);
             if (state.Iterations - before > Dear) dear = edge;
             for (int k = 0; k < i && form.HasEllipsoid; k++)
             {
-                Vector3D other = Offset(ref a, ref b, frame, form, body.Neighbor(id, k)) - corner;
-                Vector3D normal = Vector3D.Cross(edge, other);
+                Double3 other = Offset(ref a, ref b, frame, form, body.Neighbor(id, k)) - corner;
+                Double3 normal = Double3.Cross(edge, other);
                 if (!(normal.LengthSquared > 0)) continue;
                 normal *= 1 / normal.Length;
                 AxialDepth.Look(ref a, ref b, frame, WayOut.In(normal), limit, ref state, ref depth);
@@ -101,7 +101,7 @@ internal static class CornerDepth
 
     /// <summary>The ways across a corner or an edge.</summary>
     private static DepthVerdict Look<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, in Vector3D corner, in Vector3D edge, int limit,
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, in Double3 corner, in Double3 edge, int limit,
         ref SolverState state, ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -115,12 +115,12 @@ internal static class CornerDepth
     }
 
     /// <summary>From A's centre to a corner of B, or from a corner of A to B's centre.</summary>
-    private static Vector3D Offset<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in PairForm form, int id)
+    private static Double3 Offset<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in PairForm form, int id)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         bool isOfA = form.A.CornerCount > 0;
-        Vector3D corner;
+        Double3 corner;
         if (isOfA) a.TryGetVertex(id, out corner);
         else b.TryGetVertex(id, out corner);
         return frame.Translation + (isOfA ? -corner : frame.Rotation.Rotate(corner));

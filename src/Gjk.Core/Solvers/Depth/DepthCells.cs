@@ -94,9 +94,9 @@ internal static unsafe class DepthCells
             }
 
             if (state.Iterations >= limit) return DepthVerdict.Undecided;
-            Vector3D normal = polytope.Face(face).UnitNormal;
+            Double3 normal = polytope.Face(face).UnitNormal;
             int vertex = PolytopeStart.Support(ref a, ref b, frame, normal, ref state, ref polytope);
-            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
+            double height = Double3.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
             depth.See(normal, height);
             if (depth.IsApart(state)) return DepthVerdict.Apart;
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;

@@ -23,7 +23,7 @@ internal enum DepthVerdict
 internal struct DepthBounds
 {
     /// <summary>The direction of the cheapest way out that was seen, of unit length.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>What it costs: the depth is not more.</summary>
     public double Above;
@@ -34,7 +34,7 @@ internal struct DepthBounds
     /// <summary>Nothing is known.</summary>
     public static DepthBounds None => new()
     {
-        Normal = new Vector3D(1, 0, 0),
+        Normal = new Double3(1, 0, 0),
         Above = double.PositiveInfinity,
         Below = double.NegativeInfinity,
     };
@@ -48,7 +48,7 @@ internal struct DepthBounds
     };
 
     /// <summary>Takes note of what a direction costs; the first of equally cheap ones stays.</summary>
-    public void See(in Vector3D normal, double height)
+    public void See(in Double3 normal, double height)
     {
         if (!(height < Above)) return;
         Above = height;
@@ -60,7 +60,7 @@ internal struct DepthBounds
         Above < -GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value;
 
     /// <summary>The direction in which the bounds have met.</summary>
-    public void Settle(in Vector3D normal, double height)
+    public void Settle(in Double3 normal, double height)
     {
         Above = height;
         Normal = normal;

@@ -37,7 +37,7 @@ internal static class EllipsoidNormal
     /// <param name="isOther">
     /// Asks for the one on the other side of the centre, across the shortest axis, where no point around is nearer.
     /// </param>
-    public static Vector3D Nearest(in Vector3D radii, in Vector3D point, bool isOther = false)
+    public static Double3 Nearest(in Double3 radii, in Double3 point, bool isOther = false)
     {
         double least = Math.Min(Math.Min(radii.X, radii.Y), radii.Z);
         double ex = Excess(radii.X, least), ey = Excess(radii.Y, least), ez = Excess(radii.Z, least);
@@ -61,7 +61,7 @@ internal static class EllipsoidNormal
         if (u == 0 && ex == 0) x = missing;
         else if (u == 0 && ey == 0) y = missing;
         else if (u == 0) z = missing;
-        var normal = new Vector3D(
+        var normal = new Double3(
             Signed(x / radii.X, point.X), Signed(y / radii.Y, point.Y), Signed(z / radii.Z, point.Z));
         return normal * (1 / normal.Length);
     }
@@ -71,19 +71,19 @@ internal static class EllipsoidNormal
     /// <param name="point">A point of the line.</param>
     /// <param name="along">The line's direction, of unit length.</param>
     /// <param name="isOther">As above.</param>
-    public static Vector3D Nearest(in Vector3D radii, in Vector3D point, in Vector3D along, bool isOther)
+    public static Double3 Nearest(in Double3 radii, in Double3 point, in Double3 along, bool isOther)
     {
         // The shadow is an ellipse; one step of Jacobi's method (1846) finds its axes.
-        (Vector3D u, Vector3D v) = new PlaneBasis(along);
-        Vector3D onU = Vector3D.Multiply(radii, u), onV = Vector3D.Multiply(radii, v);
-        double mixed = Vector3D.Dot(onU, onV), half = 0.5 * (onV.LengthSquared - onU.LengthSquared);
+        (Double3 u, Double3 v) = new PlaneBasis(along);
+        Double3 onU = Double3.Multiply(radii, u), onV = Double3.Multiply(radii, v);
+        double mixed = Double3.Dot(onU, onV), half = 0.5 * (onV.LengthSquared - onU.LengthSquared);
         double tangent = mixed == 0 ? 0
             : mixed / (half + BranchFree.WithSign(Math.Sqrt(half * half + mixed * mixed), half));
         double cosine = 1 / Math.Sqrt(1 + tangent * tangent), sine = tangent * cosine;
         (u, v) = (u * cosine - v * sine, u * sine + v * cosine);
-        double x = Vector3D.Multiply(radii, u).Length, y = Vector3D.Multiply(radii, v).Length;
-        var seen = new Vector3D(Vector3D.Dot(point, u), Vector3D.Dot(point, v), 0);
-        Vector3D normal = Nearest(new Vector3D(x, y, Math.Max(x, y)), seen, isOther);
+        double x = Double3.Multiply(radii, u).Length, y = Double3.Multiply(radii, v).Length;
+        var seen = new Double3(Double3.Dot(point, u), Double3.Dot(point, v), 0);
+        Double3 normal = Nearest(new Double3(x, y, Math.Max(x, y)), seen, isOther);
         return u * normal.X + v * normal.Y;
     }
 

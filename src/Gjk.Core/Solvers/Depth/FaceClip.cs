@@ -21,11 +21,11 @@ internal static unsafe class FaceClip
     /// <param name="halfU">Half of its length.</param>
     /// <param name="v">The direction of its other side, perpendicular to the first.</param>
     /// <param name="halfV">Half of its length.</param>
-    public static Vector3D Middle(
-        in Vector3D middle, in Vector3D first, in Vector3D second, in Vector3D center, in Vector3D u, double halfU,
-        in Vector3D v, double halfV)
+    public static Double3 Middle(
+        in Double3 middle, in Double3 first, in Double3 second, in Double3 center, in Double3 u, double halfU,
+        in Double3 v, double halfV)
     {
-        Vector3D* corners = stackalloc Vector3D[MostCorners], clipped = stackalloc Vector3D[MostCorners];
+        Double3* corners = stackalloc Double3[MostCorners], clipped = stackalloc Double3[MostCorners];
         corners[0] = middle + first + second;
         corners[1] = middle + first - second;
         corners[2] = middle - first - second;
@@ -35,27 +35,27 @@ internal static unsafe class FaceClip
         Clip(ref corners, ref count, ref clipped, center, -u, halfU);
         Clip(ref corners, ref count, ref clipped, center, v, halfV);
         Clip(ref corners, ref count, ref clipped, center, -v, halfV);
-        Vector3D sum = default;
+        Double3 sum = default;
         for (int i = 0; i < count; i++) sum += corners[i];
         return sum * (1.0 / count);
     }
 
     /// <summary>Leaves what lies no further from the centre along a direction than a reach, if anything does.</summary>
     private static void Clip(
-        ref Vector3D* from, ref int count, ref Vector3D* to, in Vector3D center, in Vector3D direction, double reach)
+        ref Double3* from, ref int count, ref Double3* to, in Double3 center, in Double3 direction, double reach)
     {
         int kept = 0;
         for (int i = 0; i < count && kept + 2 <= MostCorners; i++)
         {
-            Vector3D p = from[i], q = from[i + 1 < count ? i + 1 : 0];
-            double above = Vector3D.Dot(p - center, direction) - reach;
-            double next = Vector3D.Dot(q - center, direction) - reach;
+            Double3 p = from[i], q = from[i + 1 < count ? i + 1 : 0];
+            double above = Double3.Dot(p - center, direction) - reach;
+            double next = Double3.Dot(q - center, direction) - reach;
             if (above <= 0) to[kept++] = p;
             if (above < 0 && next > 0 || above > 0 && next < 0) to[kept++] = p + (q - p) * (above / (above - next));
         }
 
         if (kept == 0) return;
-        Vector3D* left = to;
+        Double3* left = to;
         to = from;
         from = left;
         count = kept;

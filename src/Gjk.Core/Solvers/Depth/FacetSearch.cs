@@ -41,7 +41,7 @@ internal struct FacetSearch
     /// </summary>
     /// <returns>False when the looks are spent, or the supports do not agree.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryLook<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, double height)
+    public bool TryLook<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, double height)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -49,9 +49,9 @@ internal struct FacetSearch
         Supports++;
         if (height >= Depth.Above) return true;
         Simplex.Begin(out Simplex simplex);
-        Vector3D unit = normal * (1 / normal.Length);
-        Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, -unit, ref simplex, 0, out _);
-        Depth.See(unit, Vector3D.Dot(unit, w));
+        Double3 unit = normal * (1 / normal.Length);
+        Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, -unit, ref simplex, 0, out _);
+        Depth.See(unit, Double3.Dot(unit, w));
         return height >= Limit;
     }
 }

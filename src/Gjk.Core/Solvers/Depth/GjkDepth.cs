@@ -66,12 +66,12 @@ internal static unsafe class GjkDepth
         while (polytope.HasRoom)
         {
             face = polytope.Lowest(out double key);
-            Vector3D normal = polytope.Face(face).Normal;
+            Double3 normal = polytope.Face(face).Normal;
             double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared);
             double lowest = polytope.Face(face).Offset * scale;
             depth.Below = Math.Max(depth.Below, lowest);
             int vertex = PolytopeStart.Support(ref a, ref b, frame, normal, ref state, ref polytope);
-            double height = Vector3D.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;
+            double height = Double3.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;
             if (height < depth.Above) depth.Settle(normal * scale, height);
             if (depth.IsApart(state))
             {

@@ -24,7 +24,7 @@ internal struct HullArc
     private const double NearEdge = 1e-10;
 
     /// <summary>Where the walk is, and in which direction it goes on, of unit length; in A's axes and in B's.</summary>
-    private Vector3D _normal, _ahead, _normalInB, _aheadInB;
+    private Double3 _normal, _ahead, _normalInB, _aheadInB;
 
     /// <summary>The edge's end, seen from B's centre, along both.</summary>
     private double _height, _slope;
@@ -37,15 +37,15 @@ internal struct HullArc
     /// <param name="normal">Its unit normal.</param>
     /// <param name="frame">Where B is, seen from A.</param>
     /// <param name="id">B's furthest corner against the normal.</param>
-    public HullArc(in HullFacet facet, in Vector3D normal, in PairFrame frame, int id)
+    public HullArc(in HullFacet facet, in Double3 normal, in PairFrame frame, int id)
     {
         _normal = normal;
-        _ahead = Vector3D.Cross(facet.Q - facet.P, normal);
+        _ahead = Double3.Cross(facet.Q - facet.P, normal);
         _ahead *= 1 / _ahead.Length;
         _normalInB = frame.Rotation.InverseRotate(_normal);
         _aheadInB = frame.Rotation.InverseRotate(_ahead);
-        _height = Vector3D.Dot(facet.P - frame.Translation, _normal);
-        _slope = Vector3D.Dot(facet.P - frame.Translation, _ahead);
+        _height = Double3.Dot(facet.P - frame.Translation, _normal);
+        _slope = Double3.Dot(facet.P - frame.Translation, _ahead);
         _id = id;
     }
 
@@ -59,21 +59,21 @@ internal struct HullArc
         HullTurn end = FindEnd(facet, ref a, form.A, out bool isCertain);
         double slack = HullFacet.Slack * (Math.Abs(_height) + Math.Abs(_slope));
         if (isCertain && end.Of(_height, _slope) < _height - slack) return true;
-        b.TryGetVertex(_id, out Vector3D onB);
+        b.TryGetVertex(_id, out Double3 onB);
         while (true)
         {
             double atEnd = end.Of(_height, _slope)
-                - end.Of(Vector3D.Dot(onB, _normalInB), Vector3D.Dot(onB, _aheadInB));
+                - end.Of(Double3.Dot(onB, _normalInB), Double3.Dot(onB, _aheadInB));
             if (atEnd >= search.Limit) return true;
             HullTurn turn = end;
             int next = FindChange(ref b, form.B, onB, ref turn);
             HullArc before = this;
             HullTurn left = end;
             Go(turn, ref end);
-            while (!search.TryLook(ref a, ref b, frame, _normal, _height - Vector3D.Dot(onB, _normalInB)))
+            while (!search.TryLook(ref a, ref b, frame, _normal, _height - Double3.Dot(onB, _normalInB)))
             {
                 if (IsBeyond(ref a, frame, search.Noise)) return true;
-                next = b.Support(-_normalInB, out Vector3D further);
+                next = b.Support(-_normalInB, out Double3 further);
                 this = before;
                 end = left;
                 if (search.AreSpent || !TryShorten(further - onB, ref turn)) return false;
@@ -91,12 +91,12 @@ internal struct HullArc
     private readonly bool IsBeyond<TA>(ref TA a, in PairFrame frame, double noise)
         where TA : struct, ISupportMap
     {
-        a.Support(_normal, out Vector3D onA);
-        return Vector3D.Dot(_normal, onA - frame.Translation) - _height > noise;
+        a.Support(_normal, out Double3 onA);
+        return Double3.Dot(_normal, onA - frame.Translation) - _height > noise;
     }
 
-    private readonly bool TryShorten(in Vector3D fromB, ref HullTurn turn) =>
-        turn.TryShorten(Vector3D.Dot(fromB, _normalInB), Vector3D.Dot(fromB, _aheadInB));
+    private readonly bool TryShorten(in Double3 fromB, ref HullTurn turn) =>
+        turn.TryShorten(Double3.Dot(fromB, _normalInB), Double3.Dot(fromB, _aheadInB));
 
     /// <summary>Whether all that is left of the arc is high: between its ends it is as high as the lower one.</summary>
     private readonly bool IsHigh(in HullTurn end, double height) =>
@@ -113,9 +113,9 @@ internal struct HullArc
         for (int k = starts[facet.IdP]; k < starts[facet.IdP + 1]; k++)
         {
             if (neighbors[k] == facet.IdQ) continue;
-            a.TryGetVertex(neighbors[k], out Vector3D corner);
-            Vector3D toEdge = facet.P - corner;
-            double here = Vector3D.Dot(toEdge, _normal), ahead = Vector3D.Dot(toEdge, _ahead);
+            a.TryGetVertex(neighbors[k], out Double3 corner);
+            Double3 toEdge = facet.P - corner;
+            double here = Double3.Dot(toEdge, _normal), ahead = Double3.Dot(toEdge, _ahead);
             if (here * here + ahead * ahead <= onLine) isClear = false;
             else if (end.TryShorten(here, ahead)) squared = toEdge.LengthSquared;
         }
@@ -126,15 +126,15 @@ internal struct HullArc
     }
 
     /// <summary>How far to turn until another corner of B is as far as the one that is furthest.</summary>
-    private readonly int FindChange<TB>(ref TB b, in BodyForm form, in Vector3D onB, ref HullTurn turn)
+    private readonly int FindChange<TB>(ref TB b, in BodyForm form, in Double3 onB, ref HullTurn turn)
         where TB : struct, ISupportMap
     {
         int[] starts = form.Hull!.NeighborStart, neighbors = form.Hull.Neighbors;
         int next = -1;
         for (int k = starts[_id]; k < starts[_id + 1]; k++)
         {
-            b.TryGetVertex(neighbors[k], out Vector3D corner);
-            Vector3D fromB = corner - onB;
+            b.TryGetVertex(neighbors[k], out Double3 corner);
+            Double3 fromB = corner - onB;
             if (TryShorten(fromB, ref turn)) next = neighbors[k];
         }
 

@@ -68,7 +68,7 @@ internal static class HullDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D offset = frame.Rotation.InverseRotate(frame.Translation);
+        Double3 offset = frame.Rotation.InverseRotate(frame.Translation);
         int count = form.B.TriangleCount, lines = 0;
         for (int i = 0; i < count; i++)
         {
@@ -82,9 +82,9 @@ internal static class HullDepth
             }
 
             if (facet.IsAbove(-offset, search.Limit - search.InnerA)) continue;
-            Vector3D outward = facet.Normal * (1 / facet.Normal.Length), normal = frame.Rotation.Rotate(-outward);
-            a.Support(normal, out Vector3D onA);
-            double height = Vector3D.Dot(normal, onA) + Vector3D.Dot(outward, facet.P + offset);
+            Double3 outward = facet.Normal * (1 / facet.Normal.Length), normal = frame.Rotation.Rotate(-outward);
+            a.Support(normal, out Double3 onA);
+            double height = Double3.Dot(normal, onA) + Double3.Dot(outward, facet.P + offset);
             if (!search.TryLook(ref a, ref b, frame, normal, height)) return false;
         }
 
@@ -107,9 +107,9 @@ internal static class HullDepth
             }
 
             if (facet.IsAbove(frame.Translation, search.Limit - search.InnerB)) continue;
-            Vector3D normal = facet.Normal * (1 / facet.Normal.Length), inB = frame.Rotation.InverseRotate(normal);
-            int id = b.Support(-inB, out Vector3D onB);
-            double height = Vector3D.Dot(normal, facet.P - frame.Translation) - Vector3D.Dot(inB, onB);
+            Double3 normal = facet.Normal * (1 / facet.Normal.Length), inB = frame.Rotation.InverseRotate(normal);
+            int id = b.Support(-inB, out Double3 onB);
+            double height = Double3.Dot(normal, facet.P - frame.Translation) - Double3.Dot(inB, onB);
             if (!search.TryLook(ref a, ref b, frame, normal, height)) return false;
             if (form.B.Hull is null) continue;
             for (int k = 0; k < 3; k++, facet.Turn())

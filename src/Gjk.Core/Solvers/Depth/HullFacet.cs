@@ -25,10 +25,10 @@ internal struct HullFacet
     private const double Line = 1e-24;
 
     /// <summary>The corners, measured from the shape's centre.</summary>
-    public Vector3D P, Q, R;
+    public Double3 P, Q, R;
 
     /// <summary>Outward, of any length.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>The corners' ids.</summary>
     public int IdP, IdQ, IdR;
@@ -51,16 +51,16 @@ internal struct HullFacet
         shape.TryGetVertex(facet.IdP, out facet.P);
         shape.TryGetVertex(facet.IdQ, out facet.Q);
         shape.TryGetVertex(facet.IdR, out facet.R);
-        Vector3D e = facet.Q - facet.P, f = facet.R - facet.P;
-        facet.Normal = Vector3D.Cross(e, f);
+        Double3 e = facet.Q - facet.P, f = facet.R - facet.P;
+        facet.Normal = Double3.Cross(e, f);
         if (facet.Normal.LengthSquared > Thin * (e.LengthSquared * f.LengthSquared)) return;
         facet.Normal = VectorDD.Normal(facet.P, facet.Q, facet.R);
     }
 
     /// <summary>Whether its plane is certainly as high as that, measured from a point along the normal.</summary>
-    public readonly bool IsAbove(in Vector3D point, double height)
+    public readonly bool IsAbove(in Double3 point, double height)
     {
-        double over = Vector3D.Dot(Normal, P - point);
+        double over = Double3.Dot(Normal, P - point);
         return height > 0 && over > 0 && over * over >= height * height * (1 + 2 * Slack) * Normal.LengthSquared;
     }
 

@@ -76,25 +76,25 @@ internal readonly struct PairForm
     /// <param name="offset">From A's centre to the corner of B, or from that of A to B's centre.</param>
     /// <param name="edge">Along the edge, of unit length; 0 for a corner.</param>
     /// <param name="isOther">Asks for the second such direction, or the other half.</param>
-    public WayOut WayAcross(in PairFrame frame, in Vector3D offset, in Vector3D edge, bool isOther)
+    public WayOut WayAcross(in PairFrame frame, in Double3 offset, in Double3 edge, bool isOther)
     {
         if (HasEllipsoid) return OutOfEllipsoid(A, B, frame, offset, edge, isOther);
-        Vector3D axis = A.IsCurved ? Unit(A.Axis) : frame.Rotation.Rotate(Unit(B.Axis)), across = offset;
+        Double3 axis = A.IsCurved ? Unit(A.Axis) : frame.Rotation.Rotate(Unit(B.Axis)), across = offset;
         if (edge != default) new PlaneBasis(edge).Deconstruct(out axis, out across);
         return WayOut.Along(axis, isOther ? -across : across, 0, default, default);
     }
 
     /// <summary>The way of a point out of an ellipsoid, or that of a line; none where that is flat.</summary>
     private static WayOut OutOfEllipsoid(
-        in BodyForm a, in BodyForm b, in PairFrame frame, in Vector3D offset, in Vector3D edge, bool isOther)
+        in BodyForm a, in BodyForm b, in PairFrame frame, in Double3 offset, in Double3 edge, bool isOther)
     {
         bool isA = a.Radii != default;
-        Vector3D radii = isA ? a.Radii : b.Radii;
+        Double3 radii = isA ? a.Radii : b.Radii;
         if (!(radii.X > 0 && radii.Y > 0 && radii.Z > 0)) return default;
         var turn = new RotationD(isA ? a.Turn : b.Turn);
-        Vector3D point = turn.InverseRotate(isA ? offset : frame.Rotation.InverseRotate(-offset));
-        Vector3D along = turn.InverseRotate(isA ? edge : frame.Rotation.InverseRotate(edge));
-        Vector3D way = turn.Rotate(edge == default
+        Double3 point = turn.InverseRotate(isA ? offset : frame.Rotation.InverseRotate(-offset));
+        Double3 along = turn.InverseRotate(isA ? edge : frame.Rotation.InverseRotate(edge));
+        Double3 way = turn.Rotate(edge == default
             ? EllipsoidNormal.Nearest(radii, point, isOther)
             : EllipsoidNormal.Nearest(radii, point, along, isOther));
         return WayOut.In(isA ? way : -frame.Rotation.Rotate(way));
@@ -103,21 +103,21 @@ internal readonly struct PairForm
     private static WayOut AlongAxes(in BodyForm a, in BodyForm b, in PairFrame frame)
     {
         double radiusA = frame.RadiusA - frame.MarginA, radiusB = frame.RadiusB - frame.MarginB;
-        Vector3D axisA = Unit(a.Axis), axisB = frame.Rotation.Rotate(Unit(b.Axis));
-        Vector3D axis = axisA == default || (axisB != default && radiusB > radiusA) ? axisB : axisA;
-        if (axis == default) axis = new Vector3D(0, 1, 0);
-        if (Vector3D.Dot(axisA, axis) < 0) axisA = -axisA;
-        if (Vector3D.Dot(axisB, axis) < 0) axisB = -axisB;
-        Vector3D leanA = axisA == default ? default : axisA - axis, leanB = axisB == default ? default : axisB - axis;
+        Double3 axisA = Unit(a.Axis), axisB = frame.Rotation.Rotate(Unit(b.Axis));
+        Double3 axis = axisA == default || (axisB != default && radiusB > radiusA) ? axisB : axisA;
+        if (axis == default) axis = new Double3(0, 1, 0);
+        if (Double3.Dot(axisA, axis) < 0) axisA = -axisA;
+        if (Double3.Dot(axisB, axis) < 0) axisB = -axisB;
+        Double3 leanA = axisA == default ? default : axisA - axis, leanB = axisB == default ? default : axisB - axis;
         double moved = Math.Max(leanA.Length, leanB.Length) * Math.Min(radiusA, radiusB);
         if (moved <= Parallel * frame.Radius) return WayOut.Along(axis, frame.Translation, 0, default, default);
-        double slope = moved + Vector3D.Cross(axis, frame.Translation).Length;
+        double slope = moved + Double3.Cross(axis, frame.Translation).Length;
         return slope <= NearlyCoaxial * frame.Radius
             ? WayOut.Along(axis, frame.Translation, slope, leanA, leanB)
             : default;
     }
 
-    private static Vector3D Unit(in Vector3D axis)
+    private static Double3 Unit(in Double3 axis)
     {
         double length = axis.Length;
         return length > 0 ? axis * (1 / length) : default;

@@ -18,14 +18,14 @@ internal static class PolytopeEnd
     /// <param name="normal">The direction of the way out, of unit length.</param>
     /// <param name="height">Its length.</param>
     /// <param name="noise">Length: what rounding leaves open.</param>
-    public static int FaceUnder(in Polytope polytope, int best, in Vector3D normal, double height, double noise)
+    public static int FaceUnder(in Polytope polytope, int best, in Double3 normal, double height, double noise)
     {
-        Vector3D point = normal * height;
+        Double3 point = normal * height;
         double least = DistanceSquared(polytope, best, point);
         for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
         {
             if (!polytope.IsThere(i)) continue;
-            double along = Vector3D.Dot(polytope.Face(i).Normal, normal);
+            double along = Double3.Dot(polytope.Face(i).Normal, normal);
             if (!(along > 0 && along * along > Level * polytope.Face(i).NormalSquared)) continue;
             double squared = DistanceSquared(polytope, i, point);
             if (!(squared < least)) continue;
@@ -49,11 +49,11 @@ internal static class PolytopeEnd
     }
 
     /// <summary>From the point to the face, squared.</summary>
-    private static unsafe double DistanceSquared(in Polytope polytope, int face, in Vector3D point)
+    private static unsafe double DistanceSquared(in Polytope polytope, int face, in Double3 point)
     {
         ref PolytopeFace f = ref polytope.Face(face);
-        Vector3D p = polytope.Vertex(f.Vertices[0]).W - point, q = polytope.Vertex(f.Vertices[1]).W - point;
-        Vector3D r = polytope.Vertex(f.Vertices[2]).W - point;
+        Double3 p = polytope.Vertex(f.Vertices[0]).W - point, q = polytope.Vertex(f.Vertices[1]).W - point;
+        Double3 r = polytope.Vertex(f.Vertices[2]).W - point;
         return ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default).LengthSquared;
     }
 }

@@ -22,21 +22,21 @@ internal static unsafe class PolytopeStart
     {
         if (!TryRemember(state, ref polytope))
         {
-            Vector3D toB = -state.Feature.Normal;
+            Double3 toB = -state.Feature.Normal;
             if (!TryPair(ref a, ref b, frame, toB, ref state, ref polytope, ref depth)
-                && !TryPair(ref a, ref b, frame, new Vector3D(1, 0, 0), ref state, ref polytope, ref depth)
-                && !TryPair(ref a, ref b, frame, new Vector3D(0, 1, 0), ref state, ref polytope, ref depth)
-                && !TryPair(ref a, ref b, frame, new Vector3D(0, 0, 1), ref state, ref polytope, ref depth))
+                && !TryPair(ref a, ref b, frame, new Double3(1, 0, 0), ref state, ref polytope, ref depth)
+                && !TryPair(ref a, ref b, frame, new Double3(0, 1, 0), ref state, ref polytope, ref depth)
+                && !TryPair(ref a, ref b, frame, new Double3(0, 0, 1), ref state, ref polytope, ref depth))
             {
                 return End(state, depth);
             }
 
             if (depth.IsApart(state)) return DepthVerdict.Apart;
-            Vector3D p = polytope.Vertex(0).W, along = polytope.Vertex(1).W - p;
-            Vector3D toOrigin = along * (Vector3D.Dot(p, along) / along.LengthSquared) - p;
-            Vector3D across = Across(along, toOrigin);
+            Double3 p = polytope.Vertex(0).W, along = polytope.Vertex(1).W - p;
+            Double3 toOrigin = along * (Double3.Dot(p, along) / along.LengthSquared) - p;
+            Double3 across = Across(along, toOrigin);
             if (!TryAdd(ref a, ref b, frame, across, ref state, ref polytope, ref depth)
-                && !TryAdd(ref a, ref b, frame, Vector3D.Cross(along, across), ref state, ref polytope, ref depth))
+                && !TryAdd(ref a, ref b, frame, Double3.Cross(along, across), ref state, ref polytope, ref depth))
             {
                 return End(state, depth);
             }
@@ -44,9 +44,9 @@ internal static unsafe class PolytopeStart
             if (depth.IsApart(state)) return DepthVerdict.Apart;
         }
 
-        Vector3D corner = polytope.Vertex(0).W;
-        Vector3D normal = Normal(corner, polytope.Vertex(1).W, polytope.Vertex(2).W, state);
-        if (Vector3D.Dot(normal, corner) > 0) normal = -normal;
+        Double3 corner = polytope.Vertex(0).W;
+        Double3 normal = Normal(corner, polytope.Vertex(1).W, polytope.Vertex(2).W, state);
+        if (Double3.Dot(normal, corner) > 0) normal = -normal;
         if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth)) return End(state, depth);
         if (depth.IsApart(state)) return DepthVerdict.Apart;
         double size = state.Size.Value;
@@ -58,7 +58,7 @@ internal static unsafe class PolytopeStart
     /// <summary>Adds the point of A - B that is furthest in a direction; returns its index.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, ref SolverState state, ref Polytope polytope)
+        ref TA a, ref TB b, in PairFrame frame, in Double3 direction, ref SolverState state, ref Polytope polytope)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -79,8 +79,8 @@ internal static unsafe class PolytopeStart
     private static bool TryRemember(in SolverState state, ref Polytope polytope)
     {
         if (state.Simplex.Count < 3) return false;
-        Vector3D p = state.Simplex.WA, e = state.Simplex.WB - p, f = state.Simplex.WC - p;
-        double area = Vector3D.Cross(e, f).LengthSquared;
+        Double3 p = state.Simplex.WA, e = state.Simplex.WB - p, f = state.Simplex.WC - p;
+        double area = Double3.Cross(e, f).LengthSquared;
         if (!(area > ClosestPointWeights.Needle * e.LengthSquared * f.LengthSquared)) return false;
         double flat = Flat(state);
         if (!(area > flat * flat * Math.Max(e.LengthSquared, f.LengthSquared))) return false;
@@ -92,12 +92,12 @@ internal static unsafe class PolytopeStart
 
     /// <summary>The two points that are furthest apart along a direction.</summary>
     private static bool TryPair<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, ref SolverState state, ref Polytope polytope,
+        ref TA a, ref TB b, in PairFrame frame, in Double3 direction, ref SolverState state, ref Polytope polytope,
         ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D unit = direction * (1 / direction.Length);
+        Double3 unit = direction * (1 / direction.Length);
         int first = See(ref a, ref b, frame, unit, ref state, ref polytope, ref depth);
         int second = See(ref a, ref b, frame, -unit, ref state, ref polytope, ref depth);
         double flat = Flat(state);
@@ -109,52 +109,52 @@ internal static unsafe class PolytopeStart
 
     /// <summary>The furthest point in a direction, or against it, that is not level with the first point.</summary>
     private static bool TryAdd<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D direction, ref SolverState state, ref Polytope polytope,
+        ref TA a, ref TB b, in PairFrame frame, in Double3 direction, ref SolverState state, ref Polytope polytope,
         ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D unit = direction * (1 / direction.Length);
-        double level = Vector3D.Dot(unit, polytope.Vertex(0).W);
+        Double3 unit = direction * (1 / direction.Length);
+        double level = Double3.Dot(unit, polytope.Vertex(0).W);
         int added = See(ref a, ref b, frame, unit, ref state, ref polytope, ref depth);
-        if (Vector3D.Dot(unit, polytope.Vertex(added).W) - level > Flat(state)) return true;
+        if (Double3.Dot(unit, polytope.Vertex(added).W) - level > Flat(state)) return true;
         polytope.DropLast();
         added = See(ref a, ref b, frame, -unit, ref state, ref polytope, ref depth);
-        if (level - Vector3D.Dot(unit, polytope.Vertex(added).W) > Flat(state)) return true;
+        if (level - Double3.Dot(unit, polytope.Vertex(added).W) > Flat(state)) return true;
         polytope.DropLast();
         return false;
     }
 
     private static int See<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D unit, ref SolverState state, ref Polytope polytope,
+        ref TA a, ref TB b, in PairFrame frame, in Double3 unit, ref SolverState state, ref Polytope polytope,
         ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         int added = Support(ref a, ref b, frame, unit, ref state, ref polytope);
-        depth.See(unit, Vector3D.Dot(unit, polytope.Vertex(added).W));
+        depth.See(unit, Double3.Dot(unit, polytope.Vertex(added).W));
         return added;
     }
 
     /// <summary>A direction across a line: towards the origin, or any where the line passes through it.</summary>
-    private static Vector3D Across(in Vector3D along, in Vector3D toOrigin)
+    private static Double3 Across(in Double3 along, in Double3 toOrigin)
     {
         if (toOrigin.LengthSquared > ClosestPointWeights.Needle * along.LengthSquared) return toOrigin;
         double x = Math.Abs(along.X), y = Math.Abs(along.Y), z = Math.Abs(along.Z);
-        Vector3D axis = x <= y && x <= z ? new Vector3D(1, 0, 0)
-            : y <= z ? new Vector3D(0, 1, 0) : new Vector3D(0, 0, 1);
-        return Vector3D.Cross(along, axis);
+        Double3 axis = x <= y && x <= z ? new Double3(1, 0, 0)
+            : y <= z ? new Double3(0, 1, 0) : new Double3(0, 0, 1);
+        return Double3.Cross(along, axis);
     }
 
     /// <summary>
     /// The normal of a triangle; of a needle, which double would lean along its length, in 106 bits. Leaning, it would
     /// find the needle's own far corner above the triangle, and call its height the depth of what is flat.
     /// </summary>
-    private static Vector3D Normal(in Vector3D p, in Vector3D q, in Vector3D r, in SolverState state)
+    private static Double3 Normal(in Double3 p, in Double3 q, in Double3 r, in SolverState state)
     {
-        Vector3D e = q - p, f = r - p, normal = Vector3D.Cross(e, f);
+        Double3 e = q - p, f = r - p, normal = Double3.Cross(e, f);
         double level = GjkTolerances.DepthLevel * state.Size.Value * normal.Length;
-        bool isLevel = Math.Abs(Vector3D.Dot(normal, e)) <= level && Math.Abs(Vector3D.Dot(normal, f)) <= level;
+        bool isLevel = Math.Abs(Double3.Dot(normal, e)) <= level && Math.Abs(Double3.Dot(normal, f)) <= level;
         return isLevel ? normal : VectorDD.Normal(p, q, r);
     }
 

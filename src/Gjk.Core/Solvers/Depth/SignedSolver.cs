@@ -111,8 +111,8 @@ internal static class SignedSolver
         where TTrace : struct, IPolytopeTrace
     {
         var verdict = DepthVerdict.Undecided;
-        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Vector3D halfA) == RayForm.Box
-            && ShapeTraits<TB>.Of.GetPlain(ref b, out Vector3D halfB) == RayForm.Box)
+        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == RayForm.Box
+            && ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB) == RayForm.Box)
         {
             if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
             verdict = BoxDepth.Solve(halfA, halfB, frame, ref state);

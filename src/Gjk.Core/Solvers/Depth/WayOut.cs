@@ -13,10 +13,10 @@ internal readonly struct WayOut
     private const double Coaxial = 1.0 / (1L << 50) / (1L << 50);
 
     /// <summary>Of unit length: the direction, or the side of the plane's axis that the way out lies on.</summary>
-    public readonly Vector3D Across;
+    public readonly Double3 Across;
 
     /// <summary>Of unit length: the plane's axis; 0 where the direction is known.</summary>
-    public readonly Vector3D Axis;
+    public readonly Double3 Axis;
 
     /// <summary>
     /// Length per radian: how much the shortest way out in such a plane may change as the plane turns about its axis; 0
@@ -25,9 +25,9 @@ internal readonly struct WayOut
     public readonly double Slope;
 
     /// <summary>Both bodies' unit axes, less the plane's.</summary>
-    private readonly Vector3D _leanA, _leanB;
+    private readonly Double3 _leanA, _leanB;
 
-    private WayOut(in Vector3D across, in Vector3D axis, double slope, in Vector3D leanA, in Vector3D leanB)
+    private WayOut(in Double3 across, in Double3 axis, double slope, in Double3 leanA, in Double3 leanB)
     {
         Across = across;
         Axis = axis;
@@ -43,10 +43,10 @@ internal readonly struct WayOut
     public bool IsDirection => Axis == default;
 
     /// <summary>A direction of the plane.</summary>
-    public Vector3D At(double across, double along) => Across * across + Axis * along;
+    public Double3 At(double across, double along) => Across * across + Axis * along;
 
     /// <summary>The direction is known.</summary>
-    public static WayOut In(in Vector3D direction) => new(direction, default, 0, default, default);
+    public static WayOut In(in Double3 direction) => new(direction, default, 0, default, default);
 
     /// <summary>The way out is in a plane along an axis: the one towards B where the slope is 0, else in any.</summary>
     /// <param name="axis">Of unit length.</param>
@@ -55,14 +55,14 @@ internal readonly struct WayOut
     /// <param name="leanA">A's unit axis, less the plane's.</param>
     /// <param name="leanB">The same of B.</param>
     public static WayOut Along(
-        in Vector3D axis, in Vector3D offset, double slope, in Vector3D leanA, in Vector3D leanB)
+        in Double3 axis, in Double3 offset, double slope, in Double3 leanA, in Double3 leanB)
     {
-        Vector3D across = offset - axis * Vector3D.Dot(axis, offset);
+        Double3 across = offset - axis * Double3.Dot(axis, offset);
         bool isAcross = across.LengthSquared > Coaxial * offset.LengthSquared;
 
         // Of a short rest of a long offset rounding leaves something along the axis.
         if (isAcross) across *= 1 / across.Length;
-        across -= axis * Vector3D.Dot(axis, across);
+        across -= axis * Double3.Dot(axis, across);
         return new WayOut(
             isAcross ? across * (1 / across.Length) : new PlaneBasis(axis).U, axis, slope, leanA, leanB);
     }
@@ -72,7 +72,7 @@ internal readonly struct WayOut
     {
         SineCosine.Of(angle, out double sine, out double cosine);
         return new WayOut(
-            Across * cosine + Vector3D.Cross(Axis, Across) * sine, Axis, Slope, _leanA, _leanB);
+            Across * cosine + Double3.Cross(Axis, Across) * sine, Axis, Slope, _leanA, _leanB);
     }
 
     /// <summary>
@@ -86,13 +86,13 @@ internal readonly struct WayOut
     /// <param name="moved">Its first derivative.</param>
     /// <param name="bent">Its second one.</param>
     public void Follow(
-        in Vector3D onA, in Vector3D onB, in Vector3D offset, out Vector3D moved, out Vector3D bent)
+        in Double3 onA, in Double3 onB, in Double3 offset, out Double3 moved, out Double3 bent)
     {
-        Vector3D movedA = Vector3D.Cross(_leanA, onA), movedB = Vector3D.Cross(_leanB, onB);
-        Vector3D movedOffset = Vector3D.Cross(Axis, offset);
+        Double3 movedA = Double3.Cross(_leanA, onA), movedB = Double3.Cross(_leanB, onB);
+        Double3 movedOffset = Double3.Cross(Axis, offset);
         moved = movedA - movedB + movedOffset;
-        bent = Vector3D.Cross(_leanA, Vector3D.Cross(Axis + _leanA, onA))
-            - Vector3D.Cross(_leanB, Vector3D.Cross(Axis + _leanB, onB))
-            - Vector3D.Cross(Axis, moved);
+        bent = Double3.Cross(_leanA, Double3.Cross(Axis + _leanA, onA))
+            - Double3.Cross(_leanB, Double3.Cross(Axis + _leanB, onB))
+            - Double3.Cross(Axis, moved);
     }
 }

@@ -140,13 +140,13 @@ internal static class AdvancementSolver
     {
         next = plane.Start;
         if (!isMeasured) return false;
-        Vector3D normal = plane.Normal;
-        double gap = -Vector3D.Dot(normal, motion.Between(plane.Start)) - frame.Margins;
+        Double3 normal = plane.Normal;
+        double gap = -Double3.Dot(normal, motion.Between(plane.Start)) - frame.Margins;
         gap -= Reach(ref a, motion.A, frame.RotationA.InverseRotate(-normal), -normal);
         gap -= Reach(
             ref b, motion.B, frame.Rotation.InverseRotate(frame.RotationA.InverseRotate(normal)), normal);
         if (!(gap > floor)) return false;
-        double rate = -Vector3D.Dot(normal, motion.Velocity);
+        double rate = -Double3.Dot(normal, motion.Velocity);
         next = rate < 0 ? Math.Min(plane.Start + (gap - floor) / -rate, end) : end;
         if (!(next >= Math.Min(plane.Start + plane.Step, end))) return false;
         motion.MoveTo(next, ref frame);
@@ -154,12 +154,12 @@ internal static class AdvancementSolver
     }
 
     /// <summary>How far a body reaches from its pivot in a direction, if it turns, whatever way it is turned.</summary>
-    private static double Reach<T>(ref T shape, in TurningBody body, in Vector3D local, in Vector3D world)
+    private static double Reach<T>(ref T shape, in TurningBody body, in Double3 local, in Double3 world)
         where T : struct, ISupportMap
     {
         if (body.IsTurning) return body.SweptReach(world);
-        shape.Support(local, out Vector3D point);
-        return Vector3D.Dot(local, point);
+        shape.Support(local, out Double3 point);
+        return Double3.Dot(local, point);
     }
 
     /// <summary>
@@ -231,7 +231,7 @@ internal struct Impact
     public double Fraction;
 
     /// <summary>From A to B in A's frame, of unit length; zero where they touch at the start.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>Support calls made on each shape.</summary>
     public int Iterations;

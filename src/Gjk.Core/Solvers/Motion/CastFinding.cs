@@ -32,10 +32,10 @@ internal struct CastFinding
     public double Fraction;
 
     /// <summary>Of the plane that was crossed last, from A to B, of unit length; zero at the start.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>Where they touch, on A's core, in A's frame from its centre.</summary>
-    public Vector3D OnA;
+    public Double3 OnA;
 
     /// <summary>Support calls made on each shape.</summary>
     public int Iterations;

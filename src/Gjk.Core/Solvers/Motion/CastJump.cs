@@ -71,8 +71,8 @@ internal struct CastJump
     {
         bool isApart = state.Verdict == Verdict.Apart;
         double scale = isApart ? 1 / Math.Sqrt(state.Plane.NormalSquared) : 0;
-        Vector3D normal = state.Plane.Normal * scale;
-        double slope = Vector3D.Dot(normal, line.Axis), away = state.Plane.Value * scale - frame.Margins;
+        Double3 normal = state.Plane.Normal * scale;
+        double slope = Double3.Dot(normal, line.Axis), away = state.Plane.Value * scale - frame.Margins;
         double ahead = away / slope;
         bool isTouching = !isApart || Proofs.IsTouching(
             state, state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins);
@@ -133,22 +133,22 @@ internal struct CastJump
     /// How far it is to where the line meets the margin about the nearest feature, as if that had no end; NaN where it
     /// does not, or where the plane's own step is as good.
     /// </summary>
-    private static double AheadTo(in SolverState state, in PairFrame frame, in Vector3D axis)
+    private static double AheadTo(in SolverState state, in PairFrame frame, in Double3 axis)
     {
         double radius = frame.Margins;
         if (state.IsCurved || radius == 0 || state.Simplex.Count > 2) return double.NaN;
-        Vector3D corner = state.Simplex.WA;
+        Double3 corner = state.Simplex.WA;
         if (state.Simplex.Count == 1)
         {
-            double nearest = Vector3D.Dot(corner, axis);
+            double nearest = Double3.Dot(corner, axis);
             return nearest - Math.Sqrt(radius * radius - (corner - axis * nearest).LengthSquared);
         }
 
         // Seen along the edge, it is a circle and the line has this length for each of its own.
-        Vector3D edge = state.Simplex.WB - corner, across = Vector3D.Cross(edge, axis);
+        Double3 edge = state.Simplex.WB - corner, across = Double3.Cross(edge, axis);
         double lengthSquared = edge.LengthSquared, speedSquared = across.LengthSquared / lengthSquared;
-        double middle = Vector3D.Dot(Vector3D.Cross(edge, corner), across) / lengthSquared;
-        double passing = Vector3D.Dot(across, corner);
+        double middle = Double3.Dot(Double3.Cross(edge, corner), across) / lengthSquared;
+        double passing = Double3.Dot(across, corner);
         double chordSquared = radius * radius * speedSquared - passing * passing / lengthSquared;
         return (middle - Math.Sqrt(chordSquared)) / speedSquared;
     }

@@ -22,10 +22,10 @@ internal struct CastLine
     private const double BallBand = 1e-12;
 
     /// <summary>Of the motion, of unit length.</summary>
-    public Vector3D Axis;
+    public Double3 Axis;
 
     /// <summary>The translation where the centres are nearest; perpendicular to the axis.</summary>
-    public Vector3D Nearest;
+    public Double3 Nearest;
 
     /// <summary>The fraction at which they are.</summary>
     public double Middle;
@@ -47,13 +47,13 @@ internal struct CastLine
     /// Enclosed where the bounding balls overlap somewhere on it, Apart where they do not. Undecided where there is no
     /// motion; the line then is a point, the start.
     /// </returns>
-    public static MotionVerdict Make(in PairFrame frame, in Vector3D motion, out CastLine line)
+    public static MotionVerdict Make(in PairFrame frame, in Double3 motion, out CastLine line)
     {
         line = default;
         double squared = motion.LengthSquared;
         line.Speed = Math.Sqrt(squared);
         line.Axis = motion * (1 / line.Speed);
-        double way = -Vector3D.Dot(frame.Translation, line.Axis);
+        double way = -Double3.Dot(frame.Translation, line.Axis);
         line.Middle = way / line.Speed;
         if (!line.Axis.IsFinite || !Guard.IsFinite(line.Middle))
         {
@@ -62,8 +62,8 @@ internal struct CastLine
         }
 
         // Twice, since the first time leaves what rounding does to the way.
-        Vector3D nearest = frame.Translation + line.Axis * way;
-        line.Nearest = nearest - line.Axis * Vector3D.Dot(nearest, line.Axis);
+        Double3 nearest = frame.Translation + line.Axis * way;
+        line.Nearest = nearest - line.Axis * Double3.Dot(nearest, line.Axis);
         line.Error = Rounding * (frame.Radius + Math.Abs(way));
         double reach = frame.Radius * (1 + BallBand) + line.Error;
         double free = reach * reach - line.Nearest.LengthSquared;
@@ -73,7 +73,7 @@ internal struct CastLine
     }
 
     /// <summary>The translation so far along the line.</summary>
-    public readonly Vector3D At(double along) => Nearest + Axis * along;
+    public readonly Double3 At(double along) => Nearest + Axis * along;
 
     /// <summary>The fraction at which B's centre is so far along the line.</summary>
     public readonly double FractionAt(double along) => Middle + along / Speed;

@@ -39,19 +39,19 @@ internal static class CastNormal
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D contact = frame.Translation;
+        Double3 contact = frame.Translation;
         double known = GapAlong(ref a, ref b, frame, cast.Normal, ref state.Simplex, ref cast);
         if (frame.Margins == 0) frame.Translation += cast.Normal * (Retreat * frame.Radius);
         FeatureVertices.Begin(out FeatureVertices vertices);
         ClosestFeature feature = Walk(ref a, ref b, frame, ref vertices, ref state.Simplex, ref cast);
         double length = Math.Sqrt(feature.NormalSquared);
         if (!(length > 0)) return known;
-        Vector3D normal = feature.Normal * (-1 / length);
+        Double3 normal = feature.Normal * (-1 / length);
         state.Simplex.Select(
             vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
-        Vector3D onA = state.Simplex.PointOnA(ClosestPointWeights.Of(state.Simplex)).ToVector3D();
+        Double3 onA = state.Simplex.PointOnA(ClosestPointWeights.Of(state.Simplex)).ToVector3D();
         frame.Translation = contact;
-        double slope = -Vector3D.Dot(normal, line.Axis);
+        double slope = -Double3.Dot(normal, line.Axis);
         double gap = GapAlong(ref a, ref b, frame, normal, ref state.Simplex, ref cast);
 
         // Of all planes the one in which they touch leaves the widest gap.
@@ -62,13 +62,13 @@ internal static class CastNormal
 
     /// <summary>The gap between the shapes along a normal, negative where they reach past each other.</summary>
     private static double GapAlong<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D normal, ref Simplex simplex, ref CastFinding cast)
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, ref CastFinding cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out _);
+        Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out _);
         cast.Iterations++;
-        return -Vector3D.Dot(normal, w) - frame.Margins;
+        return -Double3.Dot(normal, w) - frame.Margins;
     }
 
     /// <summary>The feature nearest the origin, as near as a double can tell.</summary>
@@ -83,9 +83,9 @@ internal static class CastNormal
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
             int slot = vertices.FreeSlot;
-            Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, feature.Normal, ref simplex, slot, out _);
+            Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, feature.Normal, ref simplex, slot, out _);
             cast.Iterations++;
-            double gap = feature.Height - Vector3D.Dot(feature.Normal, w);
+            double gap = feature.Height - Double3.Dot(feature.Normal, w);
             if (vertices.Count > 0 && !(gap > Gap * feature.Height)) break;
             FeatureVertices lastVertices = vertices;
             ClosestFeature last = feature;

@@ -92,16 +92,16 @@ internal static class CastPortal
         double end = (most - line.Middle) * line.Speed, gap = EntryGap * frame.Radius;
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
-            Vector3D corner = portal.A.W;
-            Vector3D normal = Vector3D.Cross(portal.B.W - corner, portal.C.W - corner) * turn;
-            double slope = Vector3D.Dot(normal, line.Axis), squared = normal.LengthSquared;
+            Double3 corner = portal.A.W;
+            Double3 normal = Double3.Cross(portal.B.W - corner, portal.C.W - corner) * turn;
+            double slope = Double3.Dot(normal, line.Axis), squared = normal.LengthSquared;
             if (!(slope > 0 && slope * slope > LeastSlope * LeastSlope * squared)) return MotionVerdict.Undecided;
-            double height = Vector3D.Dot(normal, corner);
+            double height = Double3.Dot(normal, corner);
             if (!(line.FractionAt(height / slope) > 0)) return MotionVerdict.Undecided;
             int slot = portal.FreeSlot;
-            Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref state.Simplex, slot, out int ids);
+            Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref state.Simplex, slot, out int ids);
             cast.Iterations++;
-            double plane = Vector3D.Dot(normal, w), entry = plane / slope;
+            double plane = Double3.Dot(normal, w), entry = plane / slope;
             if (entry > end + gap) return MotionVerdict.Miss;
             if (ids < 0) return MotionVerdict.Undecided;
             if (height - plane <= gap * slope || IsCorner(state.Simplex, portal, slot))
@@ -137,16 +137,16 @@ internal static class CastPortal
         turn = 1;
 
         // From where the line enters the ball about both, to the centre.
-        Vector3D axis = line.Axis, normal = axis * line.HalfChord - frame.Translation;
-        Vector3D side = default;
+        Double3 axis = line.Axis, normal = axis * line.HalfChord - frame.Translation;
+        Double3 side = default;
         bool isTilted = false;
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
             int slot = portal.FreeSlot;
-            Vector3D w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out int ids);
+            Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out int ids);
             cast.Iterations++;
             if (ids < 0) return MotionVerdict.Undecided;
-            double beyond = Vector3D.Dot(side, w);
+            double beyond = Double3.Dot(side, w);
             if (portal.Count > 0 && beyond > 0)
             {
                 if (!isTilted) return IsBeside(line, side, beyond) ? MotionVerdict.Miss : MotionVerdict.Undecided;
@@ -181,9 +181,9 @@ internal static class CastPortal
     /// Whether a plane has the difference on its far side, and all of the line that comes near it on this one. Rounding
     /// may have tilted the plane against the line.
     /// </summary>
-    private static bool IsBeside(in CastLine line, in Vector3D side, double plane)
+    private static bool IsBeside(in CastLine line, in Double3 side, double plane)
     {
-        double tilt = Math.Abs(Vector3D.Dot(side, line.Axis)), free = plane - tilt * line.HalfChord;
+        double tilt = Math.Abs(Double3.Dot(side, line.Axis)), free = plane - tilt * line.HalfChord;
         return free > 0 && free * free > line.Error * line.Error * side.LengthSquared;
     }
 
@@ -194,18 +194,18 @@ internal static class CastPortal
     /// <param name="portal">A vertex or an edge.</param>
     /// <param name="axis">The motion.</param>
     /// <param name="side">The part of the direction that is perpendicular to the motion.</param>
-    private static Vector3D Aim(in FeatureVertices portal, in Vector3D axis, out Vector3D side)
+    private static Double3 Aim(in FeatureVertices portal, in Double3 axis, out Double3 side)
     {
-        Vector3D corner = portal.A.W;
+        Double3 corner = portal.A.W;
         if (portal.Count == 1)
         {
-            side = corner - axis * Vector3D.Dot(corner, axis);
+            side = corner - axis * Double3.Dot(corner, axis);
             return side + axis * side.Length;
         }
 
-        Vector3D edge = portal.B.W - corner, across = Vector3D.Cross(axis, edge);
-        side = across * BranchFree.WithSign(1, Vector3D.Dot(across, corner));
-        return side * edge.Length + Vector3D.Cross(edge, across);
+        Double3 edge = portal.B.W - corner, across = Double3.Cross(axis, edge);
+        side = across * BranchFree.WithSign(1, Double3.Dot(across, corner));
+        return side * edge.Length + Double3.Cross(edge, across);
     }
 
     /// <summary>
@@ -213,11 +213,11 @@ internal static class CastPortal
     /// beyond.
     /// </summary>
     private static bool Surround(
-        ref FeatureVertices portal, in MinkowskiVertex newest, in Vector3D axis, ref double turn)
+        ref FeatureVertices portal, in MinkowskiVertex newest, in Double3 axis, ref double turn)
     {
-        Vector3D w = newest.W, a = portal.A.W, b = portal.B.W, moment = Vector3D.Cross(axis, w);
-        double sign = BranchFree.WithSign(1, Vector3D.Dot(Vector3D.Cross(axis, a), b));
-        double besideB = -Vector3D.Dot(moment, b) * sign, besideA = Vector3D.Dot(moment, a) * sign;
+        Double3 w = newest.W, a = portal.A.W, b = portal.B.W, moment = Double3.Cross(axis, w);
+        double sign = BranchFree.WithSign(1, Double3.Dot(Double3.Cross(axis, a), b));
+        double besideB = -Double3.Dot(moment, b) * sign, besideA = Double3.Dot(moment, a) * sign;
         if (besideA >= 0 & besideB >= 0)
         {
             portal.C.Set(newest);
@@ -233,12 +233,12 @@ internal static class CastPortal
 
     /// <summary>The corner without which the line still passes between the others and the newest vertex.</summary>
     private static void Replace(
-        ref FeatureVertices portal, in MinkowskiVertex newest, in Vector3D axis, double turn)
+        ref FeatureVertices portal, in MinkowskiVertex newest, in Double3 axis, double turn)
     {
-        Vector3D moment = Vector3D.Cross(axis, newest.W) * turn;
-        bool a = Vector3D.Dot(moment, portal.A.W) >= 0;
-        bool b = Vector3D.Dot(moment, portal.B.W) >= 0;
-        bool c = Vector3D.Dot(moment, portal.C.W) >= 0;
+        Double3 moment = Double3.Cross(axis, newest.W) * turn;
+        bool a = Double3.Dot(moment, portal.A.W) >= 0;
+        bool b = Double3.Dot(moment, portal.B.W) >= 0;
+        bool c = Double3.Dot(moment, portal.C.W) >= 0;
         if (a & !b) portal.C.Set(newest);
         else if (b & !c) portal.A.Set(newest);
         else portal.B.Set(newest);
@@ -254,23 +254,23 @@ internal static class CastPortal
 
     /// <summary>Whether the portal is a face, and its point on the line the entry.</summary>
     private static bool IsCertain(
-        in PairFrame frame, in CastLine line, in FeatureVertices portal, in Vector3D normal, double plane, double entry,
+        in PairFrame frame, in CastLine line, in FeatureVertices portal, in Double3 normal, double plane, double entry,
         ref SolverState state)
     {
-        Vector3D a = portal.A.W, b = portal.B.W, c = portal.C.W;
-        double wa = Math.Abs(Vector3D.Dot(line.Axis, Vector3D.Cross(b, c)));
-        double wb = Math.Abs(Vector3D.Dot(line.Axis, Vector3D.Cross(c, a)));
-        double wc = Math.Abs(Vector3D.Dot(line.Axis, Vector3D.Cross(a, b)));
+        Double3 a = portal.A.W, b = portal.B.W, c = portal.C.W;
+        double wa = Math.Abs(Double3.Dot(line.Axis, Double3.Cross(b, c)));
+        double wb = Math.Abs(Double3.Dot(line.Axis, Double3.Cross(c, a)));
+        double wc = Math.Abs(Double3.Dot(line.Axis, Double3.Cross(a, b)));
         double scale = 1 / (wa + wb + wc);
         state.Weights = new Weights(wa * scale, wb * scale, wc * scale, 0);
         state.Simplex.Select(3, (int)portal.A.Slot, (int)portal.B.Slot, (int)portal.C.Slot, 0);
-        Vector3D off = state.Simplex.PointOf(state.Weights) - line.Axis * entry;
+        Double3 off = state.Simplex.PointOf(state.Weights) - line.Axis * entry;
         double gap = EntryGap * frame.Radius, length = normal.Length, level = Level * frame.Radius * length;
         double widest = Math.Sqrt(Math.Max((b - a).LengthSquared, (c - a).LengthSquared));
         return off.LengthSquared <= gap * gap
             && length >= LeastHeight * frame.Radius * widest
-            && Math.Abs(Vector3D.Dot(normal, a) - plane) <= level
-            && Math.Abs(Vector3D.Dot(normal, b) - plane) <= level
-            && Math.Abs(Vector3D.Dot(normal, c) - plane) <= level;
+            && Math.Abs(Double3.Dot(normal, a) - plane) <= level
+            && Math.Abs(Double3.Dot(normal, b) - plane) <= level
+            && Math.Abs(Double3.Dot(normal, c) - plane) <= level;
     }
 }

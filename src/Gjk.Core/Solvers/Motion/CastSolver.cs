@@ -62,7 +62,7 @@ internal static class CastSolver
     /// Where they touch does not depend on the most: it only cuts off what is beyond it.
     /// </remarks>
     public static void Solve<TA, TB>(
-        ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
+        ref TA a, ref TB b, ref PairFrame frame, in Double3 motion, double most, ref WarmStart warmStart,
         out CastFinding cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -76,7 +76,7 @@ internal static class CastSolver
     public static bool IsBeyond(double fraction, double most) => fraction > most * (1 + LastPlaces);
 
     private static void Find<TA, TB>(
-        ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, double most, ref WarmStart warmStart,
+        ref TA a, ref TB b, ref PairFrame frame, in Double3 motion, double most, ref WarmStart warmStart,
         out CastFinding cast)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -119,7 +119,7 @@ internal static class CastSolver
             {
                 isAfterPortal = true;
                 warmStart.Keep(state);
-                Vector3D normal = cast.Normal;
+                Double3 normal = cast.Normal;
                 if (TryPortal(ref a, ref b, ref frame, line, most, ref cast, ref state)) return;
                 cast.Normal = normal;
                 warmStart.Begin(ref a, ref b, frame, ref state);
@@ -141,7 +141,7 @@ internal static class CastSolver
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D before = frame.Translation;
+        Double3 before = frame.Translation;
         frame.Translation = line.Nearest;
         cast.Outcome = CastPortal.Solve(ref a, ref b, frame, line, most, ref cast, ref state);
         if (cast.Outcome == MotionVerdict.Hit) cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
@@ -164,7 +164,7 @@ internal static class CastSolver
     /// <summary>
     /// From A's core to a point of both shapes at the start: where only the margins overlap, it lies between the cores.
     /// </summary>
-    private static Vector3D ToCommon(in SolverState state, in PairFrame frame)
+    private static Double3 ToCommon(in SolverState state, in PairFrame frame)
     {
         if (state.Verdict == Verdict.Enclosed || !(frame.Margins > 0)) return default;
         double share = state.Feature.Height / (state.Feature.NormalSquared * frame.Margins);

@@ -140,7 +140,7 @@ internal static class ContactFollower
         if (state.Verdict == Verdict.Enclosed)
         {
             // Centres that coincide have no direction: any is as good.
-            state.Feature.Normal = new Vector3D(1, 0, 0);
+            state.Feature.Normal = new Double3(1, 0, 0);
             state.Feature.NormalSquared = 1;
             state.Plane.Set(state.Feature, 0);
         }

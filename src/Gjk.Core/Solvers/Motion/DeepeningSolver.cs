@@ -44,7 +44,7 @@ internal static class DeepeningSolver
     /// <param name="part">From where on, to where, and what is allowed, in solver units.</param>
     /// <param name="iterations">Support calls made on each shape are added.</param>
     public static MotionVerdict Solve<TA, TB>(
-        ref TA a, ref TB b, ref PairFrame frame, in Vector3D motion, in DeepeningPart part, ref int iterations)
+        ref TA a, ref TB b, ref PairFrame frame, in Double3 motion, in DeepeningPart part, ref int iterations)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -91,14 +91,14 @@ internal static class DeepeningSolver
     /// <summary>Where the bounding balls part they are apart, and go on parting.</summary>
     private static DepthCut AtExit(in CastLine line, double begin, double slope)
     {
-        Vector3D between = line.At(line.HalfChord);
-        double parting = Vector3D.Dot(between, line.Axis) / between.Length;
+        Double3 between = line.At(line.HalfChord);
+        double parting = Double3.Dot(between, line.Axis) / between.Length;
         return new DepthCut(line.HalfChord, slope * (line.HalfChord - begin), parting + slope);
     }
 
     /// <summary>The signed distance where B is now, and the plane that bounds it.</summary>
     private static bool TryLook<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D axis, bool isSharp, ref int iterations,
+        ref TA a, ref TB b, in PairFrame frame, in Double3 axis, bool isSharp, ref int iterations,
         out DepthLook look)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -117,7 +117,7 @@ internal static class DeepeningSolver
         double planeScale = 1 / Math.Sqrt(state.Plane.NormalSquared);
         look.Most = state.Feature.Height * scale - frame.Margins;
         look.Least = Math.Min(state.Plane.Value * planeScale - frame.Margins, look.Most);
-        look.Slope = -Vector3D.Dot(state.Plane.Normal, axis) * planeScale;
+        look.Slope = -Double3.Dot(state.Plane.Normal, axis) * planeScale;
         if (state.Verdict == Verdict.Enclosed)
         {
             // Centres that coincide: every direction is as good as the others, also the one ahead.
@@ -137,7 +137,7 @@ internal static class DeepeningSolver
     /// looked at from outside. Where a slope is allowed, it is more than all that.
     /// </summary>
     private static void Sharpen<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Vector3D axis, in SolverState state, ref int iterations,
+        ref TA a, ref TB b, in PairFrame frame, in Double3 axis, in SolverState state, ref int iterations,
         ref DepthLook look)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -147,7 +147,7 @@ internal static class DeepeningSolver
         if (!isSharp && CurvedTouch.TryLook(ref a, ref b, frame, state, ref touch, out double gap))
         {
             look.Most = look.Least = Math.Max(gap, look.Least);
-            look.Slope = Vector3D.Dot(touch.Normal, axis);
+            look.Slope = Double3.Dot(touch.Normal, axis);
             isSharp = true;
         }
 

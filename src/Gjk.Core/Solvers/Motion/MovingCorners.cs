@@ -26,20 +26,20 @@ internal readonly struct MovingCorners
     private const double LeastSine = 1e-6;
 
     /// <summary>From B to A, of unit length.</summary>
-    public readonly Vector3D Normal;
+    public readonly Double3 Normal;
 
     /// <summary>The bodies' rates.</summary>
-    public readonly Vector3D TurnA, TurnB;
+    public readonly Double3 TurnA, TurnB;
 
     /// <summary>How many corners the feature has: 1 to 3.</summary>
     public readonly int Count;
 
-    private readonly Vector3D _velocity, _between, _betweenAtEnd;
-    private readonly Vector3D _a0, _a1, _a2, _b0, _b1, _b2;
+    private readonly Double3 _velocity, _between, _betweenAtEnd;
+    private readonly Double3 _a0, _a1, _a2, _b0, _b1, _b2;
     private readonly double _reachA, _reachB, _reachAcrossA, _reachAcrossB, _span;
 
     public MovingCorners(
-        in SolverState state, in PairFrame frame, in PairMotion motion, in Vector3D normal, double start, double end)
+        in SolverState state, in PairFrame frame, in PairMotion motion, in Double3 normal, double start, double end)
         : this()
     {
         Normal = normal;
@@ -60,31 +60,31 @@ internal readonly struct MovingCorners
     /// <summary>
     /// How the gap along a plane that turns at a rate changes at first: by the corner that nears most.
     /// </summary>
-    public double Rate(in Vector3D turn)
+    public double Rate(in Double3 turn)
     {
-        Vector3D a = TurnA - turn, b = TurnB - turn;
-        double least = Vector3D.Dot(a, _a0) - Vector3D.Dot(b, _b0);
-        if (Count > 1) least = Math.Min(least, Vector3D.Dot(a, _a1) - Vector3D.Dot(b, _b1));
-        if (Count > 2) least = Math.Min(least, Vector3D.Dot(a, _a2) - Vector3D.Dot(b, _b2));
-        return least - Vector3D.Dot(Normal, _velocity) + Vector3D.Dot(turn, Vector3D.Cross(_between, Normal));
+        Double3 a = TurnA - turn, b = TurnB - turn;
+        double least = Double3.Dot(a, _a0) - Double3.Dot(b, _b0);
+        if (Count > 1) least = Math.Min(least, Double3.Dot(a, _a1) - Double3.Dot(b, _b1));
+        if (Count > 2) least = Math.Min(least, Double3.Dot(a, _a2) - Double3.Dot(b, _b2));
+        return least - Double3.Dot(Normal, _velocity) + Double3.Dot(turn, Double3.Cross(_between, Normal));
     }
 
     /// <summary>
     /// Upper bound of the second derivative of the gap between any two points along a plane that turns at a rate.
     /// </summary>
-    public double Curvature(in Vector3D turn)
+    public double Curvature(in Double3 turn)
     {
         double rate = turn.Length;
         if (rate == 0)
         {
-            return TurnA.Length * Vector3D.Cross(TurnA, Normal).Length * _reachAcrossA
-                + TurnB.Length * Vector3D.Cross(TurnB, Normal).Length * _reachAcrossB;
+            return TurnA.Length * Double3.Cross(TurnA, Normal).Length * _reachAcrossA
+                + TurnB.Length * Double3.Cross(TurnB, Normal).Length * _reachAcrossB;
         }
 
         // The way between the pivots is straight, so it is furthest from the axis at one of its ends.
         double across = Math.Max(
-            Vector3D.Cross(turn, _between).LengthSquared, Vector3D.Cross(turn, _betweenAtEnd).LengthSquared);
-        return rate * Math.Sqrt(across) + 2 * Vector3D.Cross(turn, _velocity).Length
+            Double3.Cross(turn, _between).LengthSquared, Double3.Cross(turn, _betweenAtEnd).LengthSquared);
+        return rate * Math.Sqrt(across) + 2 * Double3.Cross(turn, _velocity).Length
             + OfBody(TurnA, turn) * _reachA + OfBody(TurnB, turn) * _reachB;
     }
 
@@ -94,38 +94,38 @@ internal readonly struct MovingCorners
     /// </summary>
     /// <param name="size">The pair's.</param>
     /// <returns>The shortest one; 0 where the corners do not ask for any.</returns>
-    public Vector3D Level(double size)
+    public Double3 Level(double size)
     {
-        Vector3D a = _a1 - _a0, b = _b1 - _b0, first = a - b;
-        double rate = Vector3D.Dot(TurnA, a) - Vector3D.Dot(TurnB, b), least = LeastEdge * size;
-        Vector3D level = default;
+        Double3 a = _a1 - _a0, b = _b1 - _b0, first = a - b;
+        double rate = Double3.Dot(TurnA, a) - Double3.Dot(TurnB, b), least = LeastEdge * size;
+        Double3 level = default;
         double firstSquared = first.LengthSquared;
         if (firstSquared > least * least) level = first * (rate / firstSquared);
         if (Count == 3)
         {
             a = _a2 - _a0;
             b = _b2 - _b0;
-            Vector3D second = a - b;
-            double other = Vector3D.Dot(TurnA, a) - Vector3D.Dot(TurnB, b), secondSquared = second.LengthSquared;
-            double area = Vector3D.Dot(Normal, Vector3D.Cross(first, second));
+            Double3 second = a - b;
+            double other = Double3.Dot(TurnA, a) - Double3.Dot(TurnB, b), secondSquared = second.LengthSquared;
+            double area = Double3.Dot(Normal, Double3.Cross(first, second));
             if (secondSquared > least * least && secondSquared > firstSquared) level = second * (other / secondSquared);
             if (Math.Min(firstSquared, secondSquared) > least * least
                 && area * area > LeastSine * LeastSine * firstSquared * secondSquared)
             {
-                level = (Vector3D.Cross(second, Normal) * rate + Vector3D.Cross(Normal, first) * other) * (1 / area);
+                level = (Double3.Cross(second, Normal) * rate + Double3.Cross(Normal, first) * other) * (1 / area);
             }
         }
 
         return level.Length * _span <= SineCosine.MaxAngle ? level : default;
     }
 
-    private static double OfBody(in Vector3D own, in Vector3D turn) =>
-        (own - turn).LengthSquared + Vector3D.Cross(own, turn).Length;
+    private static double OfBody(in Double3 own, in Double3 turn) =>
+        (own - turn).LengthSquared + Double3.Cross(own, turn).Length;
 
     private void Set(
-        in Simplex simplex, int slot, in PairFrame frame, in PairMotion motion, out Vector3D a, out Vector3D b)
+        in Simplex simplex, int slot, in PairFrame frame, in PairMotion motion, out Double3 a, out Double3 b)
     {
-        a = Vector3D.Cross(simplex.OnA(slot) + motion.A.Offset, Normal);
-        b = Vector3D.Cross(frame.Rotation.Rotate(simplex.OnB(slot) + motion.B.Offset), Normal);
+        a = Double3.Cross(simplex.OnA(slot) + motion.A.Offset, Normal);
+        b = Double3.Cross(frame.Rotation.Rotate(simplex.OnB(slot) + motion.B.Offset), Normal);
     }
 }

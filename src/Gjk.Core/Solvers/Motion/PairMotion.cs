@@ -23,10 +23,10 @@ internal struct PairMotion
     public TurningBody A, B;
 
     /// <summary>From A's pivot to B's at the fraction 0, in the world's axes.</summary>
-    public Vector3D Start;
+    public Double3 Start;
 
     /// <summary>How that changes over the fraction 1.</summary>
-    public Vector3D Velocity;
+    public Double3 Velocity;
 
     /// <summary>Radians per fraction 1, of the body that turns faster.</summary>
     public readonly double Rate => Math.Max(A.Rate, B.Rate);
@@ -42,11 +42,11 @@ internal struct PairMotion
         TurningBody.Begin(motionB, frame.CenterB, frame.RadiusB - frame.MarginB, out motion.B);
         motion.Start = frame.RotationA.Rotate(
             frame.Translation + motion.A.Offset - frame.Rotation.Rotate(motion.B.Offset));
-        motion.Velocity = (Vector3D)motionB.Velocity - motionA.Velocity;
+        motion.Velocity = (Double3)motionB.Velocity - motionA.Velocity;
     }
 
     /// <summary>From A's pivot to B's at a fraction, in the world's axes.</summary>
-    public readonly Vector3D Between(double fraction) => Start + Velocity * fraction;
+    public readonly Double3 Between(double fraction) => Start + Velocity * fraction;
 
     /// <summary>Brings the frame to a fraction.</summary>
     public readonly void MoveTo(double fraction, ref PairFrame frame)
@@ -86,10 +86,10 @@ internal struct PairMotion
         if (!(speed > 0)) return !(distance > reach);
 
         // The pivots' line passes at across / speed; the cross product does not cancel where the way is long.
-        double across = Vector3D.Cross(Start, Velocity).Length / speed;
+        double across = Double3.Cross(Start, Velocity).Length / speed;
         if (across > reach) return false;
         double half = Math.Sqrt(Math.Max(reach * reach - across * across, 0)) + pad;
-        double middle = -Vector3D.Dot(Start, Velocity) / speed;
+        double middle = -Double3.Dot(Start, Velocity) / speed;
         double first = (middle - half) / speed, last = (middle + half) / speed;
 
         // Not finite for sizes at the end of double's range: then nothing is left out.

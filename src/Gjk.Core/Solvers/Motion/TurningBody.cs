@@ -13,10 +13,10 @@ namespace Gjk.Core;
 internal struct TurningBody
 {
     /// <summary>Radians per fraction 1, about the axes of the world.</summary>
-    public Vector3D Turn;
+    public Double3 Turn;
 
     /// <summary>From the pivot to the centre, in the body's axes.</summary>
-    public Vector3D Offset;
+    public Double3 Offset;
 
     /// <summary>Upper bound of the distance from the pivot to a point of the core.</summary>
     public double Reach;
@@ -28,7 +28,7 @@ internal struct TurningBody
     public double Scale;
 
     private QuaternionD _start;
-    private Vector3D _axis;
+    private Double3 _axis;
     private double _rate;
 
     /// <summary>Upper bounds of how far the core reaches from the pivot along the axis and against it.</summary>
@@ -41,7 +41,7 @@ internal struct TurningBody
     public readonly double Rate => _rate;
 
     public static void Begin(
-        in RigidMotion motion, in Vector3D center, double coreRadius, out TurningBody body)
+        in RigidMotion motion, in Double3 center, double coreRadius, out TurningBody body)
     {
         body._start = motion.Pose.Rotation;
         body.Scale = 2 / body._start.LengthSquared;
@@ -58,9 +58,9 @@ internal struct TurningBody
 
     /// <summary>Upper bound of how far the core reaches from the pivot in a direction, however it has turned.</summary>
     /// <param name="direction">In the world's axes, of unit length.</param>
-    public readonly double SweptReach(in Vector3D direction)
+    public readonly double SweptReach(in Double3 direction)
     {
-        double along = Vector3D.Dot(direction, _axis);
+        double along = Double3.Dot(direction, _axis);
         double across = Math.Sqrt(Math.Max(direction.LengthSquared - along * along, 0));
         return across * ReachAcross + (along > 0 ? along * _most : -along * _least);
     }
@@ -75,7 +75,7 @@ internal struct TurningBody
     {
         if (!IsTurning) return;
         RotationD.Set(out RotationD rotation, _start.X, _start.Y, _start.Z, _start.W, Scale);
-        Vector3D axis = rotation.InverseRotate(_axis);
+        Double3 axis = rotation.InverseRotate(_axis);
         _most = Math.Min(_most, Along(ref shape, axis));
         _least = Math.Min(_least, Along(ref shape, -axis));
         var across = new PlaneBasis(axis);
@@ -102,10 +102,10 @@ internal struct TurningBody
     }
 
     /// <summary>How far the core reaches from the pivot in a direction of its own axes.</summary>
-    private readonly double Along<T>(ref T shape, in Vector3D direction)
+    private readonly double Along<T>(ref T shape, in Double3 direction)
         where T : struct, ISupportMap
     {
-        shape.Support(direction, out Vector3D point);
-        return Vector3D.Dot(direction, point + Offset);
+        shape.Support(direction, out Double3 point);
+        return Double3.Dot(direction, point + Offset);
     }
 }

@@ -41,10 +41,10 @@ internal struct TurningPlane
     public double Step;
 
     /// <summary>From B to A, of unit length, in the world's axes, at the start.</summary>
-    public Vector3D Normal;
+    public Double3 Normal;
 
     /// <summary>How the normal turns, radians per fraction 1.</summary>
-    private Vector3D _turn;
+    private Double3 _turn;
 
     /// <summary>The plane with the longest step that the pair's nearest feature promises.</summary>
     /// <param name="state">The solved distance.</param>
@@ -65,7 +65,7 @@ internal struct TurningPlane
         plane.Gap = state.Plane.Value * scale - frame.Margins;
         plane.Step = -1;
         double above = Math.Max(plane.Gap - aim, 0);
-        Vector3D best = default;
+        Double3 best = default;
         bool isNewton = corners.Count > 1 && plane.Try(corners, corners.Level(state.Size.Value), above, ref best);
         if (!isNewton) isNewton = plane.Try(corners, default, above, ref best);
         if (!isNewton && motion.A.IsTurning) isNewton = plane.Try(corners, corners.TurnA, above, ref best);
@@ -83,13 +83,13 @@ internal struct TurningPlane
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3D world = Normal;
+        Double3 world = Normal;
         double rate = _turn.Length;
         if (rate > 0) world = QuaternionD.About(_turn * (1 / rate), rate * (fraction - Start)).Rotate(world);
-        Vector3D normal = frame.RotationA.InverseRotate(world);
-        a.Support(-normal, out Vector3D onA);
-        b.Support(frame.Rotation.InverseRotate(normal), out Vector3D onB);
-        return Vector3D.Dot(normal, onA - frame.Rotation.Rotate(onB) - frame.Translation) - frame.Margins;
+        Double3 normal = frame.RotationA.InverseRotate(world);
+        a.Support(-normal, out Double3 onA);
+        b.Support(frame.Rotation.InverseRotate(normal), out Double3 onB);
+        return Double3.Dot(normal, onA - frame.Rotation.Rotate(onB) - frame.Translation) - frame.Margins;
     }
 
     /// <summary>Whether the gap is proved to stay above a floor from the start to a later fraction.</summary>
@@ -111,7 +111,7 @@ internal struct TurningPlane
 
     /// <summary>Takes a rate if its step is longer.</summary>
     /// <returns>Whether the step ends where the gap does, so that no other rate is worth a look.</returns>
-    private bool Try(in MovingCorners corners, in Vector3D turn, double above, ref Vector3D best)
+    private bool Try(in MovingCorners corners, in Double3 turn, double above, ref Double3 best)
     {
         double rate = corners.Rate(turn), curvature = corners.Curvature(turn);
         double bend = Math.Sqrt(0.5 * curvature), root = Math.Sqrt(above);

@@ -98,7 +98,7 @@ public readonly ref struct PolytopeStep
 
     /// <summary>A point of A - B, in A's axes.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="VertexCount"/>.</exception>
-    public Vector3D Vertex(int index) =>
+    public Double3 Vertex(int index) =>
         index >= 0 && index < VertexCount
             ? _polytope.Vertex(index).W * _unit
             : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");

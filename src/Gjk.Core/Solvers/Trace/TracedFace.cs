@@ -26,7 +26,7 @@ public readonly struct TracedFace
     /// <summary>
     /// The outward unit normal, in A's axes; where the triangle is a needle, that of a plane just below it.
     /// </summary>
-    public Vector3D Normal { get; }
+    public Double3 Normal { get; }
 
     /// <summary>
     /// How far the triangle is from the origin along the normal, in world units: the least of its corners' offsets,

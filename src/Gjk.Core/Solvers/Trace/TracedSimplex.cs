@@ -26,7 +26,7 @@ public readonly struct TracedSimplex
     /// <summary>
     /// v, the feature's point nearest the origin; the origin itself, up to rounding, when there are four vertices.
     /// </summary>
-    public Vector3D Nearest => _weights.PointOf(Vector(0), Vector(1), Vector(2), Vector(3));
+    public Double3 Nearest => _weights.PointOf(Vector(0), Vector(1), Vector(2), Vector(3));
 
     /// <summary>|v|, which the distance of the cores cannot exceed.</summary>
     public double UpperBound => Nearest.Length;
@@ -36,7 +36,7 @@ public readonly struct TracedSimplex
 
     /// <summary>A vertex of the Minkowski difference, in A's axes.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Vector3D Vertex(int index) =>
+    public Double3 Vertex(int index) =>
         index >= 0 && index < Count
             ? Vector(index)
             : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
@@ -48,5 +48,5 @@ public readonly struct TracedSimplex
             ? _weights[index]
             : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
 
-    private Vector3D Vector(int index) => index < Count ? _simplex.W(_simplex[index]) * _unit : default;
+    private Double3 Vector(int index) => index < Count ? _simplex.W(_simplex[index]) * _unit : default;
 }

@@ -4,7 +4,7 @@ namespace Gjk.Core;
 public readonly struct TracedSupport
 {
     internal TracedSupport(
-        in PairFrame frame, in Vector3D normal, in Simplex simplex, int slot, bool isExtended)
+        in PairFrame frame, in Double3 normal, in Simplex simplex, int slot, bool isExtended)
     {
         Normal = normal;
         PointOnA = (simplex.OnA(slot) + frame.CenterA) * frame.Unit;
@@ -14,7 +14,7 @@ public readonly struct TracedSupport
         IsExtended = isExtended;
     }
 
-    internal TracedSupport(in PairFrame frame, in Vector3D normal, in PolytopeVertex vertex)
+    internal TracedSupport(in PairFrame frame, in Double3 normal, in PolytopeVertex vertex)
     {
         Normal = normal;
         PointOnA = (vertex.OnA + frame.CenterA) * frame.Unit;
@@ -28,19 +28,19 @@ public readonly struct TracedSupport
     /// The nearest feature's normal, of any length: from the origin to the feature. A was asked for its furthest point
     /// against it, B for its furthest along it.
     /// </summary>
-    public Vector3D Normal { get; }
+    public Double3 Normal { get; }
 
     /// <summary>A's support point.</summary>
-    public Vector3D PointOnA { get; }
+    public Double3 PointOnA { get; }
 
     /// <summary>B's support point.</summary>
-    public Vector3D PointOnB => PointOnA - Vertex;
+    public Double3 PointOnB => PointOnA - Vertex;
 
     /// <summary>
     /// Their difference, a vertex of the Minkowski difference A - B: of all its points, the one furthest against the
     /// normal.
     /// </summary>
-    public Vector3D Vertex { get; }
+    public Double3 Vertex { get; }
 
     /// <summary>The id of A's support point, or -1 where A has no vertices.</summary>
     public int IdA { get; }
@@ -52,7 +52,7 @@ public readonly struct TracedSupport
     /// What this proves: the plane through the vertex, perpendicular to the normal, keeps the cores at least so far
     /// apart; at or below 0 it proves nothing.
     /// </summary>
-    public double LowerBound => Vector3D.Dot(Normal, Vertex) / Normal.Length;
+    public double LowerBound => Double3.Dot(Normal, Vertex) / Normal.Length;
 
     /// <summary>Whether the solver in extended precision asked.</summary>
     public bool IsExtended { get; }

@@ -55,9 +55,9 @@ internal static class Collider
     private static float Square(float x) => x * x;
 
     private static Vector3 Ends(in ConvexShape shape, int sign) => new(
-        (float)SupportSamples.Support(shape, new Vector3D(sign, 0, 0)).X,
-        (float)SupportSamples.Support(shape, new Vector3D(0, sign, 0)).Y,
-        (float)SupportSamples.Support(shape, new Vector3D(0, 0, sign)).Z);
+        (float)SupportSamples.Support(shape, new Double3(sign, 0, 0)).X,
+        (float)SupportSamples.Support(shape, new Double3(0, sign, 0)).Y,
+        (float)SupportSamples.Support(shape, new Double3(0, 0, sign)).Z);
 
     /// <summary>The hull of the furthest points in directions that spread evenly.</summary>
     private static ConvexShape HullOf(in ConvexShape shape, int directions)
@@ -67,7 +67,7 @@ internal static class Collider
         {
             double y = 1 - 2 * (i + 0.5) / directions, ring = Math.Sqrt(1 - y * y);
             (double sin, double cos) = Math.SinCos(i * GoldenAngle);
-            corners[i] = (Vector3)SupportSamples.Support(shape, new Vector3D(ring * cos, y, ring * sin));
+            corners[i] = (Vector3)SupportSamples.Support(shape, new Double3(ring * cos, y, ring * sin));
         }
 
         return ConvexShape.Mesh(corners);

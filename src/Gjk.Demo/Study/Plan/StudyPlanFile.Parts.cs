@@ -35,16 +35,11 @@ internal sealed partial class StudyPlanFile
     private ConvexShape ReadShape(ref StrictJsonReader json)
     {
         ShapeReader shape = ShapeReader.Read(ref json);
-        ConvexShape mesh = default;
-        if (shape.Mesh is { } name && !_meshes.TryGetValue(name, out mesh))
-        {
-            json.Path.Enter("mesh");
-            throw json.Refuse($"there is no mesh \"{name}\" above");
-        }
-
+        if (!shape.IsConvex) throw json.Refuse("must be convex");
+        _meshes.BuildHulls(shape.Hulls, "the plan");
         try
         {
-            return shape.Build(mesh);
+            return shape.Build(json, _meshes);
         }
         catch (ArgumentException e)
         {

@@ -1,11 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Numerics;
 using System.Security.Cryptography;
 using System.Text.RegularExpressions;
 using System.Threading;
-using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
@@ -33,7 +31,7 @@ internal sealed partial class StudyPlanFile
 
     private static readonly string[] Required = ["version", "name", "consent", "instructions", "pairs", "views"];
 
-    private readonly Dictionary<string, ConvexShape> _meshes = [];
+    private readonly SceneMeshes _meshes = new();
 
     private StudyPlan _plan = new();
 
@@ -112,7 +110,7 @@ internal sealed partial class StudyPlanFile
             case "instructions": _plan = _plan with { Instructions = Text(json) }; break;
             case "questions": _plan = _plan with { HasQuestions = json.Bool() }; break;
             case "viewingDistance": _plan = _plan with { ViewingDistance = Positive(json) }; break;
-            case "meshes": ReadMeshes(ref json); break;
+            case "meshes": _meshes.Read(ref json); break;
             case "pairs": _plan = _plan with { Pairs = List(ref json, "pair", ReadPair, p => p.Name) }; break;
             case "views": _plan = _plan with { Views = List(ref json, "view", ReadView, v => v.Name) }; break;
             case "adjustment": _plan = _plan with { Adjustment = ReadAdjustment(ref json) }; break;
@@ -121,22 +119,6 @@ internal sealed partial class StudyPlanFile
             case "practice": _plan = _plan with { PracticeTrials = Count(json, 0, 100) }; break;
             case "catch": ReadCatch(ref json); break;
             case "breakEvery": _plan = _plan with { BreakEvery = Count(json, 0, MostTrials) }; break;
-        }
-    }
-
-    private void ReadMeshes(ref StrictJsonReader json)
-    {
-        var seen = new HashSet<string>();
-        json.BeginObject("an object of vertex arrays");
-        while (json.NextField(seen, out string mesh))
-        {
-            json.Value();
-            var vertices = new List<Vector3>();
-            json.BeginArray("an array of vertices");
-            while (json.NextElement(vertices.Count)) vertices.Add(json.Vector());
-            if (vertices.Count == 0) throw json.Refuse("a mesh needs at least one vertex");
-            _meshes.Add(mesh, ConvexShape.Mesh(vertices));
-            json.EndField();
         }
     }
 

@@ -21,9 +21,9 @@ internal readonly struct TextbookBody
     /// <summary>The furthest point of the core along a direction.</summary>
     public Vector3 FurthestPoint(Vector3 direction)
     {
-        _shape.Support(TextbookMath.Rotated(direction, Quaternion.Conjugate(_pose.Rotation)), out Vector3D point);
+        _shape.Support(TextbookMath.Rotated(direction, Quaternion.Conjugate(_pose.Rotation)), out Double3 point);
         return ToWorld(_shape.Center + point);
     }
 
-    private Vector3 ToWorld(in Vector3D local) => TextbookMath.Rotated((Vector3)local, _pose.Rotation) + _pose.Position;
+    private Vector3 ToWorld(in Double3 local) => TextbookMath.Rotated((Vector3)local, _pose.Rotation) + _pose.Position;
 }

@@ -29,8 +29,8 @@ internal static class TextbookJson
     {
         json.WriteStartObject();
         Vector(json, "normal", Against(bInA.FromWorld(step.Direction)));
-        Vector(json, "onA", bInA.FromWorld((Vector3D)step.Vertex.OnA - pose.Position));
-        Vector(json, "onB", bInA.FromWorld((Vector3D)step.Vertex.OnB - pose.Position));
+        Vector(json, "onA", bInA.FromWorld((Double3)step.Vertex.OnA - pose.Position));
+        Vector(json, "onB", bInA.FromWorld((Double3)step.Vertex.OnB - pose.Position));
         Vector(json, "w", bInA.FromWorld(step.Vertex.W));
         Indices(json, "before", step.Before);
         if (step.After is not null)
@@ -45,7 +45,7 @@ internal static class TextbookJson
     }
 
     /// <summary>The unit vector against a direction; zero against none.</summary>
-    private static Vector3D Against(in Vector3D direction)
+    private static Double3 Against(in Double3 direction)
     {
         // No product of sizes that float can hold leaves double's range.
         double length = direction.Length;

@@ -25,25 +25,25 @@ internal sealed class PictureBody
     /// <param name="position">Converts a rotated vertex in world units to the units of the picture.</param>
     /// <param name="rotation">The rotation of the object in the world.</param>
     /// <param name="eye">The position of the eye in the units of the picture.</param>
-    public PictureBody(ShapeMesh mesh, Func<Vector3D, Vector3D> position, Quaternion rotation, in Vector3D eye)
+    public PictureBody(ShapeMesh mesh, Func<Double3, Double3> position, Quaternion rotation, in Double3 eye)
     {
         _mesh = mesh;
-        Vertices = new Vector3D[mesh.Vertices.Length];
+        Vertices = new Double3[mesh.Vertices.Length];
         for (int i = 0; i < Vertices.Length; i++) Vertices[i] = position(Rotated(mesh.Vertices[i], rotation));
         Center = default;
-        foreach (Vector3D v in Vertices) Center += v * (1.0 / Vertices.Length);
-        foreach (Vector3D v in Vertices) Radius = Math.Max(Radius, (v - Center).Length);
+        foreach (Double3 v in Vertices) Center += v * (1.0 / Vertices.Length);
+        foreach (Double3 v in Vertices) Radius = Math.Max(Radius, (v - Center).Length);
         EyeDistance = (Center - eye).Length;
         _across = mesh.Dimension > 1 ? mesh.Neighbours() : [];
         _faces = new bool[mesh.Triangles.Length / 3];
         for (int i = 0; i < _faces.Length; i++)
-            _faces[i] = Vector3D.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
+            _faces[i] = Double3.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
         Shadow = new Shadow(Planes(eye));
     }
 
-    public Vector3D[] Vertices { get; }
+    public Double3[] Vertices { get; }
 
-    public Vector3D Center { get; }
+    public Double3 Center { get; }
 
     /// <summary>The radius about the centre.</summary>
     public double Radius { get; }
@@ -62,10 +62,10 @@ internal sealed class PictureBody
     public int Corner(int triangle, int corner) => _mesh.Triangles[3 * triangle + corner];
 
     /// <summary>The normal of a triangle. Its length is arbitrary.</summary>
-    public Vector3D Normal(int triangle)
+    public Double3 Normal(int triangle)
     {
-        Vector3D a = Vertices[Corner(triangle, 0)];
-        return Vector3D.Cross(Vertices[Corner(triangle, 1)] - a, Vertices[Corner(triangle, 2)] - a);
+        Double3 a = Vertices[Corner(triangle, 0)];
+        return Double3.Cross(Vertices[Corner(triangle, 1)] - a, Vertices[Corner(triangle, 2)] - a);
     }
 
     /// <summary>
@@ -87,13 +87,13 @@ internal sealed class PictureBody
         }
     }
 
-    private IEnumerable<(Vector3D Normal, double Value)> Planes(Vector3D eye)
+    private IEnumerable<(Double3 Normal, double Value)> Planes(Double3 eye)
     {
         for (int i = 0; i < _across.Length; i++)
         {
             if (!_faces[i / 3] || _faces[_across[i]]) continue;
-            Vector3D from = Vertices[_mesh.Triangles[i]], to = Vertices[_mesh.Triangles[ShapeMesh.Next(i)]];
-            yield return Plane(Vector3D.Cross(to - from, eye - from), eye);
+            Double3 from = Vertices[_mesh.Triangles[i]], to = Vertices[_mesh.Triangles[ShapeMesh.Next(i)]];
+            yield return Plane(Double3.Cross(to - from, eye - from), eye);
         }
 
         for (int i = 0; i < _faces.Length; i++)
@@ -102,17 +102,17 @@ internal sealed class PictureBody
         }
     }
 
-    private static (Vector3D Normal, double Value) Plane(in Vector3D normal, in Vector3D through)
+    private static (Double3 Normal, double Value) Plane(in Double3 normal, in Double3 through)
     {
-        Vector3D unit = normal * (1 / normal.Length);
-        return (unit, Vector3D.Dot(unit, through));
+        Double3 unit = normal * (1 / normal.Length);
+        return (unit, Double3.Dot(unit, through));
     }
 
     /// <summary>Rotates by a quaternion in double: v + 2 u × (u × v + w v).</summary>
-    private static Vector3D Rotated(Vector3D v, Quaternion q)
+    private static Double3 Rotated(Double3 v, Quaternion q)
     {
-        var u = new Vector3D(q.X, q.Y, q.Z);
+        var u = new Double3(q.X, q.Y, q.Z);
         double norm = u.LengthSquared + (double)q.W * q.W;
-        return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * (double)q.W) * (2 / norm);
+        return v + Double3.Cross(u, Double3.Cross(u, v) + v * (double)q.W) * (2 / norm);
     }
 }

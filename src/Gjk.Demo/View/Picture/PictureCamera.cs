@@ -26,38 +26,38 @@ internal sealed class PictureCamera
     /// </summary>
     private const double Smallest = 1e-3;
 
-    private readonly Vector3D _right, _up, _back;
+    private readonly Double3 _right, _up, _back;
     private double _scale, _left, _top;
 
     /// <param name="balls">Balls that must be in sight.</param>
-    public PictureCamera(IReadOnlyList<(Vector3D Center, double Radius)> balls)
+    public PictureCamera(IReadOnlyList<(Double3 Center, double Radius)> balls)
     {
-        _back = Unit(new Vector3D(0.34, 0.42, 1));
-        _right = Unit(Vector3D.Cross(new Vector3D(0, 1, 0), _back));
-        _up = Vector3D.Cross(_back, _right);
+        _back = Unit(new Double3(0.34, 0.42, 1));
+        _right = Unit(Double3.Cross(new Double3(0, 1, 0), _back));
+        _up = Double3.Cross(_back, _right);
         double away = 1;
-        foreach ((Vector3D center, double radius) in balls)
+        foreach ((Double3 center, double radius) in balls)
         {
-            double depth = Vector3D.Dot(center, _back) + radius;
+            double depth = Double3.Dot(center, _back) + radius;
             double aside = Math.Max(
-                Math.Abs(Vector3D.Dot(center, _right)), Math.Abs(Vector3D.Dot(center, _up)) * Narrowest);
+                Math.Abs(Double3.Dot(center, _right)), Math.Abs(Double3.Dot(center, _up)) * Narrowest);
             away = Math.Max(away, depth + (aside + radius) / HalfWidth);
         }
 
         Eye = _back * away;
     }
 
-    public Vector3D Eye { get; }
+    public Double3 Eye { get; }
 
     public double Width { get; private set; }
 
     public double Height { get; private set; }
 
     /// <summary>Makes the picture as wide as given, and as tall as all points need.</summary>
-    public void Frame(IEnumerable<Vector3D> points, double width)
+    public void Frame(IEnumerable<Double3> points, double width)
     {
         double left = double.PositiveInfinity, right = -left, bottom = left, top = -left;
-        foreach (Vector3D point in points)
+        foreach (Double3 point in points)
         {
             (double x, double y) = OnWindow(point);
             left = Math.Min(left, x);
@@ -79,25 +79,25 @@ internal sealed class PictureCamera
     }
 
     /// <summary>The position of a point in the picture. x goes to the right, y goes down.</summary>
-    public (double X, double Y) Project(in Vector3D point)
+    public (double X, double Y) Project(in Double3 point)
     {
         (double x, double y) = OnWindow(point);
         return ((x - _left) * _scale, (_top - y) * _scale);
     }
 
     /// <summary>A direction, given by its parts to the right, upwards and towards the viewer.</summary>
-    public Vector3D Direction(double right, double up, double back) => Unit(_right * right + _up * up + _back * back);
+    public Double3 Direction(double right, double up, double back) => Unit(_right * right + _up * up + _back * back);
 
     /// <summary>
     /// The rectangle about a ball as the eye sees it, in tangents of the angles to the right and upwards. Infinite
     /// where the ball reaches behind the eye.
     /// </summary>
-    public (double Left, double Right, double Bottom, double Top) Bounds(in Vector3D center, double radius)
+    public (double Left, double Right, double Bottom, double Top) Bounds(in Double3 center, double radius)
     {
-        Vector3D from = center - Eye;
+        Double3 from = center - Eye;
         double depth = Depth(center);
-        (double left, double right) = Span(Vector3D.Dot(from, _right), depth, radius);
-        (double bottom, double top) = Span(Vector3D.Dot(from, _up), depth, radius);
+        (double left, double right) = Span(Double3.Dot(from, _right), depth, radius);
+        (double bottom, double top) = Span(Double3.Dot(from, _up), depth, radius);
         return (left, right, bottom, top);
     }
 
@@ -113,14 +113,14 @@ internal sealed class PictureCamera
         ? Math.Tan(angle)
         : Math.CopySign(double.PositiveInfinity, angle);
 
-    private static Vector3D Unit(in Vector3D v) => v * (1 / v.Length);
+    private static Double3 Unit(in Double3 v) => v * (1 / v.Length);
 
-    private (double X, double Y) OnWindow(in Vector3D point)
+    private (double X, double Y) OnWindow(in Double3 point)
     {
-        Vector3D from = point - Eye;
+        Double3 from = point - Eye;
         double depth = Depth(point);
-        return (Vector3D.Dot(from, _right) / depth, Vector3D.Dot(from, _up) / depth);
+        return (Double3.Dot(from, _right) / depth, Double3.Dot(from, _up) / depth);
     }
 
-    private double Depth(in Vector3D point) => Vector3D.Dot(Eye - point, _back);
+    private double Depth(in Double3 point) => Double3.Dot(Eye - point, _back);
 }

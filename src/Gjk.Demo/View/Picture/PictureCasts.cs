@@ -27,7 +27,7 @@ internal sealed class PictureCasts
     private readonly Scene _scene;
     private readonly SceneResults _results;
     private readonly PictureCamera _camera;
-    private readonly Func<Vector3D, Vector3D> _drawn;
+    private readonly Func<Double3, Double3> _drawn;
 
     /// <summary>For every object the fraction at which it first meets another; infinite where it meets none.</summary>
     private readonly float[] _first;
@@ -36,7 +36,7 @@ internal sealed class PictureCasts
     /// <param name="results">Its answers.</param>
     /// <param name="camera">The camera.</param>
     /// <param name="drawn">From the world to the units of the drawn scene.</param>
-    public PictureCasts(Scene scene, SceneResults results, PictureCamera camera, Func<Vector3D, Vector3D> drawn)
+    public PictureCasts(Scene scene, SceneResults results, PictureCamera camera, Func<Double3, Double3> drawn)
     {
         _scene = scene;
         _results = results;
@@ -59,24 +59,24 @@ internal sealed class PictureCasts
         SvgPath paths = new(), ghosts = new();
         for (int i = 0; i < bodies.Length; i++)
         {
-            Vector3D velocity = _scene.Objects[i].Velocity, start = _scene.Objects[i].Pose.Position;
+            Double3 velocity = _scene.Objects[i].Velocity, start = _scene.Objects[i].Pose.Position;
             if (velocity == default) continue;
             paths.Line([_camera.Project(_drawn(start)), _camera.Project(_drawn(start + velocity))]);
             if (float.IsInfinity(_first[i])) continue;
-            Vector3D moved = _drawn(start + velocity * _first[i]) - _drawn(start);
+            Double3 moved = _drawn(start + velocity * _first[i]) - _drawn(start);
             foreach ((int from, int to) in bodies[i].Lines())
             {
-                Vector3D[] corners = bodies[i].Vertices;
+                Double3[] corners = bodies[i].Vertices;
                 ghosts.Line([_camera.Project(corners[from] + moved), _camera.Project(corners[to] + moved)]);
             }
         }
 
         Write(writer, paths, "5 4");
         Write(writer, ghosts, null);
-        foreach ((int a, int b, float fraction, Vector3D point, Vector3D normal) in Hits())
+        foreach ((int a, int b, float fraction, Double3 point, Double3 normal) in Hits())
         {
             if (fraction > _first[a] && fraction > _first[b]) continue;
-            Vector3D at = _drawn(point);
+            Double3 at = _drawn(point);
             (double x, double y) = _camera.Project(at);
             (double X, double Y) tip = _camera.Project(at + normal * NormalLength);
             string title = Say($"{NameOf(a)} – {NameOf(b)}: meet after {fraction:G6} of the frame");
@@ -99,7 +99,7 @@ internal sealed class PictureCasts
     }
 
     /// <summary>The hits of the first frame.</summary>
-    private IEnumerable<(int A, int B, float Fraction, Vector3D Point, Vector3D Normal)> Hits()
+    private IEnumerable<(int A, int B, float Fraction, Double3 Point, Double3 Normal)> Hits()
     {
         int pair = 0, entry = 0;
         foreach ((int a, int b) in _results.Pairs)

@@ -29,7 +29,7 @@ internal sealed class PictureContacts
     /// <param name="normal">The direction in which B leaves A.</param>
     /// <param name="project">The position of a point of the world in the picture.</param>
     public void WriteNext(
-        TextWriter writer, string names, in Vector3D normal, Func<Vector3D, (double X, double Y)> project)
+        TextWriter writer, string names, in Double3 normal, Func<Double3, (double X, double Y)> project)
     {
         int count = _contacts.Counts[_pair++];
         if (count is 0 or SceneContacts.LeftOut) return;
@@ -39,7 +39,7 @@ internal sealed class PictureContacts
         for (int i = 0; i < count; i++)
         {
             ReadOnlySpan<float> point = _contacts.Points.Slice(SceneContacts.PointSize * _point++);
-            (Vector3D onA, float gap) = (new Vector3(point), point[3]);
+            (Double3 onA, float gap) = (new Vector3(point), point[3]);
             (least, most) = (Math.Min(least, gap), Math.Max(most, gap));
             (double X, double Y) at = project(onA);
             sticks.Line([at, project(onA + normal * gap)]);

@@ -14,7 +14,7 @@ internal sealed class PictureFaces
     private const double Darkest = 0.42, Brightest = 1.12;
 
     private readonly PictureCamera _camera;
-    private readonly Vector3D _light;
+    private readonly Double3 _light;
     private readonly SortedDictionary<(bool IsHit, int Level), SvgPath> _paths = [];
 
     public PictureFaces(PictureCamera camera)
@@ -42,19 +42,19 @@ internal sealed class PictureFaces
     public void Add(PictureBody body, bool isHit, List<PictureBody> before)
     {
         var outlines = new SortedDictionary<int, HashSet<(int From, int To)>>();
-        List<Vector3D[]> pieces = [], next = [];
+        List<Double3[]> pieces = [], next = [];
         for (int i = 0; i < body.TriangleCount; i++)
         {
             if (!body.FacesEye(i)) continue;
             int level = Level(body.Normal(i));
-            var whole = new Vector3D[3];
+            var whole = new Double3[3];
             for (int k = 0; k < 3; k++) whole[k] = body.Vertices[body.Corner(i, k)];
             pieces.Clear();
             pieces.Add(whole);
             foreach (PictureBody other in before)
             {
                 next.Clear();
-                foreach (Vector3D[] piece in pieces) other.Shadow.Cut(piece, next);
+                foreach (Double3[] piece in pieces) other.Shadow.Cut(piece, next);
                 (pieces, next) = (next, pieces);
             }
 
@@ -66,7 +66,7 @@ internal sealed class PictureFaces
                 continue;
             }
 
-            foreach (Vector3D[] piece in pieces)
+            foreach (Double3[] piece in pieces)
                 Path(isHit, level).Polygon(Array.ConvertAll(piece, p => _camera.Project(p)));
         }
 
@@ -107,9 +107,9 @@ internal sealed class PictureFaces
         }
     }
 
-    private int Level(in Vector3D normal)
+    private int Level(in Double3 normal)
     {
-        double towards = 0.5 + 0.5 * Vector3D.Dot(normal, _light) / normal.Length;
+        double towards = 0.5 + 0.5 * Double3.Dot(normal, _light) / normal.Length;
         return (int)Math.Round(towards * (Levels - 1));
     }
 

@@ -36,14 +36,14 @@ internal sealed class PictureIndex
     /// <summary>
     /// Lists the bodies that may be seen before a ball, or overlapping it, in the order of their numbers.
     /// </summary>
-    public void Collect(in Vector3D center, double radius, List<int> bodies)
+    public void Collect(in Double3 center, double radius, List<int> bodies)
     {
         double far = (center - _camera.Eye).Length + radius;
         _tree.CollectInBox(Box(center, radius, -Furthest, far), bodies);
         Found += bodies.Count;
     }
 
-    private Aabb Box(in Vector3D center, double radius, double near, double far)
+    private Aabb Box(in Double3 center, double radius, double near, double far)
     {
         (double left, double right, double bottom, double top) = _camera.Bounds(center, radius);
         return new Aabb(

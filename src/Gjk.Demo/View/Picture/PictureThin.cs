@@ -22,7 +22,7 @@ internal sealed class PictureThin
     public void Add(PictureBody body, bool isHit, List<PictureBody> before)
     {
         string color = PictureColors.Of(isHit, 1);
-        Vector3D from = body.Vertices[0], to = body.Vertices[^1];
+        Double3 from = body.Vertices[0], to = body.Vertices[^1];
         if (body.Vertices.Length == 1)
         {
             (double x, double y) = _camera.Project(from);
@@ -49,7 +49,7 @@ internal sealed class PictureThin
     }
 
     /// <summary>The parts of a segment that no body hides, as shares of its length.</summary>
-    public static List<(double From, double To)> Visible(in Vector3D from, in Vector3D to, List<PictureBody> before)
+    public static List<(double From, double To)> Visible(in Double3 from, in Double3 to, List<PictureBody> before)
     {
         List<(double From, double To)> parts = [(0, 1)], next = [];
         foreach (PictureBody body in before)

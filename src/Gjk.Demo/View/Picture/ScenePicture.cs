@@ -41,7 +41,7 @@ internal sealed class ScenePicture
 
     private readonly Scene _scene;
     private readonly SceneResults _results;
-    private readonly Vector3D _middle;
+    private readonly Double3 _middle;
     private readonly double _unit;
     private readonly PictureCamera _camera;
     private readonly PictureBody[] _bodies;
@@ -56,7 +56,7 @@ internal sealed class ScenePicture
         _results = results;
         int count = scene.Objects.Length;
         (_middle, _unit) = Measure(scene, shapes);
-        var balls = new List<(Vector3D, double)>(count);
+        var balls = new List<(Double3, double)>(count);
         for (int i = 0; i < count; i++)
         {
             double radius = shapes.Meshes[shapes.OfObject[i]].Radius * _unit;
@@ -90,7 +90,7 @@ internal sealed class ScenePicture
         return picture._index.Found;
     }
 
-    private static (Vector3D Middle, double Unit) Measure(Scene scene, ShapeTable shapes)
+    private static (Double3 Middle, double Unit) Measure(Scene scene, ShapeTable shapes)
     {
         if (scene.Objects.Length == 0) return (default, 1);
         double[] low = [double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity];
@@ -105,12 +105,12 @@ internal sealed class ScenePicture
             }
         }
 
-        var middle = new Vector3D((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
-        double size = (new Vector3D(high[0], high[1], high[2]) - middle).Length;
+        var middle = new Double3((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
+        double size = (new Double3(high[0], high[1], high[2]) - middle).Length;
         return (middle, size > 0 ? DrawnRadius / size : 1);
     }
 
-    private Vector3D Drawn(in Vector3D world) => (world - _middle) * _unit;
+    private Double3 Drawn(in Double3 world) => (world - _middle) * _unit;
 
     /// <summary>Finds the objects that overlap another, and the pair of each object with its nearest partner.</summary>
     private void Rank()
@@ -201,9 +201,9 @@ internal sealed class ScenePicture
             double distance = _results.Distance[pair];
             if (!(distance > 0) || double.IsInfinity(distance) || (!isNearest && _results.Pairs.Count > ManyPairs))
                 continue;
-            Vector3D from = new Vector3(_results.PointA.AsSpan(3 * pair));
-            Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
-            Vector3D start = Drawn(from), end = Drawn(from + normal * distance), middle = (start + end) * 0.5;
+            Double3 from = new Vector3(_results.PointA.AsSpan(3 * pair));
+            Double3 normal = new Vector3(_results.Normal.AsSpan(3 * pair));
+            Double3 start = Drawn(from), end = Drawn(from + normal * distance), middle = (start + end) * 0.5;
             if (TryBefore(middle, (end - middle).Length, -1, out List<PictureBody> before))
                 AddLine(isNearest ? bright : faint, start, end, before);
         }
@@ -226,8 +226,8 @@ internal sealed class ScenePicture
             pair++;
             float distance = _results.Distance[pair];
             if (_results.Status[pair] != StatusCode.Of(GjkStatus.Overlapping) || !(distance < 0)) continue;
-            Vector3D onA = new Vector3(_results.PointA.AsSpan(3 * pair));
-            Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
+            Double3 onA = new Vector3(_results.PointA.AsSpan(3 * pair));
+            Double3 normal = new Vector3(_results.Normal.AsSpan(3 * pair));
             string title = string.Create(
                 CultureInfo.InvariantCulture, $"{NameOf(a)} – {NameOf(b)}: depth {-distance:G6}");
             PictureArrow.Write(
@@ -247,7 +247,7 @@ internal sealed class ScenePicture
         {
             cancel.ThrowIfCancellationRequested();
             if (!_results.Overlaps(++pair)) continue;
-            Vector3D normal = new Vector3(_results.Normal.AsSpan(3 * pair));
+            Double3 normal = new Vector3(_results.Normal.AsSpan(3 * pair));
             contacts.WriteNext(writer, $"{NameOf(a)} – {NameOf(b)}", normal, at => _camera.Project(Drawn(at)));
         }
     }
@@ -260,7 +260,7 @@ internal sealed class ScenePicture
     /// <summary>
     /// Finds the bodies that hide a part of a ball. Returns false if one of them hides the whole ball.
     /// </summary>
-    private bool TryBefore(in Vector3D center, double radius, int except, out List<PictureBody> before)
+    private bool TryBefore(in Double3 center, double radius, int except, out List<PictureBody> before)
     {
         before = [];
         double distance = (center - _camera.Eye).Length;
@@ -281,16 +281,16 @@ internal sealed class ScenePicture
     /// <summary>
     /// A quick test of two balls. True if the body is behind the ball, or if the eye sees them apart.
     /// </summary>
-    private bool IsAside(PictureBody body, in Vector3D center, double radius, double distance)
+    private bool IsAside(PictureBody body, in Double3 center, double radius, double distance)
     {
         if (body.EyeDistance - body.Radius > distance + radius) return true;
         if (body.Radius >= body.EyeDistance || radius >= distance) return false;
-        double cosine = Vector3D.Dot(body.Center - _camera.Eye, center - _camera.Eye) / (body.EyeDistance * distance);
+        double cosine = Double3.Dot(body.Center - _camera.Eye, center - _camera.Eye) / (body.EyeDistance * distance);
         double between = Math.Acos(Math.Min(1, cosine));
         return between > (Math.Asin(body.Radius / body.EyeDistance) + Math.Asin(radius / distance)) * Rounding;
     }
 
-    private void AddLine(SvgPath path, Vector3D from, Vector3D to, List<PictureBody> before)
+    private void AddLine(SvgPath path, Double3 from, Double3 to, List<PictureBody> before)
     {
         foreach ((double start, double end) in PictureThin.Visible(from, to, before))
             path.Line([_camera.Project(from + (to - from) * start), _camera.Project(from + (to - from) * end)]);

@@ -18,39 +18,39 @@ internal sealed class Shadow
     /// </summary>
     private const double Slack = 1e-5;
 
-    private readonly (Vector3D Normal, double Value)[] _planes;
+    private readonly (Double3 Normal, double Value)[] _planes;
 
     /// <summary>
     /// The plane that cleared the last polygon. It often clears the next one too, because that is a neighbour.
     /// </summary>
     private int _lastClear;
 
-    public Shadow(IEnumerable<(Vector3D Normal, double Value)> planes) => _planes = [.. planes];
+    public Shadow(IEnumerable<(Double3 Normal, double Value)> planes) => _planes = [.. planes];
 
     /// <summary>True if no part of a ball is hidden.</summary>
-    public bool Misses(in Vector3D center, double radius)
+    public bool Misses(in Double3 center, double radius)
     {
-        foreach ((Vector3D normal, double value) in _planes)
+        foreach ((Double3 normal, double value) in _planes)
         {
-            if (Vector3D.Dot(normal, center) - value > radius - Slack) return true;
+            if (Double3.Dot(normal, center) - value > radius - Slack) return true;
         }
 
         return _planes.Length == 0;
     }
 
     /// <summary>True if a whole ball is hidden.</summary>
-    public bool Hides(in Vector3D center, double radius)
+    public bool Hides(in Double3 center, double radius)
     {
-        foreach ((Vector3D normal, double value) in _planes)
+        foreach ((Double3 normal, double value) in _planes)
         {
-            if (Vector3D.Dot(normal, center) - value > -radius - Slack) return false;
+            if (Double3.Dot(normal, center) - value > -radius - Slack) return false;
         }
 
         return _planes.Length > 0;
     }
 
     /// <summary>Adds the parts of a convex polygon that are not hidden.</summary>
-    public void Cut(Vector3D[] polygon, List<Vector3D[]> visible)
+    public void Cut(Double3[] polygon, List<Double3[]> visible)
     {
         if (IsClear(polygon))
         {
@@ -58,11 +58,11 @@ internal sealed class Shadow
             return;
         }
 
-        Vector3D[] rest = polygon;
-        foreach ((Vector3D normal, double value) in _planes)
+        Double3[] rest = polygon;
+        foreach ((Double3 normal, double value) in _planes)
         {
-            if (!Array.Exists(rest, corner => Vector3D.Dot(normal, corner) - value > -Slack)) continue;
-            Split(rest, normal, value - Slack, out Vector3D[] outside, out rest);
+            if (!Array.Exists(rest, corner => Double3.Dot(normal, corner) - value > -Slack)) continue;
+            Split(rest, normal, value - Slack, out Double3[] outside, out rest);
             if (outside.Length > 2) visible.Add(outside);
             if (rest.Length < 3) return;
         }
@@ -70,12 +70,12 @@ internal sealed class Shadow
 
     /// <summary>Adds the parts of a segment that are not hidden, as shares of its length.</summary>
     public void Cut(
-        in Vector3D from, in Vector3D to, (double From, double To) part, List<(double From, double To)> visible)
+        in Double3 from, in Double3 to, (double From, double To) part, List<(double From, double To)> visible)
     {
         (double enter, double leave) = part;
-        foreach ((Vector3D normal, double value) in _planes)
+        foreach ((Double3 normal, double value) in _planes)
         {
-            double first = Vector3D.Dot(normal, from) - value + Slack, step = Vector3D.Dot(normal, to - from);
+            double first = Double3.Dot(normal, from) - value + Slack, step = Double3.Dot(normal, to - from);
             if (step > 0) leave = Math.Min(leave, -first / step);
             else if (step < 0) enter = Math.Max(enter, -first / step);
             else if (first > 0) leave = double.NegativeInfinity;
@@ -88,7 +88,7 @@ internal sealed class Shadow
         if (leave < part.To) visible.Add((leave, part.To));
     }
 
-    private bool IsClear(Vector3D[] polygon)
+    private bool IsClear(Double3[] polygon)
     {
         if (_planes.Length == 0 || IsBeyond(polygon, _lastClear)) return true;
         for (int i = 0; i < _planes.Length; i++)
@@ -101,28 +101,28 @@ internal sealed class Shadow
         return false;
     }
 
-    private bool IsBeyond(Vector3D[] polygon, int plane)
+    private bool IsBeyond(Double3[] polygon, int plane)
     {
-        (Vector3D normal, double value) = _planes[plane];
-        foreach (Vector3D corner in polygon)
+        (Double3 normal, double value) = _planes[plane];
+        foreach (Double3 corner in polygon)
         {
-            if (Vector3D.Dot(normal, corner) - value < -Slack) return false;
+            if (Double3.Dot(normal, corner) - value < -Slack) return false;
         }
 
         return true;
     }
 
     private static void Split(
-        Vector3D[] polygon, in Vector3D normal, double value, out Vector3D[] outside, out Vector3D[] inside)
+        Double3[] polygon, in Double3 normal, double value, out Double3[] outside, out Double3[] inside)
     {
-        List<Vector3D> beyond = [], behind = [];
+        List<Double3> beyond = [], behind = [];
         for (int i = 0; i < polygon.Length; i++)
         {
-            Vector3D a = polygon[i], b = polygon[(i + 1) % polygon.Length];
-            double atA = Vector3D.Dot(normal, a) - value, atB = Vector3D.Dot(normal, b) - value;
+            Double3 a = polygon[i], b = polygon[(i + 1) % polygon.Length];
+            double atA = Double3.Dot(normal, a) - value, atB = Double3.Dot(normal, b) - value;
             (atA > 0 ? beyond : behind).Add(a);
             if (atA > 0 == atB > 0) continue;
-            Vector3D crossing = a + (b - a) * (atA / (atA - atB));
+            Double3 crossing = a + (b - a) * (atA / (atA - atB));
             beyond.Add(crossing);
             behind.Add(crossing);
         }

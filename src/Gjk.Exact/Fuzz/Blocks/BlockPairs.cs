@@ -20,7 +20,7 @@ internal sealed class BlockPairs
     private readonly ConvexShape[] _shapes = new ConvexShape[ShapeCount];
     private ConvexShape _a, _b;
     private Quaternion _turnA, _turnB;
-    private Vector3D _centers, _toldCenters;
+    private Double3 _centers, _toldCenters;
     private DistanceResult _told;
     private Vector3 _offset;
     private bool _isFar;
@@ -71,11 +71,11 @@ internal sealed class BlockPairs
     public void DrawMotion(out Vector3 velocityA, out Vector3 velocityB)
     {
         double size = Size > 0 ? Size : 1;
-        Vector3D normal = _told.Normal, aside = _random.Direction(), way = _random.Below(6) switch
+        Double3 normal = _told.Normal, aside = _random.Direction(), way = _random.Below(6) switch
         {
             0 => aside * (size * _random.Range(0, 3)),
             1 => aside * (size * _random.Magnitude(1e-6, 1e4)),
-            2 => (aside - normal * Vector3D.Dot(aside, normal)) * (size * _random.Range(0, 3)),
+            2 => (aside - normal * Double3.Dot(aside, normal)) * (size * _random.Range(0, 3)),
             3 => normal * (-_told.Distance * _random.Range(0.5, 3)),
             _ => aside * (size * _random.Unit()) - _centers * _random.Range(0.3, 2),
         };
@@ -90,10 +90,10 @@ internal sealed class BlockPairs
     public void DrawRay(out Vector3 origin, out Vector3 direction)
     {
         double radius = _a.BoundingRadius > 0 ? _a.BoundingRadius : 1;
-        Vector3D center = PoseA.Position + Turned(_turnA, _a.Center);
-        Vector3D aim = _random.OneIn(3) ? _told.PointA : center + _random.Direction() * (radius * _random.Unit());
-        Vector3D from = aim + _random.Direction() * (radius * _random.Magnitude(0.1, _random.OneIn(4) ? 1e4 : 4));
-        if (!(aim.IsFinite && from.Length < Largest)) (aim, from) = (center, center + new Vector3D(radius, 0, 0));
+        Double3 center = PoseA.Position + Turned(_turnA, _a.Center);
+        Double3 aim = _random.OneIn(3) ? _told.PointA : center + _random.Direction() * (radius * _random.Unit());
+        Double3 from = aim + _random.Direction() * (radius * _random.Magnitude(0.1, _random.OneIn(4) ? 1e4 : 4));
+        if (!(aim.IsFinite && from.Length < Largest)) (aim, from) = (center, center + new Double3(radius, 0, 0));
         origin = (Vector3)from;
         direction = (Vector3)((aim - origin) * (1 / radius));
         if (direction == default) direction = Vector3.UnitX;
@@ -102,7 +102,7 @@ internal sealed class BlockPairs
     /// <summary>A point on the surface of the first shape, near it, or anywhere.</summary>
     public Vector3 DrawPoint()
     {
-        Vector3D point = _random.OneIn(2) ? _told.PointA : (Vector3D)PoseA.Position + Turned(_turnA, _a.Center);
+        Double3 point = _random.OneIn(2) ? _told.PointA : (Double3)PoseA.Position + Turned(_turnA, _a.Center);
         if (_random.OneIn(2)) point += _random.Direction() * (_a.BoundingRadius * _random.Magnitude(1e-7, 2));
         return point.Length < Largest ? (Vector3)point : PoseA.Position;
     }
@@ -116,8 +116,8 @@ internal sealed class BlockPairs
         Size = _a.BoundingRadius + _b.BoundingRadius;
         _turnA = Rotations.Any(_random);
         _turnB = _random.OneIn(2) ? Rotations.Any(_random) : Aligned();
-        Vector3D along = _random.OneIn(2) ? _random.Direction() : Axis();
-        Vector3D aside = _random.OneIn(2) ? default : _random.Direction() * (0.3 * Size * _random.Unit());
+        Double3 along = _random.OneIn(2) ? _random.Direction() : Axis();
+        Double3 aside = _random.OneIn(2) ? default : _random.Direction() * (0.3 * Size * _random.Unit());
         _centers = along * (Size * _random.Range(0, 1.3)) + aside;
         _isFar = _random.OneIn(4);
         _offset = _random.OneIn(2)
@@ -133,7 +133,7 @@ internal sealed class BlockPairs
     {
         double gap = _random.OneIn(4) ? 0 : _random.Sign() * _random.Magnitude(1e-15, 0.1) * Size;
         if (_told.Normal != default && float.IsFinite(_told.Distance))
-            _centers = _toldCenters + (Vector3D)_told.Normal * (gap - _told.Distance);
+            _centers = _toldCenters + (Double3)_told.Normal * (gap - _told.Distance);
         else
             _centers *= _random.Range(0.5, 2);
     }
@@ -151,14 +151,14 @@ internal sealed class BlockPairs
     }
 
     /// <summary>One of A's own axes in the world.</summary>
-    private Vector3D Axis()
+    private Double3 Axis()
     {
         double sign = _random.Sign();
         return Turned(_turnA, _random.Below(3) switch
         {
-            0 => new Vector3D(sign, 0, 0),
-            1 => new Vector3D(0, sign, 0),
-            _ => new Vector3D(0, 0, sign),
+            0 => new Double3(sign, 0, 0),
+            1 => new Double3(0, sign, 0),
+            _ => new Double3(0, 0, sign),
         });
     }
 
@@ -167,8 +167,8 @@ internal sealed class BlockPairs
     /// </summary>
     private bool TryPlace()
     {
-        Vector3D between = _centers + Turned(_turnA, _a.Center) - Turned(_turnB, _b.Center);
-        Vector3D a = _isFar ? _offset : default, b = a + between;
+        Double3 between = _centers + Turned(_turnA, _a.Center) - Turned(_turnB, _b.Center);
+        Double3 a = _isFar ? _offset : default, b = a + between;
         if (!(a.Length < Largest && b.Length < Largest)) return false;
         var rounded = (Vector3)b;
         if (!_isFar) a = rounded - b;
@@ -178,11 +178,11 @@ internal sealed class BlockPairs
     }
 
     /// <summary>v + 2 u × (u × v + w v) / |q|².</summary>
-    private static Vector3D Turned(Quaternion q, in Vector3D v)
+    private static Double3 Turned(Quaternion q, in Double3 v)
     {
-        var u = new Vector3D(q.X, q.Y, q.Z);
+        var u = new Double3(q.X, q.Y, q.Z);
         double w = q.W;
-        return v + Vector3D.Cross(u, Vector3D.Cross(u, v) + v * w) * (2 / (u.LengthSquared + w * w));
+        return v + Double3.Cross(u, Double3.Cross(u, v) + v * w) * (2 / (u.LengthSquared + w * w));
     }
 
     private FuzzShape Shape() => _random.Below(16) switch

@@ -26,10 +26,10 @@ internal static class ContactFamilies
             turnB = Rotations.Times(q, new Quaternion(0, (float)Math.Sqrt(0.5), 0, (float)Math.Sqrt(0.5)));
         var poseA = new RigidPose(q, random.OneIn(2) ? Vector3.Zero : random.Vector(1));
         var bodyA = new PosedShape(a, poseA);
-        Vector3D up = bodyA.Rotate(new Vector3D(0, random.Sign(), 0));
+        Double3 up = bodyA.Rotate(new Double3(0, random.Sign(), 0));
         FuzzPair stacked = Placement.Gap(a, poseA, b, turnB, up, Placement.AnyGap(random));
-        Vector3D aside = bodyA.Rotate(
-            new Vector3D(random.Of(0, 0.5, random.Range(-2, 2)), 0, random.Of(0, 0.5, random.Range(-2, 2))));
+        Double3 aside = bodyA.Rotate(
+            new Double3(random.Of(0, 0.5, random.Range(-2, 2)), 0, random.Of(0, 0.5, random.Range(-2, 2))));
         return stacked.At(poseA, new RigidPose(stacked.PoseB.Rotation, (Vector3)(stacked.PoseB.Position + aside)));
     }
 
@@ -46,8 +46,8 @@ internal static class ContactFamilies
         FuzzShape a = Below(random, -1), b = Below(random, 1);
         Quaternion q = random.OneIn(2) ? Quaternion.Identity : Rotations.Any(random);
         var body = new PosedShape(a, new RigidPose(q, Vector3.Zero));
-        Vector3D direction = random.OneIn(2) ? new Vector3D(1, 0, 0) : random.Direction();
-        Vector3D gap = body.Rotate(direction) * Placement.AnyGap(random);
+        Double3 direction = random.OneIn(2) ? new Double3(1, 0, 0) : random.Direction();
+        Double3 gap = body.Rotate(direction) * Placement.AnyGap(random);
         Quaternion turnB = random.Below(4) switch
         {
             0 => Rotations.Nudged(random, q),
@@ -70,7 +70,7 @@ internal static class ContactFamilies
     /// <summary>Centres on each other, or nearly.</summary>
     public static FuzzPair Concentric(FuzzRandom random)
     {
-        Vector3D centers = random.Direction() * (random.OneIn(2) ? 0 : random.Magnitude(1e-15, 1e-3));
+        Double3 centers = random.Direction() * (random.OneIn(2) ? 0 : random.Magnitude(1e-15, 1e-3));
         return Placement.Between(
             Shapes.Any(random), new RigidPose(Rotations.Any(random), Vector3.Zero), Shapes.Any(random),
             Rotations.Any(random), centers);

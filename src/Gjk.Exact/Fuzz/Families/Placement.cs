@@ -12,7 +12,7 @@ internal static class Placement
         double apart = Apart(random, a, b);
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
         Quaternion turnB = Rotations.Any(random);
-        Vector3D centers = random.Direction() * apart;
+        Double3 centers = random.Direction() * apart;
         return Between(a, poseA, b, turnB, centers);
     }
 
@@ -24,7 +24,7 @@ internal static class Placement
     /// Planes across a direction stand a gap apart, as nearly as the float position allows; negative gaps overlap.
     /// </summary>
     public static FuzzPair Gap(
-        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
+        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Double3 n, double gap)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
@@ -47,11 +47,11 @@ internal static class Placement
 
     /// <summary>B with its centre a vector from A's, both in world axes.</summary>
     public static FuzzPair Between(
-        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D centers)
+        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Double3 centers)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
-        Vector3D position = bodyA.Position + bodyA.Rotate(bodyA.Center) + centers - bodyB.Rotate(bodyB.Center);
+        Double3 position = bodyA.Position + bodyA.Rotate(bodyA.Center) + centers - bodyB.Rotate(bodyB.Center);
         return new FuzzPair(a, poseA, b, new RigidPose(turnB, (Vector3)position));
     }
 
@@ -60,13 +60,13 @@ internal static class Placement
         random.OneIn(8) ? 0 : random.Sign() * random.Magnitude(1e-15, 0.1);
 
     /// <summary>Any direction of the world, or one across a face of A.</summary>
-    public static Vector3D AnyNormal(FuzzRandom random, in FuzzShape a, in RigidPose poseA) =>
+    public static Double3 AnyNormal(FuzzRandom random, in FuzzShape a, in RigidPose poseA) =>
         random.OneIn(2) ? random.Direction() : FaceNormal(random, new PosedShape(a, poseA));
 
     /// <summary>Across a face of a mesh, in the world; any direction for what has none.</summary>
-    public static Vector3D FaceNormal(FuzzRandom random, PosedShape body)
+    public static Double3 FaceNormal(FuzzRandom random, PosedShape body)
     {
-        Vector3D[] faces = [.. body.FaceNormals(8)];
+        Double3[] faces = [.. body.FaceNormals(8)];
         return faces.Length == 0 ? random.Direction() : body.Rotate(faces[random.Below(faces.Length)]);
     }
 

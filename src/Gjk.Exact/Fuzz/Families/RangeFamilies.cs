@@ -16,7 +16,7 @@ internal static class RangeFamilies
         double size = random.Magnitude(1e-40, Largest);
         FuzzShape a = Sized(random, size), b = Sized(random, size * random.Magnitude(0.1, 1));
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(0.1 * size));
-        Vector3D direction = random.Direction();
+        Double3 direction = random.Direction();
         if (random.OneIn(2))
             return Held(a, poseA, b, Rotations.Any(random), direction, Placement.AnyGap(random) * size);
         return Held(a, poseA, b, Rotations.Any(random), direction, (random.Unit() - 1) * size);
@@ -44,7 +44,7 @@ internal static class RangeFamilies
 
     /// <summary>Planes a gap apart; at the origin where floats do not reach so far.</summary>
     private static FuzzPair Held(
-        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
+        in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Double3 n, double gap)
     {
         var bodyA = new PosedShape(a, poseA);
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));

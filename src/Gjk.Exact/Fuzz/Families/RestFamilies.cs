@@ -20,11 +20,11 @@ internal static class RestFamilies
         FuzzShape a = Grounded(random, -1, turned.Norm * unit, out double topA);
         FuzzShape b = Grounded(random, 1, turned.Norm * unit, out double bottomB);
         double gap = random.OneIn(2) ? 0 : random.Sign() * turned.Norm * Math.ScaleB(1, -random.Below(40));
-        var aside = new Vector3D(random.Below(9) - 4, 0, random.Below(9) - 4) * (turned.Norm * unit);
+        var aside = new Double3(random.Below(9) - 4, 0, random.Below(9) - 4) * (turned.Norm * unit);
         Vector3 home = gap == 0 || Math.Abs(gap) > 1e-3
             ? new Vector3(random.Below(65) - 32, random.Below(65) - 32, random.Below(65) - 32) * (float)unit
             : Vector3.Zero;
-        Vector3D up = frame.Exactly(aside + new Vector3D(0, topA + gap - bottomB, 0));
+        Double3 up = frame.Exactly(aside + new Double3(0, topA + gap - bottomB, 0));
         return new FuzzPair(
             a, new RigidPose(frame.ToQuaternion(random), home), b,
             new RigidPose(turned.ToQuaternion(random), home + (Vector3)up));
@@ -39,8 +39,8 @@ internal static class RestFamilies
         IntegerRotation other = random.OneIn(2) ? frame : frame.Times(Any(random));
         double unit = Math.ScaleB(1, -other.Bits);
         Vector3 home = new Vector3(random.Below(9) - 4, random.Below(9) - 4, random.Below(9) - 4) * (float)unit;
-        var steps = new Vector3D(random.Below(17) - 8, random.Below(17) - 8, random.Below(17) - 8);
-        Vector3D away = frame.Exactly(steps * (0.25 * other.Norm * unit));
+        var steps = new Double3(random.Below(17) - 8, random.Below(17) - 8, random.Below(17) - 8);
+        Double3 away = frame.Exactly(steps * (0.25 * other.Norm * unit));
         FuzzShape a = LatticeShape(random, (float)(other.Norm * unit));
         FuzzShape b = LatticeShape(random, (float)(other.Norm * unit));
         return new FuzzPair(
@@ -58,7 +58,7 @@ internal static class RestFamilies
         FuzzShape b = random.OneIn(4) ? Shapes.Any(random) : Shapes.Round(random);
         Quaternion turnA = Rotations.Any(random), turnB = Rotations.Any(random);
         if (random.OneIn(2)) (turnA, turnB) = (Quaternion.Identity, Quaternion.Identity);
-        Vector3D n = random.OneIn(2) ? random.Direction() : new Vector3D(0, random.Sign(), 0);
+        Double3 n = random.OneIn(2) ? random.Direction() : new Double3(0, random.Sign(), 0);
         return Exactly(a, turnA, b, turnB, n, Math.ScaleB(random.Below(33) - 16, -54));
     }
 
@@ -70,7 +70,7 @@ internal static class RestFamilies
         FuzzShape a = Thin(random), b = random.OneIn(3) ? Shapes.Any(random) : Thin(random);
         Quaternion turnA = Rotations.Any(random);
         Quaternion turnB = random.OneIn(2) ? turnA : Rotations.Any(random);
-        Vector3D n = Placement.AnyNormal(random, a, new RigidPose(turnA, Vector3.Zero));
+        Double3 n = Placement.AnyNormal(random, a, new RigidPose(turnA, Vector3.Zero));
         return Exactly(a, turnA, b, turnB, n, random.Sign() * random.Magnitude(1e-16, 1e-12));
     }
 
@@ -90,12 +90,12 @@ internal static class RestFamilies
     /// <param name="n">The direction across the planes, of unit length.</param>
     /// <param name="gap">How far the planes stand apart, as a fraction of both shapes' size.</param>
     private static FuzzPair Exactly(
-        in FuzzShape a, Quaternion turnA, in FuzzShape b, Quaternion turnB, in Vector3D n, double gap)
+        in FuzzShape a, Quaternion turnA, in FuzzShape b, Quaternion turnB, in Double3 n, double gap)
     {
         var bodyA = new PosedShape(a, new RigidPose(turnA, Vector3.Zero));
         var bodyB = new PosedShape(b, new RigidPose(turnB, Vector3.Zero));
         double apart = bodyA.Height(n) + bodyB.Height(-n) + gap * (bodyA.LongestSide + bodyB.LongestSide);
-        Vector3D place = bodyA.Rotate(bodyA.Center) - bodyB.Rotate(bodyB.Center) + n * apart;
+        Double3 place = bodyA.Rotate(bodyA.Center) - bodyB.Rotate(bodyB.Center) + n * apart;
         var rounded = (Vector3)place;
         return new FuzzPair(a, new RigidPose(turnA, (Vector3)(rounded - place)), b, new RigidPose(turnB, rounded));
     }

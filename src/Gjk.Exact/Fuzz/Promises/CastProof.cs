@@ -41,7 +41,7 @@ internal static class CastProof
                 return Touch(pair, r, most) ?? Normal(pair, r) ?? Point(pair, r);
             case CastStatus.OverlappingAtStart:
                 return r.Fraction == 0 && r.Depth > 0
-                    && Math.Abs(((Vector3D)r.Normal).Length - 1) <= Accuracy.UnitLength
+                    && Math.Abs(((Double3)r.Normal).Length - 1) <= Accuracy.UnitLength
                     ? Point(pair, r)
                     : Say.Line($"{r}, with the fraction {r.Fraction:R}");
             case CastStatus.Miss:
@@ -82,22 +82,22 @@ internal static class CastProof
     /// Whether planes prove the shapes apart, or to reach into each other by no more than a graze: then B moved out by
     /// that along the plane that separates them best is apart. A plane's gap is linear in the fraction: its ends tell.
     /// </summary>
-    private static string? Apart(FuzzPair pair, double from, double to, in Vector3D hint, string name)
+    private static string? Apart(FuzzPair pair, double from, double to, in Double3 hint, string name)
     {
         Moment least = pair.Sweep.Least(from, to);
         double graze = Grazing(pair, to);
         if (least.AtLeast > -graze) return null;
-        foreach (Vector3D n in (ReadOnlySpan<Vector3D>)[least.Normal, hint])
+        foreach (Double3 n in (ReadOnlySpan<Double3>)[least.Normal, hint])
         {
             double length = n.Length;
             if (!(length > 0)) continue;
-            Vector3D unit = n * (1 / length);
+            Double3 unit = n * (1 / length);
             if (Math.Min(pair.Sweep.Gap(unit, from), pair.Sweep.Gap(unit, to)) > -graze) return null;
             if (pair.Sweep.Least(from, to, unit * graze).AtLeast > -graze) return null;
         }
 
         // Where doubles are too coarse for the shapes' own slivers, integers know.
-        Vector3D moved = pair.Motion.Relative * least.Fraction;
+        Double3 moved = pair.Motion.Relative * least.Fraction;
         double outward = hint.Length > 0 ? graze / hint.Length : 0;
         if (pair.Truth.IsKnown && (pair.Truth.PartsWith(moved) || pair.Truth.PartsWith(moved + hint * outward)))
             return null;
@@ -111,11 +111,11 @@ internal static class CastProof
     /// </summary>
     private static string? Normal(FuzzPair pair, in CastResult r)
     {
-        Vector3D n = r.Normal;
+        Double3 n = r.Normal;
         double length = n.Length, way = pair.Motion.Length;
         if (!(Math.Abs(length - 1) <= Accuracy.UnitLength)) return Say.Line($"the normal's length is {length}");
         n *= 1 / length;
-        double closing = -Vector3D.Dot(n, pair.Motion.Relative);
+        double closing = -Double3.Dot(n, pair.Motion.Relative);
         if (!(closing >= -2 * Accuracy.NormalTurn * way)) return Say.Line($"the plane opens by {-closing}");
 
         double lever = Math.Sqrt(3) * (pair.BodyA.LongestSide + pair.BodyB.LongestSide);
@@ -132,17 +132,17 @@ internal static class CastProof
 
     /// <summary>The point is one of a shape as it has moved, as far as floats can hold it and the fraction.</summary>
     private static string? Point(
-        FuzzPair pair, PosedShape body, in Vector3D velocity, in CastResult r, string name)
+        FuzzPair pair, PosedShape body, in Double3 velocity, in CastResult r, string name)
     {
         if (float.IsInfinity(r.Point.X) || float.IsInfinity(r.Point.Y) || float.IsInfinity(r.Point.Z)) return null;
-        Vector3D moved = velocity * r.Fraction;
+        Double3 moved = velocity * r.Fraction;
         double slack = Slack(pair, r.Fraction), floats = PointsLieOnTheShapes.Rounded(r.Point);
         double rounding = Accuracy.HalfFloat * 2 * (moved.Length + body.Position.Length)
             + slack * (velocity.Length + pair.Motion.Length) + floats;
         double own = pair.IsCurved ? CurvedPoint * pair.Scale : Accuracy.WitnessScale * body.LongestSide;
         double allowed = own + rounding + Grazing(pair, r.Fraction);
         double outside = body.Outside(
-            body.InverseRotate((Vector3D)r.Point - moved - body.Position), Directions.Few);
+            body.InverseRotate((Double3)r.Point - moved - body.Position), Directions.Few);
         return outside <= allowed ? null : Say.Line($"at {r.Fraction:R} the point lies {outside} outside {name}");
     }
 

@@ -19,7 +19,7 @@ internal static class DirectionsHaveAnyLength
     {
         for (int i = 0; i < Directions.Few.Length; i += 2)
         {
-            Vector3D d = Directions.Few[i] * Lengths[i / 2 % Lengths.Length];
+            Double3 d = Directions.Few[i] * Lengths[i / 2 % Lengths.Length];
             if (SupportsReachTheCloud.Problem(shape, body, d, name) is { } problem) return problem;
         }
 

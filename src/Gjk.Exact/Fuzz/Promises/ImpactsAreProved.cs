@@ -76,13 +76,13 @@ internal static class ImpactsAreProved
         PoseRounding * (Far(a, fraction) + Far(b, fraction) + Arm(pair.BodyA) + Arm(pair.BodyB)) + 2e-6 * pair.Scale;
 
     private static double Far(in RigidMotion motion, double fraction) =>
-        ((Vector3D)motion.Pose.Position).Length + fraction * ((Vector3D)motion.Velocity).Length;
+        ((Double3)motion.Pose.Position).Length + fraction * ((Double3)motion.Velocity).Length;
 
     /// <summary>How far a body reaches from the point that it turns about.</summary>
     private static double Arm(PosedShape body) => body.Center.Length + 2 * body.LongestSide;
 
     private static double Speed(in RigidMotion motion, PosedShape body) =>
-        ((Vector3D)motion.Velocity).Length + ((Vector3D)motion.AngularVelocity).Length * Arm(body);
+        ((Double3)motion.Velocity).Length + ((Double3)motion.AngularVelocity).Length * Arm(body);
 
     private static string Text(in RigidMotion a, in RigidMotion b) =>
         Say.Line($"velocities {a.Velocity} and {b.Velocity}, turning {a.AngularVelocity} and {b.AngularVelocity}");

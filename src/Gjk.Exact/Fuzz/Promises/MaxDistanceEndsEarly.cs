@@ -42,7 +42,7 @@ internal static class MaxDistanceEndsEarly
         if (!(r.LowerBound <= pair.Truth.AtMost))
             return Say.Line($"the bound {r.LowerBound:R} exceeds the true distance {pair.Truth.AtMost:R}");
         if (!(r.LowerBound >= reach - band)) return Say.Line($"the bound {r.LowerBound:R} does not prove it");
-        Vector3D n = r.Normal;
+        Double3 n = r.Normal;
         double length = n.Length;
         if (!(Math.Abs(length - 1) <= Accuracy.UnitLength)) return Say.Line($"the normal's length is {length}");
         double gap = pair.Gap(n * (1 / length));

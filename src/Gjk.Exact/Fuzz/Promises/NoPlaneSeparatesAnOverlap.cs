@@ -27,10 +27,10 @@ internal static class NoPlaneSeparatesAnOverlap
         double widest = double.NegativeInfinity;
         int faces = Math.Max(
             1, Math.Min(MostFaces, MostWork / Math.Max(1, pair.BodyA.Vertices.Length + pair.BodyB.Vertices.Length)));
-        foreach (Vector3D n in pair.Truth.IsKnown ? Directions.Few : Directions.Many)
+        foreach (Double3 n in pair.Truth.IsKnown ? Directions.Few : Directions.Many)
             widest = Math.Max(widest, pair.Gap(n));
-        foreach (Vector3D n in pair.BodyA.FaceNormals(faces)) widest = Math.Max(widest, pair.Gap(pair.BodyA.Rotate(n)));
-        foreach (Vector3D n in pair.BodyB.FaceNormals(faces))
+        foreach (Double3 n in pair.BodyA.FaceNormals(faces)) widest = Math.Max(widest, pair.Gap(pair.BodyA.Rotate(n)));
+        foreach (Double3 n in pair.BodyB.FaceNormals(faces))
             widest = Math.Max(widest, pair.Gap(pair.BodyB.Rotate(-n)));
         double length = pair.Centers.Length;
         return length > 0 ? Math.Max(widest, pair.Gap(pair.Centers * (1 / length))) : widest;

@@ -51,14 +51,14 @@ internal static class NoWayOutIsShorter
         PosedShape a = pair.BodyA, b = pair.BodyB;
         double edgeCount = a.EdgeCount + b.EdgeCount;
         if (pair.IsCurved || edgeCount * edgeCount * (a.Vertices.Length + b.Vertices.Length) > MostWork) return false;
-        List<Vector3D> edges =
+        List<Double3> edges =
             [.. a.EdgeDirections().ConvertAll(e => a.Rotate(e)), .. b.EdgeDirections().ConvertAll(e => b.Rotate(e))];
         bool isSolid = false;
         for (int i = 0; i < edges.Count; i++)
         {
             for (int j = i + 1; j < edges.Count; j++)
             {
-                Vector3D n = Vector3D.Cross(edges[i], edges[j]);
+                Double3 n = Double3.Cross(edges[i], edges[j]);
                 double length = n.Length;
                 if (!(length > Parallel * edges[i].Length * edges[j].Length)) continue;
                 n *= 1 / length;

@@ -21,7 +21,7 @@ internal static class NormalSeparates
     /// <summary>How the normal of an answer for the pair, of either sign, breaks the promise, or null.</summary>
     public static string? Problem(FuzzPair pair, in DistanceResult r)
     {
-        Vector3D n = r.Normal;
+        Double3 n = r.Normal;
         double length = n.Length;
         if (!(Math.Abs(length - 1) <= Accuracy.UnitLength)) return Say.Line($"the normal's length is {length}");
         double d = r.Distance, size = Math.Abs(d), gap = pair.Gap(n * (1 / length));

@@ -24,9 +24,9 @@ internal static class PointsDifferByTheDistance
     /// <summary>How an answer for the pair, signed or not, breaks the promise, or null.</summary>
     public static string? Problem(FuzzPair pair, in DistanceResult r)
     {
-        Vector3D step = (Vector3D)r.Normal * r.Distance;
+        Double3 step = (Double3)r.Normal * r.Distance;
         double slack = pair.DifferenceSlack + Product * Math.Abs(r.Distance) + pair.Noise;
-        double world = ((Vector3D)r.PointB - r.PointA - step).Length;
+        double world = ((Double3)r.PointB - r.PointA - step).Length;
         if (!(world <= slack + PointsLieOnTheShapes.Rounded(r.PointA) + PointsLieOnTheShapes.Rounded(r.PointB)))
             return Say.Line($"in the world they are {world} off that");
 

@@ -28,7 +28,7 @@ internal static class PointsLieOnTheShapes
     private static string? Problem(FuzzPair pair, PosedShape body, Vector3 local, Vector3 world, string name)
     {
         double slack = pair.WitnessSlack(body) + Accuracy.Rounding * body.LongestSide, rounding = Rounded(local);
-        Vector3D[] directions =
+        Double3[] directions =
         [
             .. Directions.Few,
             .. body.FaceNormals(Math.Max(1, Math.Min(MostFaces, MostWork / Math.Max(1, body.Vertices.Length)))),
@@ -42,5 +42,5 @@ internal static class PointsLieOnTheShapes
     }
 
     /// <summary>What rounding to float does to a point.</summary>
-    public static double Rounded(Vector3 p) => 2 * Accuracy.HalfFloat * ((Vector3D)p).Length + 2 * Accuracy.LeastFloat;
+    public static double Rounded(Vector3 p) => 2 * Accuracy.HalfFloat * ((Double3)p).Length + 2 * Accuracy.LeastFloat;
 }

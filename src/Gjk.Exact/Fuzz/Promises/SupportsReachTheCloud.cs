@@ -22,11 +22,11 @@ internal static class SupportsReachTheCloud
     }
 
     /// <summary>How the support towards a direction breaks the promise, or null.</summary>
-    public static string? Problem(in ConvexShape shape, PosedShape body, in Vector3D d, string name)
+    public static string? Problem(in ConvexShape shape, PosedShape body, in Double3 d, string name)
     {
         if (d == default || !d.IsFinite) return null;
-        int id = shape.Support(d, out Vector3D fromCenter);
-        Vector3D point = shape.Center + fromCenter;
+        int id = shape.Support(d, out Double3 fromCenter);
+        Double3 point = shape.Center + fromCenter;
         string? problem = body.IsCurved
             ? OffTheFormula(body, d, point)
             : OffTheCloud(body, d, point) ?? OfAnotherName(shape, body, id, fromCenter);
@@ -38,7 +38,7 @@ internal static class SupportsReachTheCloud
 
     private static string? Problem(in ConvexShape shape, PosedShape body, ulong seed, string name)
     {
-        foreach (Vector3D d in SupportDirections.Of(body, seed))
+        foreach (Double3 d in SupportDirections.Of(body, seed))
         {
             if (Problem(shape, body, d, name) is { } problem) return problem;
         }
@@ -46,28 +46,28 @@ internal static class SupportsReachTheCloud
         return null;
     }
 
-    private static string? OffTheCloud(PosedShape body, in Vector3D d, in Vector3D point)
+    private static string? OffTheCloud(PosedShape body, in Double3 d, in Double3 point)
     {
-        Vector3D unit = Normal(d);
-        double highest = body.CoreHeight(unit), height = Vector3D.Dot(unit, point - body.Center);
+        Double3 unit = Normal(d);
+        double highest = body.CoreHeight(unit), height = Double3.Dot(unit, point - body.Center);
         return height >= highest - Rounding(body, unit)
             ? null
             : Say.Line($"lower than the highest point by {highest - height}");
     }
 
-    private static string? OffTheFormula(PosedShape body, in Vector3D d, in Vector3D point)
+    private static string? OffTheFormula(PosedShape body, in Double3 d, in Double3 point)
     {
-        Vector3D unit = Normal(d);
-        double off = Vector3D.Dot(unit, point) - body.CoreHeight(unit);
+        Double3 unit = Normal(d);
+        double off = Double3.Dot(unit, point) - body.CoreHeight(unit);
         return Math.Abs(off) <= Rounding(body, unit) ? null : Say.Line($"off the formula's height by {off}");
     }
 
-    private static string? OfAnotherName(in ConvexShape shape, PosedShape body, int id, in Vector3D fromCenter)
+    private static string? OfAnotherName(in ConvexShape shape, PosedShape body, int id, in Double3 fromCenter)
     {
-        if (!shape.TryGetVertex(id, out Vector3D vertex) || vertex != fromCenter)
+        if (!shape.TryGetVertex(id, out Double3 vertex) || vertex != fromCenter)
             return Say.Line($"vertex {id} is ({vertex.X:R}, {vertex.Y:R}, {vertex.Z:R})");
         if (shape.Hull is null) return null;
-        Vector3D named = Vector3D.Multiply((Vector3D)shape.Scale, shape.Hull.GetVertex(id));
+        Double3 named = Double3.Multiply((Double3)shape.Scale, shape.Hull.GetVertex(id));
         double off = (shape.Center + fromCenter - named).Length;
         return named == body.Vertices[shape.Hull.SourceIndex(id)] && off <= 4 * Accuracy.Rounding * body.LongestSide
             ? null
@@ -78,16 +78,16 @@ internal static class SupportsReachTheCloud
     /// What the roundings of two scaled dot products with points of the shape come to, and of the check; products below
     /// the range of doubles are 0.
     /// </summary>
-    private static double Rounding(PosedShape body, in Vector3D unit) =>
+    private static double Rounding(PosedShape body, in Double3 unit) =>
         Underflow * body.LongestSide + 2 * Accuracy.Rounding * (
             Math.Abs(unit.X) * body.Extents.X + Math.Abs(unit.Y) * body.Extents.Y + Math.Abs(unit.Z) * body.Extents.Z);
 
     /// <summary>
     /// Brought near unit length by a power of two, which rounds nothing but what is far below the rest.
     /// </summary>
-    private static Vector3D Normal(in Vector3D d)
+    private static Double3 Normal(in Double3 d)
     {
         int exponent = -Math.ILogB(Math.Max(Math.Abs(d.X), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z))));
-        return new Vector3D(Math.ScaleB(d.X, exponent), Math.ScaleB(d.Y, exponent), Math.ScaleB(d.Z, exponent));
+        return new Double3(Math.ScaleB(d.X, exponent), Math.ScaleB(d.Y, exponent), Math.ScaleB(d.Z, exponent));
     }
 }

@@ -23,5 +23,5 @@ internal static class TheExactAnswer
 
     /// <summary>Whether the shapes part when B moves along the normal by what a flag may be wrong by.</summary>
     private static bool Parts(FuzzPair pair) =>
-        pair.Truth.PartsWith((Vector3D)pair.Answer.Normal * (Accuracy.FlagScale * pair.Scale));
+        pair.Truth.PartsWith((Double3)pair.Answer.Normal * (Accuracy.FlagScale * pair.Scale));
 }

@@ -42,7 +42,7 @@ internal static class WhatPassesGetsNoDeeper
     /// <summary>Where the pair gets deeper than is allowed, or null, by the signed distances on the way.</summary>
     public static string? Deeper(FuzzPair pair, double most, double allowed)
     {
-        Vector3D way = pair.Motion.Relative * most, from = (Vector3D)pair.PoseB.Position;
+        Double3 way = pair.Motion.Relative * most, from = (Double3)pair.PoseB.Position;
         double slack = Accuracy.CurvedRatio * pair.Scale + Slope * way.Length + Accuracy.LeastFloat
             + PoseRounding * (pair.BodyA.Position.Length + from.Length + way.Length);
         for (int i = 1; i <= Looks; i++)

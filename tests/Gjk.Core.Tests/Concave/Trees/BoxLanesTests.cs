@@ -63,7 +63,7 @@ public unsafe class BoxLanesTests
             double far = random.Magnitude(0.1, 100);
             RigidPose poseA = ConcaveShapes.Pose(random, far), poseB = ConcaveShapes.Pose(random, far);
             TreeFrame.Compose(a.Tree, poseA, b.Tree, poseB, 0, out TreeFrame frame);
-            Vector3D way = random.Direction();
+            Double3 way = random.Direction();
             var inA = (Vector3)frame.RotationA.InverseRotate(way);
             fixed (float* boxesA = a.Tree.Boxes, boxesB = b.Tree.Boxes)
             {
@@ -84,7 +84,7 @@ public unsafe class BoxLanesTests
     }
 
     private static void AssertBounds(
-        TriangleMesh a, in RigidPose poseA, int leaf, TriangleMesh b, in RigidPose poseB, in Vector3D way, double unit,
+        TriangleMesh a, in RigidPose poseA, int leaf, TriangleMesh b, in RigidPose poseB, in Double3 way, double unit,
         float bound, float entry)
     {
         int first = PartTree.FirstOf(leaf), end = first + PartTree.CountOf(leaf);
@@ -123,18 +123,18 @@ public unsafe class BoxLanesTests
         int at = lane / 8 * PartTree.Stride + lane % 8;
         for (int i = PartTree.FirstOf(child); i < PartTree.FirstOf(child) + PartTree.CountOf(child); i++)
         {
-            mesh.GetCorners(tree.Order[i], out Vector3D a, out Vector3D b, out Vector3D c);
-            foreach (Vector3D corner in (Vector3D[])[a, b, c])
+            mesh.GetCorners(tree.Order[i], out Double3 a, out Double3 b, out Double3 c);
+            foreach (Double3 corner in (Double3[])[a, b, c])
             {
-                Vector3D p = (corner - tree.Origin) * (1 / tree.Unit) - At(tree, at);
+                Double3 p = (corner - tree.Origin) * (1 / tree.Unit) - At(tree, at);
                 for (int axis = 0; axis < 3; axis++)
                 {
-                    double along = Math.Abs(Vector3D.Dot(p, At(tree, at + PartTree.Axes + 24 * axis)));
+                    double along = Math.Abs(Double3.Dot(p, At(tree, at + PartTree.Axes + 24 * axis)));
                     Assert.True(along <= tree.Boxes[at + PartTree.Halves + 8 * axis], $"lane {lane}, axis {axis}");
                 }
             }
         }
     }
 
-    private static Vector3D At(PartTree tree, int at) => new(tree.Boxes[at], tree.Boxes[at + 8], tree.Boxes[at + 16]);
+    private static Double3 At(PartTree tree, int at) => new(tree.Boxes[at], tree.Boxes[at + 8], tree.Boxes[at + 16]);
 }

@@ -83,10 +83,10 @@ public class HullLookupTests
         int count = Budget.Count(directions);
         for (int i = 0; i < count; i++)
         {
-            Vector3D d = next.Next();
-            int id = HullSupport.Find(hull.Cells, d, out Vector3D point), expected = HullSupport.Scan(hull.Cells, d);
+            Double3 d = next.Next();
+            int id = HullSupport.Find(hull.Cells, d, out Double3 point), expected = HullSupport.Scan(hull.Cells, d);
             if (id != expected) Assert.Fail($"{label}, direction {i} {d}: vertex {id}, the scan finds {expected}");
-            hull.GetVertex(id, out Vector3D vertex);
+            hull.GetVertex(id, out Double3 vertex);
             if (point != vertex) Assert.Fail($"{label}, direction {i} {d}: {point} is not vertex {id}, {vertex}");
             if (i % CloudEvery == 0) CheckHeight(hull, cloud, d, point, $"{label}, direction {i} {d}");
         }
@@ -95,19 +95,19 @@ public class HullLookupTests
     }
 
     private static void CheckHeight(
-        ConvexHull hull, Vector3[] cloud, in Vector3D direction, in Vector3D point, string label)
+        ConvexHull hull, Vector3[] cloud, in Double3 direction, in Double3 point, string label)
     {
         // Measured where doubles are normal, in the components that matter.
         Vector3 extents = hull.Bounds.Max - hull.Bounds.Min;
         double x = extents.X > 0 ? Math.Abs(direction.X) : 0, y = extents.Y > 0 ? Math.Abs(direction.Y) : 0;
         double largest = Math.Max(Math.Max(x, y), extents.Z > 0 ? Math.Abs(direction.Z) : 0);
         if (!(largest is > 1e-250 and < 1e250)) return;
-        Vector3D d = direction * (1 / largest), origin = hull.Vertices.Origin;
-        double height = Vector3D.Dot(point - origin, d), most = double.NegativeInfinity, size = 0;
+        Double3 d = direction * (1 / largest), origin = hull.Vertices.Origin;
+        double height = Double3.Dot(point - origin, d), most = double.NegativeInfinity, size = 0;
         foreach (Vector3 p in cloud)
         {
-            Vector3D q = (Vector3D)p - origin;
-            most = Math.Max(most, Vector3D.Dot(q, d));
+            Double3 q = (Double3)p - origin;
+            most = Math.Max(most, Double3.Dot(q, d));
             size = Math.Max(size, Math.Abs(q.X * d.X) + Math.Abs(q.Y * d.Y) + Math.Abs(q.Z * d.Z));
         }
 

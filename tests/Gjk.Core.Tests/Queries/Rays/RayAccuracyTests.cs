@@ -108,7 +108,7 @@ public class RayAccuracyTests
         if (r.Status != CastStatus.Hit) return r.Status;
         Assert.True(r.Iterations == 0, text);
         Assert.True(Math.Abs(r.Distance - t.Distance) <= 1e-7 * Math.Max(shape.Scale, t.Distance), text);
-        if (t.IsNormalUnique) Assert.True(((Vector3D)r.Normal - t.Normal).Length <= 1e-6, text);
+        if (t.IsNormalUnique) Assert.True(((Double3)r.Normal - t.Normal).Length <= 1e-6, text);
         return r.Status;
     }
 
@@ -126,8 +126,8 @@ public class RayAccuracyTests
     {
         Vector3 direction = rng.Direction();
         Vector3 local = (Vector3)CoreMiddle(shape) + Inside(rng, shape);
-        Vector3D aim = new RotationD(pose.Rotation).Rotate(local) + pose.Position;
-        return ((Vector3)(aim - (Vector3D)direction * (distance * shape.Scale)), direction * rng.LogFloat(1e-3, 1e3));
+        Double3 aim = new RotationD(pose.Rotation).Rotate(local) + pose.Position;
+        return ((Vector3)(aim - (Double3)direction * (distance * shape.Scale)), direction * rng.LogFloat(1e-3, 1e3));
     }
 
     /// <summary>Along an axis, which the origin's float coordinates can hold from anywhere.</summary>
@@ -143,12 +143,12 @@ public class RayAccuracyTests
     private static (Vector3 Origin, Vector3 Direction) Grazing(Rng rng, RayShape shape, RigidPose pose)
     {
         var body = new RotationD(pose.Rotation);
-        Vector3D n = rng.Direction(), other = rng.Direction();
+        Double3 n = rng.Direction(), other = rng.Direction();
         n *= 1 / n.Length;
-        Vector3D along = Vector3D.Cross(n, other);
+        Double3 along = Double3.Cross(n, other);
         along *= 1 / along.Length;
-        shape.Shape.Support(body.InverseRotate(n), out Vector3D local);
-        Vector3D top = body.Rotate(local + shape.Shape.Center) + pose.Position + n * shape.Shape.Margin;
+        shape.Shape.Support(body.InverseRotate(n), out Double3 local);
+        Double3 top = body.Rotate(local + shape.Shape.Center) + pose.Position + n * shape.Shape.Margin;
         double depth = rng.LogFloat(1e-8, 1e-3) * shape.Scale * (rng.Below(3) == 0 ? 1 : -1);
         double away = rng.Range(0.1, 2) * shape.Scale;
         return ((Vector3)(top + n * depth - along * away), (Vector3)along * rng.LogFloat(1e-3, 1e3));
@@ -161,7 +161,7 @@ public class RayAccuracyTests
             rng.Below(2) == 0 ? factors.X : -factors.X, factors.Y, rng.Below(2) == 0 ? factors.Z : -factors.Z);
     }
 
-    private static Vector3D CoreMiddle(RayShape shape) => shape.Shape.Center;
+    private static Double3 CoreMiddle(RayShape shape) => shape.Shape.Center;
 
     /// <summary>
     /// From the middle of the shape's box, in it or a little beside it; nearer where corners are cut.

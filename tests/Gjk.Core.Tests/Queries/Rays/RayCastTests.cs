@@ -104,7 +104,7 @@ public class RayCastTests
         {
             RayCastResult r = ConvexQuery.RayCast(shape, Here, origin, down);
             Assert.True(r.Status == CastStatus.Hit && Math.Abs(r.Distance - 3) < 1e-6, $"{shape}: {r}");
-            Assert.True(((Vector3D)r.Normal - Vector3.UnitY).Length < 1e-5, $"{shape}: {r}");
+            Assert.True(((Double3)r.Normal - Vector3.UnitY).Length < 1e-5, $"{shape}: {r}");
         }
 
         RayCastResult point = ConvexQuery.RayCast(new PointShape(), Here, new(0, 2, 0), new(0, -4, 0));
@@ -183,7 +183,7 @@ public class RayCastTests
             if (r.Status != CastStatus.Hit) continue;
             hits++;
             Assert.True(Math.Abs(r.Distance - cast.Distance) <= 2e-7 * Math.Max(shape.LongestSide, r.Distance), text);
-            Assert.True(((Vector3D)r.Point - cast.Point).Length <= 1e-6 * (shape.LongestSide + origin.Length()), text);
+            Assert.True(((Double3)r.Point - cast.Point).Length <= 1e-6 * (shape.LongestSide + origin.Length()), text);
         }
 
         Assert.True(hits > 0.05 * count || kind is "point" or "segment" or "needle", $"{hits} hits");

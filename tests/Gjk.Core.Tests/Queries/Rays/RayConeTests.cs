@@ -29,11 +29,11 @@ public class RayConeTests
             Vector3 direction = rng.Below(2) == 0 ? new Vector3(out0, down, 0) : new Vector3(0, down, out0);
             RayCastResult r = ConvexQuery.RayCast(
                 ConvexShape.Cone(radius, halfHeight), RigidPose.Identity, origin, direction);
-            Vector3D unit = (Vector3D)direction * (1.0 / direction.Length());
+            Double3 unit = (Double3)direction * (1.0 / direction.Length());
             double first = double.PositiveInfinity, closest = double.PositiveInfinity;
             for (double t = 0; t < 24 && first > t; t += step)
             {
-                Vector3D p = origin + unit * t;
+                Double3 p = origin + unit * t;
                 double side = Math.Sqrt(p.X * p.X + p.Z * p.Z) - k * (halfHeight - p.Y);
                 double outside = Math.Max(side, Math.Abs(p.Y) - halfHeight);
                 closest = Math.Min(closest, outside);
@@ -45,7 +45,7 @@ public class RayConeTests
             if (first == 0 && r.Status != CastStatus.OverlappingAtStart)
             {
                 // From the surface it goes in or misses.
-                Vector3D ahead = origin + unit * (step / 64);
+                Double3 ahead = origin + unit * (step / 64);
                 double round = Math.Sqrt(ahead.X * ahead.X + ahead.Z * ahead.Z) - k * (halfHeight - ahead.Y);
                 double inside = -Math.Max(round, Math.Abs(ahead.Y) - halfHeight);
                 Assert.True(closest > -1e-12 && r.IsHit == inside > 1e-9, what);

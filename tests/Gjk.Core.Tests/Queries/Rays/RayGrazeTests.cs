@@ -44,16 +44,16 @@ public class RayGrazeTests
             var rng = new Rng((ulong)i);
             RayShape shape = RayShapes.Make(rng, kind, Vector3.One);
             RigidPose pose = new(rng.Below(2) == 0 ? Quarter : rng.Rotation(), rng.Vector(-1, 1));
-            shape.Shape.Support(new Vector3D(0, -1, 0), out Vector3D end);
+            shape.Shape.Support(new Double3(0, -1, 0), out Double3 end);
             double angle = rng.Range(0, 2 * Math.PI), tilt = rng.Below(3) == 0 ? 0 : rng.LogFloat(1e-8, 1e-4);
-            Vector3D along = new(Math.Cos(angle), tilt, Math.Sin(angle));
+            Double3 along = new(Math.Cos(angle), tilt, Math.Sin(angle));
             double height = end.Y - tilt * rng.Range(-0.5, 0.3) + rng.Range(-1e-6, 1e-6);
-            Vector3D aim = new Vector3D(0, height, 0) - along * rng.LogFloat(3, 300);
+            Double3 aim = new Double3(0, height, 0) - along * rng.LogFloat(3, 300);
             Vector3 origin = pose.TransformPoint((Vector3)aim);
             var turn = new RotationD(pose.Rotation);
             Vector3 direction = Clean((Vector3)turn.Rotate(along));
             double slope = Math.Abs(turn.InverseRotate(direction).Y);
-            double beside = turn.InverseRotate((Vector3D)origin - pose.Position).Y - end.Y;
+            double beside = turn.InverseRotate((Double3)origin - pose.Position).Y - end.Y;
             if (slope < 1e-15 ? Math.Abs(beside) < 1e-12 : slope < 1e-8) continue;
             hits += CheckExact($"seed {i}", shape, pose, origin, direction) ? 1 : 0;
         }
@@ -146,7 +146,7 @@ public class RayGrazeTests
         Assert.True(r.Status == t.Status, text);
         if (r.Status != CastStatus.Hit) return false;
         Assert.True(Math.Abs(r.Distance - t.Distance) <= 1e-7 * Math.Max(shape.Scale, t.Distance), text);
-        if (t.IsNormalUnique) Assert.True(((Vector3D)r.Normal - t.Normal).Length <= 1e-6, text);
+        if (t.IsNormalUnique) Assert.True(((Double3)r.Normal - t.Normal).Length <= 1e-6, text);
         return true;
     }
 }

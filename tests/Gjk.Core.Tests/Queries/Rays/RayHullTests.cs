@@ -20,7 +20,7 @@ public class RayHullTests
             double tolerance = 1e-14 * hull.BoundingRadius;
             for (int v = 0; v < hull.VertexCount; v++)
             {
-                Vector3D corner = (Vector3D)hull.GetVertex(v) - hull.Center;
+                Double3 corner = (Double3)hull.GetVertex(v) - hull.Center;
                 double highest = Enumerable.Range(0, planes.Blocks.Length / 4).Max(k => Height(planes, k, corner));
                 Assert.True(Math.Abs(highest) <= tolerance, $"seed {i}, corner {v}: {highest:R} above");
             }
@@ -53,7 +53,7 @@ public class RayHullTests
         Assert.Equal(hasPlanes, plate.Planes is not null);
     }
 
-    private static double Height(HullPlanes planes, int plane, in Vector3D corner)
+    private static double Height(HullPlanes planes, int plane, in Double3 corner)
     {
         double[] b = planes.Blocks;
         int at = plane / 4 * HullPlanes.BlockDoubles + plane % 4;

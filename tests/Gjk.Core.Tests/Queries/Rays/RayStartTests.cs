@@ -70,7 +70,7 @@ public class RayStartTests
             TrueHit found = shape.Cast(pose, aim - direction * 8, direction, double.PositiveInfinity);
             if (found.Status != CastStatus.Hit) continue;
             double way = found.Distance - rng.LogFloat(1e-10, 1e-3);
-            Vector3D unit = (Vector3D)direction * (1 / ((Vector3D)direction).Length);
+            Double3 unit = (Double3)direction * (1 / ((Double3)direction).Length);
             var origin = (Vector3)(unit * way + (aim - direction * 8));
             TrueHit truth = shape.Cast(pose, origin, direction, double.PositiveInfinity);
             RayCastResult r = ConvexQuery.RayCast(shape.Shape, pose, origin, direction);
@@ -85,7 +85,7 @@ public class RayStartTests
                 hits++;
                 Assert.True(r.Status == CastStatus.Hit, text);
                 Assert.True(Math.Abs(r.Distance - truth.Distance) <= 1e-7 * shape.Scale, text);
-                if (truth.IsNormalUnique) Assert.True(((Vector3D)r.Normal - truth.Normal).Length <= 1e-6, text);
+                if (truth.IsNormalUnique) Assert.True(((Double3)r.Normal - truth.Normal).Length <= 1e-6, text);
             }
         }
 

@@ -51,8 +51,8 @@ public class RayThinTests
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
             double angle = rng.Range(0, 2 * Math.PI);
             var turn = new RotationD(pose.Rotation);
-            Vector3D along = turn.Rotate(new Vector3D(Math.Cos(angle), 0, Math.Sin(angle)));
-            Vector3D aim = turn.Rotate(new Vector3D(0, rng.Range(-0.3, 0.3) * thin, 0)) + pose.Position;
+            Double3 along = turn.Rotate(new Double3(Math.Cos(angle), 0, Math.Sin(angle)));
+            Double3 aim = turn.Rotate(new Double3(0, rng.Range(-0.3, 0.3) * thin, 0)) + pose.Position;
             Vector3 direction = (Vector3)along, origin = (Vector3)(aim - along * rng.Range(100, 200));
             TrueHit truth = shape.Cast(pose, origin, direction, double.PositiveInfinity);
             if (truth.Status != CastStatus.Hit || truth.Exit - truth.Distance < 0.1) continue;
@@ -71,8 +71,8 @@ public class RayThinTests
             var rng = new Rng((ulong)i);
             RayShape shape = make(rng, sizes[i % sizes.Length]);
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
-            shape.Shape.Support(rng.Direction(), out Vector3D far);
-            Vector3D aim = shape.Shape.Center + far * rng.Range(-0.9, 0.9);
+            shape.Shape.Support(rng.Direction(), out Double3 far);
+            Double3 aim = shape.Shape.Center + far * rng.Range(-0.9, 0.9);
             Vector3 at = pose.TransformPoint((Vector3)aim) + rng.Direction() * rng.Float(0, 0.8);
             Vector3 direction = rng.Direction(), origin = at - direction * rng.LogFloat(1, 1e4);
             TrueHit truth = shape.Cast(pose, origin, direction, double.PositiveInfinity);
@@ -103,6 +103,6 @@ public class RayThinTests
         Assert.True(r.Status == truth.Status, text);
         if (truth.Status != CastStatus.Hit) return;
         Assert.True(Math.Abs(r.Distance - truth.Distance) <= 1e-7 * Math.Max(shape.Scale, truth.Distance), text);
-        if (truth.IsNormalUnique) Assert.True(((Vector3D)r.Normal - truth.Normal).Length <= 1e-6, text);
+        if (truth.IsNormalUnique) Assert.True(((Double3)r.Normal - truth.Normal).Length <= 1e-6, text);
     }
 }

@@ -59,12 +59,12 @@ internal readonly record struct FixedVector(Fixed X, Fixed Y, Fixed Z)
 {
     public Fixed Length => Fixed.Sqrt(Dot(this, this));
 
-    public static implicit operator FixedVector(in Vector3D v) => new(v.X, v.Y, v.Z);
+    public static implicit operator FixedVector(in Double3 v) => new(v.X, v.Y, v.Z);
 
     public static implicit operator FixedVector(Vector3 v) => new(v.X, v.Y, v.Z);
 
     /// <summary>The unit vector of it, rounded to double.</summary>
-    public Vector3D Unit
+    public Double3 Unit
     {
         get
         {

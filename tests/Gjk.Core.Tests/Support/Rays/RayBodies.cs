@@ -46,11 +46,11 @@ internal abstract class RayBodyReference
 }
 
 /// <summary>Balls and what is between them.</summary>
-internal sealed class CapsuleReference(Vector3D a, Vector3D b, double radius) : RayBodyReference
+internal sealed class CapsuleReference(Double3 a, Double3 b, double radius) : RayBodyReference
 {
     public override IEnumerable<Crossing> Crossings(FixedVector o, FixedVector d)
     {
-        FixedVector one = new Vector3D(1, 1, 1), from = a, axis = (FixedVector)b - from;
+        FixedVector one = new Double3(1, 1, 1), from = a, axis = (FixedVector)b - from;
         Fixed r2 = (Fixed)radius * radius, length2 = FixedVector.Dot(axis, axis);
         IEnumerable<Crossing> all = Quadric(o - from, d, one, r2).Concat(Quadric(o - b, d, one, r2));
         if (length2.Sign == 0) return all;
@@ -68,11 +68,11 @@ internal sealed class CapsuleReference(Vector3D a, Vector3D b, double radius) : 
     }
 }
 
-internal sealed class EllipsoidReference(Vector3D radii) : RayBodyReference
+internal sealed class EllipsoidReference(Double3 radii) : RayBodyReference
 {
     public override IEnumerable<Crossing> Crossings(FixedVector o, FixedVector d)
     {
-        FixedVector r = radii, one = new Vector3D(1, 1, 1);
+        FixedVector r = radii, one = new Double3(1, 1, 1);
         foreach (Crossing c in Quadric(FixedVector.Divide(o, r), FixedVector.Divide(d, r), one, 1.0))
             yield return c with { Normal = FixedVector.Divide(c.Normal, r) };
     }
@@ -83,7 +83,7 @@ internal sealed class CylinderReference(double radius, double half) : RayBodyRef
     public override IEnumerable<Crossing> Crossings(FixedVector o, FixedVector d)
     {
         Fixed r2 = (Fixed)radius * radius;
-        return Quadric(o, d, new Vector3D(1, 0, 1), r2).Where(c => Fixed.Abs((o + d * c.T).Y) <= half)
+        return Quadric(o, d, new Double3(1, 0, 1), r2).Where(c => Fixed.Abs((o + d * c.T).Y) <= half)
             .Concat(Level(o, d, half, 1.0).Concat(Level(o, d, -half, -1.0)).Where(c => IsOver(o + d * c.T)));
         bool IsOver(FixedVector p) => p.X * p.X + p.Z * p.Z <= r2;
     }
@@ -106,7 +106,7 @@ internal sealed class PolytopeReference : RayBodyReference
 {
     private readonly List<(FixedVector Normal, Fixed Offset)> _planes = [];
 
-    public PolytopeReference(Vector3D[] corners)
+    public PolytopeReference(Double3[] corners)
     {
         FixedVector[] p = [.. corners.Select(v => (FixedVector)v)];
         for (int i = 0; i < p.Length; i++)

@@ -7,7 +7,7 @@ namespace Gjk.Core.Tests.Support.Rays;
 
 /// <summary>What a ray truly meets.</summary>
 internal readonly record struct TrueHit(
-    CastStatus Status, double Distance, double Exit, Vector3D Normal, bool IsNormalUnique);
+    CastStatus Status, double Distance, double Exit, Double3 Normal, bool IsNormalUnique);
 
 /// <summary>A shape with the body that it is, and the scale that makes it of the body.</summary>
 internal sealed record RayShape(
@@ -30,15 +30,15 @@ internal sealed record RayShape(
         CastStatus status = crossings[^1].T.Sign < 0 ? CastStatus.Miss
             : crossings[0].T.Sign <= 0 ? CastStatus.OverlappingAtStart
             : enter <= reach ? CastStatus.Hit : CastStatus.Miss;
-        Vector3D normal = Normal(pose, crossings[0]);
+        Double3 normal = Normal(pose, crossings[0]);
         bool isUnique = crossings.TakeWhile(c => (double)(c.T - crossings[0].T) <= NearEdge * Scale)
             .All(c => (Normal(pose, c) - normal).Length <= 1e-8);
         return new(status, enter, exit, normal, isUnique);
     }
 
-    private Vector3D Normal(in RigidPose pose, Crossing crossing)
+    private Double3 Normal(in RigidPose pose, Crossing crossing)
     {
-        Vector3D local = FixedVector.Divide(crossing.Normal, Factors).Unit;
+        Double3 local = FixedVector.Divide(crossing.Normal, Factors).Unit;
         return new RotationD(pose.Rotation).Rotate(local);
     }
 
@@ -110,7 +110,7 @@ internal static class RayShapes
         new(text, shape, body, Vector3.One, scale);
 
     private static PolytopeReference Polytope(IEnumerable<Vector3> corners) =>
-        new([.. corners.Select(c => (Vector3D)c)]);
+        new([.. corners.Select(c => (Double3)c)]);
 
     private static float Largest(Vector3 v) => Math.Max(Math.Max(Math.Abs(v.X), Math.Abs(v.Y)), Math.Abs(v.Z));
 }

@@ -6,7 +6,7 @@ namespace Gjk.Unity
     internal struct LocalShape
     {
         public ConvexShape Shape;
-        public Vector3D Offset;
+        public Double3 Offset;
         public Turn Turn;
     }
 }

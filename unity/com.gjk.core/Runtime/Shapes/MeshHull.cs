@@ -87,8 +87,8 @@ namespace Gjk.Unity
             double deepest = 0;
             for (int i = 0; i + 2 < triangles.Length; i += 3)
             {
-                Vector3D a = At(vertices[triangles[i]]), b = At(vertices[triangles[i + 1]]);
-                Vector3D normal = Vector3D.Cross(b - a, At(vertices[triangles[i + 2]]) - a);
+                Double3 a = At(vertices[triangles[i]]), b = At(vertices[triangles[i + 1]]);
+                Double3 normal = Double3.Cross(b - a, At(vertices[triangles[i + 2]]) - a);
                 double length = normal.Length;
                 if (!(length > 0)) continue;
                 normal *= 1 / length;
@@ -103,12 +103,12 @@ namespace Gjk.Unity
         }
 
         /// <summary>How far the hull reaches beyond a plane through a point.</summary>
-        private static double Beyond(in ConvexMesh hull, in Vector3D normal, in Vector3D point)
+        private static double Beyond(in ConvexMesh hull, in Double3 normal, in Double3 point)
         {
-            hull.Support(normal, out Vector3D furthest);
-            return Vector3D.Dot(normal, furthest + hull.Center - point);
+            hull.Support(normal, out Double3 furthest);
+            return Double3.Dot(normal, furthest + hull.Center - point);
         }
 
-        private static Vector3D At(Vector3 v) => new Vector3D(v.x, v.y, v.z);
+        private static Double3 At(Vector3 v) => new Double3(v.x, v.y, v.z);
     }
 }

@@ -96,7 +96,7 @@ namespace Gjk.Unity
 
         private static string Place(Component source, Vector3 center, in Stretch stretch, ref LocalShape local)
         {
-            local.Offset = stretch.Apply(new Vector3D(center.x, center.y, center.z));
+            local.Offset = stretch.Apply(new Double3(center.x, center.y, center.z));
             return local.Offset.IsFinite ? null : NotFinite(source);
         }
 

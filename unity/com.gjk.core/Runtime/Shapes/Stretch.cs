@@ -17,11 +17,11 @@ namespace Gjk.Unity
         private const double SkewTolerance = 5e-8;
 
         public static readonly Stretch None =
-            new Stretch(new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1));
+            new Stretch(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1));
 
-        private readonly Vector3D _x, _y, _z;
+        private readonly Double3 _x, _y, _z;
 
-        private Stretch(in Vector3D x, in Vector3D y, in Vector3D z)
+        private Stretch(in Double3 x, in Double3 y, in Double3 z)
         {
             _x = x;
             _y = y;
@@ -29,7 +29,7 @@ namespace Gjk.Unity
         }
 
         /// <summary>What the engine calls lossyScale: the diagonal.</summary>
-        public Vector3D Scale => new Vector3D(_x.X, _y.Y, _z.Z);
+        public Double3 Scale => new Double3(_x.X, _y.Y, _z.Z);
 
         /// <summary>The absolute scale along an axis: 0 x, 1 y, 2 z.</summary>
         public double Along(int axis) => Math.Abs(axis == 0 ? _x.X : axis == 1 ? _y.Y : _z.Z);
@@ -50,12 +50,12 @@ namespace Gjk.Unity
             _x.Y == 0 && _x.Z == 0 && _y.X == 0 && _y.Z == 0 && _z.X == 0 && _z.Y == 0
             && Math.Abs(_x.X) == Math.Abs(_y.Y) && Math.Abs(_x.X) == Math.Abs(_z.Z);
 
-        public Vector3D Apply(in Vector3D v) => _x * v.X + _y * v.Y + _z * v.Z;
+        public Double3 Apply(in Double3 v) => _x * v.X + _y * v.Y + _z * v.Z;
 
         /// <summary>
         /// That of a child: inverse(seen) * this * turn * scale, where seen is the child's turn as this mirrors it.
         /// </summary>
-        public Stretch Child(in Turn seen, in Turn turn, in Vector3D scale)
+        public Stretch Child(in Turn seen, in Turn turn, in Double3 scale)
         {
             // Of an even stretch a rotation and the mirrored one cancel; without them the result has no rounding.
             if (IsEven) return new Stretch(_x * scale.X, _y * scale.Y, _z * scale.Z);
@@ -64,7 +64,7 @@ namespace Gjk.Unity
                 seen.RotateBack(Apply(turn.Z)) * scale.Z);
         }
 
-        public Numerics.Vector3 Apply(Numerics.Vector3 v) => (Numerics.Vector3)Apply((Vector3D)v);
+        public Numerics.Vector3 Apply(Numerics.Vector3 v) => (Numerics.Vector3)Apply((Double3)v);
 
         public bool Equals(Stretch other) => _x == other._x && _y == other._y && _z == other._z;
 
@@ -73,7 +73,7 @@ namespace Gjk.Unity
         public override int GetHashCode() =>
             (_x.GetHashCode() * 397 ^ _y.GetHashCode()) * 397 ^ _z.GetHashCode();
 
-        private static double Largest(in Vector3D v) =>
+        private static double Largest(in Double3 v) =>
             Math.Max(Math.Abs(v.X), Math.Max(Math.Abs(v.Y), Math.Abs(v.Z)));
     }
 }

@@ -20,13 +20,13 @@ namespace Gjk.Unity
         public Turn Turn;
 
         /// <summary>The position of the rigid pose.</summary>
-        public Vector3D Position;
+        public Double3 Position;
 
         /// <summary>The rest of the matrix, applied before the pose.</summary>
         public Stretch Stretch;
 
         /// <summary>The signs of all scales so far, multiplied: 1 or -1 each.</summary>
-        private Vector3D _signs;
+        private Double3 _signs;
 
         /// <summary>The frame of a transform in the world.</summary>
         public static void Of(Transform transform, out TransformFrame frame)
@@ -37,7 +37,7 @@ namespace Gjk.Unity
                 frame.Turn = Turn.None;
                 frame.Position = default;
                 frame.Stretch = Stretch.None;
-                frame._signs = new Vector3D(1, 1, 1);
+                frame._signs = new Double3(1, 1, 1);
             }
             else
             {
@@ -48,7 +48,7 @@ namespace Gjk.Unity
         }
 
         /// <summary>The world pose of something placed in the rigid frame; false where it is not finite.</summary>
-        public readonly bool TryPose(in Vector3D offset, in Turn turn, out RigidPose pose)
+        public readonly bool TryPose(in Double3 offset, in Turn turn, out RigidPose pose)
         {
             var position = (Numerics.Vector3)(Position + Turn.Rotate(offset));
             Numerics.Quaternion rotation = Turn.Times(turn).Rounded;
@@ -63,11 +63,11 @@ namespace Gjk.Unity
         {
             var turn = new Turn(rotation);
             Turn seen = turn.Mirrored(_signs);
-            var factors = new Vector3D(scale.x, scale.y, scale.z);
-            Position += Turn.Rotate(Stretch.Apply(new Vector3D(position.x, position.y, position.z)));
+            var factors = new Double3(scale.x, scale.y, scale.z);
+            Position += Turn.Rotate(Stretch.Apply(new Double3(position.x, position.y, position.z)));
             Stretch = Stretch.Child(seen, turn, factors);
             Turn = Turn.Times(seen);
-            _signs = Vector3D.Multiply(_signs, new Vector3D(Sign(scale.x), Sign(scale.y), Sign(scale.z)));
+            _signs = Double3.Multiply(_signs, new Double3(Sign(scale.x), Sign(scale.y), Sign(scale.z)));
         }
 
         private static double Sign(float scale) => scale < 0 ? -1 : 1;

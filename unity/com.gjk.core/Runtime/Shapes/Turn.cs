@@ -10,7 +10,7 @@ namespace Gjk.Unity
         public static readonly Turn None = new Turn(0, 0, 0, 1);
 
         /// <summary>The columns of the matrix: where the axes go.</summary>
-        public readonly Vector3D X, Y, Z;
+        public readonly Double3 X, Y, Z;
 
         private readonly double _x, _y, _z, _w;
 
@@ -25,9 +25,9 @@ namespace Gjk.Unity
             _z = z;
             _w = w;
             double xx = x * x, yy = y * y, zz = z * z, ww = w * w, inverse = 1 / (xx + yy + zz + ww);
-            X = new Vector3D(ww + xx - yy - zz, 2 * (x * y + w * z), 2 * (x * z - w * y)) * inverse;
-            Y = new Vector3D(2 * (x * y - w * z), ww + yy - xx - zz, 2 * (y * z + w * x)) * inverse;
-            Z = new Vector3D(2 * (x * z + w * y), 2 * (y * z - w * x), ww + zz - xx - yy) * inverse;
+            X = new Double3(ww + xx - yy - zz, 2 * (x * y + w * z), 2 * (x * z - w * y)) * inverse;
+            Y = new Double3(2 * (x * y - w * z), ww + yy - xx - zz, 2 * (y * z + w * x)) * inverse;
+            Z = new Double3(2 * (x * z + w * y), 2 * (y * z - w * x), ww + zz - xx - yy) * inverse;
         }
 
         public Turn(Quaternion q)
@@ -54,12 +54,12 @@ namespace Gjk.Unity
                 _w * b._w - _x * b._x - _y * b._y - _z * b._z);
 
         /// <summary>S R S for a diagonal S of signs: the same turn, seen in mirrors.</summary>
-        public Turn Mirrored(in Vector3D signs) =>
+        public Turn Mirrored(in Double3 signs) =>
             new Turn(signs.Y * signs.Z * _x, signs.X * signs.Z * _y, signs.X * signs.Y * _z, _w);
 
-        public Vector3D Rotate(in Vector3D v) => X * v.X + Y * v.Y + Z * v.Z;
+        public Double3 Rotate(in Double3 v) => X * v.X + Y * v.Y + Z * v.Z;
 
-        public Vector3D RotateBack(in Vector3D v) =>
-            new Vector3D(Vector3D.Dot(X, v), Vector3D.Dot(Y, v), Vector3D.Dot(Z, v));
+        public Double3 RotateBack(in Double3 v) =>
+            new Double3(Double3.Dot(X, v), Double3.Dot(Y, v), Double3.Dot(Z, v));
     }
 }

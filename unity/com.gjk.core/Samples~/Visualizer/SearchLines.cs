@@ -38,10 +38,10 @@ namespace Gjk.Samples
                 }
             }
 
-            private void Line(in Vector3D from, in Vector3D to, Color color) =>
+            private void Line(in Double3 from, in Double3 to, Color color) =>
                 Debug.DrawLine(World(from), World(to), color);
 
-            private Vector3 World(in Vector3D v) => _pose.TransformPoint((System.Numerics.Vector3)v).ToUnity();
+            private Vector3 World(in Double3 v) => _pose.TransformPoint((System.Numerics.Vector3)v).ToUnity();
         }
     }
 }

@@ -11,12 +11,12 @@ namespace Gjk.Core;
 /// <remarks>
 /// Immutable. For those who use a broad phase alone; a <see cref="CollisionScene"/> does it by itself.
 /// </remarks>
-public readonly struct WorldBounds
+public readonly struct ShapeBounds
 {
     /// <summary>
     /// Ratio to the coordinates, outward: four times float's rounding, 2^-24. One covers the bound's own rounding, one
     /// that of a margin added to it in a broad phase, and the rest what shapes may be apart and still touch. Pinned by
-    /// WorldBoundsTests.
+    /// ShapeBoundsTests.
     /// </summary>
     private const double FloatSlack = 4.0 / (1 << 24);
 
@@ -28,25 +28,25 @@ public readonly struct WorldBounds
 
     /// <summary>
     /// Ratio to the ball's radius, outward: five times how far apart curved shapes still touch. Pinned by
-    /// WorldBoundsTests.
+    /// ShapeBoundsTests.
     /// </summary>
     private const double TouchSlack = 5 * GjkTolerances.TouchCurved;
 
-    private readonly Vector3D _center;
-    private readonly Vector3D _half;
+    private readonly Double3 _center;
+    private readonly Double3 _half;
     private readonly double _margin;
     private readonly double _radius;
     private readonly double _offset;
 
     /// <summary>Measures a shape; do it once per shape.</summary>
     /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
-    public WorldBounds(in ConvexShape shape)
+    public ShapeBounds(in ConvexShape shape)
     {
         if (shape.Kind == ShapeKind.None)
             throw new ArgumentException("A default ConvexShape has no extent.", nameof(shape));
         ConvexShape copy = shape;
-        CoreExtent.Box(ref copy, out Vector3D low, out Vector3D high);
-        Vector3D middle = (low + high) * 0.5;
+        CoreExtent.Box(ref copy, out Double3 low, out Double3 high);
+        Double3 middle = (low + high) * 0.5;
         _center = shape.Center + middle;
         _half = (high - low) * 0.5;
         _margin = shape.Margin;
@@ -64,35 +64,35 @@ public readonly struct WorldBounds
     public Aabb BoxAt(in RigidPose pose)
     {
         var rotation = new RotationD(pose.Rotation);
-        Vector3D center = (_offset > 0 ? rotation.Rotate(_center) : default) + pose.Position;
+        Double3 center = (_offset > 0 ? rotation.Rotate(_center) : default) + pose.Position;
         double x = Math.Abs(rotation.M00) * _half.X + Math.Abs(rotation.M01) * _half.Y
             + Math.Abs(rotation.M02) * _half.Z + _margin;
         double y = Math.Abs(rotation.M10) * _half.X + Math.Abs(rotation.M11) * _half.Y
             + Math.Abs(rotation.M12) * _half.Z + _margin;
         double z = Math.Abs(rotation.M20) * _half.X + Math.Abs(rotation.M21) * _half.Y
             + Math.Abs(rotation.M22) * _half.Z + _margin;
-        return Around(center, new Vector3D(Math.Min(x, _radius), Math.Min(y, _radius), Math.Min(z, _radius)));
+        return Around(center, new Double3(Math.Min(x, _radius), Math.Min(y, _radius), Math.Min(z, _radius)));
     }
 
     /// <summary>
     /// A box that holds a ball that holds the shape at a pose. Where the shape's centre is its local origin the
     /// rotation is not looked at.
     /// </summary>
-    public Aabb BallBoxAt(in RigidPose pose) => Around(CenterAt(pose), new Vector3D(_radius, _radius, _radius));
+    public Aabb BallBoxAt(in RigidPose pose) => Around(CenterAt(pose), new Double3(_radius, _radius, _radius));
 
     /// <summary>The ball's centre.</summary>
-    internal Vector3D CenterAt(in RigidPose pose) =>
+    internal Double3 CenterAt(in RigidPose pose) =>
         _offset > 0 ? new RotationD(pose.Rotation).Rotate(_center) + pose.Position : pose.Position;
 
     /// <summary>Whether two balls are no further apart than a distance, or perhaps by no more than rounding.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static bool BallsNear(in Vector3D a, double radiusA, in Vector3D b, double radiusB, double distance)
+    internal static bool BallsNear(in Double3 a, double radiusA, in Double3 b, double radiusB, double distance)
     {
         double reach = (radiusA + radiusB + distance) * (1 + FloatSlack) + DoubleSlack * (a.Length + b.Length);
         return (b - a).LengthSquared <= reach * reach;
     }
 
-    private Aabb Around(in Vector3D center, in Vector3D half)
+    private Aabb Around(in Double3 center, in Double3 half)
     {
         double rounding = DoubleSlack * (_offset + _radius) + TouchSlack * _radius;
         double x = half.X + FloatSlack * (Math.Abs(center.X) + half.X) + rounding;

@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// are doubles, because a support taken in a rounded direction can be the wrong vertex.
 /// </summary>
 /// <remarks>Immutable. No method throws; NaN and infinities pass through as IEEE 754 has it.</remarks>
-public readonly struct Vector3D : IEquatable<Vector3D>
+public readonly struct Double3 : IEquatable<Double3>
 {
     /// <summary>The x component.</summary>
     public readonly double X;
@@ -23,7 +23,7 @@ public readonly struct Vector3D : IEquatable<Vector3D>
 
     /// <summary>Makes a vector from its components.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3D(double x, double y, double z)
+    public Double3(double x, double y, double z)
     {
         X = x;
         Y = y;
@@ -52,56 +52,56 @@ public readonly struct Vector3D : IEquatable<Vector3D>
 
     /// <summary>The dot product a · b.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double Dot(in Vector3D a, in Vector3D b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+    public static double Dot(in Double3 a, in Double3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
     /// <summary>The cross product a × b (right-handed).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D Cross(in Vector3D a, in Vector3D b) =>
+    public static Double3 Cross(in Double3 a, in Double3 b) =>
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 
     /// <summary>Component-wise product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D Multiply(in Vector3D a, in Vector3D b) => new(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
+    public static Double3 Multiply(in Double3 a, in Double3 b) => new(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
 
     /// <summary>Sum.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D operator +(in Vector3D a, in Vector3D b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+    public static Double3 operator +(in Double3 a, in Double3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
     /// <summary>Difference.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D operator -(in Vector3D a, in Vector3D b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+    public static Double3 operator -(in Double3 a, in Double3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 
     /// <summary>The opposite vector.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D operator -(in Vector3D a) => new(-a.X, -a.Y, -a.Z);
+    public static Double3 operator -(in Double3 a) => new(-a.X, -a.Y, -a.Z);
 
     /// <summary>Product with a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D operator *(in Vector3D a, double s) => new(a.X * s, a.Y * s, a.Z * s);
+    public static Double3 operator *(in Double3 a, double s) => new(a.X * s, a.Y * s, a.Z * s);
 
     /// <summary>Product with a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3D operator *(double s, in Vector3D a) => new(a.X * s, a.Y * s, a.Z * s);
+    public static Double3 operator *(double s, in Double3 a) => new(a.X * s, a.Y * s, a.Z * s);
 
     /// <summary>Every float is a double, so this widening is exact.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator Vector3D(Vector3 v) => new(v.X, v.Y, v.Z);
+    public static implicit operator Double3(Vector3 v) => new(v.X, v.Y, v.Z);
 
     /// <summary>Rounds each component to the nearest float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static explicit operator Vector3(in Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
+    public static explicit operator Vector3(in Double3 v) => new((float)v.X, (float)v.Y, (float)v.Z);
 
     /// <summary>Component-wise equality.</summary>
-    public static bool operator ==(in Vector3D a, in Vector3D b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+    public static bool operator ==(in Double3 a, in Double3 b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 
     /// <summary>Component-wise inequality.</summary>
-    public static bool operator !=(in Vector3D a, in Vector3D b) => !(a == b);
+    public static bool operator !=(in Double3 a, in Double3 b) => !(a == b);
 
     /// <inheritdoc/>
-    public bool Equals(Vector3D other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
+    public bool Equals(Double3 other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
 
     /// <inheritdoc/>
-    public override bool Equals(object? obj) => obj is Vector3D other && Equals(other);
+    public override bool Equals(object? obj) => obj is Double3 other && Equals(other);
 
     /// <inheritdoc/>
     public override int GetHashCode() => (X.GetHashCode() * 397 ^ Y.GetHashCode()) * 397 ^ Z.GetHashCode();

@@ -6,9 +6,9 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.World;
 
 /// <summary>The bounds hold the shape, outward of every rounding, and are as tight as they say.</summary>
-public class WorldBoundsTests
+public class ShapeBoundsTests
 {
-    private static readonly Vector3D[] Axes = [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)];
+    private static readonly Double3[] Axes = [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)];
 
     [Theory]
     [InlineData(1f)]
@@ -21,13 +21,13 @@ public class WorldBoundsTests
             var rng = new Rng((ulong)seed);
             TestShape shape = Generators.Shape(rng, Generators.AllKinds[seed % Generators.AllKinds.Length]);
             RigidPose pose = Generators.Pose(rng, rng.Vector(-spread, spread));
-            var bounds = new WorldBounds(shape.Shape);
+            var bounds = new ShapeBounds(shape.Shape);
             var body = new Body<ConvexShape>(shape.Shape, pose);
             foreach (Aabb box in new[] { bounds.BoxAt(pose), bounds.BallBoxAt(pose) })
             {
                 for (int axis = 0; axis < 3; axis++)
                 {
-                    double at = Vector3D.Dot(pose.Position, Axes[axis]), high = at + body.Height(Axes[axis]);
+                    double at = Double3.Dot(pose.Position, Axes[axis]), high = at + body.Height(Axes[axis]);
                     double low = at - body.Height(-Axes[axis]);
                     Assert.True(
                         Component(box.Min, axis) <= low && high <= Component(box.Max, axis),
@@ -35,11 +35,11 @@ public class WorldBoundsTests
                 }
             }
 
-            Vector3D n = rng.Direction();
+            Double3 n = rng.Direction();
             n *= 1 / n.Length;
-            Vector3D centre = bounds.CenterAt(pose);
+            Double3 centre = bounds.CenterAt(pose);
             Assert.True(
-                body.Height(n) - Vector3D.Dot(centre - pose.Position, n) <= bounds.Radius + 1e-13 * (spread + 1),
+                body.Height(n) - Double3.Dot(centre - pose.Position, n) <= bounds.Radius + 1e-13 * (spread + 1),
                 $"seed {seed}: {shape} at {TestShape.T(pose)}, ball");
         }
     }
@@ -56,10 +56,10 @@ public class WorldBoundsTests
             Vector3 back = -new RigidPose(rotation, Vector3.Zero).TransformPoint(offset);
             var pose = new RigidPose(rotation, back);
             var body = new Body<ConvexShape>(shape.Shape, pose);
-            Aabb box = new WorldBounds(shape.Shape).BoxAt(pose);
+            Aabb box = new ShapeBounds(shape.Shape).BoxAt(pose);
             for (int axis = 0; axis < 3; axis++)
             {
-                double at = Vector3D.Dot(pose.Position, Axes[axis]);
+                double at = Double3.Dot(pose.Position, Axes[axis]);
                 Assert.True(
                     Component(box.Min, axis) <= at - body.Height(-Axes[axis])
                         && at + body.Height(Axes[axis]) <= Component(box.Max, axis),
@@ -72,19 +72,19 @@ public class WorldBoundsTests
     public void ABoxAndASphereHaveTheirExactBounds()
     {
         var pose = new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 6), new Vector3(1, 2, 3));
-        Aabb box = new WorldBounds(ConvexShape.Box(new Vector3(1, 2, 3))).BoxAt(pose);
+        Aabb box = new ShapeBounds(ConvexShape.Box(new Vector3(1, 2, 3))).BoxAt(pose);
         double c = Math.Sqrt(3) / 2, s = 0.5;
-        Near(new Vector3D(1 - (c + 2 * s), 2 - (s + 2 * c), 0), box.Min);
-        Near(new Vector3D(1 + c + 2 * s, 2 + s + 2 * c, 6), box.Max);
-        Aabb ball = new WorldBounds(ConvexShape.Sphere(2)).BoxAt(pose);
-        Near(new Vector3D(-1, 0, 1), ball.Min);
-        Near(new Vector3D(3, 4, 5), ball.Max);
+        Near(new Double3(1 - (c + 2 * s), 2 - (s + 2 * c), 0), box.Min);
+        Near(new Double3(1 + c + 2 * s, 2 + s + 2 * c, 6), box.Max);
+        Aabb ball = new ShapeBounds(ConvexShape.Sphere(2)).BoxAt(pose);
+        Near(new Double3(-1, 0, 1), ball.Min);
+        Near(new Double3(3, 4, 5), ball.Max);
     }
 
     [Fact]
     public void TurningABallWhoseCentreIsTheOriginLeavesItAsItIs()
     {
-        var bounds = new WorldBounds(ConvexShape.Box(new Vector3(1, 2, 3)));
+        var bounds = new ShapeBounds(ConvexShape.Box(new Vector3(1, 2, 3)));
         var rng = new Rng(3);
         Assert.Equal(
             bounds.BallBoxAt(new RigidPose(rng.Rotation(), Vector3.One)),
@@ -94,7 +94,7 @@ public class WorldBoundsTests
     [Fact]
     public void PositionsAtTheEndOfTheRangeGiveFiniteBoxes()
     {
-        Aabb box = new WorldBounds(ConvexShape.Sphere(1e38f)).BoxAt(
+        Aabb box = new ShapeBounds(ConvexShape.Sphere(1e38f)).BoxAt(
             new RigidPose(new Vector3(float.MaxValue, -float.MaxValue, 0)));
         Assert.Equal(float.MaxValue, box.Max.X);
         Assert.Equal(-float.MaxValue, box.Min.Y);
@@ -102,10 +102,10 @@ public class WorldBoundsTests
 
     [Fact]
     public void ADefaultShapeIsRefused() =>
-        Assert.Equal("shape", Assert.Throws<ArgumentException>(() => new WorldBounds(default)).ParamName);
+        Assert.Equal("shape", Assert.Throws<ArgumentException>(() => new ShapeBounds(default)).ParamName);
 
     private static float Component(Vector3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 
-    private static void Near(Vector3D expected, Vector3 actual) =>
+    private static void Near(Double3 expected, Vector3 actual) =>
         Assert.True((expected - actual).Length < 1e-5, $"{expected} is not {actual}");
 }

@@ -4,7 +4,7 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>A point where two shapes touch, overlap or nearly touch. Immutable.</summary>
-public readonly struct ContactPoint
+public readonly struct ManifoldPoint
 {
     /// <summary>On A's surface, or inside B by the overlap; in the world.</summary>
     public readonly Vector3 PointA;
@@ -34,7 +34,7 @@ public readonly struct ContactPoint
     /// </summary>
     public readonly long FeatureId;
 
-    internal ContactPoint(
+    internal ManifoldPoint(
         Vector3 pointA, Vector3 pointB, Vector3 localPointA, Vector3 localPointB, float gap, long featureId)
     {
         PointA = pointA;
@@ -46,10 +46,10 @@ public readonly struct ContactPoint
     }
 
     /// <summary>The same point with A and B exchanged.</summary>
-    public ContactPoint Swapped =>
+    public ManifoldPoint Swapped =>
         new(PointB, PointA, LocalPointB, LocalPointA, Gap, ContactFeature.Swapped(FeatureId));
 
     /// <summary>Gap and place, for people to read.</summary>
     public override string ToString() =>
-        FormattableString.Invariant($"{Gap:G9} at {((Vector3D)PointA).ToString("G9")}");
+        FormattableString.Invariant($"{Gap:G9} at {((Double3)PointA).ToString("G9")}");
 }
