@@ -62,7 +62,7 @@ public static class SceneQueries
         for (int i = 0; i < pairs.Length; i++)
         {
             (int a, int b) = (pairs[i].A, pairs[i].B);
-            sum += ConvexQuery.Contacts(shapes[a], poses[a], shapes[b], poses[b], mostGaps[i], ref manifold).Distance;
+            sum += ConvexQuery.Contacts(shapes[a], poses[a], shapes[b], poses[b], mostGaps[i], out manifold).Distance;
             sum += manifold.Count;
         }
 

@@ -56,7 +56,8 @@ internal static partial class Exports
     {
         ContactManifold manifold = default;
         ConvexQuery.Contacts(
-            Bodies.ShapeAt(a), Bodies.PoseAt(a), Bodies.ShapeAt(b), Bodies.PoseAt(b), (float)maxGap, ref manifold);
+            Bodies.ShapeAt(a), Bodies.PoseAt(a), Bodies.ShapeAt(b), Bodies.PoseAt(b), (float)maxGap,
+            out manifold);
         var numbers = new List<double> { manifold.Normal.X, manifold.Normal.Y, manifold.Normal.Z };
         for (int i = 0; i < manifold.Count; i++)
         {

@@ -33,7 +33,7 @@ internal readonly struct AxisScale
 
     /// <summary>How a face inside the scale is seen, and from where; it counts where balls are not kept.</summary>
     public unsafe OuterFrame Frame(in FaceCorners corners, in Double3 direction) => KeepsBalls ? default
-        : corners.Outer == null ? new OuterFrame(Factors, direction) : corners.Outer->Scaled(Factors);
+        : corners.Outer == null ? new OuterFrame(Factors, direction) : corners.Outer->Stretched(Factors);
 
     /// <summary>
     /// The radius of a round side after the scale, which is known where the side is still round: the axis is the one

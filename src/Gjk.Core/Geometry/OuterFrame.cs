@@ -18,7 +18,7 @@ internal readonly struct OuterFrame
     /// <param name="direction">Outside, not 0.</param>
     public OuterFrame(in Double3 factors, in Double3 direction)
         : this(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), Unit(direction)) =>
-        this = Scaled(factors);
+        this = Stretched(factors);
 
     private OuterFrame(in Double3 x, in Double3 y, in Double3 z, in Double3 direction)
     {
@@ -27,7 +27,7 @@ internal readonly struct OuterFrame
     }
 
     /// <summary>The same for a frame inside another scale.</summary>
-    public OuterFrame Scaled(in Double3 factors)
+    public OuterFrame Stretched(in Double3 factors)
     {
         double one = 1 / Math.Max(Math.Max(Math.Abs(factors.X), Math.Abs(factors.Y)), Math.Abs(factors.Z));
         return new(_x * (factors.X * one), _y * (factors.Y * one), _z * (factors.Z * one), Direction);

@@ -38,7 +38,7 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return Cast(a, poseA, translationA, b, poseB, translationB, maxFraction, ref unused, options);
+        return Cast(a, poseA, translationA, b, poseB, translationB, ref unused, maxFraction, options);
     }
 
     /// <summary>
@@ -52,16 +52,16 @@ public static unsafe partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
-    /// <param name="maxFraction">See the first overload.</param>
     /// <param name="warmStart">
     /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
     /// uses.
     /// </param>
+    /// <param name="maxFraction">See the first overload.</param>
     /// <param name="options">See the first overload.</param>
     /// <returns>See the first overload. Within the accuracy that of the cold query.</returns>
     public static CastResult Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
-        float maxFraction, ref WarmStart warmStart, in CastOptions options = default)
+        ref WarmStart warmStart, float maxFraction = 1, in CastOptions options = default)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {

@@ -19,7 +19,7 @@ public static unsafe partial class ConvexQuery
     /// more than the shapes can move in a frame, or than a body rocks, keeps the corners of one that is about to touch.
     /// </param>
     /// <param name="manifold">
-    /// Emptied and filled: no points when the shapes are further apart than <paramref name="maxGap"/> or invalid. A
+    /// Gets the points: none when the shapes are further apart than <paramref name="maxGap"/> or invalid. A
     /// face on a face has up to four, an edge on a face two, as have parallel cylinders, a corner one. Of all fours
     /// that hold a point as deep as the deepest, to within 1e-6 of the size, they span at least 95 % of the largest
     /// area; a face of more than 64 corners takes part by 64 of them, and there it can be less. Shapes whose face, edge
@@ -28,10 +28,11 @@ public static unsafe partial class ConvexQuery
     /// </param>
     /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
     public static DistanceResult Contacts<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, ref ContactManifold manifold)
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, out ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        Make(out manifold);
         return AskContacts(a, poseA, b, poseB, maxGap, null, ref manifold);
     }
 
@@ -44,20 +45,32 @@ public static unsafe partial class ConvexQuery
     /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
-    /// <param name="maxGap">See the first overload.</param>
     /// <param name="warmStart">
     /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
     /// and <c>SignedDistance</c> use.
     /// </param>
+    /// <param name="maxGap">See the first overload.</param>
     /// <param name="manifold">See the first overload.</param>
     /// <returns>As <c>SignedDistance</c> gives it. Within the accuracy that of the cold query.</returns>
     public static DistanceResult Contacts<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, ref WarmStart warmStart,
-        ref ContactManifold manifold)
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart warmStart, float maxGap,
+        out ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        Make(out manifold);
         fixed (WarmStart* warm = &warmStart) return AskContacts(a, poseA, b, poseB, maxGap, warm, ref manifold);
+    }
+
+    /// <summary>Room for points, not cleared.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Make(out ContactManifold manifold)
+    {
+#if NET
+        Unsafe.SkipInit(out manifold);
+#else
+        manifold = default;
+#endif
     }
 
     private static DistanceResult AskContacts<TA, TB>(

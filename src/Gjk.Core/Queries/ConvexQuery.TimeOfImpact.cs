@@ -65,7 +65,7 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         WarmStart unused = default;
-        return TimeOfImpact(a, motionA, b, motionB, tolerance, maxFraction, ref unused, options);
+        return TimeOfImpact(a, motionA, b, motionB, ref unused, tolerance, maxFraction, options);
     }
 
     /// <summary>
@@ -77,17 +77,17 @@ public static unsafe partial class ConvexQuery
     /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
-    /// <param name="tolerance">See the first overload.</param>
-    /// <param name="maxFraction">See the first overload.</param>
     /// <param name="warmStart">
     /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
     /// uses.
     /// </param>
+    /// <param name="tolerance">See the first overload.</param>
+    /// <param name="maxFraction">See the first overload.</param>
     /// <param name="options">See the first overload.</param>
     /// <returns>See the first overload, whose promises hold here too.</returns>
     public static CastResult TimeOfImpact<TA, TB>(
-        in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance, float maxFraction,
-        ref WarmStart warmStart, in CastOptions options = default)
+        in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, ref WarmStart warmStart,
+        float tolerance = 0, float maxFraction = 1, in CastOptions options = default)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -96,7 +96,7 @@ public static unsafe partial class ConvexQuery
         {
             return BeforeTouching(
                 Cast(
-                    a, motionA.Pose, motionA.Velocity, b, motionB.Pose, motionB.Velocity, maxFraction, ref warmStart,
+                    a, motionA.Pose, motionA.Velocity, b, motionB.Pose, motionB.Velocity, ref warmStart, maxFraction,
                     options));
         }
 

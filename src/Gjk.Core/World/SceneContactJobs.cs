@@ -67,8 +67,8 @@ internal readonly struct SceneContactJob(
             if (objects.Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last)) continue;
             ContactManifold manifold = default;
             DistanceResult depth = ConvexQuery.Contacts(
-                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B], maxGap,
-                ref manifold);
+                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
+                maxGap, out manifold);
             answers[i] = new PairContacts(objects.IdsOf(pair), depth, manifold);
         }
     }

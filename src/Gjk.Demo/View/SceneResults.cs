@@ -97,7 +97,7 @@ internal sealed class SceneResults
                 ConvexShape shapeA = scene.Objects[a].Shape, shapeB = scene.Objects[b].Shape;
                 float mostGap = SceneContacts.MostGapOf(shapeA, shapeB);
                 DistanceResult answer = ConvexQuery.Contacts(
-                    shapeA, poses[a], shapeB, poses[b], mostGap, ref manifold);
+                    shapeA, poses[a], shapeB, poses[b], mostGap, out manifold);
                 int index = frame * pairs + pair++;
                 results.Store(index, answer);
                 results.Casts.Add(index, scene.Objects[a], poses[a], scene.Objects[b], poses[b]);

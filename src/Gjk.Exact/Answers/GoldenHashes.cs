@@ -13,11 +13,11 @@ public static class GoldenHashes
     {
         ["distances"] = "533df80e35cd6025",
         ["depths"] = "9dc7d9ad23e41f09",
-        ["contacts"] = "0adf34bb4342bf36",
+        ["contacts"] = "3c946585c80f01d5",
         ["casts"] = "a41d9714908af600",
         ["impacts"] = "97fefd12e0317273",
         ["rays"] = "f97003a7a9720186",
-        ["shapes"] = "09da611e66e1a2b2",
+        ["shapes"] = "96a24b3abc401d7e",
         ["batches"] = "336cedcd3511715d",
         ["scenes"] = "efaa09444f5672c6",
     };

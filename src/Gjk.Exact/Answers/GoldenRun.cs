@@ -164,7 +164,7 @@ public sealed class GoldenRun
         ref BitHash hash)
     {
         float gap = 0.01f * (float)Math.Max(a.BoundingRadius, b.BoundingRadius);
-        hash.Add(ConvexQuery.Contacts(a, poseA, b, poseB, gap, ref manifold));
+        hash.Add(ConvexQuery.Contacts(a, poseA, b, poseB, gap, out manifold));
         hash.Add(manifold);
     }
 

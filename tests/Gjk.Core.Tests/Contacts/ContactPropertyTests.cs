@@ -28,8 +28,8 @@ public class ContactPropertyTests
                 ? Generators.Pair((ulong)i, Kinds, 0.8)
                 : Generators.NearPair((ulong)i, Kinds, -Math.Pow(10, -i % 7));
             ContactManifold m = default, mirrored = default;
-            DistanceResult r = ConvexQuery.Contacts(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, maxGap, ref m);
-            ConvexQuery.Contacts(p.B.Shape, p.PoseB, p.A.Shape, p.PoseA, maxGap, ref mirrored);
+            DistanceResult r = ConvexQuery.Contacts(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, maxGap, out m);
+            ConvexQuery.Contacts(p.B.Shape, p.PoseB, p.A.Shape, p.PoseA, maxGap, out mirrored);
             Assert.Equal(ConvexQuery.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB), r);
             Assert.True(m.Count > 0 == r.Distance <= maxGap, $"{p}: {m.Count} points at {r.Distance}");
             Assert.True(mirrored.Count > 0 == m.Count > 0 || Math.Abs(r.Distance - maxGap) < 1e-6, p.ToString());
@@ -70,8 +70,8 @@ public class ContactPropertyTests
             var pose = new RigidPose(
                 Quaternion.Normalize(turn), new Vector3(0.003f * i, 0.5f - rng.Float(0, 1e-4), 0.01f * i));
             ConvexQuery.Contacts(
-                ConvexShape.Box(new Vector3(10, 1, 10)), new RigidPose(new Vector3(0, -1, 0)), shape, pose, 1e-3f,
-                ref warm, ref m);
+                ConvexShape.Box(new Vector3(10, 1, 10)), new RigidPose(new Vector3(0, -1, 0)), shape, pose,
+                ref warm, 1e-3f, out m);
             long[] now = [.. Points(m).Select(p => p.FeatureId).Order()];
             Assert.Equal(name == "capsule" ? 2 : 4, now.Distinct().Count());
             Assert.Equal(names ?? now, now);
@@ -85,7 +85,7 @@ public class ContactPropertyTests
         ContactManifold m = default;
         ConvexQuery.Contacts(
             new BoxShape(Vector3.One), RigidPose.Identity, new BoxShape(Vector3.One),
-            new RigidPose(new Vector3(0.5f, 1.9f, 0.25f)), 0, ref m);
+            new RigidPose(new Vector3(0.5f, 1.9f, 0.25f)), 0, out m);
         ContactManifold swapped = m.Swapped;
         Assert.Equal((4, -m.Normal), (swapped.Count, swapped.Normal));
         for (int i = 0; i < 4; i++)

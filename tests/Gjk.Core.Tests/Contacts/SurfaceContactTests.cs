@@ -91,7 +91,7 @@ public class SurfaceContactTests
         ContactManifold manifold = default;
         foreach (float gap in (float[])[0, 0.05f * size])
         {
-            DistanceResult result = ConvexQuery.Contacts(a, RigidPose.Identity, b, pose, gap, ref manifold);
+            DistanceResult result = ConvexQuery.Contacts(a, RigidPose.Identity, b, pose, gap, out manifold);
             points += manifold.Count;
             for (int i = 0; i < manifold.Count; i++)
             {

@@ -49,9 +49,9 @@ public class UserFaceTests
     {
         ContactManifold own = default, box = default, none = default;
         var slab = new BoxShape(Vector3.One);
-        ConvexQuery.Contacts(slab, RigidPose.Identity, new Cube(4), Above, 0, ref own);
-        ConvexQuery.Contacts(slab, RigidPose.Identity, slab, Above, 0, ref box);
-        ConvexQuery.Contacts(slab, RigidPose.Identity, default(NoFaces), Above, 0, ref none);
+        ConvexQuery.Contacts(slab, RigidPose.Identity, new Cube(4), Above, 0, out own);
+        ConvexQuery.Contacts(slab, RigidPose.Identity, slab, Above, 0, out box);
+        ConvexQuery.Contacts(slab, RigidPose.Identity, default(NoFaces), Above, 0, out none);
         Assert.Equal((4, 4, 1), (own.Count, box.Count, none.Count));
         Assert.Equal(box.Normal, own.Normal);
     }
@@ -68,9 +68,9 @@ public class UserFaceTests
         {
             for (int i = 0; i < 100; i++)
             {
-                ConvexQuery.Contacts(new Cube(4), RigidPose.Identity, placed, Above, 0, ref m);
-                ConvexQuery.Contacts(new Cube(4), RigidPose.Identity, default(NoFaces), Above, 0, ref m);
-                ConvexQuery.Contacts(new Cube(4), RigidPose.Identity, new Cube(4), Above, 0, ref m);
+                ConvexQuery.Contacts(new Cube(4), RigidPose.Identity, placed, Above, 0, out m);
+                ConvexQuery.Contacts(new Cube(4), RigidPose.Identity, default(NoFaces), Above, 0, out m);
+                ConvexQuery.Contacts(new Cube(4), RigidPose.Identity, new Cube(4), Above, 0, out m);
             }
         }
     }
@@ -88,7 +88,7 @@ public class UserFaceTests
     {
         ContactManifold m = default;
         DistanceResult r = ConvexQuery.Contacts(
-            new BoxShape(Vector3.One), RigidPose.Identity, new Cube(corners, badCoordinate), Above, 1, ref m);
+            new BoxShape(Vector3.One), RigidPose.Identity, new Cube(corners, badCoordinate), Above, 1, out m);
         Assert.InRange(m.Count, 1, 4);
         Assert.Equal(-0.01f, r.Distance, 1e-6f);
         for (int i = 0; i < m.Count; i++)

@@ -26,7 +26,7 @@ public class AllocationTests
                 ConvexQuery.Overlaps(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, out _);
                 ConvexQuery.SignedDistance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB);
                 ContactManifold manifold = default;
-                ConvexQuery.Contacts(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, 0.1f, ref manifold);
+                ConvexQuery.Contacts(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, 0.1f, out manifold);
             }
         });
     }
@@ -46,9 +46,9 @@ public class AllocationTests
                 ConvexQuery.Overlaps(
                     new TriangleShape(default, new(1), new(1, 0, 0)), p.PoseA, new ConeShape(0.5f, 1), p.PoseB);
                 ContactManifold manifold = default;
-                ConvexQuery.Contacts(mesh, p.PoseA, round, p.PoseB, 1, ref manifold);
+                ConvexQuery.Contacts(mesh, p.PoseA, round, p.PoseB, 1, out manifold);
                 ConvexQuery.Contacts(
-                    new CylinderShape(1, 1), p.PoseA, new CapsuleShape(1, 1), p.PoseB, 1, ref manifold);
+                    new CylinderShape(1, 1), p.PoseA, new CapsuleShape(1, 1), p.PoseB, 1, out manifold);
             }
         });
     }

@@ -168,7 +168,7 @@ public class CastTests
             p.Distance();
             ConvexQuery.Distance(p.A.Shape, p.PoseA, p.B.Shape, p.PoseB, ref warm);
             CastResult warmed = ConvexQuery.Cast(
-                p.A.Shape, p.PoseA, default, p.B.Shape, p.PoseB, motion, 1, ref warm);
+                p.A.Shape, p.PoseA, default, p.B.Shape, p.PoseB, motion, ref warm, 1);
             double scale = 1 + Math.Max(p.A.LongestSide, p.B.LongestSide) / Math.Max(motion.Length(), 1e-3f);
             foreach (CastResult other in new[] { swapped, moved, warmed })
             {

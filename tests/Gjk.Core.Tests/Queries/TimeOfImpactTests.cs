@@ -226,7 +226,7 @@ public class TimeOfImpactTests
         for (ulong i = 0; i < 100; i++)
         {
             MotionPair p = MotionFamilies.Pair(MotionFamilies.Names[i % 11], i / 3);
-            CastResult r = ConvexQuery.TimeOfImpact(p.A.Shape, p.MotionA, p.B.Shape, p.MotionB, 0, 1, ref warm);
+            CastResult r = ConvexQuery.TimeOfImpact(p.A.Shape, p.MotionA, p.B.Shape, p.MotionB, ref warm, 0, 1);
             Assert.True(MotionJudge.Fault(p, r) is null, $"{p}: {r}, but {MotionJudge.Fault(p, r)}");
         }
     }

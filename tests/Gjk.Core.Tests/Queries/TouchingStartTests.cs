@@ -45,7 +45,7 @@ public class TouchingStartTests
             CastResult swapped = ConvexQuery.Cast(b, pose, motion, a, Here, default).Swapped;
             WarmStart warm = default;
             ConvexQuery.Distance(a, Here, b, pose, ref warm);
-            CastResult warmed = ConvexQuery.Cast(a, Here, default, b, pose, motion, 1, ref warm);
+            CastResult warmed = ConvexQuery.Cast(a, Here, default, b, pose, motion, ref warm, 1);
             foreach (CastResult s in new[] { r, shared, swapped, warmed })
             {
                 Assert.True(s.Status == status, $"{what}: {s}");

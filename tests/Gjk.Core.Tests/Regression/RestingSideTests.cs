@@ -47,7 +47,7 @@ public class RestingSideTests
             for (int frame = 0; frame < 8; frame++)
             {
                 var m = default(ContactManifold);
-                ConvexQuery.Contacts(side, pose, box, boxPose, 0.3f, ref warm, ref m);
+                ConvexQuery.Contacts(side, pose, box, boxPose, ref warm, 0.3f, out m);
                 AssertSame(first, m, $"frame {frame} of {text}");
             }
         }
@@ -64,7 +64,7 @@ public class RestingSideTests
         for (int frame = 0; frame < 8; frame++)
         {
             var m = default(ContactManifold);
-            ConvexQuery.Contacts(a, RigidPose.Identity, b, pose, 0.05f, ref warm, ref m);
+            ConvexQuery.Contacts(a, RigidPose.Identity, b, pose, ref warm, 0.05f, out m);
             Assert.Equal(2, m.Count);
             Assert.Equal(-0.2f, Points(m).Min(p => p.PointA.Y), 1e-6f);
             Assert.Equal(0.8f, Points(m).Max(p => p.PointA.Y), 1e-6f);

@@ -32,7 +32,7 @@ internal static class EveryQuery
         ConvexQuery.SignedDistance(a, poseA, b, poseB, ref stale);
         says("Contacts");
         ContactManifold manifold = default;
-        ConvexQuery.Contacts(a, poseA, b, poseB, scale, ref manifold);
+        ConvexQuery.Contacts(a, poseA, b, poseB, scale, out manifold);
         AskMoving(a, poseA, b, poseB, ref stale, scale, rng, says);
     }
 
@@ -73,7 +73,7 @@ internal static class EveryQuery
             says($"Cast by {motion}, together");
             ConvexQuery.Cast(a, poseA, motion, b, poseB, motion);
             says($"Cast by {motion}, warm");
-            ConvexQuery.Cast(a, poseA, motion, b, poseB, default, 1, ref stale);
+            ConvexQuery.Cast(a, poseA, motion, b, poseB, default, ref stale, 1);
             Vector3 turn = rng.Below(2) == 0 ? default : rng.Direction() * 3;
             says($"TimeOfImpact by {motion}, turning by {turn}");
             ConvexQuery.TimeOfImpact(a, new RigidMotion(poseA, motion, turn), b, new RigidMotion(poseB, default));

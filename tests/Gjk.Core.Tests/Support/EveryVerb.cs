@@ -70,10 +70,10 @@ internal static class EveryVerb
         [
             () => ConvexQuery.Distance(a, poseA, b, poseB, ref warm),
             () => ConvexQuery.SignedDistance(a, poseA, b, poseB, ref warm),
-            () => ConvexQuery.Contacts(a, poseA, b, poseB, 0.1f, ref warm, ref manifold),
-            () => ConvexQuery.Contacts(a, poseA, b, poseB, 0.1f, ref manifold),
-            () => ConvexQuery.Cast(a, poseA, between, b, poseB, default, 1, ref warm),
-            () => ConvexQuery.TimeOfImpact(a, motion, b, still, 1e-4f, 1, ref warm),
+            () => ConvexQuery.Contacts(a, poseA, b, poseB, ref warm, 0.1f, out manifold),
+            () => ConvexQuery.Contacts(a, poseA, b, poseB, 0.1f, out manifold),
+            () => ConvexQuery.Cast(a, poseA, between, b, poseB, default, ref warm, 1),
+            () => ConvexQuery.TimeOfImpact(a, motion, b, still, ref warm, 1e-4f, 1),
         ];
     }
 

@@ -21,7 +21,7 @@ internal static class Resting
         ConvexShape a, RigidPose poseA, ConvexShape b, RigidPose poseB, float maxGap = Gap)
     {
         var manifold = default(ContactManifold);
-        DistanceResult r = ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref manifold);
+        DistanceResult r = ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, out manifold);
         Assert.Equal(ConvexQuery.SignedDistance(a, poseA, b, poseB), r);
         return manifold;
     }

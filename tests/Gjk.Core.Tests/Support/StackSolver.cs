@@ -73,7 +73,7 @@ internal sealed class StackSolver(int iterations = 10)
         SolidBody a = _bodies[i], b = _bodies[k];
         ContactManifold manifold = default;
         if (Vector3.Distance(a.Pose.Position, b.Pose.Position) < a.Reach + b.Reach + MaxGap)
-            ConvexQuery.Contacts(a.Shape, a.Pose, b.Shape, b.Pose, MaxGap, ref manifold);
+            ConvexQuery.Contacts(a.Shape, a.Pose, b.Shape, b.Pose, MaxGap, out manifold);
         _pairs.TryGetValue((i, k), out PointState[]? before);
         var points = new PointState[manifold.Count];
         for (int p = 0; p < points.Length; p++)

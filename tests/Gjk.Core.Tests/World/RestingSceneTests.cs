@@ -110,8 +110,8 @@ public class RestingSceneTests
     {
         ContactManifold manifold = default;
         DistanceResult alone = ConvexQuery.Contacts(
-            scene.GetShape(p.Pair.A), scene.GetPose(p.Pair.A), scene.GetShape(p.Pair.B), scene.GetPose(p.Pair.B), gap,
-            ref manifold);
+            scene.GetShape(p.Pair.A), scene.GetPose(p.Pair.A), scene.GetShape(p.Pair.B),
+            scene.GetPose(p.Pair.B), gap, out manifold);
         Assert.True(ResultBits.AreSame(p.Result, alone));
         Assert.Equal(manifold, p.Manifold);
     }

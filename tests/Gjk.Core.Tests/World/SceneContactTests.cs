@@ -129,7 +129,7 @@ public class SceneContactTests
         {
             ContactManifold manifold = default;
             DistanceResult result = ConvexQuery.Contacts(
-                world.Shapes[p.A], world.Poses[p.A], world.Shapes[p.B], world.Poses[p.B], maxGap, ref manifold);
+                world.Shapes[p.A], world.Poses[p.A], world.Shapes[p.B], world.Poses[p.B], maxGap, out manifold);
             if (manifold.Count > 0) yield return Text(p, result, manifold);
         }
     }

@@ -58,7 +58,7 @@ public sealed class ContactPointTests
     {
         ContactManifold manifold = default;
         var box = new BoxShape(Vector3.One);
-        ConvexQuery.Contacts(box, RigidPose.Identity, box, new RigidPose(Vector3.UnitX), 0, ref manifold);
+        ConvexQuery.Contacts(box, RigidPose.Identity, box, new RigidPose(Vector3.UnitX), 0, out manifold);
         Assert.Equal(4, manifold.Count);
         var contacts = new SceneContacts();
         for (int pair = 0; pair <= 250_000; pair++) contacts.Add(manifold);

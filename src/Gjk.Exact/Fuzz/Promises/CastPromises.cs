@@ -96,7 +96,7 @@ internal static class CastPromises
 
         string? Warm(ref WarmStart warm, string name) => SameCast.Problem(
             pair,
-            ConvexQuery.Cast(pair.A, pair.PoseA, pair.Motion.A, pair.B, pair.PoseB, pair.Motion.B, 1, ref warm),
+            ConvexQuery.Cast(pair.A, pair.PoseA, pair.Motion.A, pair.B, pair.PoseB, pair.Motion.B, ref warm, 1),
             name);
     }
 
