@@ -31,6 +31,7 @@ const tasks = [
   { text: 'The nearest obstacle', link: '/tasks/nearest-obstacle' },
   { text: 'Clearance of parts', link: '/tasks/clearance' },
   { text: 'A character that sweeps', link: '/tasks/character-sweep' },
+  { text: 'Real meshes', link: '/tasks/meshes' },
   { text: 'A scene of 100,000', link: '/tasks/large-scene' },
   { text: 'A perceptual study', link: '/study' },
   { text: 'Unity', link: '/tasks/unity' },

@@ -22,13 +22,17 @@ internal sealed class ImportLog
     public void Warn(string where, string what) => Add(where, what, isMissing: false);
 
     /// <summary>Warns of a part that is not what its hull is.</summary>
-    public void WarnOf(string file, ImportedMesh part)
+    /// <param name="where">The file, and the place in it.</param>
+    /// <param name="part">The part.</param>
+    /// <param name="subject">What the warning calls the part, or null for its name.</param>
+    public void WarnOf(string where, ImportedMesh part, string? subject = null)
     {
-        if (Convexity.Warning(part) is { } warning) Warn(file, $"the part \"{part.Name}\" {warning}");
+        if (Convexity.Warning(part) is not { } warning) return;
+        Add(where, $"{subject ?? $"the part \"{part.Name}\""} {warning}", false, part.Triangles.Count > 0);
     }
 
-    private void Add(string where, string what, bool isMissing)
+    private void Add(string where, string what, bool isMissing, bool isOfHull = false)
     {
-        if (_known.Add((where, what, isMissing))) _problems.Add(new ImportProblem(where, what, isMissing));
+        if (_known.Add((where, what, isMissing))) _problems.Add(new ImportProblem(where, what, isMissing, isOfHull));
     }
 }

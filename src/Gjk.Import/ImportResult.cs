@@ -29,8 +29,9 @@ public sealed class ImportResult
 /// <summary>Something in a file that the user should know of. Immutable.</summary>
 public sealed class ImportProblem
 {
-    internal ImportProblem(string where, string what, bool isMissing)
+    internal ImportProblem(string where, string what, bool isMissing, bool isOfHull)
     {
+        IsOfHull = isOfHull;
         Where = where;
         What = what;
         IsMissing = isMissing;
@@ -44,6 +45,9 @@ public sealed class ImportProblem
 
     /// <summary>True if something could not be read, false if it was read but may surprise.</summary>
     public bool IsMissing { get; }
+
+    /// <summary>True if a mesh differs from its hull, which is no problem for one whose triangles are kept.</summary>
+    internal bool IsOfHull { get; }
 
     /// <summary>One line: the place, "warning" unless something is missing, and what is wrong.</summary>
     public override string ToString() => IsMissing ? $"{Where}: {What}" : $"{Where}: warning: {What}";

@@ -30,6 +30,9 @@ public sealed class ImportedMesh
     /// <summary>The hull of the vertices, built when it is first asked for.</summary>
     public ConvexHull Hull => _hull ??= new ConvexHull(_vertices);
 
+    /// <summary>True if it has triangles that are not those of its hull, as far as can be told.</summary>
+    internal bool IsConcave => _triangles.Length > 0 && Convexity.Warning(this) is not null;
+
     internal ImportedMesh Named(string name) => new(name, _vertices, _triangles) { _hull = _hull };
 
     /// <summary>The same triangles with other corners.</summary>

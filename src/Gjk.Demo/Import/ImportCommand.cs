@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Import;
@@ -15,17 +16,18 @@ internal static class ImportCommand
     /// <param name="file">The file to import. Its ending says what it is.</param>
     /// <param name="project">The folder of a Unity project, or null.</param>
     /// <param name="output">The file to write, or null for standard output.</param>
+    /// <param name="isConcave">Whether meshes that are not convex are written as surfaces.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
     /// <returns><see cref="ExitCode.Failed"/> if something could not be read.</returns>
-    public static int Run(string file, string? project, string? output, CancellationToken cancel)
+    public static int Run(string file, string? project, string? output, bool isConcave, CancellationToken cancel)
     {
         using AtomicFile? target = output is null ? null : new AtomicFile(output, cancel);
         ImportResult scene = Importer.Read(file, project, cancel);
         if (scene.Objects.Count == 0 && scene.MissingCount == 0)
             throw new RefusedException($"{file}: there is no active object with a shape in it");
         bool isEmpty = scene.Objects.Count == 0;
-        if (!isEmpty) Write(Path.GetFileNameWithoutExtension(file), scene, target, cancel);
-        Print(scene.Problems);
+        if (!isEmpty) Write(Path.GetFileNameWithoutExtension(file), scene, target, isConcave, cancel);
+        Print(scene.Problems.Where(problem => !isConcave || !problem.IsOfHull));
         if (scene.MissingCount == 0)
         {
             if (output is not null) StandardError.Wrote(scene.Objects.Count, "object", output);
@@ -49,16 +51,17 @@ internal static class ImportCommand
 
     private static string Objects(int count) => count == 1 ? "object" : $"{count} objects";
 
-    private static void Write(string name, ImportResult scene, AtomicFile? target, CancellationToken cancel)
+    private static void Write(
+        string name, ImportResult scene, AtomicFile? target, bool isConcave, CancellationToken cancel)
     {
         if (target is not null)
         {
-            SceneJson.Write(target.Stream, name, scene, cancel);
+            SceneJson.Write(target.Stream, name, scene, isConcave, cancel);
             target.Commit();
             return;
         }
 
         using Stream stdout = OutputConsole.OpenStream(cancel);
-        SceneJson.Write(stdout, name, scene, cancel);
+        SceneJson.Write(stdout, name, scene, isConcave, cancel);
     }
 }

@@ -27,6 +27,11 @@ internal static class ImportOptions
                 + "holds the Assets folder above FILE.",
             HelpName = "DIR",
         };
+        var concave = new Option<bool>("--concave")
+        {
+            Description = "Write a mesh that is not convex as the surface of its triangles, and as a solid if it is "
+                + "closed and consistently oriented. Convex meshes, and those without faces, stay hulls.",
+        };
         var command = new Command(
             "import",
             "Make a scene of a Unity scene or prefab, or of a mesh file. Units and axes stay as they are: Unity's axes "
@@ -35,7 +40,7 @@ internal static class ImportOptions
             + "smooth shapes. What cannot be read is listed on standard error with file, line and fileID; the rest is "
             + "written, and the exit code is 1.")
         {
-            file, output, project,
+            file, output, project, concave,
         };
         command.Validators.Add(result =>
         {
@@ -50,7 +55,7 @@ internal static class ImportOptions
             string name = r.GetValue(file)!;
             string? target = r.GetValue(output);
             TargetFiles.Check(name, "the file that is imported", ("--out", target));
-            return ImportCommand.Run(name, r.GetValue(project), target, cancel);
+            return ImportCommand.Run(name, r.GetValue(project), target, r.GetValue(concave), cancel);
         });
         return command;
     }

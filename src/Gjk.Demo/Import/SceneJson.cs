@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Numerics;
@@ -20,6 +21,10 @@ internal sealed class SceneJson
 
     private readonly StreamWriter _out;
     private readonly CancellationToken _cancel;
+
+    /// <summary>The meshes that are written with their triangles, and whether each is solid.</summary>
+    private readonly Dictionary<ImportedMesh, bool> _surfaces = [];
+
     private int _untilLook;
 
     private SceneJson(Stream stream, CancellationToken cancel)
@@ -31,15 +36,27 @@ internal sealed class SceneJson
     /// <param name="stream">Where to write.</param>
     /// <param name="name">The scene's name.</param>
     /// <param name="scene">What to write.</param>
+    /// <param name="isConcave">Whether meshes that are not convex are written as surfaces.</param>
     /// <param name="cancel">Ends the work.</param>
-    public static void Write(Stream stream, string name, ImportResult scene, CancellationToken cancel)
+    public static void Write(
+        Stream stream, string name, ImportResult scene, bool isConcave, CancellationToken cancel)
     {
         var json = new SceneJson(stream, cancel);
+        if (isConcave) json.FindSurfaces(scene);
         json._out.Write($"{{ \"version\": 1, \"name\": {Quoted(name)},\n");
         json.WriteMeshes(scene);
         json.WriteObjects(scene);
         json._out.Write("}\n");
         json._out.Flush();
+    }
+
+    private void FindSurfaces(ImportResult scene)
+    {
+        foreach (ImportedMesh mesh in scene.Meshes)
+        {
+            _cancel.ThrowIfCancellationRequested();
+            if (mesh.IsConcave) _surfaces.Add(mesh, new TriangleMesh(mesh.Vertices, mesh.Triangles).HasInside);
+        }
     }
 
     private void WriteMeshes(ImportResult scene)
@@ -49,7 +66,8 @@ internal sealed class SceneJson
         string separator = "\n";
         foreach (ImportedMesh mesh in scene.Meshes)
         {
-            _out.Write($"{separator}    {Quoted(mesh.Name)}: [");
+            bool isSurface = _surfaces.ContainsKey(mesh);
+            _out.Write($"{separator}    {Quoted(mesh.Name)}: {(isSurface ? "{ \"vertices\": " : "")}[");
             string next = "\n      ";
             foreach (Vector3 vertex in mesh.Vertices)
             {
@@ -60,10 +78,24 @@ internal sealed class SceneJson
             }
 
             _out.Write("]");
+            if (isSurface) WriteTriangles(mesh.Triangles);
             separator = ",\n";
         }
 
         _out.Write(" },\n");
+    }
+
+    private void WriteTriangles(IReadOnlyList<int> corners)
+    {
+        _out.Write(",\n      \"triangles\": [");
+        for (int i = 0; i < corners.Count; i += 3)
+        {
+            Look();
+            _out.Write(i == 0 ? "\n      " : ",\n      ");
+            _out.Write($"[{corners[i]}, {corners[i + 1]}, {corners[i + 2]}]");
+        }
+
+        _out.Write("] }");
     }
 
     private void WriteObjects(ImportResult scene)
@@ -98,11 +130,13 @@ internal sealed class SceneJson
 
     private void Write(ImportedShape shape)
     {
-        _out.Write($"{{ \"type\": \"{shape.Kind.ToString().ToLowerInvariant()}\"");
+        bool isSolid = false, isSurface = shape.Mesh is not null && _surfaces.TryGetValue(shape.Mesh, out isSolid);
+        string type = isSurface ? "surface" : shape.Kind.ToString().ToLowerInvariant();
+        _out.Write($"{{ \"type\": \"{type}\"");
         switch (shape.Kind)
         {
             case ShapeKind.Mesh:
-                _out.Write($", \"mesh\": {Quoted(shape.Mesh!.Name)}");
+                _out.Write($", \"mesh\": {Quoted(shape.Mesh!.Name)}{(isSolid ? ", \"solid\": true" : "")}");
                 break;
             case ShapeKind.Box:
                 _out.Write(", \"halfExtents\": ");

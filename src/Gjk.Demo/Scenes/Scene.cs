@@ -32,16 +32,20 @@ internal sealed class Scene
     /// <summary>True if an object turns.</summary>
     public bool HasTurns => Array.Exists(Objects, o => o.AngularVelocity != Vector3.Zero);
 
+    /// <summary>True if no object is a surface or a compound.</summary>
+    public bool IsConvex => Array.TrueForAll(Objects, o => o.IsConvex);
+
     /// <summary>This, if all objects are convex, which most commands ask for.</summary>
     /// <param name="name">The user's name for the scene.</param>
+    /// <param name="asker">What takes convex shapes only.</param>
     /// <exception cref="RefusedException">An object is a surface or a compound.</exception>
-    public Scene Convex(string name)
+    public Scene Convex(string name, string asker = "this command")
     {
         int other = Array.FindIndex(Objects, o => !o.IsConvex);
         return other < 0
             ? this
             : throw new RefusedException(
-                $"{name}: $.objects[{other}].shape: this command takes convex shapes only, not a "
+                $"{name}: $.objects[{other}].shape: {asker} takes convex shapes only, not a "
                 + (Objects[other].Any.Mesh is null ? "compound" : "surface"));
     }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
+using Gjk.Demo.View;
 
 namespace Gjk.Demo.Timing;
 
@@ -38,7 +39,7 @@ internal sealed class ScenePath
         var random = new DirectionSequence();
         for (int i = 0; i < steps.Length; i++)
         {
-            steps[i] = random.Next() * (StepShare * Size(scene.Objects[i].Shape));
+            steps[i] = random.Next() * (StepShare * Size(scene.Objects[i].Any));
             axes[i] = random.Next();
         }
 
@@ -67,14 +68,11 @@ internal sealed class ScenePath
     }
 
     /// <summary>The longest side of the shape's bounding box in its own frame.</summary>
-    private static double Size(in ConvexShape shape)
+    private static double Size(in AnyShape shape)
     {
-        shape.Support(new Double3(1, 0, 0), out Double3 right);
-        shape.Support(new Double3(-1, 0, 0), out Double3 left);
-        shape.Support(new Double3(0, 1, 0), out Double3 top);
-        shape.Support(new Double3(0, -1, 0), out Double3 bottom);
-        shape.Support(new Double3(0, 0, 1), out Double3 front);
-        shape.Support(new Double3(0, 0, -1), out Double3 back);
-        return Math.Max(Math.Max(right.X - left.X, top.Y - bottom.Y), front.Z - back.Z) + 2 * shape.Margin;
+        var size = default(Double3);
+        foreach (Double3 axis in (ReadOnlySpan<Double3>)[new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)])
+            size += axis * Double3.Dot(axis, SupportSamples.Support(shape, axis) - SupportSamples.Support(shape, -axis));
+        return Math.Max(Math.Max(size.X, size.Y), size.Z);
     }
 }

@@ -20,6 +20,7 @@ internal sealed class SceneTimer
     private const int LeastQueriesPerSample = 512;
 
     private readonly PairLoop _pairs;
+    private readonly ConcaveLoop? _concave;
     private readonly ScenePath _path;
     private readonly bool _isCast;
     private readonly TimeSpan _duration;
@@ -34,6 +35,7 @@ internal sealed class SceneTimer
     public SceneTimer(Scene scene, TimeSpan duration, Action<double> progress, CancellationToken cancel)
     {
         _pairs = new PairLoop(scene, cancel);
+        _concave = scene.IsConvex ? null : new ConcaveLoop(scene, cancel);
         _path = new ScenePath(scene);
         _isCast = scene.HasVelocities && !scene.HasTurns;
         _duration = duration;
@@ -46,15 +48,22 @@ internal sealed class SceneTimer
     {
         var times = new SceneTimes { Pairs = _pairs.Count };
         if (_pairs.Count == 0) return times;
+        if (_concave is null) MeasureConvex(times);
+        else MeasureConcave(times, _concave);
+        _progress(1);
+        return times;
+    }
 
+    private void MeasureConvex(SceneTimes times)
+    {
         Samples cold = Measure(_pairs.Cold, _pairs.Count, ColdShare);
         times.Overlapping = _pairs.Overlapping;
         times.Iterations = (double)_pairs.Iterations / _pairs.Count;
         times.ColdNs = cold.MinimumNs;
         times.ColdMedianNs = cold.MedianNs;
-        times.BytesPerCall = BytesPerCall();
+        times.BytesPerCall = BytesPerCall(_pairs.Cold);
         times.WarmNs = Measure(() => _pairs.Warm(), _pairs.Count, OtherShare).MinimumNs;
-        times.MovingNs = Measure(Move, (long)_pairs.Count * _path.FramesPerRound, OtherShare).MinimumNs;
+        times.MovingNs = MeasureMoving(_pairs.Warm);
         times.BoolNs = Measure(_pairs.Boolean, _pairs.Count, OtherShare).MinimumNs;
         times.BatchNs = Measure(_pairs.Batch, _pairs.Count, BatchShare).MinimumNs;
         times.BatchWarmNs = Measure(_pairs.BatchWarm, _pairs.Count, BatchShare).MinimumNs;
@@ -62,24 +71,40 @@ internal sealed class SceneTimer
         int overlapping = _pairs.CollectOverlapping();
         if (overlapping > 0) times.DepthNs = Measure(_pairs.Depth, overlapping, OtherShare).MinimumNs;
         if (_isCast) times.CastNs = Measure(_pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
-        _progress(1);
-        return times;
     }
 
-    private void Move()
+    private void MeasureConcave(SceneTimes times, ConcaveLoop pairs)
     {
-        foreach (RigidPose[] poses in _path.Round()) _pairs.Warm(poses);
+        Samples cold = Measure(() => pairs.Distances(), _pairs.Count, ColdShare);
+        times.Overlapping = pairs.Overlapping;
+        times.Iterations = (double)pairs.Iterations / _pairs.Count;
+        times.ColdNs = cold.MinimumNs;
+        times.ColdMedianNs = cold.MedianNs;
+        times.BytesPerCall = BytesPerCall(() => pairs.Distances());
+        times.MovingNs = MeasureMoving(pairs.Distances);
+        times.BoolNs = Measure(pairs.Boolean, _pairs.Count, OtherShare).MinimumNs;
+        if (_isCast) times.CastNs = Measure(pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
+    }
+
+    private double MeasureMoving(Action<RigidPose[]> pass)
+    {
+        void Move()
+        {
+            foreach (RigidPose[] poses in _path.Round()) pass(poses);
+        }
+
+        return Measure(Move, (long)_pairs.Count * _path.FramesPerRound, OtherShare).MinimumNs;
     }
 
     /// <summary>The least of several passes: the runtime allocates now and then too, but not in every pass.</summary>
-    private double BytesPerCall()
+    private double BytesPerCall(Action coldPass)
     {
         const int Passes = 3;
         long least = long.MaxValue;
         for (int pass = 0; pass < Passes; pass++)
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
-            _pairs.Cold();
+            coldPass();
             least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
         }
 

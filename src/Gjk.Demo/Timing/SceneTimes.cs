@@ -4,7 +4,8 @@ using System.Text.Json;
 namespace Gjk.Demo.Timing;
 
 /// <summary>
-/// The times measured on one scene, in nanoseconds per pair. A time is null if there was nothing to measure.
+/// The times measured on one scene, in nanoseconds per pair. A time is null if there was nothing to measure. With
+/// surfaces or compounds there are no warm starts, no batches and no depths; the moving pairs are asked without starts.
 /// </summary>
 /// <remarks>The line has the properties in the order in which they stand here.</remarks>
 internal sealed class SceneTimes

@@ -41,7 +41,7 @@ internal static class TimeOptions
         {
             string[] names = r.GetValue(files)!;
             List<(string Name, Scene Scene)> scenes = names.Length > 0
-                ? [.. names.Select(file => (file, SceneFile.Load(file, cancel).Convex(InputFile.NameOf(file))))]
+                ? [.. names.Select(file => (file, SceneFile.Load(file, cancel)))]
                 : [(r.GetValue(builtIn.Name)!, builtIn.Load(r))];
             return TimeCommand.Run(scenes, TimeSpan.FromSeconds(r.GetValue(seconds)), cancel);
         });

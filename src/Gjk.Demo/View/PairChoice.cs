@@ -26,6 +26,7 @@ internal sealed class PairChoice
     private const int PairsPerLook = 256;
 
     private readonly Scene _scene;
+    private readonly ConcaveScratch _scratch = new();
     private readonly SortedSet<(int A, int B)> _kept = [];
     private readonly (float Distance, int Partner, bool IsFirst)[] _nearest;
 
@@ -69,8 +70,8 @@ internal sealed class PairChoice
 
             float reach = Math.Max(
                 _nearest[a * Partners + Partners - 1].Distance, _nearest[b * Partners + Partners - 1].Distance);
-            DistanceResult answer = ConvexQuery.Distance(
-                _scene.Objects[a].Shape, poses[a], _scene.Objects[b].Shape, poses[b], reach);
+            DistanceResult answer = ConcaveQuery.Distance(
+                _scene.Objects[a].Any, poses[a], _scene.Objects[b].Any, poses[b], _scratch, reach).Result;
             if (answer.Status is GjkStatus.Overlapping or GjkStatus.IterationLimit or GjkStatus.InvalidShape)
                 _kept.Add((a, b));
             if (answer.Status != GjkStatus.Separated) continue;

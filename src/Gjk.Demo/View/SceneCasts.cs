@@ -19,6 +19,7 @@ internal sealed class SceneCasts
     /// </summary>
     public const int EntrySize = 7;
 
+    private readonly ConcaveScratch _scratch = new();
     private readonly List<int> _indices = [];
     private readonly List<float> _entries = [];
 
@@ -41,7 +42,7 @@ internal sealed class SceneCasts
     public void Add(int index, SceneObject a, in RigidPose poseA, SceneObject b, in RigidPose poseB)
     {
         if (!Applies(a, b)) return;
-        CastResult r = ConvexQuery.Cast(a.Shape, poseA, a.Velocity, b.Shape, poseB, b.Velocity);
+        CastResult r = ConcaveQuery.Cast(a.Any, poseA, a.Velocity, b.Any, poseB, b.Velocity, _scratch).Result;
         if (r.Status is not (CastStatus.Hit or CastStatus.IterationLimit)) return;
         _indices.Add(index);
         _entries.AddRange(

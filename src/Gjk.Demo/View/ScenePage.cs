@@ -39,6 +39,12 @@ internal static class ScenePage
         data.Array<float>("pointA", results.PointA);
         data.Array<float>("pointB", results.PointB);
         data.Array<float>("normal", results.Normal);
+        if (results.PartA.Length > 0)
+        {
+            data.Array<int>("partA", results.PartA);
+            data.Array<int>("partB", results.PartB);
+        }
+
         data.Array<int>("overlapping", results.Overlapping);
         data.Array("contactCounts", results.Contacts.Counts);
         data.Array("contactPoints", results.Contacts.Points);
@@ -62,6 +68,7 @@ internal static class ScenePage
         data.Array<float>("vertices", MemoryMarshal.Cast<Vector3, float>(mesh.Vertices));
         data.Array<int>("triangles", mesh.Triangles);
         data.Array<int>("edges", mesh.Edges);
+        if (mesh.PartStarts.Length > 0) data.Array<int>("partStarts", mesh.PartStarts);
         data.Json.WriteEndObject();
     }
 

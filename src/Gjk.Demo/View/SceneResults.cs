@@ -26,7 +26,10 @@ internal sealed class SceneResults
     /// <summary>How many pairs are answered between two checks for Ctrl-C.</summary>
     private const int PairsPerLook = 256;
 
-    private SceneResults(int objects, ScenePairs chosen, int frames)
+    private readonly ConcaveScratch _scratch = new();
+    private ContactManifold _manifold;
+
+    private SceneResults(int objects, ScenePairs chosen, int frames, bool isConvex)
     {
         Pairs = chosen;
         int pairs = (int)chosen.Count;
@@ -38,6 +41,8 @@ internal sealed class SceneResults
         PointB = new float[frames * pairs * 3];
         Normal = new float[frames * pairs * 3];
         Overlapping = new int[frames];
+        PartA = isConvex ? [] : new int[frames * pairs];
+        PartB = isConvex ? [] : new int[frames * pairs];
     }
 
     /// <summary>The pairs that were queried. See <see cref="PairChoice"/>.</summary>
@@ -61,6 +66,14 @@ internal sealed class SceneResults
     /// <summary>For a pair that overlaps, the direction in which B leaves A by the shortest way.</summary>
     public float[] Normal { get; }
 
+    /// <summary>
+    /// The part of A that the answer is about, as its file numbers it, or -1. Empty for a scene of convex shapes.
+    /// </summary>
+    public int[] PartA { get; }
+
+    /// <summary>The part of B, likewise.</summary>
+    public int[] PartB { get; }
+
     /// <summary>How many pairs overlap in each frame.</summary>
     public int[] Overlapping { get; }
 
@@ -81,9 +94,8 @@ internal sealed class SceneResults
         var motion = new SceneMotion(scene, name);
         ScenePairs chosen = PairChoice.Of(scene, motion, name, progress, cancel);
         int pairs = (int)chosen.Count;
-        var results = new SceneResults(scene.Objects.Length, chosen, scene.Frames);
+        var results = new SceneResults(scene.Objects.Length, chosen, scene.Frames, scene.IsConvex);
         var poses = new RigidPose[scene.Objects.Length];
-        ContactManifold manifold = default;
         for (int frame = 0; frame < scene.Frames; frame++)
         {
             cancel.ThrowIfCancellationRequested();
@@ -94,18 +106,9 @@ internal sealed class SceneResults
             foreach ((int a, int b) in chosen)
             {
                 if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
-                ConvexShape shapeA = scene.Objects[a].Shape, shapeB = scene.Objects[b].Shape;
-                float mostGap = SceneContacts.MostGapOf(shapeA, shapeB);
-                DistanceResult answer = ConvexQuery.Contacts(
-                    shapeA, poses[a], shapeB, poses[b], mostGap, out manifold);
                 int index = frame * pairs + pair++;
-                results.Store(index, answer);
-                results.Casts.Add(index, scene.Objects[a], poses[a], scene.Objects[b], poses[b]);
-                if (!results.Overlaps(index)) continue;
-                results.Overlapping[frame]++;
-                // Where only bounds of the depth are known, its points would be no contacts.
-                if (answer.Status != GjkStatus.Overlapping) manifold.Clear();
-                results.Contacts.Add(manifold);
+                results.Add(index, scene.Objects[a], poses[a], scene.Objects[b], poses[b]);
+                if (results.Overlaps(index)) results.Overlapping[frame]++;
             }
         }
 
@@ -120,6 +123,33 @@ internal sealed class SceneResults
     public bool Overlaps(int index) =>
         Status[index] == StatusCode.Of(GjkStatus.Overlapping)
         || (Status[index] == StatusCode.Of(GjkStatus.IterationLimit) && Distance[index] <= 0);
+
+    private void Add(int index, SceneObject a, in RigidPose poseA, SceneObject b, in RigidPose poseB)
+    {
+        DistanceResult answer = Answer(index, a, poseA, b, poseB);
+        Store(index, answer);
+        Casts.Add(index, a, poseA, b, poseB);
+        if (!Overlaps(index)) return;
+        // Where only bounds of the depth are known, its points would be no contacts.
+        if (answer.Status != GjkStatus.Overlapping) _manifold.Clear();
+        Contacts.Add(_manifold);
+    }
+
+    /// <summary>The signed distance of a pair, and its contacts or its parts.</summary>
+    private DistanceResult Answer(int index, SceneObject a, in RigidPose poseA, SceneObject b, in RigidPose poseB)
+    {
+        if (a.IsConvex && b.IsConvex)
+        {
+            if (PartA.Length > 0) PartA[index] = PartB[index] = -1;
+            float mostGap = SceneContacts.MostGapOf(a.Shape, b.Shape);
+            return ConvexQuery.Contacts(a.Shape, poseA, b.Shape, poseB, mostGap, out _manifold);
+        }
+
+        _manifold.Clear();
+        PartDistance answer = ConcaveQuery.SignedDistance(a.Any, poseA, b.Any, poseB, _scratch);
+        (PartA[index], PartB[index]) = (answer.PartA, answer.PartB);
+        return answer.Result;
+    }
 
     private void Store(int index, in RigidPose pose)
     {

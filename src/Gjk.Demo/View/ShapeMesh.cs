@@ -6,8 +6,8 @@ using Gjk.Core;
 namespace Gjk.Demo.View;
 
 /// <summary>
-/// The surface of a shape for drawing, in its own frame with its scale. A mesh is drawn as its hull. A curved shape is
-/// drawn as the hull of some of its support points.
+/// The surface of a shape for drawing, in its own frame with its scale. A mesh is drawn as its hull, and as its own
+/// triangles where it is a surface. A curved shape is drawn as the hull of some of its support points.
 /// </summary>
 internal sealed class ShapeMesh
 {
@@ -38,8 +38,52 @@ internal sealed class ShapeMesh
         }
 
         Edges = hull.Dimension == 1 ? [0, 1] : FindEdges(isSmooth ? SmoothCosine : FlatCosine);
-        Radius = 0;
-        foreach (Vector3 v in Vertices) Radius = Math.Max(Radius, ((Double3)v).Length);
+        Radius = FindRadius();
+    }
+
+    /// <summary>All triangles of a mesh with all their edges. A triangle is a part.</summary>
+    private ShapeMesh(TriangleMesh mesh)
+    {
+        Dimension = 2;
+        Vertices = new Vector3[mesh.VertexCount];
+        for (int i = 0; i < Vertices.Length; i++) Vertices[i] = mesh.GetVertex(i) * mesh.Scale;
+        Triangles = new int[3 * mesh.TriangleCount];
+        PartStarts = new int[mesh.TriangleCount + 1];
+        var edges = new HashSet<(int, int)>();
+        for (int i = 0; i < mesh.TriangleCount; i++)
+        {
+            mesh.GetTriangle(i, out int a, out int b, out int c);
+            (Triangles[3 * i], Triangles[3 * i + 1], Triangles[3 * i + 2]) = (a, b, c);
+            foreach ((int p, int q) in (ReadOnlySpan<(int, int)>)[(a, b), (b, c), (c, a)])
+                edges.Add((Math.Min(p, q), Math.Max(p, q)));
+            PartStarts[i + 1] = i + 1;
+        }
+
+        var ends = new List<int>(2 * edges.Count);
+        foreach ((int p, int q) in edges) ends.AddRange([p, q]);
+        Edges = ends.ToArray();
+        Radius = FindRadius();
+    }
+
+    /// <summary>The parts of a compound, one after the other.</summary>
+    private ShapeMesh(CompoundShape compound, bool isCoarse)
+    {
+        var vertices = new List<Vector3>();
+        List<int> triangles = [], edges = [], starts = [0];
+        for (int i = 0; i < compound.PartCount; i++)
+        {
+            ShapeMesh part = Of(compound.GetPart(i), isCoarse);
+            Dimension = Math.Max(Dimension, Math.Max(part.Dimension, 2));
+            IsSmooth |= part.IsSmooth;
+            foreach (int vertex in part.Triangles) triangles.Add(vertices.Count + vertex);
+            foreach (int vertex in part.Edges) edges.Add(vertices.Count + vertex);
+            starts.Add(triangles.Count / 3);
+            vertices.AddRange(part.Vertices);
+        }
+
+        (Vertices, Triangles, Edges) = (vertices.ToArray(), triangles.ToArray(), edges.ToArray());
+        PartStarts = starts.ToArray();
+        Radius = FindRadius();
     }
 
     public Vector3[] Vertices { get; }
@@ -54,7 +98,13 @@ internal sealed class ShapeMesh
     /// </summary>
     public int[] Edges { get; }
 
-    /// <summary>0 is a point, 1 a segment, 2 flat, 3 solid.</summary>
+    /// <summary>
+    /// The first triangle of each part of a surface or a compound, and then how many triangles there are. Empty for a
+    /// convex shape. A part that is a point or a segment has no triangles.
+    /// </summary>
+    public int[] PartStarts { get; } = [];
+
+    /// <summary>0 is a point, 1 a segment, 2 flat or open, 3 solid.</summary>
     public int Dimension { get; }
 
     /// <summary>True if the triangles stand for a curved surface.</summary>
@@ -62,6 +112,11 @@ internal sealed class ShapeMesh
 
     /// <summary>The radius about the local origin.</summary>
     public double Radius { get; }
+
+    public static ShapeMesh Of(in AnyShape shape, bool isCoarse) =>
+        shape.Mesh is TriangleMesh mesh ? new ShapeMesh(mesh)
+        : shape.Compound is CompoundShape compound ? new ShapeMesh(compound, isCoarse)
+        : Of(shape.Convex, isCoarse);
 
     public static ShapeMesh Of(in ConvexShape shape, bool isCoarse = false)
     {
@@ -106,6 +161,13 @@ internal sealed class ShapeMesh
 
     /// <summary>The next corner of the same triangle.</summary>
     public static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
+
+    private double FindRadius()
+    {
+        double radius = 0;
+        foreach (Vector3 v in Vertices) radius = Math.Max(radius, ((Double3)v).Length);
+        return radius;
+    }
 
     private int[] FindEdges(double cosine)
     {

@@ -27,7 +27,7 @@ internal static class ShapeRange
     {
         foreach (Double3 axis in Axes)
         {
-            Double3 point = SupportSamples.Support(scene.Objects[index].Shape, axis);
+            Double3 point = SupportSamples.Support(scene.Objects[index].Any, axis);
             if (Math.Max(Math.Max(Math.Abs(point.X), Math.Abs(point.Y)), Math.Abs(point.Z)) <= float.MaxValue) continue;
             throw new RefusedException(
                 $"{name}: $.objects[{index}]: the shape with its scale leaves the range of float, so it cannot be "

@@ -17,14 +17,15 @@ internal sealed class ShapeTable
 
     public ShapeTable(Scene scene)
     {
-        var known = new Dictionary<ConvexShape, int>();
+        var known = new Dictionary<(ConvexShape Convex, object? Other), int>();
         OfObject = new int[scene.Objects.Length];
         for (int i = 0; i < OfObject.Length; i++)
         {
-            ref readonly ConvexShape shape = ref scene.Objects[i].Shape;
-            if (!known.TryGetValue(shape, out OfObject[i]))
+            AnyShape shape = scene.Objects[i].Any;
+            (ConvexShape Convex, object? Other) key = (shape.Convex, (object?)shape.Mesh ?? shape.Compound);
+            if (!known.TryGetValue(key, out OfObject[i]))
             {
-                known.Add(shape, OfObject[i] = _meshes.Count);
+                known.Add(key, OfObject[i] = _meshes.Count);
                 _meshes.Add(ShapeMesh.Of(shape, isCoarse: OfObject.Length > FineObjects));
             }
         }

@@ -50,6 +50,26 @@ internal static class SupportSamples
         return points;
     }
 
+    /// <summary>The furthest point of all parts, including their margins.</summary>
+    public static Double3 Support(in AnyShape shape, in Double3 direction)
+    {
+        if (shape.Kind == AnyShapeKind.Convex) return Support(shape.Convex, direction);
+        Double3 best = default;
+        double most = double.NegativeInfinity;
+        for (int part = 0; part < (shape.Mesh?.VertexCount ?? shape.PartCount); part++)
+        {
+            Double3 point = shape.Mesh is TriangleMesh mesh
+                ? Double3.Multiply(mesh.GetVertex(part), mesh.Scale)
+                : Support(shape.Compound!.GetPart(part), direction);
+            double along = Double3.Dot(direction, point);
+            if (!(along > most)) continue;
+            most = along;
+            best = point;
+        }
+
+        return best;
+    }
+
     /// <summary>The furthest point of the whole shape, including its margin.</summary>
     public static Double3 Support(in ConvexShape shape, in Double3 direction)
     {

@@ -21,6 +21,8 @@ internal static class ViewCommand
     public static int Run(
         Scene scene, string name, string? page, string? picture, bool isLive, CancellationToken cancel)
     {
+        if (picture is not null) scene.Convex(name, "--svg");
+        if (isLive) scene.Convex(name, "--live");
         ShapeRange.Check(scene, name);
         if (isLive) LivePage.Check(scene, name);
         using AtomicFile? pageFile = page is null ? null : new AtomicFile(page, cancel);

@@ -43,7 +43,7 @@ internal static class ViewOptions
         {
             string? html = r.GetValue(page), svg = r.GetValue(picture);
             TargetFiles.Check(r.GetValue(source.File), ("--out", html), ("--svg", svg));
-            return ViewCommand.Run(source.Load(r, cancel, out string name), name, html, svg, r.GetValue(live), cancel);
+            return ViewCommand.Run(source.Load(r, cancel, out string name, onlyConvex: false), name, html, svg, r.GetValue(live), cancel);
         });
         return command;
     }

@@ -64,7 +64,7 @@ internal sealed class UnityMeshes
         }
 
         _known.Add((path, mesh.FileId), part);
-        if (Convexity.Warning(part) is { } warning) _log.Warn(where, $"it {warning}");
+        _log.WarnOf(where, part, "it");
         return part;
     }
 

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Linq;
 using Gjk.Demo.Tests.Support;
 using Xunit;
 
@@ -63,6 +64,48 @@ public sealed class ImportCommandTests
             $"gjk-demo: {file}: warning: the part \"default\" is not closed, so whether it is convex is not known: it "
             + $"is taken as the hull of its points\ngjk-demo: wrote 1 object to {directory.File("scene.json")}\n",
             run.Error);
+    }
+
+    /// <summary>
+    /// An open box and a box with a dent become surfaces, the closed one a solid; a convex one stays a hull. The scene
+    /// is a scene that query takes: a ball in the dent touches nothing, and one in the wall of it does.
+    /// </summary>
+    [Fact]
+    public void ConcaveMeshesAreKeptAsSurfaces()
+    {
+        using var directory = new TempDirectory();
+        const string lid = "f 5 6 7 8\n", dent = "v 0 0 0\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n";
+        string open = Cube.Replace(lid, "");
+        string file = directory.Write("parts.obj", "o hull\n" + Cube);
+        DemoRun hull = DemoRun.Of("import", file, "--concave");
+        hull.AssertDone();
+        Assert.Equal(DemoRun.Of("import", file).Out, hull.Out);
+
+        DemoRun surface = DemoRun.Of("import", directory.Write("open.obj", open), "--concave");
+        surface.AssertDone();
+        Assert.Contains("\"shape\": { \"type\": \"surface\", \"mesh\": \"default\" }", surface.Out);
+
+        DemoRun solid = DemoRun.Of("import", directory.Write("dent.obj", open + dent), "--concave");
+        solid.AssertDone();
+        Assert.Equal("", solid.Error);
+        Assert.Contains("\"type\": \"surface\", \"mesh\": \"default\", \"solid\": true }", solid.Out);
+        const string ball = ", { \"shape\": { \"type\": \"sphere\", \"radius\": 0.125 }, \"position\": ";
+        string balls = $"{ball}[0, 0, 0.5] }}{ball}[0, 0, -0.5] }} ], \"pairs\": [[0, 1], [0, 2]]\n}}\n";
+        string scene = directory.Write("scene.json", solid.Out[..solid.Out.LastIndexOf(']')] + balls);
+        DemoRun query = DemoRun.Of("query", scene);
+        query.AssertDone();
+        Assert.Equal(["false", "true"], query.Out.TrimEnd('\n').Split('\n')[1..].Select(row => row.Split(',')[3]));
+    }
+
+    /// <summary>Points without faces have no triangles to keep: the warning stays.</summary>
+    [Fact]
+    public void CloudsStayHulls()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("cloud.obj", Cube[..Cube.IndexOf('f')]);
+        DemoRun run = DemoRun.Of("import", file, "--concave");
+        Assert.Equal(DemoRun.Of("import", file).Out, run.Out);
+        Assert.Contains("it is taken as the hull of its points", run.Error);
     }
 
     [Fact]

@@ -46,7 +46,7 @@ internal sealed class Imported
         using var directory = new TempDirectory();
         string json = directory.File("scene.json");
         using (FileStream stream = File.Create(json))
-            SceneJson.Write(stream, Path.GetFileNameWithoutExtension(file), result, CancellationToken.None);
+            SceneJson.Write(stream, Path.GetFileNameWithoutExtension(file), result, false, CancellationToken.None);
         Scene scene = SceneFile.Load(json, CancellationToken.None);
         Assert.Equal(
             result.Objects.Select(o => (o.Name, o.Pose, o.ToConvexShape().ToString())),

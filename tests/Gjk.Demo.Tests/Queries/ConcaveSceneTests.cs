@@ -100,8 +100,8 @@ public sealed class ConcaveSceneTests
             $$"""
             {"version":1,"meshes":{"t":{{Tetrahedron}}},"objects":[{{Ball}},{"shape":{"type":"surface","mesh":"t"} }]}
             """);
-        DemoProcess.Run("time", scene).AssertRefused("$.objects[1].shape", "convex");
-        DemoProcess.Run("view", scene, "--out", directory.File("s.html")).AssertRefused("$.objects[1].shape");
+        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", directory.File("s.html"))
+            .AssertRefused("$.objects[1].shape", "convex");
     }
 
     private static string[] Query(string scene, params string[] options)

@@ -71,6 +71,32 @@ public sealed class TimeTests
         if (applies) Assert.InRange(cast.GetDouble(), 1, 1e6);
     }
 
+    /// <summary>Surfaces and compounds have distances, overlaps and casts, but no starts, batches or depths.</summary>
+    [Fact]
+    public void ConcaveScenesAreTimed()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write(
+            "c.json",
+            """
+            {"version":1,"meshes":{"m":{"vertices":[[0,0,0],[1,0,0],[0,1,0]],"triangles":[[0,1,2]]}},"objects":[
+              {"shape":{"type":"surface","mesh":"m"}},
+              {"shape":{"type":"compound","parts":[{"shape":{"type":"point"},"position":[0,0,3]}]}},
+              {"shape":{"type":"sphere","radius":1},"velocity":[0,0,9]}]}
+            """);
+        DemoRun run = DemoRun.Of("time", scene, "--seconds", "0.1");
+        run.AssertDone();
+        using JsonDocument timed = JsonDocument.Parse(run.Out);
+        JsonElement figures = timed.RootElement;
+        Assert.Equal(Fields, figures.EnumerateObject().Select(p => p.Name));
+        Assert.Equal(1, figures.GetProperty("overlapping").GetInt32());
+        Assert.Equal(0, figures.GetProperty("bytes_per_call").GetDouble());
+        foreach (string time in new[] { "cold_ns", "cold_median_ns", "moving_ns", "bool_ns", "cast_ns" })
+            Assert.InRange(figures.GetProperty(time).GetDouble(), 1, 1e6);
+        foreach (string time in new[] { "warm_ns", "batch_ns", "batch_warm_ns", "batch_bool_ns", "depth_ns" })
+            Assert.Equal(JsonValueKind.Null, figures.GetProperty(time).ValueKind);
+    }
+
     [UnixFact]
     public void CtrlCKeepsTheScenesThatWereDone()
     {

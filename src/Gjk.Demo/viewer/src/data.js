@@ -13,7 +13,9 @@ export const shorts = (text) => new Uint16Array(bytes(text).buffer);
 export { bytes };
 
 export function shape(json) {
-  return { ...json, vertices: floats(json.vertices), triangles: ints(json.triangles), edges: ints(json.edges) };
+  const partStarts = json.partStarts === undefined ? null : ints(json.partStarts);
+  const edges = ints(json.edges);
+  return { ...json, vertices: floats(json.vertices), triangles: ints(json.triangles), edges, partStarts };
 }
 
 /** Formats a number for a reader. It has six digits, and an exponent only if it needs one. */

@@ -36,7 +36,17 @@ export function surface(shape, unit, thickness) {
   return geometry;
 }
 
-/** The sharp edges, as pairs of points. */
+/** The triangles of one part of a surface or a compound. */
+export function partSurface({ vertices, triangles, partStarts }, part, unit) {
+  const position = [];
+  for (let i = 3 * partStarts[part]; i < 3 * partStarts[part + 1]; i++)
+    for (let axis = 0; axis < 3; axis++) position.push(vertices[3 * triangles[i] + axis] * unit);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(position), 3));
+  return geometry;
+}
+
+/** The sharp edges, as pairs of points; all edges of a surface. */
 export function edges(shape, unit) {
   const at = corners(shape.vertices, unit);
   const position = new Float32Array(shape.edges.length * 3);

@@ -124,7 +124,7 @@ export class PairList {
     const hit = model.overlaps(pair);
     const isSelected = pair === this.selected;
     const text = hit
-      ? `depth ${model.depth(pair)}`
+      ? model.overlapText(pair)
       : Number.isNaN(model.distance(pair))
         ? model.statusName(pair)
         : number(model.distance(pair));

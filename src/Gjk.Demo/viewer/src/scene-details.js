@@ -38,7 +38,7 @@ export class SceneDetails {
     if (pair !== undefined) return [element('b', { textContent: this.title(pair) }), definitions(this.facts(pair))];
     const name = element('b', { textContent: model.names[object] });
     if (model.hit[object]) {
-      const words = (each) => `${model.names[model.partner(each, object)]} (depth ${model.depth(each)})`;
+      const words = (each) => `${model.names[model.partner(each, object)]} (${model.overlapText(each)})`;
       return [name, `intersects ${model.hitsOf(object).map(words).join(', ')}`];
     }
     const nearest = model.nearest[object];
@@ -62,11 +62,13 @@ export class SceneDetails {
         ];
     if (status !== 'Separated' && status !== 'Overlapping') entries.push(['status', status]);
     const iterations = String(model.iterations[model.index(pair)]);
+    for (const [object, part] of model.partsOf(pair)) entries.push([`part of ${model.names[object]}`, String(part)]);
     return [...entries, ...points, ...this.impactFacts(pair), ['iterations', iterations]];
   }
 
   overlapFacts(pair) {
     const { model } = this;
+    if (!model.hasDepth(pair)) return [['distance', '0']];
     const isTouching = model.distance(pair) === 0;
     const facts = [['depth', model.depth(pair) + (isTouching ? ' (touching)' : '')]];
     if (!isTouching) facts.push(['way out', vector(model.normal(pair))]);

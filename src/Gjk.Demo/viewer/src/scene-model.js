@@ -37,6 +37,7 @@ export class SceneModel {
     this.pointsA = floats(json.pointA);
     this.pointsB = floats(json.pointB);
     this.normals = floats(json.normal);
+    this.parts = json.partA === undefined ? null : [ints(json.partA), ints(json.partB)];
     this.overlapping = ints(json.overlapping);
     this.contactData = new ContactData(json, this.overlapping);
     this.castData = new CastData(json);
@@ -108,6 +109,24 @@ export class SceneModel {
   overlaps(pair) {
     const status = this.status[this.index(pair)];
     return status === OVERLAPPING || (status === ITERATION_LIMIT && this.distance(pair) <= 0);
+  }
+
+  /** Whether a pair has one depth: two convex shapes have, and a point inside a solid. */
+  hasDepth(pair) {
+    const isConvex = [this.a[pair], this.b[pair]].every((object) => !this.shapes[this.shapeOf[object]].partStarts);
+    return isConvex || this.distance(pair) < 0;
+  }
+
+  /** The triangles or parts that a pair's answer is about: [object, part] each. Convex shapes have none. */
+  partsOf(pair) {
+    const objects = [this.a[pair], this.b[pair]];
+    const both = objects.map((object, side) => [object, this.parts?.[side][this.index(pair)] ?? -1]);
+    return both.filter(([, part]) => part >= 0);
+  }
+
+  /** How an intersecting pair intersects, for a reader. */
+  overlapText(pair) {
+    return this.hasDepth(pair) ? `depth ${this.depth(pair)}` : 'intersecting';
   }
 
   /** The depth of an intersecting pair, for a reader. */

@@ -19,7 +19,7 @@ import { Arrows, arrow } from './arrows.js';
 import { Casts } from './casts.js';
 import { Contacts } from './contacts.js';
 import { Axes } from './axes.js';
-import { edges, rod, surface } from './geometry.js';
+import { edges, partSurface, rod, surface } from './geometry.js';
 import { Hatch } from './hatch.js';
 import { Labels } from './labels.js';
 import { COLORS, theme } from './theme.js';
@@ -39,6 +39,9 @@ const MOST_NAMES = 200;
 
 /** The thickness of a drawn point or segment, in units (a scene is 20 across). */
 const THIN = 0.035;
+
+/** How much of the colour of a lit part is seen. */
+const LIT = 0.7;
 
 /** In degrees. The outline of a round shape is its net, whose facets are further apart than this. */
 const ROUND_ANGLE = 5;
@@ -214,6 +217,7 @@ export class SceneView {
    */
   markSelected() {
     this.marks.clear();
+    if (this.selected >= 0) for (const at of this.model.partsOf(this.selected)) this.markPart(...at);
     const line = this.selected < 0 ? null : this.model.line(this.selected);
     const wayOut = this.selected < 0 ? null : this.model.wayOut(this.selected);
     const ends = line ?? wayOut;
@@ -224,6 +228,17 @@ export class SceneView {
     const parts = line ? [rod(...line, size * 1.3), ...line.map(ball)] : arrow(...wayOut, size * 1.3, size * 14);
     for (const part of parts) this.marks.add(new Mesh(part, material));
     for (const mark of this.marks.children) mark.renderOrder = 2;
+  }
+
+  /** Lights a triangle or part of the selected pair, also through what hides it. */
+  markPart(object, part) {
+    const { model } = this;
+    const side = { side: DoubleSide, depthTest: false, transparent: true, opacity: LIT };
+    const geometry = partSurface(model.shapes[model.shapeOf[object]], part, model.unit);
+    const lit = new Mesh(geometry, new MeshBasicMaterial({ color: COLORS.accent, ...side }));
+    lit.position.copy(model.position(object));
+    lit.quaternion.copy(model.rotation(object));
+    this.marks.add(lit);
   }
 
   /** Finds what is under a point of the window: {object}, {pair} or nothing. */

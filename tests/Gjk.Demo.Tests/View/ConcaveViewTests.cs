@@ -1,0 +1,106 @@
+using System.IO;
+using System.Linq;
+using System.Runtime.InteropServices;
+using System.Text.Json;
+using Gjk.Demo.Tests.Support;
+using Xunit;
+
+namespace Gjk.Demo.Tests.View;
+
+/// <summary>Surfaces and compounds on the page of <c>view</c>.</summary>
+public sealed class ConcaveViewTests
+{
+    /// <summary>A folded sheet, a compound above its second triangle, a point inside a solid, and two balls.</summary>
+    private const string Scene = """
+        {"version":1,"meshes":{
+          "fold":{"vertices":[[0,0,0],[2,0,0],[0,2,0],[2,2,1]],"triangles":[[0,1,2],[1,3,2]]},
+          "t":{"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],"triangles":[[0,2,1],[0,1,3],[1,2,3],[0,3,2]]}},
+        "objects":[
+          {"shape":{"type":"surface","mesh":"fold"},"scale":[1,1,2]},
+          {"shape":{"type":"compound","parts":[
+            {"shape":{"type":"box","halfExtents":[1,1,1]},"position":[0,0,20]},
+            {"shape":{"type":"segment","a":[0,0,0],"b":[0,0,1]},"position":[2,2,4]}]}},
+          {"shape":{"type":"surface","mesh":"t","solid":true},"position":[50,0,0]},
+          {"shape":{"type":"point"},"position":[50.125,0.25,0.25]},
+          {"shape":{"type":"surface","mesh":"t"},"position":[50.5,0,0]}],
+        "pairs":[[0,1],[2,3],[2,4],[1,3]]}
+        """;
+
+    [Fact]
+    public void ThePageHasTheTrianglesAndTheNearestParts()
+    {
+        using var directory = new TempDirectory();
+        string page = directory.File("c.html");
+        string scene = directory.Write("c.json", Scene);
+        DemoProcess.Run("view", scene, "--out", page).AssertDone();
+        var text = new PageText(page);
+        JsonElement[] shapes = [.. text.Data.GetProperty("shapes").EnumerateArray()];
+
+        JsonElement fold = shapes[0];
+        Assert.Equal(2, fold.GetProperty("dimension").GetInt32());
+        Assert.Equal([0, 1, 2, 1, 3, 2], Column<int>(fold, "triangles"));
+        Assert.Equal([0, 1, 2], Column<int>(fold, "partStarts"));
+        Assert.Equal(10, Column<int>(fold, "edges").Length);
+        Assert.Equal(2, Column<float>(fold, "vertices")[^1]);
+
+        JsonElement compound = shapes[1];
+        Assert.Equal([0, 12, 12], Column<int>(compound, "partStarts"));
+        Assert.Equal(10, Column<float>(compound, "vertices").Length / 3);
+        Assert.Equal(26, Column<int>(compound, "edges").Length);
+
+        Assert.False(shapes[3].TryGetProperty("partStarts", out _));
+        int[] partA = text.Column<int>("partA");
+        Assert.Equal([1, 3, 1], [partA[0], partA[1], partA[3]]);
+        Assert.Equal([1, -1, -1], text.Column<int>("partB").Where((_, pair) => pair != 2));
+        float[] distances = text.Column<float>("distance");
+        Assert.Equal([-0.125f, 0], distances[1..3]);
+        Assert.Equal([0, 1, 1, 0], text.Column<byte>("status"));
+        Assert.Equal([2], text.Column<int>("overlapping"));
+    }
+
+    /// <summary>The answers on the page are those of <c>query</c>.</summary>
+    [Fact]
+    public void ThePageSaysWhatQuerySays()
+    {
+        using var directory = new TempDirectory();
+        string page = directory.File("c.html");
+        string scene = directory.Write("c.json", Scene);
+        DemoProcess.Run("view", scene, "--out", page).AssertDone();
+        DemoRun query = DemoProcess.Run("query", scene, "--depth", "--parts");
+        query.AssertDone();
+        var text = new PageText(page);
+        int[] partA = text.Column<int>("partA"), partB = text.Column<int>("partB");
+        string[][] rows = [.. query.Out.TrimEnd('\n').Split('\n').Skip(1).Select(row => row.Split(','))];
+        Assert.Equal(rows.Select(row => row[^2]), partA.Select(Cell));
+        Assert.Equal(rows.Select(row => row[^1]), partB.Select(Cell));
+        Assert.Equal(rows.Select(row => float.Parse(row[4])), text.Column<float>("distance"));
+    }
+
+    [Fact]
+    public void ASceneOfConvexShapesHasNoParts()
+    {
+        using var directory = new TempDirectory();
+        string page = directory.File("c.html");
+        DemoProcess.Run("view", "--builtin", "cubes", "--out", page).AssertDone();
+        Assert.False(new PageText(page).Data.TryGetProperty("partA", out _));
+    }
+
+    [Theory]
+    [InlineData("--svg", "c.svg")]
+    [InlineData("--live", null)]
+    public void APictureAndALivePageTakeConvexShapes(string option, string? file)
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("c.json", Scene), page = directory.File("c.html");
+        string[] rest = file is null ? [option] : [option, directory.File(file)];
+        DemoProcess.Run(["view", scene, "--out", page, .. rest])
+            .AssertRefused("$.objects[0].shape", option, "not a surface");
+        Assert.False(File.Exists(page));
+    }
+
+    private static string Cell(int part) => part < 0 ? "" : part.ToString();
+
+    private static T[] Column<T>(JsonElement shape, string name)
+        where T : unmanaged =>
+        MemoryMarshal.Cast<byte, T>(shape.GetProperty(name).GetBytesFromBase64()).ToArray();
+}
