@@ -127,8 +127,11 @@ public static partial class ConcaveQuery
         if (!isInside) return false;
         CastStatus status = wasInside ? CastStatus.OverlappingAtStart : CastStatus.Hit;
         ref PartPairSearch touch = ref scratch.Search;
+        Vector3 normal = wasInside ? Vector3.Zero : Facing(
+            PartQuery.SignedDistance(scratch.A, touch.PartA, scratch.B, touch.PartB).Normal,
+            (Vector3)((Double3)b.Velocity - a.Velocity));
         inside = new PartCast(
-            new CastResult(status, 0, touch.Best.PointA, Vector3.Zero, 0), scratch.A.NumberOf(touch.PartA),
+            new CastResult(status, 0, touch.Best.PointA, normal, 0), scratch.A.NumberOf(touch.PartA),
             scratch.B.NumberOf(touch.PartB));
         return true;
     }

@@ -26,7 +26,7 @@ public static partial class ConcaveQuery
         scratch.Search.All = pairs;
         PartPairSearch.Run(scratch, distance);
         scratch.Search.All = null;
-        pairs.Sort(PairOrder.Instance);
+        pairs.Sort();
         return true;
     }
 
@@ -58,13 +58,5 @@ public static partial class ConcaveQuery
 
         pairs.RemoveRange(kept, pairs.Count - kept);
         return true;
-    }
-
-    private sealed class PairOrder : IComparer<PartDistance>
-    {
-        public static readonly PairOrder Instance = new();
-
-        public int Compare(PartDistance x, PartDistance y) =>
-            x.PartA != y.PartA ? x.PartA.CompareTo(y.PartA) : x.PartB.CompareTo(y.PartB);
     }
 }

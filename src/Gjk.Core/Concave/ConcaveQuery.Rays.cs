@@ -18,8 +18,9 @@ public static partial class ConcaveQuery
     /// <param name="options">Which contacts are passed, of each part; by default none.</param>
     /// <returns>
     /// The least distance over all parts, with the result that <c>ConvexQuery.RayCast</c> has for the part; of equal
-    /// distances the least number. From inside a solid: OverlappingAtStart, unless shallow contacts are passed. Invalid
-    /// input, or a scratch that is null, gives <see cref="CastStatus.InvalidInput"/>.
+    /// distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart, unless
+    /// shallow contacts are passed; from on its surface into it: a hit at 0. Invalid input, or a scratch that is null,
+    /// gives <see cref="CastStatus.InvalidInput"/>.
     /// </returns>
     public static PartRayHit RayCast(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
@@ -40,6 +41,13 @@ public static partial class ConcaveQuery
                         CastStatus.OverlappingAtStart, 0, origin, start.Result.Normal, 0, -start.Distance),
                     start.PartA);
             }
+
+            if (start.Distance == 0 && Enters(scratch, direction, search, maxDistance))
+            {
+                Vector3 outward = PartQuery.SignedDistance(scratch.A, start.PartA, scratch.B, 0).Normal;
+                return new PartRayHit(
+                    new RayCastResult(CastStatus.Hit, 0, origin, Facing(outward, direction), 0), start.PartA);
+            }
         }
 
         return search.PartA >= 0
@@ -47,6 +55,23 @@ public static partial class ConcaveQuery
             : new PartRayHit(
                 RayCastResult.Nothing(CastStatus.Miss, Math.Max(maxDistance, 0), 0), PartSide.NoPart);
     }
+
+    /// <summary>
+    /// Whether a ray that begins on a solid's surface goes into it: no surface is crossed before the next hit, so the
+    /// middle of the way there tells.
+    /// </summary>
+    private static bool Enters(
+        ConcaveScratch scratch, Vector3 direction, in PartCastSearch search, float maxDistance)
+    {
+        double way = search.PartA >= 0 ? search.Ray.Distance : maxDistance;
+        if (!(way > 0) || double.IsInfinity(way)) return false;
+        Double3 along = direction;
+        return Containment.IsAnyInside(scratch, along * (0.5 * way / along.Length));
+    }
+
+    /// <summary>A normal of a triangle, on the side from which a motion comes.</summary>
+    private static Vector3 Facing(Vector3 normal, Vector3 motion) =>
+        Double3.Dot(normal, motion) > 0 ? -normal : normal;
 
     /// <summary>Where a ray meets each part of a shape.</summary>
     /// <param name="shape">The shape.</param>
@@ -70,7 +95,7 @@ public static partial class ConcaveQuery
         scratch.CastSearch.All = hits;
         PartCastSearch.Run(scratch);
         scratch.CastSearch.All = null;
-        hits.Sort(RayOrder.Instance);
+        hits.Sort();
         return true;
     }
 
@@ -85,13 +110,5 @@ public static partial class ConcaveQuery
             scratch, PartMotion.Ray, new RigidMotion(pose, Vector3.Zero),
             new RigidMotion(new RigidPose(origin), direction), maxDistance, 0, options);
         return true;
-    }
-
-    private sealed class RayOrder : IComparer<PartRayHit>
-    {
-        public static readonly RayOrder Instance = new();
-
-        public int Compare(PartRayHit x, PartRayHit y) =>
-            x.Distance != y.Distance ? x.Distance.CompareTo(y.Distance) : x.Part.CompareTo(y.Part);
     }
 }

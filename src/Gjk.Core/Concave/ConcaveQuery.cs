@@ -27,7 +27,8 @@ public static partial class ConcaveQuery
     /// <returns>
     /// The least distance over all pairs of parts, which is what <c>ConvexQuery.Distance</c> says of these two. Shapes
     /// overlap where two parts share a point, touching included, or where a piece of one lies inside a solid. Of pairs
-    /// that are equally near one is named, always the same. A <c>default</c> shape or pose, or a scratch that is null,
+    /// that are equally near one is named, for one <paramref name="maxDistance"/> always the same, and the lower bound
+    /// is that of all pairs. A <c>default</c> shape or pose, or a scratch that is null,
     /// gives <see cref="GjkStatus.InvalidInput"/>.
     /// </returns>
     public static PartDistance Distance(
@@ -65,7 +66,18 @@ public static partial class ConcaveQuery
         int partB = isFound ? b.NumberOf(search.PartB) : PartSide.NoPart;
         if (isTouching || !(a.IsSolid || b.IsSolid) || !Containment.TryFind(scratch, out PartDistance inside))
             return new PartDistance(best, partA, partB);
-        return isSigned && (a.IsPoint || b.IsPoint) ? new PartDistance(best.Inside, partA, partB) : inside;
+        if (!isSigned || !(a.IsPoint || b.IsPoint)) return inside;
+        PartSide outer = a.IsPoint ? b : a, point = a.IsPoint ? a : b;
+        double most = MostDistance(outer, a.IsPoint ? search.PartB : search.PartA, point.Pose.Position, best.Distance);
+        return new PartDistance(best.Inside(RoundOff.Down(-most)), partA, partB);
+    }
+
+    /// <summary>A bound from above of a point's distance to a triangle, of which the rounded one is known.</summary>
+    private static double MostDistance(PartSide side, int part, Vector3 point, float distance)
+    {
+        side.Mesh!.GetCore(part, out TriangleCore triangle);
+        double reach = ((Double3)point - side.Pose.Position).Length + triangle.Center.Length + triangle.BoundingRadius;
+        return distance * (1 + GjkTolerances.FloatBand) + 2 * GjkTolerances.LowerBoundError * reach;
     }
 
     /// <summary>The distance between two shapes, negative where a point is inside a solid.</summary>

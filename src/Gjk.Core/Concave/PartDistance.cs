@@ -1,7 +1,9 @@
+using System;
+
 namespace Gjk.Core;
 
 /// <summary>The distance between two shapes of any kind, and the parts that it is between. Immutable.</summary>
-public readonly struct PartDistance
+public readonly struct PartDistance : IComparable<PartDistance>
 {
     /// <summary>
     /// The distance, the closest points and the normal, all of the two parts. Beyond the largest distance the normal
@@ -33,6 +35,13 @@ public readonly struct PartDistance
 
     /// <summary>True when the shapes share a point, touching included.</summary>
     public bool IsOverlapping => Result.IsOverlapping;
+
+    /// <summary>By the part of A, then by that of B.</summary>
+    public int CompareTo(PartDistance other)
+    {
+        int order = PartA.CompareTo(other.PartA);
+        return order != 0 ? order : PartB.CompareTo(other.PartB);
+    }
 
     /// <summary>The status, the distance and the parts, for people to read.</summary>
     public override string ToString() => $"{Result}, parts {PartA} and {PartB}";

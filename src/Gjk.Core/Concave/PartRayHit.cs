@@ -1,7 +1,9 @@
+using System;
+
 namespace Gjk.Core;
 
 /// <summary>Where a ray first meets a shape of any kind, and which part. Immutable.</summary>
-public readonly struct PartRayHit
+public readonly struct PartRayHit : IComparable<PartRayHit>
 {
     /// <summary>
     /// What the part says. Of a ray that begins inside a solid: OverlappingAtStart, with the depth and the normal of
@@ -26,6 +28,13 @@ public readonly struct PartRayHit
 
     /// <summary>True when a contact was found that counts: on the way, or at the origin.</summary>
     public bool IsHit => Result.IsHit;
+
+    /// <summary>By the distance, then by the part.</summary>
+    public int CompareTo(PartRayHit other)
+    {
+        int order = Distance.CompareTo(other.Distance);
+        return order != 0 ? order : Part.CompareTo(other.Part);
+    }
 
     /// <summary>The result and the part, for people to read.</summary>
     public override string ToString() => $"{Result}, part {Part}";

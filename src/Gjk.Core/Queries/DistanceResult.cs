@@ -78,9 +78,9 @@ public readonly struct DistanceResult
         Status, Distance, LowerBound, PointB, PointA, Opposite.Of(Normal), LocalPointB, LocalPointA, Iterations);
 
     /// <summary>Of a surface and a point beside it, what the solid and the point inside it have.</summary>
-    internal DistanceResult Inside => new(
-        GjkStatus.Overlapping, 0 - Distance, RoundOff.Down(-(double)Distance * (1 + 1.0 / (1 << 23))), PointA, PointB,
-        Opposite.Of(Normal), LocalPointA, LocalPointB, Iterations);
+    internal DistanceResult Inside(float lowerBound) => new(
+        GjkStatus.Overlapping, 0 - Distance, lowerBound, PointA, PointB, Opposite.Of(Normal), LocalPointA, LocalPointB,
+        Iterations);
 
     internal DistanceResult WithLowerBound(float bound) => new(
         Status, Distance, bound, PointA, PointB, Normal, LocalPointA, LocalPointB, Iterations);
