@@ -6,7 +6,10 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>The same loops for a scene with surfaces or compounds. Such queries keep no starts and have no batch.</summary>
+/// <summary>
+/// The loops of <see cref="PairLoop"/> for a scene with surfaces or compounds. Such queries keep no starts and have no
+/// batch.
+/// </summary>
 internal sealed class ConcaveLoop
 {
     private readonly AnyShape[] _shapes;
@@ -76,8 +79,9 @@ internal sealed class ConcaveLoop
         {
             _cancel.ThrowIfCancellationRequested();
             int a = _a[i], b = _b[i];
-            iterations += ConcaveQuery.Cast(
-                _shapes[a], _poses[a], _velocities[a], _shapes[b], _poses[b], _velocities[b], _scratch).Result.Iterations;
+            PartCast cast = ConcaveQuery.Cast(
+                _shapes[a], _poses[a], _velocities[a], _shapes[b], _poses[b], _velocities[b], _scratch);
+            iterations += cast.Result.Iterations;
         }
 
         Iterations = iterations;

@@ -72,7 +72,11 @@ internal sealed class ScenePath
     {
         var size = default(Double3);
         foreach (Double3 axis in (ReadOnlySpan<Double3>)[new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)])
-            size += axis * Double3.Dot(axis, SupportSamples.Support(shape, axis) - SupportSamples.Support(shape, -axis));
+        {
+            Double3 width = SupportSamples.Support(shape, axis) - SupportSamples.Support(shape, -axis);
+            size += axis * Double3.Dot(axis, width);
+        }
+
         return Math.Max(Math.Max(size.X, size.Y), size.Z);
     }
 }

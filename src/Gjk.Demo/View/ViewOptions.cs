@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Threading;
 using Gjk.Demo.Output;
+using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
@@ -43,7 +44,8 @@ internal static class ViewOptions
         {
             string? html = r.GetValue(page), svg = r.GetValue(picture);
             TargetFiles.Check(r.GetValue(source.File), ("--out", html), ("--svg", svg));
-            return ViewCommand.Run(source.Load(r, cancel, out string name, onlyConvex: false), name, html, svg, r.GetValue(live), cancel);
+            Scene scene = source.Load(r, cancel, out string name, onlyConvex: false);
+            return ViewCommand.Run(scene, name, html, svg, r.GetValue(live), cancel);
         });
         return command;
     }
