@@ -49,8 +49,8 @@ public class FolderTests(ITestOutputHelper output)
         (
             "Concave",
             [
-                "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Solvers/Motion", "Queries",
-                "Queries/Rays", "Concave/Trees",
+                "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Solvers", "Solvers/Motion",
+                "Queries", "Queries/Rays", "Concave/Trees",
             ]),
         (
             "Diagnostics",
