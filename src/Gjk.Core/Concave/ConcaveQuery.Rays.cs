@@ -31,7 +31,7 @@ public static partial class ConcaveQuery
         PartCastSearch.Run(scratch);
         ref PartCastSearch search = ref scratch.CastSearch;
         if (scratch.A.IsSolid && !options.PassesShallow
-            && !(search.PartA >= 0 && search.Ray.Status == CastStatus.OverlappingAtStart))
+            && !(search.PartA >= 0 && search.Ray.Status == CastStatus.OverlappingAtStart) && BeginsInOrOn(scratch))
         {
             PartDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
             if (start.Distance < 0)
@@ -54,6 +54,13 @@ public static partial class ConcaveQuery
             ? new PartRayHit(search.Ray, scratch.A.NumberOf(search.PartA))
             : new PartRayHit(
                 RayCastResult.Nothing(CastStatus.Miss, Math.Max(maxDistance, 0), 0), PartSide.NoPart);
+    }
+
+    /// <summary>Whether a ray begins in a solid or on it; most do not, and need no distance.</summary>
+    private static bool BeginsInOrOn(ConcaveScratch scratch)
+    {
+        PartPairSearch.Run(scratch, 0);
+        return scratch.Search.PartA >= 0 || Containment.TryFind(scratch, out _);
     }
 
     /// <summary>

@@ -115,13 +115,7 @@ internal struct PartCastSearch
                 }
 
                 bool isA = search.Bounds(boxesA, pair.A, childA, boxesB, pair.B, childB, bounds);
-                int first = PartTree.Lanes * (isA ? childA : childB);
-                int[] children = isA ? a.Children : b.Children;
-                for (int i = 0; i < PartTree.Lanes; i++)
-                {
-                    if (!(bounds[i] <= search._reached) || children[first + i] == PartTree.Empty) continue;
-                    heap.Add(isA ? first + i : pair.A, isA ? pair.B : first + i, bounds[i]);
-                }
+                heap.AddBelow(pair, isA, isA ? a.Children : b.Children, bounds, search._reached);
             }
         }
     }
@@ -156,16 +150,10 @@ internal struct PartCastSearch
     private readonly unsafe bool Bounds(
         float* boxesA, int a, int childA, float* boxesB, int b, int childB, float* bounds)
     {
-        TurnedBox.Read(boxesA, a, _frame.FactorA, out TurnedBox boxA);
-        TurnedBox.Read(boxesB, b, _frame.FactorB, out TurnedBox boxB);
-        bool isA = childB < 0 || (childA >= 0 && boxA.Size >= boxB.Size);
-        TurnedBox seen;
-        if (isA) _frame.SeenFromA(boxB, out seen);
-        else _frame.SeenFromB(boxA, out seen);
-        float* node = isA ? boxesA + childA * PartTree.Stride : boxesB + childB * PartTree.Stride;
-        float factor = isA ? _frame.FactorA : _frame.FactorB;
-        if (_motion == PartMotion.Impact) BoxLanes.DistanceSquared(node, factor, seen, _frame.Room, bounds);
-        else BoxLanes.Entries(node, factor, seen, isA ? _wayInA : _wayInB, _room, bounds);
+        bool isA = _frame.Open(
+            boxesA, a, childA, boxesB, b, childB, out float* node, out float factor, out TurnedBox other);
+        if (_motion == PartMotion.Impact) BoxLanes.DistanceSquared(node, factor, other, _frame.Room, bounds);
+        else BoxLanes.Entries(node, factor, other, isA ? _wayInA : _wayInB, _room, bounds);
         return isA;
     }
 

@@ -34,6 +34,22 @@ internal sealed class PartHeap
         entries[at].Bound = bound;
     }
 
+    /// <summary>Adds the pairs of one box with each of the eight below the other.</summary>
+    /// <param name="pair">The two boxes.</param>
+    /// <param name="isA">Whether A's is opened.</param>
+    /// <param name="children">Of the tree whose box is opened.</param>
+    /// <param name="bounds">Of the eight pairs.</param>
+    /// <param name="reached">Those with larger bounds cannot matter.</param>
+    public unsafe void AddBelow(in Entry pair, bool isA, int[] children, float* bounds, float reached)
+    {
+        int first = PartTree.Lanes * children[isA ? pair.A : pair.B];
+        for (int i = 0; i < PartTree.Lanes; i++)
+        {
+            if (!(bounds[i] <= reached) || children[first + i] == PartTree.Empty) continue;
+            Add(isA ? first + i : pair.A, isA ? pair.B : first + i, bounds[i]);
+        }
+    }
+
     public bool TryTake(out Entry top)
     {
         Entry[] entries = _entries;

@@ -72,13 +72,7 @@ internal struct PartPairSearch
                 }
 
                 bool isA = search.Bounds(boxesA, pair.A, childA, boxesB, pair.B, childB, bounds);
-                int first = PartTree.Lanes * (isA ? childA : childB);
-                int[] children = isA ? a.Children : b.Children;
-                for (int i = 0; i < PartTree.Lanes; i++)
-                {
-                    if (!(bounds[i] <= search.Reached) || children[first + i] == PartTree.Empty) continue;
-                    heap.Add(isA ? first + i : pair.A, isA ? pair.B : first + i, bounds[i]);
-                }
+                heap.AddBelow(pair, isA, isA ? a.Children : b.Children, bounds, search.Reached);
             }
         }
     }
@@ -108,23 +102,9 @@ internal struct PartPairSearch
     public readonly unsafe bool Bounds(
         float* boxesA, int a, int childA, float* boxesB, int b, int childB, float* bounds)
     {
-        TurnedBox.Read(boxesA, a, Frame.FactorA, out TurnedBox boxA);
-        TurnedBox.Read(boxesB, b, Frame.FactorB, out TurnedBox boxB);
-        bool isA = childB < 0 || (childA >= 0 && boxA.Size >= boxB.Size);
-        TurnedBox seen;
-        if (isA)
-        {
-            Frame.SeenFromA(boxB, out seen);
-            BoxLanes.DistanceSquared(
-                boxesA + childA * PartTree.Stride, Frame.FactorA, seen, Frame.Room, bounds);
-        }
-        else
-        {
-            Frame.SeenFromB(boxA, out seen);
-            BoxLanes.DistanceSquared(
-                boxesB + childB * PartTree.Stride, Frame.FactorB, seen, Frame.Room, bounds);
-        }
-
+        bool isA = Frame.Open(
+            boxesA, a, childA, boxesB, b, childB, out float* node, out float factor, out TurnedBox other);
+        BoxLanes.DistanceSquared(node, factor, other, Frame.Room, bounds);
         return isA;
     }
 

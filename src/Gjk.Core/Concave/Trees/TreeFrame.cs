@@ -65,6 +65,32 @@ internal struct TreeFrame
         frame.Room = (float)(Slack * (frame.RadiusA + frame.RadiusB + frame.Translation.Length)) + frame.FarRoom;
     }
 
+    /// <summary>Chooses which of two boxes is opened: the larger one, or the one that is no leaf.</summary>
+    /// <param name="boxesA">A's tree's boxes.</param>
+    /// <param name="a">A's box.</param>
+    /// <param name="childA">The node below it; negative in a leaf.</param>
+    /// <param name="boxesB">B's tree's.</param>
+    /// <param name="b">B's box.</param>
+    /// <param name="childB">The node below it.</param>
+    /// <param name="node">The boxes below the one that is opened.</param>
+    /// <param name="factor">Pair units per unit of theirs.</param>
+    /// <param name="other">The other box as they see it.</param>
+    /// <returns>Whether A's is opened.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly unsafe bool Open(
+        float* boxesA, int a, int childA, float* boxesB, int b, int childB, out float* node, out float factor,
+        out TurnedBox other)
+    {
+        TurnedBox.Read(boxesA, a, FactorA, out TurnedBox boxA);
+        TurnedBox.Read(boxesB, b, FactorB, out TurnedBox boxB);
+        bool isA = childB < 0 || (childA >= 0 && boxA.Size >= boxB.Size);
+        if (isA) SeenFromA(boxB, out other);
+        else SeenFromB(boxA, out other);
+        node = isA ? boxesA + childA * PartTree.Stride : boxesB + childB * PartTree.Stride;
+        factor = isA ? FactorA : FactorB;
+        return isA;
+    }
+
     /// <summary>A box of A's tree in pair units, as B's tree sees it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void SeenFromB(in TurnedBox box, out TurnedBox seen)
