@@ -178,6 +178,15 @@ public sealed class TriangleMesh
         c = Double3.Multiply(_vertices[_indices[i + 2]], _scale);
     }
 
+    /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>
+    internal double Reach(in Double3 direction, int step)
+    {
+        Double3 scaled = Double3.Multiply(direction, _scale);
+        double most = double.NegativeInfinity;
+        for (int i = 0; i < _vertices.Length; i += step) most = Math.Max(most, Double3.Dot(scaled, _vertices[i]));
+        return most;
+    }
+
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)
     {
