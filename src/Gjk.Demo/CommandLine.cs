@@ -9,6 +9,7 @@ using System.Numerics;
 using System.Threading;
 using Gjk.Demo.Fuzz;
 using Gjk.Demo.Import;
+using Gjk.Demo.Judge;
 using Gjk.Demo.Output;
 using Gjk.Demo.Play;
 using Gjk.Demo.Queries;
@@ -43,6 +44,7 @@ internal static class CommandLine
             BuildReplay(cancel),
             BuildQuery(cancel),
             BuildCast(cancel),
+            JudgeCommand.Build(cancel),
             ImportOptions.Build(cancel),
             ExampleCommand.Build(cancel),
             TimeOptions.Build(Seconds(), cancel),
