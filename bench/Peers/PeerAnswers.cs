@@ -12,7 +12,7 @@ namespace Gjk.Bench.Peers;
 
 /// <summary>
 /// Writes what every engine answers to the pairs of <c>tests/Cases</c>, in the columns that <c>gjk-demo judge</c>
-/// reads. A family with a shape that the engines' programs do not know is left out, and so is an engine that breaks off.
+/// reads. A family with a shape that the engines' programs do not know is left out; so is an engine that breaks off.
 /// </summary>
 internal static class PeerAnswers
 {
