@@ -36,6 +36,10 @@ public sealed class UsageTests
 
     [Theory]
     [InlineData("frobnicate", "frobnicate")]
+    [InlineData("quary", "quary: there is no such command: did you mean query?")]
+    [InlineData("cats a.json", "cats: there is no such command: did you mean cast?")]
+    [InlineData("frobnicate a.json", "frobnicate: there is no such command\n")]
+    [InlineData("query a.json --dept", "--dept: there is no such option: did you mean --depth?; a file")]
     [InlineData("query", "SCENE.json")]
     [InlineData("query one.json two.json", "two.json")]
     [InlineData("query --nope", "--nope: there is no such option")]
