@@ -14,7 +14,7 @@ public readonly struct Double3 : IEquatable<Double3>
 {
     /// <summary>
     /// A pure number: a component that is smaller than this share of the largest is what rounding to double leaves.
-    /// Pinned by VectorsOfPeopleHaveNoNoise.
+    /// Pinned by TextTests.
     /// </summary>
     private const double RoundingNoise = 1e-14;
 
