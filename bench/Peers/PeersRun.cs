@@ -36,7 +36,7 @@ internal static class PeersRun
             foreach (Func<PeerSet[]> make in PeerSet.All())
             {
                 PeerSet[] sets = make();
-                PairFile.Write(file, sets[0].Scene);
+                sets[0].Write(file);
                 foreach (PeerProcess process in processes) process.Load(file);
                 foreach (PeerSet set in sets)
                 {
@@ -87,7 +87,7 @@ internal static class PeersRun
         var engines = new Dictionary<string, PeerFigure>();
         for (int i = 0; i < able.Length; i++)
         {
-            int wrong = set.Wrong(able[i].Answers(set.Verb, set.Scene.Pairs.Length));
+            int wrong = set.Wrong(able[i].Answers(set.Verb, set.PairCount));
             engines.Add(able[i].Name, new PeerFigure(loops[i].Nanoseconds, wrong));
         }
 
