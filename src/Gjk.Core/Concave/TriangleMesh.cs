@@ -167,6 +167,9 @@ public sealed class TriangleMesh
     /// <summary>One triangle of each connected piece.</summary>
     internal int[] Components => _topology.Components;
 
+    /// <inheritdoc cref="MeshTopology.Twins"/>
+    internal int[] Twins => _topology.Twins;
+
     internal bool IsScaled => Scale != Vector3.One;
 
     /// <summary>The corners of a triangle with the scale.</summary>
@@ -177,6 +180,10 @@ public sealed class TriangleMesh
         b = Double3.Multiply(_vertices[_indices[i + 1]], _scale);
         c = Double3.Multiply(_vertices[_indices[i + 2]], _scale);
     }
+
+    /// <summary>A corner of a triangle with the scale.</summary>
+    /// <param name="side">Three times the triangle, and the corner.</param>
+    internal Double3 GetCorner(int side) => Double3.Multiply(_vertices[_indices[side]], _scale);
 
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)
