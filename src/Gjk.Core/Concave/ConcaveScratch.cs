@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -11,6 +13,7 @@ public sealed class ConcaveScratch
     internal readonly TriangleFilter Filter = new();
     internal readonly PlaneProof Plane = new();
     internal readonly WindingNumber Winding = new();
+    internal readonly List<PartDistance> Pairs = [];
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;
 }

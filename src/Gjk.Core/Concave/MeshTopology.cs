@@ -22,6 +22,7 @@ internal sealed class MeshTopology
         int[] joined = Joined(vertices);
         _corners = Array.ConvertAll(indices, i => joined[i]);
         _component = new int[vertices.Length];
+        Twins = new int[indices.Length];
         CountEdges();
         CountTriangles(vertices);
         FindComponents();
@@ -48,6 +49,13 @@ internal sealed class MeshTopology
 
     /// <inheritdoc cref="FaultyAlong"/>
     public int FaultyAgainst { get; private set; }
+
+    /// <summary>
+    /// Of each side of a triangle (three times the triangle, and the corner at which it begins) the one of the other
+    /// triangle at the edge; -1 where there is none or more than one. Triangles that are a segment, with two corners at
+    /// one place, do not count.
+    /// </summary>
+    public int[] Twins { get; }
 
     public int Degenerate { get; private set; }
 
@@ -85,17 +93,29 @@ internal sealed class MeshTopology
         Array.Sort(keys, sides);
         for (int begin = 0; begin < keys.Length;)
         {
-            int end = begin, along = 0, first = int.MaxValue;
+            int end = begin, along = 0, first = int.MaxValue, count = 0, one = -1, other = -1;
             int low = (int)(keys[begin] >> 32), high = (int)(keys[begin] & uint.MaxValue);
             for (; end < keys.Length && keys[end] == keys[begin]; end++)
             {
                 if (_corners[sides[end]] == low) along++;
                 first = Math.Min(first, sides[end]);
+                Twins[sides[end]] = -1;
+                if (IsSegment(sides[end] / 3)) continue;
+                count++;
+                (one, other) = (other, sides[end]);
             }
+
+            if (count == 2) (Twins[one], Twins[other]) = (other, one);
 
             if (low != high) CountEdge(along, end - begin - along, first);
             begin = end;
         }
+    }
+
+    private bool IsSegment(int triangle)
+    {
+        int a = _corners[3 * triangle], b = _corners[3 * triangle + 1], c = _corners[3 * triangle + 2];
+        return a == b || b == c || c == a;
     }
 
     private void CountEdge(int along, int against, int first)
@@ -118,7 +138,7 @@ internal sealed class MeshTopology
         for (int i = 0; i < _corners.Length; i += 3)
         {
             int a = _corners[i], b = _corners[i + 1], c = _corners[i + 2];
-            if (a == b || b == c || c == a || predicates.AreCollinear(a, b, c)) Degenerate++;
+            if (IsSegment(i / 3) || predicates.AreCollinear(a, b, c)) Degenerate++;
             int low = Math.Min(Math.Min(a, b), c), high = Math.Max(Math.Max(a, b), c);
             if (!seen.Add((low, a + b + c - low - high, high))) Duplicate++;
         }

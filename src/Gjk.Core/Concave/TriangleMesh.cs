@@ -167,6 +167,9 @@ public sealed class TriangleMesh
     /// <summary>One triangle of each connected piece.</summary>
     internal int[] Components => _topology.Components;
 
+    /// <inheritdoc cref="MeshTopology.Twins"/>
+    internal int[] Twins => _topology.Twins;
+
     internal bool IsScaled => Scale != Vector3.One;
 
     /// <summary>The corners of a triangle with the scale.</summary>
@@ -186,6 +189,10 @@ public sealed class TriangleMesh
         for (int i = 0; i < _vertices.Length; i += step) most = Math.Max(most, Double3.Dot(scaled, _vertices[i]));
         return most;
     }
+
+    /// <summary>A corner of a triangle with the scale.</summary>
+    /// <param name="side">Three times the triangle, and the corner.</param>
+    internal Double3 GetCorner(int side) => Double3.Multiply(_vertices[_indices[side]], _scale);
 
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)

@@ -50,7 +50,7 @@ public class FolderTests(ITestOutputHelper output)
             "Concave",
             [
                 "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Solvers", "Solvers/Motion",
-                "Queries", "Queries/Rays", "Concave/Trees",
+                "Contacts", "Queries", "Queries/Rays", "Concave/Trees",
             ]),
         (
             "Diagnostics",
