@@ -40,6 +40,7 @@ const tasks = [
 const reference = [
   { text: 'API', link: '/api/' },
   { text: 'Scene files', link: '/scene-format' },
+  { text: 'The command gjk-demo', link: '/command' },
   { text: 'How right', link: '/exactness' },
   { text: 'Judge any engine', link: '/cases' },
   { text: 'How fast', link: '/performance' },
