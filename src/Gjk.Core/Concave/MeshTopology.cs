@@ -29,6 +29,16 @@ internal sealed class MeshTopology
         _corners = _indices = _component = [];
     }
 
+    /// <summary>What is known of a grid without a look: its outline is open.</summary>
+    public MeshTopology(int columns, int rows)
+    {
+        (_corners, _indices, _component, Twins) = ([], [], [], []);
+        BorderEdges = 2 * (columns + rows - 2);
+        IsClosed = false;
+        (FaultyA, FaultyB, FaultyAlong) = (0, columns, 1);
+        Components = [0];
+    }
+
     /// <summary>How many edges belong to one triangle alone.</summary>
     public int BorderEdges { get; private set; }
 

@@ -66,8 +66,8 @@ public class FolderTests(ITestOutputHelper output)
         (
             "World",
             [
-                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading",
-                "BroadPhase", "Wide", "Batch",
+                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Concave",
+                "Concave/Trees", "Threading", "BroadPhase", "Wide", "Batch",
             ]),
     ];
 
