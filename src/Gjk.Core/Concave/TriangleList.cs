@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -39,11 +40,20 @@ internal sealed class TriangleList
 
     private int Rows => VertexCount / _columns;
 
-    public Vector3 Vertex(int index)
+    public Vector3 Vertex(int index) =>
+        _heights is null ? _vertices[index] : Vertex(index, index / _columns, index % _columns);
+
+    /// <summary>Where the corners of a triangle are.</summary>
+    /// <param name="side">Three times the triangle.</param>
+    /// <param name="a">The first corner.</param>
+    /// <param name="b">The second corner.</param>
+    /// <param name="c">The third corner.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Places(int side, out Vector3 a, out Vector3 b, out Vector3 c)
     {
-        if (_heights is null) return _vertices[index];
-        int row = index / _columns, column = index - row * _columns;
-        return new Vector3(column * _spacing.X, _heights[index], row * _spacing.Y);
+        if (_heights is null)
+            (a, b, c) = (_vertices[_indices[side]], _vertices[_indices[side + 1]], _vertices[_indices[side + 2]]);
+        else PlacesInGrid(side, out a, out b, out c);
     }
 
     /// <summary>The corners of a triangle.</summary>
@@ -72,6 +82,19 @@ internal sealed class TriangleList
         Corners(side - side % 3, out int a, out int b, out int c);
         return side % 3 == 0 ? a : side % 3 == 1 ? b : c;
     }
+
+    private void PlacesInGrid(int side, out Vector3 a, out Vector3 b, out Vector3 c)
+    {
+        int cell = side / 6, row = cell / (_columns - 1), at = cell + row, column = at - row * _columns;
+        bool isFirst = side == 6 * cell;
+        Vector3 right = Vertex(at + 1, row, column + 1), far = Vertex(at + _columns, row + 1, column);
+        a = isFirst ? Vertex(at, row, column) : right;
+        b = far;
+        c = isFirst ? right : Vertex(at + _columns + 1, row + 1, column + 1);
+    }
+
+    private Vector3 Vertex(int index, int row, int column) =>
+        new(column * _spacing.X, _heights![index], row * _spacing.Y);
 
     /// <summary>Three vertices of each triangle.</summary>
     public int[] CopyIndices()

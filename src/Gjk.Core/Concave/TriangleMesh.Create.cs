@@ -91,7 +91,7 @@ public sealed partial class TriangleMesh
         int[] corners = _list.CopyIndices();
         string? reason = Refusal(vertices, corners, out Vector3[] points, out corners);
         if (reason is not null) throw new ArgumentException(reason, nameof(vertices));
-        var topology = new MeshTopology(points, corners);
+        MeshTopology topology = _topology.WithVertices(points, corners);
         return new TriangleMesh(new TriangleList(points, corners), topology, Scale, Tree);
     }
 

@@ -155,10 +155,10 @@ public sealed partial class TriangleMesh
     /// <summary>The corners of a triangle with the scale.</summary>
     internal void GetCorners(int triangle, out Double3 a, out Double3 b, out Double3 c)
     {
-        _list.Corners(3 * triangle, out int i, out int j, out int k);
-        a = Double3.Multiply(_list.Vertex(i), _scale);
-        b = Double3.Multiply(_list.Vertex(j), _scale);
-        c = Double3.Multiply(_list.Vertex(k), _scale);
+        _list.Places(3 * triangle, out Vector3 first, out Vector3 second, out Vector3 third);
+        a = Double3.Multiply(first, _scale);
+        b = Double3.Multiply(second, _scale);
+        c = Double3.Multiply(third, _scale);
     }
 
     /// <summary>A corner of a triangle with the scale.</summary>
@@ -168,16 +168,16 @@ public sealed partial class TriangleMesh
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)
     {
-        _list.Corners(3 * triangle, out int i, out int j, out int k);
-        var shape = ConvexShape.Triangle(_list.Vertex(i), _list.Vertex(j), _list.Vertex(k));
+        _list.Places(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
+        var shape = ConvexShape.Triangle(a, b, c);
         return IsScaled ? shape.Scaled(Scale) : shape;
     }
 
     /// <summary>A triangle as a shape of its own, where there is no scale.</summary>
     internal TriangleShape GetPlain(int triangle)
     {
-        _list.Corners(3 * triangle, out int i, out int j, out int k);
-        return new TriangleShape(_list.Vertex(i), _list.Vertex(j), _list.Vertex(k));
+        _list.Places(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
+        return new TriangleShape(a, b, c);
     }
 
     /// <summary>A triangle as queries ask it.</summary>

@@ -13,13 +13,13 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>By slot; empty while all objects are convex.</summary>
     private AnyShape[] _shapes = [];
 
-    private readonly Stack<ConcaveScratch> _scratches = new();
+    private readonly ConcaveScratch _scratches = new();
 
     /// <summary>Whether there has been an object that is not convex.</summary>
     public bool Any { get; private set; }
 
     /// <summary>How many pairs make a part of a job: pairs of surfaces cost far more than convex ones.</summary>
-    public int PartLength => Any ? 8 : PairBatch.PartLength;
+    public int PartLength => Any ? PairBatch.ConcavePartLength : PairBatch.PartLength;
 
     /// <summary>Whether the object in a slot is not convex.</summary>
     public bool Has(int slot) => Any && objects.Shapes[slot].Kind == ShapeKind.None;
@@ -54,15 +54,9 @@ internal sealed class ScenePartQueries(SceneObjects objects)
         (_shapes[to], _shapes[from]) = (_shapes[from], default);
     }
 
-    public ConcaveScratch Rent()
-    {
-        lock (_scratches) return _scratches.Count > 0 ? _scratches.Pop() : new ConcaveScratch();
-    }
+    public ConcaveScratch Rent() => _scratches.Rent();
 
-    public void Return(ConcaveScratch scratch)
-    {
-        lock (_scratches) _scratches.Push(scratch);
-    }
+    public void Return(ConcaveScratch scratch) => _scratches.Return(scratch);
 
     public PartDistance Distance(ObjectPair pair, float maxDistance, ConcaveScratch scratch) =>
         ConcaveQuery.Distance(

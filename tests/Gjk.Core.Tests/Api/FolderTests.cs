@@ -62,7 +62,7 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
                 "Queries", "BroadPhase", "Threading",
             ]),
-        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Wide"]),
+        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Concave", "Threading", "BroadPhase", "Wide"]),
         (
             "World",
             [
