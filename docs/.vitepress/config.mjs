@@ -41,6 +41,7 @@ const reference = [
   { text: 'API', link: '/api/' },
   { text: 'Scene files', link: '/scene-format' },
   { text: 'How right', link: '/exactness' },
+  { text: 'Judge any engine', link: '/cases' },
   { text: 'How fast', link: '/performance' },
   { text: 'The experiment', link: '/experiment' },
   { text: 'Questions and answers', link: '/faq' },

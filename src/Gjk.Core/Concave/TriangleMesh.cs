@@ -161,6 +161,15 @@ public sealed partial class TriangleMesh
         c = Double3.Multiply(third, _scale);
     }
 
+    /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>
+    internal double Reach(in Double3 direction, int step)
+    {
+        Double3 scaled = Double3.Multiply(direction, _scale);
+        double most = double.NegativeInfinity;
+        for (int i = 0; i < _vertices.Length; i += step) most = Math.Max(most, Double3.Dot(scaled, _vertices[i]));
+        return most;
+    }
+
     /// <summary>A corner of a triangle with the scale.</summary>
     /// <param name="side">Three times the triangle, and the corner.</param>
     internal Double3 GetCorner(int side) => Double3.Multiply(_list.Vertex(_list.Corner(side)), _scale);
