@@ -111,7 +111,7 @@ internal readonly ref struct ContactCone
     /// <summary>Whether what is joined to a side does not reach beyond it.</summary>
     private bool EndsAt(int side, int most)
     {
-        int twin = _mesh.Twins[side];
+        int twin = _mesh.TwinOf(side);
         if (twin < 0 || most == 0) return true;
         Double3 edge = UnitOrZero(_mesh.GetCorner(After(side)) - _mesh.GetCorner(side));
         if (ReachesBeyond(twin, edge, out bool isFlattened)) return false;
@@ -130,9 +130,9 @@ internal readonly ref struct ContactCone
     private bool EndsAround(int side, int start, in Double3 corner, out bool isBorder)
     {
         isBorder = false;
-        for (int steps = 0; steps < _mesh.Twins.Length; steps++)
+        for (int steps = 0; steps < _mesh.TriangleCount; steps++)
         {
-            int twin = _mesh.Twins[side];
+            int twin = _mesh.TwinOf(side);
             isBorder = twin < 0;
             if (isBorder || twin / 3 == start / 3) return true;
             Double3 to = UnitOrZero(_mesh.GetCorner(Before(twin)) - corner);

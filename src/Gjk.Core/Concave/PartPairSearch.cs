@@ -55,11 +55,20 @@ internal struct PartPairSearch
     public List<PartDistance>? All;
 
     /// <summary>Finds the least distance that is at most the limit.</summary>
-    public static unsafe void Run(ConcaveScratch scratch, float maxDistance)
+    /// <param name="scratch">With both sides set.</param>
+    /// <param name="maxDistance">In world units.</param>
+    /// <param name="guess">The parts to ask first; they need not be near, or be there at all.</param>
+    public static unsafe void Run(ConcaveScratch scratch, float maxDistance, in PartWarmStart guess = default)
     {
         ref PartPairSearch search = ref scratch.Search;
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
         search.Begin(scratch, maxDistance);
+        if ((uint)guess.PartA < (uint)a.Order.Length && (uint)guess.PartB < (uint)b.Order.Length)
+        {
+            search.Ask(scratch, guess.PartA, guess.PartB);
+            if (search.PartA >= 0 && search.Best.IsOverlapping) return;
+        }
+
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         heap.Clear();

@@ -62,12 +62,12 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
                 "Queries", "BroadPhase", "Threading",
             ]),
-        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Wide"]),
+        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Concave", "Threading", "BroadPhase", "Wide"]),
         (
             "World",
             [
-                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading",
-                "BroadPhase", "Wide", "Batch",
+                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Concave",
+                "Concave/Trees", "Threading", "BroadPhase", "Wide", "Batch",
             ]),
     ];
 
