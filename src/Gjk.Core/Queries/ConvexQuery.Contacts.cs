@@ -124,6 +124,14 @@ public static unsafe partial class ConvexQuery
         if (result.Distance <= mostGap)
         {
             manifold.Begin(result.Normal);
+            if (plane.Normal.LengthSquared > 0 && plane.Frame.IsPlaced)
+            {
+                TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
+                TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
+                AddPoints(ref coreA, poseA, ref coreB, ref plane, result, mostGap, ref manifold);
+                return result;
+            }
+
             AddPoints(
                 ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), ref *plane, result, mostGap, ref manifold);
         }
