@@ -166,7 +166,7 @@ public sealed partial class TriangleMesh
     {
         Double3 scaled = Double3.Multiply(direction, _scale);
         double most = double.NegativeInfinity;
-        for (int i = 0; i < _vertices.Length; i += step) most = Math.Max(most, Double3.Dot(scaled, _vertices[i]));
+        for (int i = 0; i < VertexCount; i += step) most = Math.Max(most, Double3.Dot(scaled, _list.Vertex(i)));
         return most;
     }
 
