@@ -16,11 +16,18 @@ internal static class ShapeText
     {
         ShapeParts p = shape.Parts;
         if (p.Layer is null) WriteCore(text, p);
-        else Write(text, p.Layer.Inner);
-        if (p.Layer is PlacedLayer placed) Add(text.Append(" >"), placed.Shape.Pose);
-        if (p.Layer is ScaledLayer scaled) Add(text.Append(" *"), scaled.Shape.Factors);
+        else Write(text, p.Layer.Shape.Inner);
+        if (p.Layer is not null) Add(text.Append(" *"), p.Layer.Shape.Factors);
         if (p.Scaling is not null) Add(text.Append(" *"), p.Scale);
         if (p.Rounding > 0) Add(text.Append(" +"), p.Rounding);
+        WritePoses(text, p.Placement);
+    }
+
+    private static void WritePoses(StringBuilder text, Placement? placement)
+    {
+        if (placement is null) return;
+        WritePoses(text, placement.Before);
+        Add(text.Append(" >"), placement.Pose);
     }
 
     /// <summary>The rotation (x y z w) and the position of a pose.</summary>

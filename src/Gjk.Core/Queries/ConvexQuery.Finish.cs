@@ -38,7 +38,7 @@ public static partial class ConvexQuery
         }
 
         Xyz onA = state.Simplex.PointOnA(state.Weights), onB = state.Simplex.PointOnB(state.Weights);
-        double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
+        double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = Proofs.DistanceOf(state, frame, scale);
         Xyz toA = state.Feature.Normal.ToXyz() * scale;
         Xyz toAInB = frame.MarginB > 0 ? frame.Inverse.Rotate(toA) : default;
         bool isTouching = Proofs.IsTouching(state, distance);
@@ -59,6 +59,12 @@ public static partial class ConvexQuery
         Xyz normal = -frame.RotationA.Rotate(toA);
         Xyz worldA = frame.RotationA.Rotate(localA) + ((Double3)poseA.Position).ToXyz();
         Xyz worldB = worldA + normal * distance;
+        if (frame.IsPlaced)
+        {
+            localA = frame.OutOfA(localA);
+            localB = frame.OutOfB(localB);
+        }
+
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
         {
             worldB = ToWorld(poseB, localB.ToVector3D()).ToXyz();
@@ -80,14 +86,6 @@ public static partial class ConvexQuery
             status, (float)distance, bound, worldA.ToSingle(), worldB.ToSingle(), normal.ToSingle(),
             localA.ToSingle(), localB.ToSingle(), state.Iterations);
     }
-
-    /// <summary>The signed gap between the shapes: that of the cores less the margins, in solver units.</summary>
-    /// <param name="state">With its nearest feature.</param>
-    /// <param name="frame">With the margins.</param>
-    /// <param name="scale">One over the length of the feature's normal.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
-        state.Feature.Height * scale - frame.MarginA - frame.MarginB;
 
     /// <summary>
     /// Whether B's own pose places the points better than A's: where B is much smaller, and where the curve of a core
@@ -115,11 +113,13 @@ public static partial class ConvexQuery
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, Xyz onA, Xyz onB)
     {
         Xyz localA = (onA + frame.CenterA.ToXyz()) * frame.Unit, localB = (onB + frame.CenterB.ToXyz()) * frame.Unit;
+        Xyz outerA = localA, outerB = localB;
+        if (frame.IsPlaced) (outerA, outerB) = (frame.OutOfA(localA), frame.OutOfB(localB));
         var world = (Vector3)(IsMuchSmallerB(state, frame)
-            ? ToWorld(poseB, localB.ToVector3D())
+            ? ToWorld(poseB, outerB.ToVector3D())
             : frame.RotationA.Rotate(localA.ToVector3D()) + poseA.Position);
         return new DistanceResult(
-            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, localA.ToSingle(), localB.ToSingle(),
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, outerA.ToSingle(), outerB.ToSingle(),
             state.Iterations);
     }
 
