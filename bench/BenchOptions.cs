@@ -29,6 +29,8 @@ public sealed class BenchOptions
           --peers           Build small programs against the Debian packages of Bullet, libccd, FCL and ODE, which are
                             installed where that can be done, and run library and engines in turn on the same pairs:
                             distances, booleans and depths, with the wrong answers counted. Takes two minutes.
+          --answers DIR     With --peers: time nothing. Write each engine's answers to the pairs of tests/Cases as
+                            DIR/ENGINE.FAMILY.csv, for 'gjk-demo judge'.
           --worst           Measure clouds that were made to be slow, of 10,000 and 100,000 points, without
                             BenchmarkDotNet: building their hulls, and the slowest supports and the slowest distance
                             of each. Takes a few minutes.
@@ -68,6 +70,9 @@ public sealed class BenchOptions
     public bool ScaleWorst { get; private set; }
 
     public bool Peers { get; private set; }
+
+    /// <summary>The folder for the engines' answers; null if none was given.</summary>
+    public string? Answers { get; private set; }
 
     /// <summary>Null if none were given.</summary>
     public double? Seconds { get; private set; }
@@ -115,6 +120,12 @@ public sealed class BenchOptions
                     if (options.Seconds is not null) break;
                     error = "--seconds: a number from 0.01 to 600 must follow";
                     return null;
+                case "--answers" when i + 1 < args.Length && !args[i + 1].StartsWith('-'):
+                    options.Answers = args[++i];
+                    break;
+                case "--answers":
+                    error = "--answers: a folder must follow";
+                    return null;
                 case "--machine" when i + 1 < args.Length && !args[i + 1].StartsWith('-'):
                     options.MachineName = args[++i];
                     break;
@@ -141,7 +152,9 @@ public sealed class BenchOptions
         error = "";
         bool hasForeign = Factor || Remaining.Count > 0;
         if (Peers && (hasForeign || Table || Scale || Worst || ScaleWorst))
-            error = "--peers: takes --seconds, --csv and --machine only";
+            error = "--peers: takes --answers, or --seconds, --csv and --machine only";
+        else if (Answers is not null && (!Peers || Csv || Seconds is not null))
+            error = "--answers: goes with --peers only, and without --seconds and --csv";
         else if (Worst && (hasForeign || Table || Scale || Seconds is not null))
             error = "--worst: takes --csv and --machine only";
         else if (Table && (hasForeign || Scale))

@@ -116,6 +116,12 @@ public static class Program
             return Complain("--peers: the folder bench with the programs' sources was not found", BadArguments);
         try
         {
+            if (options.Answers is { } folder)
+            {
+                PeerAnswers.Run(Console.Error, project, folder);
+                return Done;
+            }
+
             List<PeerRow> rows = PeersRun.Run(
                 Console.Error, project, options.Seconds ?? PeersRun.DefaultSeconds, out List<PeerProgram> programs);
             Console.Write(PeersReport.Markdown(rows, programs));

@@ -10,7 +10,7 @@ namespace Gjk.Bench.Peers;
 internal static class PairFile
 {
     private const int Magic = 0x31504a47;
-    private const int Sphere = 0, Capsule = 1, Box = 2, Hull = 3;
+    private const int Sphere = 0, Capsule = 1, Box = 2, Hull = 3, Surface = 4;
 
     /// <exception cref="NotSupportedException">A shape has no form there.</exception>
     public static void Write(string file, BenchScene scene)
@@ -29,6 +29,35 @@ internal static class PairFile
         }
     }
 
+    /// <inheritdoc cref="Write(string, BenchScene)"/>
+    public static void Write(string file, ConcaveScene scene)
+    {
+        using var output = new BinaryWriter(File.Create(file));
+        output.Write(Magic);
+        output.Write(2);
+        Write(output, scene.A);
+        Write(output, scene.B);
+        output.Write(scene.Poses.Length);
+        foreach (RigidPose pose in scene.Poses)
+        {
+            output.Write(0);
+            output.Write(1);
+            Write(output, RigidPose.Identity);
+            Write(output, pose);
+        }
+    }
+
+    private static void Write(BinaryWriter output, in AnyShape shape)
+    {
+        if (shape.Mesh is not { } mesh)
+        {
+            Write(output, shape.Convex);
+            return;
+        }
+
+        Write(output, Surface, Vector3.Zero, mesh.VertexCount, mesh.GetVertex, mesh.TriangleCount, mesh.GetTriangle);
+    }
+
     private static void Write(BinaryWriter output, in ConvexShape shape)
     {
         if (shape.IsDecorated) throw new NotSupportedException("The other engines know no decorated shapes.");
@@ -45,23 +74,29 @@ internal static class PairFile
                 Write(output, Box, (Vector3)corner);
                 break;
             case ShapeKind.Mesh:
-                Write(output, Hull, Vector3.Zero, shape.Hull);
+                ConvexHull hull = shape.Hull!;
+                Write(
+                    output, Hull, Vector3.Zero, hull.VertexCount, hull.GetVertex, hull.TriangleCount, hull.GetTriangle);
                 break;
             default:
                 throw new NotSupportedException($"The other engines know no {shape.Kind}.");
         }
     }
 
-    private static void Write(BinaryWriter output, int kind, Vector3 size, ConvexHull? hull = null)
+    private delegate void TriangleGetter(int index, out int a, out int b, out int c);
+
+    private static void Write(
+        BinaryWriter output, int kind, Vector3 size, int vertices = 0, Func<int, Vector3>? vertex = null,
+        int triangles = 0, TriangleGetter? triangle = null)
     {
         output.Write(kind);
         Write(output, size);
-        output.Write(hull?.VertexCount ?? 0);
-        for (int i = 0; i < hull?.VertexCount; i++) Write(output, hull.GetVertex(i));
-        output.Write(hull?.TriangleCount ?? 0);
-        for (int i = 0; i < hull?.TriangleCount; i++)
+        output.Write(vertices);
+        for (int i = 0; i < vertices; i++) Write(output, vertex!(i));
+        output.Write(triangles);
+        for (int i = 0; i < triangles; i++)
         {
-            hull.GetTriangle(i, out int a, out int b, out int c);
+            triangle!(i, out int a, out int b, out int c);
             output.Write(a);
             output.Write(b);
             output.Write(c);

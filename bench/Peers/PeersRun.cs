@@ -29,25 +29,14 @@ internal static class PeersRun
     /// <exception cref="FactorCheckException">No engine can be had, or one ends early.</exception>
     public static List<PeerRow> Run(TextWriter progress, string project, double seconds, out List<PeerProgram> programs)
     {
-        string folder = Directory.CreateTempSubdirectory("gjk-peers").FullName;
-        var processes = new List<PeerProcess>();
-        try
+        var rows = new List<PeerRow>();
+        programs = WithEngines(progress, project, (processes, folder) =>
         {
-            progress.WriteLine("building the other engines' programs");
-            programs = PeerBuild.Run(project, folder);
-            foreach (PeerProgram p in programs)
-            {
-                progress.WriteLine($"{p.Name}: {p.Detail}");
-                if (p.Program is not null) processes.Add(new PeerProcess(p.Name, p.Program));
-            }
-
-            if (processes.Count == 0) throw new FactorCheckException("--peers: no other engine can be had here");
             string file = Path.Combine(folder, "pairs.bin");
-            var rows = new List<PeerRow>();
             foreach (Func<PeerSet[]> make in PeerSet.All())
             {
                 PeerSet[] sets = make();
-                PairFile.Write(file, sets[0].Scene);
+                sets[0].Write(file);
                 foreach (PeerProcess process in processes) process.Load(file);
                 foreach (PeerSet set in sets)
                 {
@@ -55,8 +44,30 @@ internal static class PeersRun
                     rows.Add(Measure(set, processes, seconds));
                 }
             }
+        });
+        return rows;
+    }
 
-            return rows;
+    /// <summary>Builds and starts the engines' programs, in a folder that is there as long as the work.</summary>
+    /// <exception cref="FactorCheckException">No engine can be had, or one ends early.</exception>
+    public static List<PeerProgram> WithEngines(
+        TextWriter progress, string project, Action<List<PeerProcess>, string> work)
+    {
+        string folder = Directory.CreateTempSubdirectory("gjk-peers").FullName;
+        var processes = new List<PeerProcess>();
+        try
+        {
+            progress.WriteLine("building the other engines' programs");
+            List<PeerProgram> programs = PeerBuild.Run(project, folder);
+            foreach (PeerProgram p in programs)
+            {
+                progress.WriteLine($"{p.Name}: {p.Detail}");
+                if (p.Program is not null) processes.Add(new PeerProcess(p.Name, p.Program));
+            }
+
+            if (processes.Count == 0) throw new FactorCheckException("--peers: no other engine can be had here");
+            work(processes, folder);
+            return programs;
         }
         finally
         {
@@ -76,7 +87,7 @@ internal static class PeersRun
         var engines = new Dictionary<string, PeerFigure>();
         for (int i = 0; i < able.Length; i++)
         {
-            int wrong = set.Wrong(able[i].Answers(set.Verb, set.Scene.Pairs.Length));
+            int wrong = set.Wrong(able[i].Answers(set.Verb, set.PairCount));
             engines.Add(able[i].Name, new PeerFigure(loops[i].Nanoseconds, wrong));
         }
 

@@ -13,6 +13,8 @@
 
 class Bullet {
 public:
+    static constexpr bool takesSurfaces = false;
+
     bool can(peer::Verb, const peer::Scene&) const { return true; }
 
     void load(const peer::Scene& scene) {

@@ -1,12 +1,15 @@
 // FCL: distance and collide of fcl::Convex, Box, Sphere and Capsule in double, with its own GJK solver where there is a
-// choice, since the other is libccd's.
+// choice, since the other is libccd's; of surfaces with its trees of oriented boxes and swept spheres.
 #include <fcl/fcl.h>
 
 #include "peer.hpp"
 
 class Fcl {
 public:
-    bool can(peer::Verb, const peer::Scene& scene) const {
+    static constexpr bool takesSurfaces = true;
+
+    bool can(peer::Verb verb, const peer::Scene& scene) const {
+        if (scene.hasSurfaces() && verb == peer::Verb::Depth) return false;
         for (const peer::Shape& shape : scene.shapes)
             if (shape.kind == peer::Kind::Hull && shape.triangles.empty()) return false;
         return true;
@@ -83,6 +86,22 @@ private:
                 return std::make_shared<fcl::Capsuled>(s[0], 2.0 * s[1]);
             case peer::Kind::Box:
                 return std::make_shared<fcl::Boxd>(2.0 * s[0], 2.0 * s[1], 2.0 * s[2]);
+            case peer::Kind::Surface: {
+                std::vector<fcl::Vector3d> corners;
+                for (int i = 0; i < shape.cornerCount(); i++) {
+                    const float* c = &shape.corners[3 * i];
+                    corners.emplace_back(c[0], c[1], c[2]);
+                }
+
+                std::vector<fcl::Triangle> triangles;
+                for (size_t i = 0; i < shape.triangles.size(); i += 3)
+                    triangles.emplace_back(shape.triangles[i], shape.triangles[i + 1], shape.triangles[i + 2]);
+                auto surface = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+                surface->beginModel();
+                surface->addSubModel(corners, triangles);
+                surface->endModel();
+                return surface;
+            }
             default: {
                 auto corners = std::make_shared<std::vector<fcl::Vector3d>>();
                 for (int i = 0; i < shape.cornerCount(); i++) {

@@ -57,6 +57,8 @@ static void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t*
 
 class Libccd {
 public:
+    static constexpr bool takesSurfaces = false;
+
     bool can(peer::Verb verb, const peer::Scene&) const { return verb != peer::Verb::Distance; }
 
     void load(const peer::Scene& loaded) {

@@ -13,6 +13,8 @@ public:
         dCloseODE();
     }
 
+    static constexpr bool takesSurfaces = false;
+
     bool can(peer::Verb verb, const peer::Scene& scene) const {
         for (const peer::Shape& shape : scene.shapes)
             if (shape.kind == peer::Kind::Hull) return false;

@@ -16,7 +16,7 @@
 
 namespace peer {
 
-enum class Kind : int32_t { Sphere = 0, Capsule = 1, Box = 2, Hull = 3 };
+enum class Kind : int32_t { Sphere = 0, Capsule = 1, Box = 2, Hull = 3, Surface = 4 };
 
 enum class Verb { Distance, Boolean, Depth };
 
@@ -24,7 +24,7 @@ struct Shape {
     Kind kind;
     // Sphere: radius. Capsule (axis y): radius, half height without the caps. Box: half extents.
     float size[3];
-    // Hull: corners, and triangles that are wound outward.
+    // Hull: corners, and triangles that are wound outward. Surface: the same, concave.
     std::vector<float> corners;
     std::vector<int32_t> triangles;
 
@@ -45,6 +45,12 @@ struct Pair {
 struct Scene {
     std::vector<Shape> shapes;
     std::vector<Pair> pairs;
+
+    bool hasSurfaces() const {
+        for (const Shape& shape : shapes)
+            if (shape.kind == Kind::Surface) return true;
+        return false;
+    }
 };
 
 struct Answer {
@@ -105,7 +111,8 @@ inline Scene readScene(const std::string& file) {
     return scene;
 }
 
-// The loop of a peer. Engine: bool can(Verb, const Scene&), void load(const Scene&), Answer ask(Verb, size_t pair).
+// The loop of a peer. Engine: constexpr bool takesSurfaces, bool can(Verb, const Scene&), void load(const Scene&),
+// Answer ask(Verb, size_t pair).
 template <class Engine>
 class Program {
 public:
@@ -115,7 +122,7 @@ public:
             std::string argument;
             std::cin >> argument;
             if (word == "load") load(argument);
-            else if (word == "can") std::cout << (engine->can(verbOf(argument), scene) ? "yes" : "no") << std::endl;
+            else if (word == "can") std::cout << (engine && engine->can(verbOf(argument), scene) ? "yes" : "no") << std::endl;
             else if (word == "turn") std::cout << turn(verbOf(argument)) << std::endl;
             else if (word == "answers") answers(verbOf(argument));
             else throw std::runtime_error("unknown word " + word);
@@ -143,8 +150,11 @@ private:
     void load(const std::string& file) {
         engine.reset();
         scene = readScene(file);
-        engine = std::make_unique<Engine>();
-        engine->load(scene);
+        if (Engine::takesSurfaces || !scene.hasSurfaces()) {
+            engine = std::make_unique<Engine>();
+            engine->load(scene);
+        }
+
         std::cout << "loaded" << std::endl;
     }
 

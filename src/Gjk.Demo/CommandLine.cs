@@ -9,6 +9,7 @@ using System.Numerics;
 using System.Threading;
 using Gjk.Demo.Fuzz;
 using Gjk.Demo.Import;
+using Gjk.Demo.Judge;
 using Gjk.Demo.Output;
 using Gjk.Demo.Play;
 using Gjk.Demo.Queries;
@@ -43,6 +44,7 @@ internal static class CommandLine
             BuildReplay(cancel),
             BuildQuery(cancel),
             BuildCast(cancel),
+            JudgeCommand.Build(cancel),
             ImportOptions.Build(cancel),
             ExampleCommand.Build(cancel),
             TimeOptions.Build(Seconds(), cancel),
@@ -57,6 +59,12 @@ internal static class CommandLine
         ParseResult parsed = root.Parse(
             WithDefault(args), new ParserConfiguration { ResponseFileTokenReplacer = null });
         string where = parsed.CommandResult.Command is RootCommand ? "" : parsed.CommandResult.Command.Name + ": ";
+        if (parsed.CommandResult.Command is RootCommand && parsed.UnmatchedTokens is [{ } word, ..] && word[0] != '-')
+        {
+            string meant = Suggestion.For(word, root.Subcommands.Select(c => c.Name));
+            throw new RefusedException($"{word}: there is no such command{meant}");
+        }
+
         if (StrayOption(parsed) is { } stray) throw new RefusedException(where + stray);
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction)
         {
@@ -95,7 +103,9 @@ internal static class CommandLine
                 bool isKnown = parsed.CommandResult.Command.Options.Any(o => o.Name == token.Value);
                 return isKnown && before?.Type == TokenType.Option
                     ? $"{before.Value}: its value is missing before {token.Value}."
-                    : $"{token.Value}: there is no such option; a file of that name is ./{token.Value}";
+                    : $"{token.Value}: there is no such option"
+                        + Suggestion.For(token.Value, parsed.CommandResult.Command.Options.Select(o => o.Name))
+                        + $"; a file of that name is ./{token.Value}";
             }
 
             before = token;

@@ -44,6 +44,10 @@ internal static class Program
             StandardError.Line(refused.Message);
             return ExitCode.Refused;
         }
+        catch (ReaderGoneException)
+        {
+            return ExitCode.Done;
+        }
         catch (OperationCanceledException)
         {
             return ExitCode.Cancelled;

@@ -16,6 +16,7 @@ public sealed class UsageTests
     [InlineData("view --help", "SCENE.json", "--out", "--svg")]
     [InlineData("trace --help", "SCENE.json", "--pair", "--out")]
     [InlineData("cast --help", "--builtin", "--mesh", "--names")]
+    [InlineData("judge --help", "RESULTS.csv", "EXPECTED.csv", "docs/cases.md")]
     [InlineData("time --help", "--builtin", "512 MiB", "386 distinct corners")]
     [InlineData("example --help", "--out", "scene-format.md", "scene.schema.json")]
     public void HelpSaysWhatThereIs(string args, string one, string two, string three)
@@ -35,6 +36,10 @@ public sealed class UsageTests
 
     [Theory]
     [InlineData("frobnicate", "frobnicate")]
+    [InlineData("quary", "quary: there is no such command: did you mean query?")]
+    [InlineData("cats a.json", "cats: there is no such command: did you mean cast?")]
+    [InlineData("frobnicate a.json", "frobnicate: there is no such command\n")]
+    [InlineData("query a.json --dept", "--dept: there is no such option: did you mean --depth?; a file")]
     [InlineData("query", "SCENE.json")]
     [InlineData("query one.json two.json", "two.json")]
     [InlineData("query --nope", "--nope: there is no such option")]

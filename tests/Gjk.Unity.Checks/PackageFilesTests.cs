@@ -71,7 +71,7 @@ public partial class PackageFilesTests
         string changes = File.ReadAllText(Path.Combine(Layout.Package, "CHANGELOG.md"));
         Assert.Equal(version, Heading().Match(changes).Groups["version"].Value);
         string library = Path.Combine(Layout.Plugins, Layout.Library[0]);
-        Assert.Equal(version + ".0", AssemblyName.GetAssemblyName(library).Version!.ToString());
+        Assert.Equal(version.Split('-')[0] + ".0", AssemblyName.GetAssemblyName(library).Version!.ToString());
     }
 
     [Fact]

@@ -49,7 +49,7 @@ public readonly struct RayQuery
     /// <summary>Origin, direction and reach, for people to read.</summary>
     public override string ToString()
     {
-        string origin = ((Double3)Origin).ToString("G9"), direction = ((Double3)Direction).ToString("G9");
+        string origin = ((Double3)Origin).ToText(), direction = ((Double3)Direction).ToText();
         return FormattableString.Invariant($"From {origin} along {direction} up to {MaxDistance:G9}");
     }
 

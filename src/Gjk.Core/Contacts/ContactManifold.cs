@@ -58,7 +58,7 @@ public struct ContactManifold
 
     /// <summary>The points, for people to read.</summary>
     public override readonly string ToString() =>
-        FormattableString.Invariant($"{Count} points along {((Double3)Normal).ToString("G9")}");
+        FormattableString.Invariant($"{Count} points along {((Double3)Normal).ToText()}");
 
     internal void Begin(Vector3 normal)
     {

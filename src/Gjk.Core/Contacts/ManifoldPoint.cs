@@ -51,5 +51,5 @@ public readonly struct ManifoldPoint
 
     /// <summary>Gap and place, for people to read.</summary>
     public override string ToString() =>
-        FormattableString.Invariant($"{Gap:G9} at {((Double3)PointA).ToString("G9")}");
+        FormattableString.Invariant($"{Gap:G9} at {((Double3)PointA).ToText()}");
 }

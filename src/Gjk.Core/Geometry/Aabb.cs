@@ -44,7 +44,7 @@ public readonly struct Aabb : IEquatable<Aabb>
     public override int GetHashCode() => Min.GetHashCode() * 397 ^ Max.GetHashCode();
 
     /// <summary>Both corners, for people to read.</summary>
-    public override string ToString() => $"{((Double3)Min).ToString("G9")} to {((Double3)Max).ToString("G9")}";
+    public override string ToString() => $"{((Double3)Min).ToText()} to {((Double3)Max).ToText()}";
 
     /// <summary>Equality of both corners.</summary>
     public static bool operator ==(in Aabb a, in Aabb b) => a.Equals(b);

@@ -12,6 +12,12 @@ namespace Gjk.Core;
 /// <remarks>Immutable. No method throws; NaN and infinities pass through as IEEE 754 has it.</remarks>
 public readonly struct Double3 : IEquatable<Double3>
 {
+    /// <summary>
+    /// A pure number: a component that is smaller than this share of the largest is what rounding to double leaves.
+    /// Pinned by TextTests.
+    /// </summary>
+    private const double RoundingNoise = 1e-14;
+
     /// <summary>The x component.</summary>
     public readonly double X;
 
@@ -109,11 +115,16 @@ public readonly struct Double3 : IEquatable<Double3>
     /// <summary>
     /// The components in invariant culture, as many digits as a reader needs to get the same doubles back.
     /// </summary>
-    public override string ToString() => ToString("R");
+    public override string ToString() => $"<{Text(X, "R")}, {Text(Y, "R")}, {Text(Z, "R")}>";
 
-    /// <summary>The components in invariant culture, each in a numeric format.</summary>
-    internal string ToString(string format) =>
-        $"<{Text(X, format)}, {Text(Y, format)}, {Text(Z, format)}>";
+    /// <summary>The components for people: nine digits, and 0 for one that is rounding beside the largest.</summary>
+    internal string ToText()
+    {
+        double noise = RoundingNoise * Math.Max(Math.Abs(X), Math.Max(Math.Abs(Y), Math.Abs(Z)));
+        return $"<{Text(Clean(X, noise), "G9")}, {Text(Clean(Y, noise), "G9")}, {Text(Clean(Z, noise), "G9")}>";
+    }
+
+    private static double Clean(double x, double noise) => Math.Abs(x) <= noise ? 0 : x;
 
     private static string Text(double x, string format) => x.ToString(format, CultureInfo.InvariantCulture);
 }

@@ -135,7 +135,7 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <summary>The position, and the rotation (x, y, z, w) where there is one, for people to read.</summary>
     public override string ToString()
     {
-        string position = ((Double3)Position).ToString("G9");
+        string position = ((Double3)Position).ToText();
         return Rotation == Quaternion.Identity
             ? position
             : FormattableString.Invariant(

@@ -59,9 +59,9 @@ public readonly struct CastResult
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(
-            $"Hit after {Fraction:G9} at {((Double3)Point).ToString("G9")} along {((Double3)Normal).ToString("G9")}"),
+            $"Hit after {Fraction:G9} at {((Double3)Point).ToText()} along {((Double3)Normal).ToText()}"),
         CastStatus.OverlappingAtStart => FormattableString.Invariant(
-            $"{Status} by {Depth:G9}, B leaves A along {((Double3)Normal).ToString("G9")}"),
+            $"{Status} by {Depth:G9}, B leaves A along {((Double3)Normal).ToText()}"),
         CastStatus.Miss or CastStatus.IterationLimit => FormattableString.Invariant($"{Status} up to {Fraction:G9}"),
         _ => Status.ToString(),
     };

@@ -38,7 +38,7 @@ public static partial class ConvexQuery
         }
 
         Xyz onA = state.Simplex.PointOnA(state.Weights), onB = state.Simplex.PointOnB(state.Weights);
-        double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = DistanceOf(state, frame, scale);
+        double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = Proofs.DistanceOf(state, frame, scale);
         Xyz toA = state.Feature.Normal.ToXyz() * scale;
         Xyz toAInB = frame.MarginB > 0 ? frame.Inverse.Rotate(toA) : default;
         bool isTouching = Proofs.IsTouching(state, distance);
@@ -86,14 +86,6 @@ public static partial class ConvexQuery
             status, (float)distance, bound, worldA.ToSingle(), worldB.ToSingle(), normal.ToSingle(),
             localA.ToSingle(), localB.ToSingle(), state.Iterations);
     }
-
-    /// <summary>The signed gap between the shapes: that of the cores less the margins, in solver units.</summary>
-    /// <param name="state">With its nearest feature.</param>
-    /// <param name="frame">With the margins.</param>
-    /// <param name="scale">One over the length of the feature's normal.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
-        state.Feature.Height * scale - frame.MarginA - frame.MarginB;
 
     /// <summary>
     /// Whether B's own pose places the points better than A's: where B is much smaller, and where the curve of a core

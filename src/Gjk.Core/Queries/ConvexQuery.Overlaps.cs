@@ -117,7 +117,7 @@ public static partial class ConvexQuery
         ProvedDistance.SolveCores(ref a, ref b, frame, 0, ref unused, false, ref state, ref trace);
         if (state.Verdict == Verdict.Apart)
         {
-            double distance = DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
+            double distance = Proofs.DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
             return Proofs.IsTouching(state, distance) ? GjkStatus.Overlapping : GjkStatus.Separated;
         }
 

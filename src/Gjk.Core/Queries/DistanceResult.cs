@@ -91,14 +91,14 @@ public readonly struct DistanceResult
         if (Status is GjkStatus.Separated or GjkStatus.IterationLimit)
             return FormattableString.Invariant($"{Status}, {Distance:G9} from {Text(PointA)} to {Text(PointB)}");
         if (Status == GjkStatus.Overlapping && Normal != Vector3.Zero)
-            return FormattableString.Invariant($"{Status} by {-Distance:G9}, B leaves A along {Text(Normal)}");
+            return FormattableString.Invariant($"{Status} by {0 - Distance:G9}, B leaves A along {Text(Normal)}");
         if (Status == GjkStatus.Overlapping) return $"{Status} at {Text(PointA)}";
         return Status == GjkStatus.BeyondMaxDistance
             ? FormattableString.Invariant($"{Status}, more than {LowerBound:G9} along {Text(Normal)}")
             : Status.ToString();
     }
 
-    private static string Text(Vector3 v) => ((Double3)v).ToString("G9");
+    private static string Text(Vector3 v) => ((Double3)v).ToText();
 
     internal static DistanceResult Invalid(GjkStatus status, int iterations)
     {

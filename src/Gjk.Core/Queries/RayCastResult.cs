@@ -61,7 +61,7 @@ public readonly struct RayCastResult
         _ => Status.ToString(),
     };
 
-    private static string Text(Vector3 v) => ((Double3)v).ToString("G9");
+    private static string Text(Vector3 v) => ((Double3)v).ToText();
 
     internal static RayCastResult Nothing(CastStatus status, float distance, int iterations)
     {

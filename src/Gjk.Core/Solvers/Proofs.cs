@@ -93,10 +93,21 @@ internal static class Proofs
     }
 
     /// <summary>
+    /// The signed gap between the shapes: that of the cores less the margins, in solver units. What is at the very edge
+    /// of touching is there in every query only if all of them round it alike.
+    /// </summary>
+    /// <param name="state">With its nearest feature.</param>
+    /// <param name="frame">With the margins.</param>
+    /// <param name="scale">One over the length of the feature's normal.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
+        state.Feature.Height * scale - frame.MarginA - frame.MarginB;
+
+    /// <summary>
     /// Whether shapes that are so far apart touch. Every query asks this, so that all of them agree.
     /// </summary>
     /// <param name="state">With the size and the verdict.</param>
-    /// <param name="distance">The gap between the cores less the margins, in solver units.</param>
+    /// <param name="distance">As <see cref="DistanceOf"/> says.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsTouching(in SolverState state, double distance) =>
         state.Verdict == Verdict.Apart && distance <= GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;

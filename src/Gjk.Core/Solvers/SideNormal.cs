@@ -115,7 +115,7 @@ internal static class SideNormal
             state.Simplex = ends;
             state.Weights = weights;
         }
-        else if (!TryMove(frame, normal, gap, isOfA, ref state))
+        else if (!TryMove(ref a, ref b, frame, normal, axis, gap, isOfA, ref state))
         {
             return;
         }
@@ -131,24 +131,37 @@ internal static class SideNormal
     /// Brings the points that are known onto one line along the normal: the one on the round side moves, by so little
     /// that it stays on its surface.
     /// </summary>
-    /// <returns>False where they are too far from such a line, or are not the furthest along it.</returns>
-    private static bool TryMove(
-        in PairFrame frame, in Double3 normal, double gap, bool isOfA, ref SolverState state)
+    /// <returns>
+    /// False where they are too far from such a line, are not the furthest along it, or one would leave the side at its
+    /// end.
+    /// </returns>
+    private static bool TryMove<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, double gap, bool isOfA,
+        ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
     {
         Double3 onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
-        Double3 between = -state.Simplex.PointOf(state.Weights);
+        Double3 between = -state.Simplex.PointOf(state.Weights), onB = onA + between;
         double along = Double3.Dot(normal, between), size = state.Size.Value;
-        if (!(along - gap <= Beside * size && (between - normal * along).Length <= Aside * size)) return false;
-        Double3 other = onA + normal * gap;
-        if (isOfA)
+        Double3 aside = between - normal * along;
+        if (!(along - gap <= Beside * size && aside.Length <= Aside * size)) return false;
+        Double3 move = isOfA ? aside : -aside;
+        double past = Double3.Dot(axis, move);
+        if (Math.Abs(past) > Beside * size)
         {
-            other = onA + between;
-            onA = other - normal * gap;
+            Double3 outward = axis * Math.Sign(past), end;
+            if (isOfA) a.Support(outward, out end);
+            else b.Support(frame.Rotation.InverseRotate(outward), out end);
+            if (!isOfA) end = frame.Rotation.Rotate(end) + frame.Translation;
+            if (Double3.Dot(outward, (isOfA ? onA : onB) + move - end) > Beside * size) return false;
         }
 
+        if (isOfA) onA = onB - normal * gap;
+        else onB = onA + normal * gap;
         state.Simplex.Clear();
         state.Simplex.Push(
-            normal * -gap, onA, frame.Rotation.InverseRotate(other - frame.Translation), -1, -1);
+            normal * -gap, onA, frame.Rotation.InverseRotate(onB - frame.Translation), -1, -1);
         state.Weights = ClosestPointWeights.Of(state.Simplex);
         return true;
     }

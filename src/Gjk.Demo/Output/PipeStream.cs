@@ -7,7 +7,7 @@ namespace Gjk.Demo.Output;
 
 /// <summary>
 /// Standard output if it is a pipe. The console's own stream hides that the reader has gone, so the work would continue
-/// without a reader. This stream fails on write instead.
+/// without a reader. This stream ends the work instead.
 /// </summary>
 internal sealed class PipeStream : WriteOnlyStream
 {
@@ -16,6 +16,9 @@ internal sealed class PipeStream : WriteOnlyStream
     /// 512 elsewhere).
     /// </summary>
     private static readonly int AtomicBytes = OperatingSystem.IsLinux() ? 4096 : 512;
+
+    /// <summary>EPIPE. Nobody reads the pipe any more. The same number on every Unix.</summary>
+    private const int NoReader = 32;
 
     /// <summary>EAGAIN. A pipe that does not wait is full.</summary>
     private static readonly int TryAgain = OperatingSystem.IsLinux() ? 11 : 35;
@@ -26,6 +29,7 @@ internal sealed class PipeStream : WriteOnlyStream
     public PipeStream(int descriptor) =>
         _pipe = new FileStream(new SafeFileHandle(descriptor, ownsHandle: false), FileAccess.Write, bufferSize: 0);
 
+    /// <exception cref="ReaderGoneException">Nobody reads the pipe any more.</exception>
     public override void Write(ReadOnlySpan<byte> buffer)
     {
         while (buffer.Length > 0)
@@ -40,6 +44,10 @@ internal sealed class PipeStream : WriteOnlyStream
             {
                 Thread.Sleep(1);
             }
+            catch (IOException e) when (e.HResult == NoReader)
+            {
+                throw new ReaderGoneException();
+            }
         }
     }
 
@@ -47,3 +55,8 @@ internal sealed class PipeStream : WriteOnlyStream
     {
     }
 }
+
+/// <summary>
+/// The reader of standard output has seen enough, as <c>head</c> has after ten lines. No mistake of anybody.
+/// </summary>
+internal sealed class ReaderGoneException : Exception;

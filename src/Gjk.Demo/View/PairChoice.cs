@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
@@ -22,6 +23,9 @@ internal sealed class PairChoice
     /// <summary>Nearest partners kept for each object in each frame.</summary>
     public const int Partners = 6;
 
+    /// <summary>Ratio: several roundings to float, of which 1.2e-7 each is the most. More only costs time.</summary>
+    private const double Rounding = 1e-6;
+
     /// <summary>How many pairs are answered between two checks for Ctrl-C.</summary>
     private const int PairsPerLook = 256;
 
@@ -30,10 +34,15 @@ internal sealed class PairChoice
     private readonly SortedSet<(int A, int B)> _kept = [];
     private readonly (float Distance, int Partner, bool IsFirst)[] _nearest;
 
+    /// <summary>Around each object: a ball in its own frame, and where it is in the world in this frame.</summary>
+    private readonly (Double3 Center, double Radius)[] _local, _balls;
+
     private PairChoice(Scene scene)
     {
         _scene = scene;
         _nearest = new (float, int, bool)[scene.Objects.Length * Partners];
+        _local = Array.ConvertAll(scene.Objects, o => BallOf(o.Any));
+        _balls = new (Double3, double)[_local.Length];
     }
 
     /// <exception cref="RefusedException">Even the chosen pairs are too many for a page.</exception>
@@ -59,6 +68,12 @@ internal sealed class PairChoice
     private void AddFrame(RigidPose[] poses, Action<double> progress, CancellationToken cancel)
     {
         Array.Fill(_nearest, (float.PositiveInfinity, -1, true));
+        for (int i = 0; i < poses.Length; i++)
+        {
+            Double3 center = poses[i].TransformPoint((Vector3)_local[i].Center);
+            _balls[i] = (center, _local[i].Radius + Rounding * center.Length);
+        }
+
         long done = 0;
         foreach ((int a, int b) in _scene.Pairs)
         {
@@ -70,6 +85,7 @@ internal sealed class PairChoice
 
             float reach = Math.Max(
                 _nearest[a * Partners + Partners - 1].Distance, _nearest[b * Partners + Partners - 1].Distance);
+            if (IsBeyond(_balls[a], _balls[b], reach)) continue;
             DistanceResult answer = ConcaveQuery.Distance(
                 _scene.Objects[a].Any, poses[a], _scene.Objects[b].Any, poses[b], _scratch, reach).Result;
             if (answer.Status is GjkStatus.Overlapping or GjkStatus.IterationLimit or GjkStatus.InvalidShape)
@@ -84,6 +100,34 @@ internal sealed class PairChoice
             (_, int partner, bool isFirst) = _nearest[i];
             if (partner >= 0) _kept.Add(isFirst ? (i / Partners, partner) : (partner, i / Partners));
         }
+    }
+
+    /// <summary>True if the balls are further apart. Most pairs of a large scene need no other look.</summary>
+    private static bool IsBeyond(
+        in (Double3 Center, double Radius) a, in (Double3 Center, double Radius) b, double reach)
+    {
+        double most = reach + a.Radius + b.Radius;
+        return (b.Center - a.Center).LengthSquared > most * most;
+    }
+
+    private static (Double3 Center, double Radius) BallOf(in AnyShape shape)
+    {
+        if (shape.Kind == AnyShapeKind.Convex)
+        {
+            double extent = shape.Convex.BoundingRadius;
+            return (shape.Convex.Center, extent + Rounding * (extent + shape.Convex.Center.Length));
+        }
+
+        double radius = 0;
+        for (int i = 0; i < shape.Mesh?.VertexCount; i++)
+            radius = Math.Max(radius, ((Double3)(shape.Mesh.GetVertex(i) * shape.Mesh.Scale)).Length);
+        for (int i = 0; i < shape.Compound?.PartCount; i++)
+        {
+            (Double3 center, double reach) = BallOf(AnyShape.Of(shape.Compound.GetPart(i)));
+            radius = Math.Max(radius, center.Length + reach);
+        }
+
+        return (default, radius * (1 + Rounding));
     }
 
     /// <summary>Inserts a partner into the list of an object's nearest partners.</summary>

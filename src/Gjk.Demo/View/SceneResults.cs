@@ -85,27 +85,38 @@ internal sealed class SceneResults
 
     /// <exception cref="RefusedException">The scene is more than a page can hold, or the motion leaves the range of
     /// float.</exception>
-    public static SceneResults Of(Scene scene, string name, Action<double> progress, CancellationToken cancel)
+    /// <param name="scene">The scene.</param>
+    /// <param name="name">The user's name for it.</param>
+    /// <param name="choosing">Takes the share of the search for the pairs that is done.</param>
+    /// <param name="progress">Takes the share of the answers that is done.</param>
+    /// <param name="cancel">Ends the work.</param>
+    public static SceneResults Of(
+        Scene scene, string name, Action<double> choosing, Action<double> progress, CancellationToken cancel)
     {
         if ((long)Math.Max(scene.Objects.Length, 1) * scene.Frames > MostPoses)
             throw new RefusedException(
                 $"{name}: {scene.Objects.Length} objects in {scene.Frames} frames are more than the {MostPoses} poses "
                 + "that a page can hold");
         var motion = new SceneMotion(scene, name);
-        ScenePairs chosen = PairChoice.Of(scene, motion, name, progress, cancel);
+        ScenePairs chosen = PairChoice.Of(scene, motion, name, choosing, cancel);
+        choosing(1);
         int pairs = (int)chosen.Count;
         var results = new SceneResults(scene.Objects.Length, chosen, scene.Frames, scene.IsConvex);
         var poses = new RigidPose[scene.Objects.Length];
         for (int frame = 0; frame < scene.Frames; frame++)
         {
             cancel.ThrowIfCancellationRequested();
-            progress((double)frame / scene.Frames);
             motion.Poses(frame, poses);
             for (int i = 0; i < poses.Length; i++) results.Store(frame * poses.Length + i, poses[i]);
             int pair = 0;
             foreach ((int a, int b) in chosen)
             {
-                if (pair % PairsPerLook == 0) cancel.ThrowIfCancellationRequested();
+                if (pair % PairsPerLook == 0)
+                {
+                    cancel.ThrowIfCancellationRequested();
+                    progress((frame + (double)pair / pairs) / scene.Frames);
+                }
+
                 int index = frame * pairs + pair++;
                 results.Add(index, scene.Objects[a], poses[a], scene.Objects[b], poses[b]);
                 if (results.Overlaps(index)) results.Overlapping[frame]++;

@@ -30,7 +30,8 @@ internal static class ViewCommand
         long pairs = 0;
         ProgressBar.Show(bars =>
         {
-            SceneResults results = SceneResults.Of(scene, name, bars.Add(scene.Name), cancel);
+            SceneResults results = SceneResults.Of(
+                scene, name, bars.Add("choice of pairs"), bars.Add(scene.Name), cancel);
             pairs = results.Pairs.Count;
             var shapes = new ShapeTable(scene);
             Action<Stream>? library = isLive ? stream => LivePage.Write(stream, scene, results.Pairs) : null;
@@ -43,7 +44,11 @@ internal static class ViewCommand
         pictureFile?.Complete();
         pageFile?.Commit();
         pictureFile?.Commit();
-        if (page is not null) StandardError.Wrote(pairs, "pair", page);
+        string choice = pairs == scene.Pairs.Count
+            ? ""
+            : $": all that intersect, and the {PairChoice.Partners} nearest of each object, "
+                + $"of {scene.Pairs.Count} pairs";
+        if (page is not null) StandardError.Wrote(pairs, "pair", page + choice);
         if (picture is not null) StandardError.Wrote(scene.Objects.Length, "object", picture);
         return ExitCode.Done;
     }

@@ -65,4 +65,31 @@ public class WitnessPointTests
             Assert.True(off <= 1e-6, $"PointB {off:R} off the world position of LocalPointB, seed {seed}");
         }
     }
+
+    /// <summary>
+    /// The point on a cylinder was moved round its side to face the other shape, and beyond the side's end where that
+    /// was beside the rim.
+    /// </summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void BesideARimThePointStaysOnTheCylinder(bool isExchanged)
+    {
+        ConvexShape cylinder = ConvexShape.Cylinder(0.8f, 1);
+        for (int i = 0; i < 400; i++)
+        {
+            var rng = new Rng((ulong)i);
+            float past = rng.Float(-1, 1) * 1e-5f, angle = rng.Float(-3, 3), gap = rng.Float(0.01, 0.2);
+            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, angle);
+            Vector3 end = Vector3.Transform(new Vector3(0.8f + gap, 1 + past, 0), turn);
+            ConvexShape edge = ConvexShape.Segment(end, end + Vector3.Transform(new Vector3(0.3f, past, 0.2f), turn));
+            DistanceResult d = isExchanged
+                ? ConvexQuery.Distance(edge, RigidPose.Identity, cylinder, RigidPose.Identity)
+                : ConvexQuery.Distance(cylinder, RigidPose.Identity, edge, RigidPose.Identity);
+            Vector3 p = isExchanged ? d.LocalPointB : d.LocalPointA;
+            Assert.True(
+                p.Y <= 1 + 5e-7f && MathF.Sqrt(p.X * p.X + p.Z * p.Z) <= 0.8f + 5e-7f,
+                $"{i}: {p} with the edge's end {past:R} above the rim");
+        }
+    }
 }

@@ -23,7 +23,9 @@ internal sealed record CastCase(
 /// <summary>The casts of tests/Cases with their answers.</summary>
 internal static class CastFamily
 {
-    private const string Header = "a,b,outcome,fraction,nx,ny,nz,ties,case", PlainHeader = "a,b,outcome,fraction,case";
+    private const string Header = "a,b,outcome,fraction,nx,ny,nz,ties,case";
+
+    private const string PlainHeader = "a,b,outcome,fraction,tolerance,case";
 
     public static IEnumerable<string> Names =>
     [

@@ -16,6 +16,7 @@ public sealed class ProgressTests
     [LinuxTheory]
     [InlineData("time s.json --seconds 0.2 > out", "the scene")]
     [InlineData("view s.json --svg out", "the scene")]
+    [InlineData("view s.json --svg out", "choice of pairs")]
     [InlineData("replay --frames 2 > out", "cubes")]
     [InlineData("query big.json > out", "big.json: hulls")]
     public void ATerminalShowsABar(string call, string title)

@@ -31,7 +31,7 @@ public sealed class PictureCostTests
             i => $"{{\"shape\":{shape},\"position\":[{i % side},{i / side},0]}}"));
         string file = directory.Write("s.json", $"{{\"version\":1,\"pairs\":[],\"objects\":[{boxes}]}}");
         Scene scene = SceneFile.Load(file, CancellationToken.None);
-        SceneResults results = SceneResults.Of(scene, file, _ => { }, CancellationToken.None);
+        SceneResults results = SceneResults.Of(scene, file, _ => { }, _ => { }, CancellationToken.None);
         return ScenePicture.Write(
             Stream.Null, scene, new ShapeTable(scene), results, _ => { }, CancellationToken.None);
     }

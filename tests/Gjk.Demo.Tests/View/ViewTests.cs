@@ -142,7 +142,9 @@ public sealed class ViewTests
             $"{{\"shape\":{{\"type\":\"sphere\",\"radius\":0.3}},"
             + $"\"position\":[{random.NextSingle() * 10},{random.NextSingle() * 10},{random.NextSingle() * 10}]}}"));
         string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{string.Join(',', balls)}]}}");
-        DemoRun.Of("view", scene, "--out", directory.File("a.html")).AssertDone();
+        DemoRun run = DemoRun.Of("view", scene, "--out", directory.File("a.html"));
+        run.AssertDone();
+        Assert.EndsWith(": all that intersect, and the 6 nearest of each object, of 258840 pairs\n", run.Error);
         var page = new PageText(directory.File("a.html"));
         List<CsvRow> rows = CsvRow.Parse(DemoRun.Of("query", scene).Out);
         Assert.Equal(rows.Count, page.Count("pairs"));

@@ -201,7 +201,7 @@ internal static class AdvancementSolver
         gap = 0;
         impact.Outcome = (MotionVerdict)state.Verdict;
         if (state.Verdict != Verdict.Apart) return false;
-        gap = state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins;
+        gap = Proofs.DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
         impact.Outcome = MotionVerdict.Hit;
         if (Proofs.IsTouching(state, gap)) return false;
         impact.Normal = state.Plane.Normal * (-1 / Math.Sqrt(state.Plane.NormalSquared));

@@ -75,7 +75,7 @@ internal struct CastJump
         double slope = Double3.Dot(normal, line.Axis), away = state.Plane.Value * scale - frame.Margins;
         double ahead = away / slope;
         bool isTouching = !isApart || Proofs.IsTouching(
-            state, state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared) - frame.Margins);
+            state, Proofs.DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared)));
         if (isTouching && (!_isJump || (slope > 0 && -ahead <= gap)))
         {
             if (isApart && frame.Margins > 0 && IsPastStart && slope > 0) cast.Normal = -normal;

@@ -47,8 +47,11 @@ const fixed = (x) => (Math.abs(x) < 5e-5 ? 0 : x).toFixed(4).replace('-', '−')
 /** Formats a vector with four decimals. */
 export const vector = (v) => `(${v.map(fixed).join(', ')})`;
 
-/** A point, each coordinate as number formats it. */
-export const point = (v) => `(${v.map(number).join(', ')})`;
+/** A point, each coordinate as number formats it; 0 where it is only rounding beside the largest. */
+export const point = (v) => {
+  const noise = 1e-14 * Math.max(...v.map(Math.abs));
+  return `(${v.map((x) => number(Math.abs(x) <= noise ? 0 : x)).join(', ')})`;
+};
 
 /** A count with its noun: "1 pair", "2 pairs". */
 export const count = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
