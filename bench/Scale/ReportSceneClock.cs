@@ -69,6 +69,6 @@ internal sealed class ReportSceneClock
     {
         public float Total { get; private set; }
 
-        public void Visit(ObjectPair pair, in DistanceResult result) => Total += result.Distance;
+        public void Visit(in PairDistance pair) => Total += pair.Result.Distance;
     }
 }

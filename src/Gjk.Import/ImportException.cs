@@ -10,13 +10,13 @@ namespace Gjk.Import;
 public sealed class ImportException : Exception
 {
     internal ImportException(string message)
-        : base(message)
+        : base(ImportProblem.OneLine(message))
     {
     }
 
     /// <summary>A file that cannot be read.</summary>
     internal ImportException(string file, Exception cause)
-        : base($"{file}: cannot be read: {Reason(cause)}", cause)
+        : base(ImportProblem.OneLine($"{file}: cannot be read: {Reason(cause)}"), cause)
     {
     }
 

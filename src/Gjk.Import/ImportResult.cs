@@ -19,25 +19,29 @@ public sealed class ImportResult
     /// <summary>The meshes that objects have; several may share one. No two have the same name.</summary>
     public IReadOnlyList<ImportedMesh> Meshes { get; }
 
-    /// <summary>What could not be read, and what was read but may surprise, in the order of the file.</summary>
+    /// <summary>
+    /// What could not be read, and what was read but may surprise, in the order of the file. Of several of one kind the
+    /// first is listed, with their number.
+    /// </summary>
     public IReadOnlyList<ImportProblem> Problems { get; }
 
     /// <summary>How many things could not be read and are missing from <see cref="Objects"/>.</summary>
-    public int MissingCount => Problems.Count(p => p.IsMissing);
+    public int MissingCount => Problems.Where(p => p.IsMissing).Sum(p => p.Count);
 }
 
 /// <summary>Something in a file that the user should know of. Immutable.</summary>
 public sealed class ImportProblem
 {
-    internal ImportProblem(string where, string what, bool isMissing, bool isOfHull)
+    internal ImportProblem(string where, string what, bool isMissing, bool isOfHull, int count)
     {
         IsOfHull = isOfHull;
-        Where = where;
-        What = what;
+        Where = OneLine(where);
+        What = OneLine(what);
         IsMissing = isMissing;
+        Count = count;
     }
 
-    /// <summary>The file, and the place in it: a line, a node or an object.</summary>
+    /// <summary>The file, and the place of the first in it: a line, a node or an object.</summary>
     public string Where { get; }
 
     /// <summary>What is wrong, in a few words.</summary>
@@ -46,9 +50,30 @@ public sealed class ImportProblem
     /// <summary>True if something could not be read, false if it was read but may surprise.</summary>
     public bool IsMissing { get; }
 
+    /// <summary>How many things of the file have this problem, at least 1.</summary>
+    public int Count { get; }
+
     /// <summary>True if a mesh differs from its hull, which is no problem for one whose triangles are kept.</summary>
     internal bool IsOfHull { get; }
 
-    /// <summary>One line: the place, "warning" unless something is missing, and what is wrong.</summary>
-    public override string ToString() => IsMissing ? $"{Where}: {What}" : $"{Where}: warning: {What}";
+    /// <summary>
+    /// One line: the place, "warning" unless something is missing, what is wrong, and how many more there are.
+    /// </summary>
+    public override string ToString() =>
+        $"{Where}: {(IsMissing ? "" : "warning: ")}{What}{(Count > 1 ? $"; and {Count - 1} more" : "")}";
+
+    internal ImportProblem Again() => new(Where, What, IsMissing, IsOfHull, Count + 1);
+
+    /// <summary>A name in a file may hold line breaks.</summary>
+    internal static string OneLine(string text)
+    {
+        int first = 0;
+        while (first < text.Length && !char.IsControl(text[first])) first++;
+        return first == text.Length
+            ? text
+            : string.Create(text.Length, text, (line, given) =>
+            {
+                for (int i = 0; i < line.Length; i++) line[i] = char.IsControl(given[i]) ? ' ' : given[i];
+            });
+    }
 }

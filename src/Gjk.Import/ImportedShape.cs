@@ -23,6 +23,9 @@ public sealed record ImportedShape
     /// <summary>The mesh, or null. As a convex shape it is its hull.</summary>
     public ImportedMesh? Mesh { get; private init; }
 
+    /// <summary>True if the file says that the hull of the mesh is meant: a MeshCollider with Convex ticked.</summary>
+    public bool IsHull { get; private init; }
+
     /// <summary>Turns the shape before the object's scale. Length 1.</summary>
     public Quaternion Rotation { get; internal init; } = Quaternion.Identity;
 
@@ -57,5 +60,6 @@ public sealed record ImportedShape
 
     internal static ImportedShape Ellipsoid(Vector3 radii) => new(ShapeKind.Ellipsoid) { Sizes = radii };
 
-    internal static ImportedShape OfMesh(ImportedMesh mesh) => new(ShapeKind.Mesh) { Mesh = mesh };
+    internal static ImportedShape OfMesh(ImportedMesh mesh, bool isHull) =>
+        new(ShapeKind.Mesh) { Mesh = mesh, IsHull = isHull };
 }

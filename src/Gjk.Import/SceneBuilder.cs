@@ -46,14 +46,16 @@ internal sealed class SceneBuilder
     /// <param name="part">The mesh.</param>
     /// <param name="world">From the mesh's frame to the world.</param>
     /// <param name="rotation">The object's rotation.</param>
+    /// <param name="isHull">True if the object is the hull, whatever the mesh is.</param>
     /// <exception cref="UnreadableException">A coordinate is too large for a float.</exception>
-    public void AddMesh(string name, ImportedMesh part, in Affine world, in TurnD rotation)
+    public void AddMesh(
+        string name, ImportedMesh part, in Affine world, in TurnD rotation, bool isHull = false)
     {
         Affine local = world.SeenFrom(rotation);
         if (Placement.IsAlongAxes(local, out Double3 factors) && Placement.IsUsableScale(factors))
         {
             if (!IsInRange(part.Vertices, world)) throw TooLarge();
-            var placed = new ImportedObject(name, ImportedShape.OfMesh(MeshOf(part)), world, rotation);
+            var placed = new ImportedObject(name, ImportedShape.OfMesh(MeshOf(part), isHull), world, rotation);
             Add(placed with { Scale = (Vector3)factors });
             return;
         }
@@ -69,7 +71,7 @@ internal sealed class SceneBuilder
         }
 
         ImportedMesh mesh = AddMesh($"{part.Name} of {name}", n => part.With(n, vertices));
-        Add(new ImportedObject(name, ImportedShape.OfMesh(mesh), world, rotation));
+        Add(new ImportedObject(name, ImportedShape.OfMesh(mesh, isHull), world, rotation));
     }
 
     private static UnreadableException TooLarge() => new("a size or a position is too large for a float");

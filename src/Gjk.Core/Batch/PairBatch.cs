@@ -133,7 +133,7 @@ public static partial class PairBatch
             workers, new SignedDistanceJob(shapes, poses, pairs, results), pairs.Length, PartLength, cancellation);
     }
 
-    private static void Check(ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, int resultCount)
+    private static void Check<TShape>(TShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, int resultCount)
     {
         Guard.NotNull(shapes, nameof(shapes));
         Guard.NotNull(poses, nameof(poses));

@@ -33,7 +33,7 @@ public sealed class CompoundShape
     private CompoundShape(ConvexShape[] parts)
     {
         _parts = parts;
-        Tree = PartTreeBuilder.Build(new PartSource(this), leafSize: 1, mostInLeaf: 1);
+        Tree = PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1);
     }
 
     /// <summary>How many parts there are, at least one.</summary>
@@ -57,6 +57,9 @@ public sealed class CompoundShape
         Guard.Scale(scale, nameof(scale));
         return new CompoundShape(Array.ConvertAll(_parts, part => part.Scaled(scale)));
     }
+
+    /// <summary>The parts as a tree is built of them.</summary>
+    internal IPartSource Source => new PartSource(this);
 
     /// <summary>The parts, not to be written to.</summary>
     internal ConvexShape[] Parts => _parts;

@@ -41,6 +41,29 @@ public static partial class ConcaveQuery
         return Ask(scratch, maxDistance, false);
     }
 
+    /// <summary>As the other, with the parts that were nearest in the last query of the pair as a guess.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Pose of A in the world.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Pose of B in the world.</param>
+    /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <param name="maxDistance">As of the other.</param>
+    /// <returns>
+    /// The status and the distance are those of the other, to the last bit, and two convex shapes take nothing from it.
+    /// Of pairs of parts that are equally near it may name another.
+    /// </returns>
+    public static PartDistance Distance(
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ref PartWarmStart warmStart,
+        ConcaveScratch scratch, float maxDistance = float.PositiveInfinity)
+    {
+        if (AreConvex(a, b)) return Distance(a, poseA, b, poseB, scratch, maxDistance);
+        if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
+        PartDistance found = Ask(scratch, maxDistance, false, warmStart);
+        if (scratch.Search.PartA >= 0) warmStart.Set(scratch.Search.PartA, scratch.Search.PartB);
+        return found;
+    }
+
     /// <summary>Whether two shapes share a point, touching included.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Pose of A in the world.</param>
@@ -53,10 +76,11 @@ public static partial class ConcaveQuery
         Distance(a, poseA, b, poseB, scratch, 0).IsOverlapping;
 
     /// <summary>The distance, or the signed distance, of what the scratch holds.</summary>
-    private static PartDistance Ask(ConcaveScratch scratch, float maxDistance, bool isSigned)
+    private static PartDistance Ask(
+        ConcaveScratch scratch, float maxDistance, bool isSigned, in PartWarmStart guess = default)
     {
         PartSide a = scratch.A, b = scratch.B;
-        PartPairSearch.Run(scratch, maxDistance);
+        PartPairSearch.Run(scratch, maxDistance, guess);
         ref PartPairSearch search = ref scratch.Search;
         bool isFound = search.PartA >= 0, isTouching = isFound && search.Best.IsOverlapping;
         DistanceResult best = isFound

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace Gjk.Core;
 
 /// <summary>
@@ -11,6 +13,21 @@ public sealed class ConcaveScratch
     internal readonly TriangleFilter Filter = new();
     internal readonly PlaneProof Plane = new();
     internal readonly WindingNumber Winding = new();
+    internal readonly List<PartDistance> Pairs = [];
+    internal readonly List<PartContacts> Contacts = [];
+    private readonly Stack<ConcaveScratch> _idle = new();
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;
+
+    /// <summary>Another scratch for a thread of its own; this one keeps it.</summary>
+    internal ConcaveScratch Rent()
+    {
+        lock (_idle) return _idle.Count > 0 ? _idle.Pop() : new ConcaveScratch();
+    }
+
+    /// <summary>Takes one back.</summary>
+    internal void Return(ConcaveScratch scratch)
+    {
+        lock (_idle) _idle.Push(scratch);
+    }
 }

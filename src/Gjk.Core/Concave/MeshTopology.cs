@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 
 namespace Gjk.Core;
@@ -10,8 +11,12 @@ namespace Gjk.Core;
 /// </summary>
 internal sealed class MeshTopology
 {
-    // While it is built; a mesh keeps what was found alone.
+    // While it is built.
     private readonly int[] _corners, _indices, _component;
+
+    /// <summary>The first vertex at the place of each; empty for a grid.</summary>
+    private readonly int[] _joined = [];
+
     private int _faulty;
 
     /// <param name="vertices">The vertices.</param>
@@ -19,13 +24,40 @@ internal sealed class MeshTopology
     public MeshTopology(Vector3[] vertices, int[] indices)
     {
         _indices = indices;
-        int[] joined = Joined(vertices);
-        _corners = Array.ConvertAll(indices, i => joined[i]);
+        _joined = Joined(vertices);
+        _corners = Array.ConvertAll(indices, i => _joined[i]);
         _component = new int[vertices.Length];
+        Twins = new int[indices.Length];
         CountEdges();
         CountTriangles(vertices);
         FindComponents();
         _corners = _indices = _component = [];
+    }
+
+    /// <summary>The same triangles with their vertices moved, which joins mostly the same ones.</summary>
+    public MeshTopology WithVertices(Vector3[] vertices, int[] indices)
+    {
+        if (!Joined(vertices).SequenceEqual(_joined)) return new MeshTopology(vertices, indices);
+        var same = (MeshTopology)MemberwiseClone();
+        var predicates = new HullPredicates(vertices);
+        same.Degenerate = 0;
+        for (int i = 0; i < indices.Length; i += 3)
+            if (IsDegenerate(predicates, _joined[indices[i]], _joined[indices[i + 1]], _joined[indices[i + 2]]))
+                same.Degenerate++;
+        return same;
+    }
+
+    private static bool IsDegenerate(HullPredicates predicates, int a, int b, int c) =>
+        a == b || b == c || c == a || predicates.AreCollinear(a, b, c);
+
+    /// <summary>What is known of a grid without a look: its outline is open.</summary>
+    public MeshTopology(int columns, int rows)
+    {
+        (_corners, _indices, _component, Twins) = ([], [], [], []);
+        BorderEdges = 2 * (columns + rows - 2);
+        IsClosed = false;
+        (FaultyA, FaultyB, FaultyAlong) = (0, columns, 1);
+        Components = [0];
     }
 
     /// <summary>How many edges belong to one triangle alone.</summary>
@@ -48,6 +80,13 @@ internal sealed class MeshTopology
 
     /// <inheritdoc cref="FaultyAlong"/>
     public int FaultyAgainst { get; private set; }
+
+    /// <summary>
+    /// Of each side of a triangle (three times the triangle, and the corner at which it begins) the one of the other
+    /// triangle at the edge; -1 where there is none or more than one. Triangles that are a segment, with two corners at
+    /// one place, do not count.
+    /// </summary>
+    public int[] Twins { get; }
 
     public int Degenerate { get; private set; }
 
@@ -85,17 +124,29 @@ internal sealed class MeshTopology
         Array.Sort(keys, sides);
         for (int begin = 0; begin < keys.Length;)
         {
-            int end = begin, along = 0, first = int.MaxValue;
+            int end = begin, along = 0, first = int.MaxValue, count = 0, one = -1, other = -1;
             int low = (int)(keys[begin] >> 32), high = (int)(keys[begin] & uint.MaxValue);
             for (; end < keys.Length && keys[end] == keys[begin]; end++)
             {
                 if (_corners[sides[end]] == low) along++;
                 first = Math.Min(first, sides[end]);
+                Twins[sides[end]] = -1;
+                if (IsSegment(sides[end] / 3)) continue;
+                count++;
+                (one, other) = (other, sides[end]);
             }
+
+            if (count == 2) (Twins[one], Twins[other]) = (other, one);
 
             if (low != high) CountEdge(along, end - begin - along, first);
             begin = end;
         }
+    }
+
+    private bool IsSegment(int triangle)
+    {
+        int a = _corners[3 * triangle], b = _corners[3 * triangle + 1], c = _corners[3 * triangle + 2];
+        return a == b || b == c || c == a;
     }
 
     private void CountEdge(int along, int against, int first)
@@ -118,7 +169,7 @@ internal sealed class MeshTopology
         for (int i = 0; i < _corners.Length; i += 3)
         {
             int a = _corners[i], b = _corners[i + 1], c = _corners[i + 2];
-            if (a == b || b == c || c == a || predicates.AreCollinear(a, b, c)) Degenerate++;
+            if (IsDegenerate(predicates, a, b, c)) Degenerate++;
             int low = Math.Min(Math.Min(a, b), c), high = Math.Max(Math.Max(a, b), c);
             if (!seen.Add((low, a + b + c - low - high, high))) Duplicate++;
         }

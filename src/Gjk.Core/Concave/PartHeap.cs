@@ -9,6 +9,9 @@ internal sealed class PartHeap
     private Entry[] _entries = new Entry[256];
     private int _count;
 
+    /// <summary>How many wait.</summary>
+    public int Count => _count;
+
     /// <summary>Two boxes, each as eight times its node and the lane, and a bound of theirs.</summary>
     public struct Entry
     {

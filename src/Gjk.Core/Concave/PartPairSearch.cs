@@ -18,12 +18,18 @@ namespace Gjk.Core;
 internal struct PartPairSearch
 {
     /// <summary>
-    /// Count: so many parts are asked in vain before planes are tried on whole boxes, where they cost a look at each
-    /// corner below. It changes no answer but the names of equals.
+    /// Count: so many parts are asked in vain, or leaves looked at, before planes are tried, which costs a look at each
+    /// corner. It changes no answer but the names of equals.
     /// </summary>
     private const int IdleBeforeProof = 16;
 
-    private int _idle;
+    /// <summary>
+    /// Count: a plane is held against all corners when a search has lasted so long that they cost no more than what it
+    /// has cost already: some 200 times a corner's time goes into a pair. More or less changes nothing but the time.
+    /// </summary>
+    private const int CornersInAsk = 256;
+
+    private int _idle, _visits, _patience;
 
     /// <summary>How many pairs of parts the exact query answered.</summary>
     public int Asked;
@@ -49,11 +55,20 @@ internal struct PartPairSearch
     public List<PartDistance>? All;
 
     /// <summary>Finds the least distance that is at most the limit.</summary>
-    public static unsafe void Run(ConcaveScratch scratch, float maxDistance)
+    /// <param name="scratch">With both sides set.</param>
+    /// <param name="maxDistance">In world units.</param>
+    /// <param name="guess">The parts to ask first; they need not be near, or be there at all.</param>
+    public static unsafe void Run(ConcaveScratch scratch, float maxDistance, in PartWarmStart guess = default)
     {
         ref PartPairSearch search = ref scratch.Search;
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
         search.Begin(scratch, maxDistance);
+        if ((uint)guess.PartA < (uint)a.Order.Length && (uint)guess.PartB < (uint)b.Order.Length)
+        {
+            search.Ask(scratch, guess.PartA, guess.PartB);
+            if (search.PartA >= 0 && search.Best.IsOverlapping) return;
+        }
+
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         heap.Clear();
@@ -63,6 +78,7 @@ internal struct PartPairSearch
             while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search.Reached)
             {
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
+                if (search.IsTimeForWhole(heap) && scratch.Plane.IsUntried && search.IsNoNearer(scratch)) return;
                 if (search._idle >= IdleBeforeProof && search.IsNoNearer(scratch, pair.A, pair.B)) continue;
                 if (childA < 0 && childB < 0)
                 {
@@ -84,7 +100,9 @@ internal struct PartPairSearch
             out Frame);
         if (scratch.A.Mesh is not null && scratch.B.Mesh is not null) scratch.Filter.Begin(Frame);
         scratch.Plane.Clear();
-        _idle = Asked = 0;
+        _idle = _visits = Asked = 0;
+        int corners = (scratch.A.Mesh?.VertexCount ?? 0) + (scratch.B.Mesh?.VertexCount ?? 0);
+        _patience = corners / CornersInAsk;
         PartA = PartB = -1;
         Best = default;
         LowerBound = float.PositiveInfinity;
@@ -108,6 +126,14 @@ internal struct PartPairSearch
         return isA;
     }
 
+    /// <summary>Whether a plane shows that no pair is nearer.</summary>
+    private bool IsNoNearer(ConcaveScratch scratch)
+    {
+        if (!scratch.Plane.IsWholeNoNearer(scratch.A, scratch.B)) return false;
+        LowerBound = Math.Min(LowerBound, scratch.Plane.LowerBound);
+        return true;
+    }
+
     /// <summary>Whether a plane shows that the pairs below two boxes are no nearer.</summary>
     private bool IsNoNearer(ConcaveScratch scratch, int a, int b)
     {
@@ -118,6 +144,8 @@ internal struct PartPairSearch
 
     private void AskLeaves(ConcaveScratch scratch, int boxA, int leafA, int boxB, int leafB)
     {
+        _visits++;
+        if (PartA < 0 && IsTimeForPlane) AimBeyond(scratch, leafA, leafB);
         if (scratch.A.Mesh is not null && scratch.B.Mesh is not null)
         {
             AskTriangles(scratch, leafA, leafB);
@@ -134,7 +162,7 @@ internal struct PartPairSearch
             for (int j = firstB; j < endB; j++)
             {
                 int partA = scratch.A.Tree.Order[i], partB = scratch.B.Tree.Order[j];
-                bool isDropped = plane.IsSet && All is null && (isOneA
+                bool isDropped = plane.IsSet && (isOneA
                     ? plane.IsPartNoNearer(scratch.A, boxA, scratch.B, partB)
                     : plane.IsNoNearerPart(scratch.A, partA, scratch.B, boxB));
                 if (isDropped) LowerBound = Math.Min(LowerBound, plane.LowerBound);
@@ -178,6 +206,22 @@ internal struct PartPairSearch
         Best = found;
         (PartA, PartB) = (partA, partB);
         SetLimit(scratch, found.Distance);
+    }
+
+    /// <summary>Whether all corners may be looked at.</summary>
+    private readonly bool IsTimeForWhole(PartHeap heap) =>
+        PartA < 0 ? _visits >= _patience : _idle >= IdleBeforeProof && heap.Count >= _patience;
+
+    /// <summary>While nothing is near enough, planes are tried, each for twice as long as the last one.</summary>
+    private readonly bool IsTimeForPlane => (_visits & (_visits - 1)) == 0 && _visits >= IdleBeforeProof;
+
+    /// <summary>Takes the plane of two leaves' first parts, if these are too far apart.</summary>
+    private readonly void AimBeyond(ConcaveScratch scratch, int leafA, int leafB)
+    {
+        int partA = scratch.A.Tree.Order[PartTree.FirstOf(leafA)], partB = scratch.B.Tree.Order[PartTree.FirstOf(leafB)];
+        DistanceResult found = PartQuery.Distance(scratch.A, partA, scratch.B, partB, Limit);
+        if (found.Status == GjkStatus.BeyondMaxDistance)
+            scratch.Plane.SetBeyond(scratch.A, partA, scratch.B, partB, found.Normal, Limit);
     }
 
     private readonly bool IsBefore(bool isOverlapping, int partA, int partB) =>

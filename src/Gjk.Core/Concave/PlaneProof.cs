@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 
 namespace Gjk.Core;
 
@@ -8,16 +9,24 @@ namespace Gjk.Core;
 /// <remarks>
 /// Between parallel plates as many pairs of triangles are equally near as there are triangles, and the boxes' bounds in
 /// float let all of them pass. Here corners are measured in double, so that a whole subtree is dropped if its gap
-/// exceeds the middle between the distance and the float before it: what it has rounds to the distance or more.
+/// exceeds the middle between the distance and the float before it: what it has rounds to the distance or more. Where
+/// nothing is near enough yet, the plane of two parts that are too far apart shows which others are.
 /// What a subtree reaches is kept until the normal changes.
 /// </remarks>
 internal sealed class PlaneProof
 {
     /// <summary>
-    /// Ratio to the lengths: 2^-46. Rotating a corner, its product with the normal and the sums lose 2^-49 at most.
-    /// More only costs time.
+    /// Ratio to twice the lengths: 2^-49, 16 roundings. Turning the normal into a shape's axes turns it by 15 roundings
+    /// at most, its product with a corner and the sums lose 3 of their length. Four times as much asks every pair of
+    /// plates that are a millionth apart; a quarter is not proved.
     /// </summary>
-    private const double Error = 1.0 / (1L << 46);
+    private const double Error = 1.0 / (1L << 49);
+
+    /// <summary>
+    /// Ratio to twice the lengths: what is further apart than this does not touch. Four times what the queries count
+    /// as touching. More only costs time.
+    /// </summary>
+    private const double Touching = 4 * GjkTolerances.Touch;
 
     /// <summary>
     /// A cosine: normals no further apart than by 2e-4 are meant to be one; between plates a millionth of their size
@@ -25,13 +34,19 @@ internal sealed class PlaneProof
     /// </summary>
     private const double Aligned = 1 - 2e-8;
 
+    /// <summary>Count: so many corners of the larger mesh are looked at before all are.</summary>
+    private const int Looks = 64;
+
     private readonly Reaches _a = new(), _b = new();
     private Double3 _alongA, _alongB;
     private double _limit, _between;
-    private int _version;
+    private int _version, _tried;
 
     /// <summary>Whether there is a plane.</summary>
     public bool IsSet { get; private set; }
+
+    /// <summary>Whether there is a plane that <see cref="IsWholeNoNearer"/> has not been asked about.</summary>
+    public bool IsUntried => IsSet && _tried != _version;
 
     /// <summary>No pair that is dropped is nearer than this, rounded down.</summary>
     public float LowerBound => RoundOff.Down(_limit);
@@ -39,22 +54,54 @@ internal sealed class PlaneProof
     /// <summary>Forgets the last query's plane.</summary>
     public void Clear() => IsSet = false;
 
-    /// <summary>Takes the plane of two parts that are apart.</summary>
+    /// <summary>Takes the plane of two parts that are apart: others are dropped that are no nearer.</summary>
     public void Set(PartSide a, int partA, PartSide b, int partB, in DistanceResult best)
     {
         IsSet = !best.IsOverlapping && best.Distance > 0;
         if (!IsSet) return;
-        Double3 normal = best.Normal;
+        Aim(a, partA, b, partB, best.Normal, Aligned);
+        _limit = 0.5 * ((double)best.Distance + RoundOff.Down(best.Distance * (1 - 1.0 / (1 << 26))));
+    }
+
+    /// <summary>Takes the plane of two parts that are further apart than the limit: so are those that are dropped.</summary>
+    public void SetBeyond(PartSide a, int partA, PartSide b, int partB, Vector3 normal, float limit)
+    {
+        double lengths = Aim(a, partA, b, partB, normal, 0);
+        IsSet = true;
+        _limit = limit * (1 + GjkTolerances.FloatBand) + Touching * lengths;
+    }
+
+    /// <summary>
+    /// Turns the plane, to that of a triangle if that has the cosine; gives the lengths that rounding is measured by.
+    /// </summary>
+    private double Aim(PartSide a, int partA, PartSide b, int partB, Vector3 direction, double aligned)
+    {
+        Double3 normal = direction;
         normal *= 1 / normal.Length;
-        if (!TryFace(a, partA, ref normal)) TryFace(b, partB, ref normal);
+        if (!TryFace(a, partA, aligned, ref normal)) TryFace(b, partB, aligned, ref normal);
         _alongA = new RotationD(a.Pose.Rotation).InverseRotate(normal);
         _alongB = -new RotationD(b.Pose.Rotation).InverseRotate(normal);
         Double3 between = (Double3)b.Pose.Position - a.Pose.Position;
         double lengths = between.SumOfMagnitudes + Length(a) + Length(b);
         _between = Double3.Dot(normal, between) - Error * lengths;
-        _limit = 0.5 * ((double)best.Distance + RoundOff.Down(best.Distance * (1 - 1.0 / (1 << 26))));
         _version++;
+        return lengths;
     }
+
+    /// <summary>
+    /// Whether no pair of parts at all is nearer; each plane is tried once. A look at a few corners tells most that it
+    /// does not separate.
+    /// </summary>
+    public bool IsWholeNoNearer(PartSide a, PartSide b)
+    {
+        _tried = _version;
+        if (a.Mesh is null || b.Mesh is null) return false;
+        return IsGap(a.Mesh, b.Mesh, Math.Max(1, Math.Max(a.Mesh.VertexCount, b.Mesh.VertexCount) / Looks))
+            && IsGap(a.Mesh, b.Mesh, 1);
+    }
+
+    private bool IsGap(TriangleMesh a, TriangleMesh b, int step) =>
+        _between - a.Reach(_alongA, step) - b.Reach(_alongB, step) > _limit;
 
     /// <summary>Whether no pair of parts below two boxes is nearer.</summary>
     public bool IsNoNearer(PartSide a, int boxA, PartSide b, int boxB) =>
@@ -69,20 +116,20 @@ internal sealed class PlaneProof
         _between - _a.Of(a, boxA, _alongA, _version) - Reaches.OfPart(b, partB, _alongB) > _limit;
 
     /// <summary>Takes a triangle's own normal if it is the one, since a float's rounding tilts a plane.</summary>
-    private static bool TryFace(PartSide side, int part, ref Double3 normal)
+    private static bool TryFace(PartSide side, int part, double aligned, ref Double3 normal)
     {
         if (side.Mesh is null) return false;
         side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
         Double3 face = new RotationD(side.Pose.Rotation).Rotate(Double3.Cross(b - a, c - a));
         face *= 1 / face.Length;
         double along = Double3.Dot(face, normal);
-        if (!(Math.Abs(along) > Aligned)) return false;
+        if (!(Math.Abs(along) > aligned)) return false;
         normal = along > 0 ? face : -face;
         return true;
     }
 
     private static double Length(PartSide side) =>
-        side.Tree.Origin.SumOfMagnitudes + 2 * side.Tree.Radius + side.Margin;
+        2 * (side.Tree.Origin.SumOfMagnitudes + side.Tree.Radius) + side.Margin;
 
     /// <summary>How far the parts below each box of a side reach along the normal.</summary>
     private sealed class Reaches

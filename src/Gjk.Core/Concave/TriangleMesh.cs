@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using System.Diagnostics.CodeAnalysis;
 
 namespace Gjk.Core;
 
@@ -13,13 +12,12 @@ namespace Gjk.Core;
 /// Triangles keep the caller's numbers; degenerate and repeated ones count like all others. The largest triangle
 /// numbers are limited by memory alone: at most 70 bytes a triangle in meshes with half as many vertices as triangles.
 /// </remarks>
-public sealed class TriangleMesh
+public sealed partial class TriangleMesh
 {
     /// <summary>Count: what fills the lanes of the triangle filter well, and keeps the tree small.</summary>
     private const int LeafSize = 4, MostInLeaf = 7;
 
-    private readonly Vector3[] _vertices;
-    private readonly int[] _indices;
+    private readonly TriangleList _list;
     private readonly MeshTopology _topology;
 
     /// <summary>The tree over the triangles.</summary>
@@ -41,27 +39,28 @@ public sealed class TriangleMesh
     {
         Guard.NotNull(vertices, nameof(vertices));
         Guard.NotNull(indices, nameof(indices));
-        string? reason = Refusal(vertices, indices, out _vertices, out _indices);
+        string? reason = Refusal(vertices, indices, out Vector3[] points, out int[] corners);
         if (reason is not null) throw new ArgumentException(reason);
-        _topology = new MeshTopology(_vertices, _indices);
+        _list = new TriangleList(points, corners);
+        _topology = new MeshTopology(points, corners);
         Scale = Vector3.One;
         _scale = Scale;
         Tree = BuildTree();
     }
 
-    private TriangleMesh(Vector3[] vertices, int[] indices, MeshTopology topology, Vector3 scale)
+    private TriangleMesh(TriangleList list, MeshTopology topology, Vector3 scale, PartTree? like = null)
     {
-        (_vertices, _indices, _topology) = (vertices, indices, topology);
+        (_list, _topology) = (list, topology);
         Scale = scale;
         _scale = scale;
-        Tree = BuildTree();
+        Tree = like is null ? BuildTree() : PartTreeRefit.Fit(Source, like);
     }
 
     /// <summary>How many triangles there are, at least one.</summary>
-    public int TriangleCount => _indices.Length / 3;
+    public int TriangleCount => _list.SideCount / 3;
 
     /// <summary>How many vertices there are, the unused ones included.</summary>
-    public int VertexCount => _vertices.Length;
+    public int VertexCount => _list.VertexCount;
 
     /// <summary>The factors that the vertices are multiplied with, exactly; 1 unless <see cref="Scaled"/>.</summary>
     public Vector3 Scale { get; }
@@ -108,25 +107,6 @@ public sealed class TriangleMesh
         }
     }
 
-    /// <summary>Builds a mesh, or says why it cannot.</summary>
-    /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
-    /// <param name="indices">Three for each triangle, at least one triangle. Copied.</param>
-    /// <param name="mesh">The mesh, or null.</param>
-    /// <param name="reason">Null, or what is wrong with the lists, in one sentence.</param>
-    /// <returns>True when there is a mesh.</returns>
-    public static bool TryCreate(
-        IReadOnlyList<Vector3>? vertices, IReadOnlyList<int>? indices, [NotNullWhen(true)] out TriangleMesh? mesh,
-        [NotNullWhen(false)] out string? reason)
-    {
-        mesh = null;
-        reason = vertices is null || indices is null
-            ? "There is no list of vertices, or none of indices."
-            : Refusal(vertices, indices, out _, out _);
-        if (reason is not null) return false;
-        mesh = new TriangleMesh(vertices!, indices!);
-        return true;
-    }
-
     /// <summary>
     /// The same triangles scaled about the local origin, exactly; factors of an earlier call are multiplied.
     /// </summary>
@@ -138,7 +118,7 @@ public sealed class TriangleMesh
     public TriangleMesh Scaled(Vector3 scale)
     {
         Guard.Scale(scale, nameof(scale));
-        return new TriangleMesh(_vertices, _indices, _topology, Guard.Scale(Scale * scale, nameof(scale)));
+        return new TriangleMesh(_list, _topology, Guard.Scale(Scale * scale, nameof(scale)));
     }
 
     /// <summary>A vertex in the local frame, before the scale.</summary>
@@ -146,9 +126,9 @@ public sealed class TriangleMesh
     /// <exception cref="ArgumentOutOfRangeException">There is no such vertex.</exception>
     public Vector3 GetVertex(int index)
     {
-        if ((uint)index >= (uint)_vertices.Length)
+        if ((uint)index >= (uint)VertexCount)
             throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
-        return _vertices[index];
+        return _list.Vertex(index);
     }
 
     /// <summary>The vertices of a triangle.</summary>
@@ -161,28 +141,43 @@ public sealed class TriangleMesh
     {
         if ((uint)index >= (uint)TriangleCount)
             throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
-        (a, b, c) = (_indices[3 * index], _indices[3 * index + 1], _indices[3 * index + 2]);
+        _list.Corners(3 * index, out a, out b, out c);
     }
 
     /// <summary>One triangle of each connected piece.</summary>
     internal int[] Components => _topology.Components;
+
+    /// <inheritdoc cref="MeshTopology.Twins"/>
+    internal int TwinOf(int side) => _list.IsGrid ? _list.TwinInGrid(side) : _topology.Twins[side];
 
     internal bool IsScaled => Scale != Vector3.One;
 
     /// <summary>The corners of a triangle with the scale.</summary>
     internal void GetCorners(int triangle, out Double3 a, out Double3 b, out Double3 c)
     {
-        int i = 3 * triangle;
-        a = Double3.Multiply(_vertices[_indices[i]], _scale);
-        b = Double3.Multiply(_vertices[_indices[i + 1]], _scale);
-        c = Double3.Multiply(_vertices[_indices[i + 2]], _scale);
+        _list.Places(3 * triangle, out Vector3 first, out Vector3 second, out Vector3 third);
+        a = Double3.Multiply(first, _scale);
+        b = Double3.Multiply(second, _scale);
+        c = Double3.Multiply(third, _scale);
     }
+
+    /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>
+    internal double Reach(in Double3 direction, int step)
+    {
+        Double3 scaled = Double3.Multiply(direction, _scale);
+        double most = double.NegativeInfinity;
+        for (int i = 0; i < VertexCount; i += step) most = Math.Max(most, Double3.Dot(scaled, _list.Vertex(i)));
+        return most;
+    }
+
+    /// <summary>A corner of a triangle with the scale.</summary>
+    /// <param name="side">Three times the triangle, and the corner.</param>
+    internal Double3 GetCorner(int side) => Double3.Multiply(_list.Vertex(_list.Corner(side)), _scale);
 
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)
     {
-        int i = 3 * triangle;
-        Vector3 a = _vertices[_indices[i]], b = _vertices[_indices[i + 1]], c = _vertices[_indices[i + 2]];
+        _list.Places(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
         var shape = ConvexShape.Triangle(a, b, c);
         return IsScaled ? shape.Scaled(Scale) : shape;
     }
@@ -190,8 +185,8 @@ public sealed class TriangleMesh
     /// <summary>A triangle as a shape of its own, where there is no scale.</summary>
     internal TriangleShape GetPlain(int triangle)
     {
-        int i = 3 * triangle;
-        return new TriangleShape(_vertices[_indices[i]], _vertices[_indices[i + 1]], _vertices[_indices[i + 2]]);
+        _list.Places(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
+        return new TriangleShape(a, b, c);
     }
 
     /// <summary>A triangle as queries ask it.</summary>
@@ -204,30 +199,10 @@ public sealed class TriangleMesh
 
     private static string Triangles(int count) => count == 1 ? "1 triangle" : $"{count} triangles";
 
-    private PartTree BuildTree() => PartTreeBuilder.Build(new TriangleSource(this), LeafSize, MostInLeaf);
+    /// <summary>The triangles as a tree is built of them.</summary>
+    internal IPartSource Source => new TriangleSource(this);
 
-    private static string? Refusal(
-        IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, out Vector3[] points, out int[] corners)
-    {
-        points = new Vector3[Math.Max(vertices.Count, 0)];
-        corners = new int[Math.Max(indices.Count, 0)];
-        for (int i = 0; i < points.Length; i++)
-        {
-            points[i] = vertices[i];
-            if (!Guard.IsFinite(points[i])) return $"Vertex {i} has a coordinate that is NaN or infinite.";
-        }
-
-        if (corners.Length == 0) return "At least one triangle is needed.";
-        if (corners.Length % 3 != 0) return $"There are {corners.Length} indices, which is not a multiple of 3.";
-        for (int i = 0; i < corners.Length; i++)
-        {
-            corners[i] = indices[i];
-            if ((uint)corners[i] < (uint)points.Length) continue;
-            return $"Triangle {i / 3} names vertex {corners[i]}, but there are {points.Length}, counted from 0.";
-        }
-
-        return null;
-    }
+    private PartTree BuildTree() => PartTreeBuilder.Build(Source, LeafSize, MostInLeaf);
 
     private sealed class TriangleSource(TriangleMesh mesh) : IPartSource
     {

@@ -25,7 +25,7 @@ internal static unsafe class ContactBuilder
     /// <summary>Fills a manifold, whose normal is there already.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="plane">Where the contact is.</param>
+    /// <param name="plane">Where the contact is; where it is open, the deepest place is the deepest point.</param>
     /// <param name="cornersA">A's face or edge, from A's centre; at least two corners.</param>
     /// <param name="cornersB">B's, from B's centre in B's frame; at least two corners.</param>
     /// <param name="poseA">Where A is.</param>
@@ -57,11 +57,13 @@ internal static unsafe class ContactBuilder
             if (candidate.Gap <= mostGap) candidates.Add(candidate);
         }
 
+        if (plane.IsOpen && candidates.Count == 0) return true;
         if (haveMoved && candidates.Count > ContactManifold.Capacity) candidates.KeepOutline();
         bool areEdges = faceA.Count == 2 && faceB.Count == 2;
         var deepest = new Candidate(
             0, 0, plane.Frame.MarginA, plane.Frame.MarginB - plane.CoreDistance,
             areEdges ? ContactFeature.Of(ContactFeature.Edge(faceA[0].Id), ContactFeature.Edge(faceB[0].Id)) : 0);
+        if (plane.IsOpen) deepest = candidates.Deepest;
         Candidate* quarters = stackalloc Candidate[ContactManifold.Capacity];
         if (!QuarterNames.TryFind(ref faceA, ref faceB, quarters)) quarters = null;
         ContactReduction.Reduce(ref candidates, deepest, quarters, AsDeep * plane.Size, found.ReachAround);
@@ -107,6 +109,12 @@ internal static unsafe class ContactBuilder
         double gap = candidate.Gap * frame.Unit;
         Double3 worldA = frame.RotationA.Rotate(localA) + poseA.Position;
         Double3 worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
+        if (frame.IsPlaced)
+        {
+            localA = frame.OutOfA(localA.ToXyz()).ToVector3D();
+            localB = frame.OutOfB(localB.ToXyz()).ToVector3D();
+        }
+
         return new ManifoldPoint(
             (Vector3)worldA, (Vector3)worldB, (Vector3)localA, (Vector3)localB, Math.Max((float)gap, distance),
             candidate.Id);

@@ -26,6 +26,18 @@ internal unsafe ref struct ContactCandidates
     /// <summary>A candidate.</summary>
     public readonly ref Candidate this[int index] => ref _candidates[index];
 
+    /// <summary>The first of those with the least gap.</summary>
+    public readonly Candidate Deepest
+    {
+        get
+        {
+            int least = 0;
+            for (int i = 1; i < Count; i++)
+                if (_candidates[i].Gap < _candidates[least].Gap) least = i;
+            return _candidates[least];
+        }
+    }
+
     /// <summary>Adds one; there is room.</summary>
     public void Add(in Candidate candidate) => _candidates[Count++] = candidate;
 

@@ -40,6 +40,16 @@ internal struct ContactPlane
         Size = state.Size.Value;
     }
 
+    /// <summary>Whether no deepest point is known along the normal.</summary>
+    public readonly bool IsOpen => double.IsNegativeInfinity(CoreDistance);
+
+    /// <summary>Looks along another normal, along which no deepest point is known.</summary>
+    public void SetAlong(in Double3 normal)
+    {
+        Normal = normal;
+        CoreDistance = double.NegativeInfinity;
+    }
+
     /// <summary>Finds its axes, without which nothing can be seen along the normal.</summary>
     public void Span()
     {

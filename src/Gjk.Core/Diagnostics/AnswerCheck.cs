@@ -138,15 +138,15 @@ public static partial class AnswerCheck
     }
 
     /// <summary>
-    /// Whether the shapes overlap by more than any rounding: a ball lies in their difference, since the corners of a
-    /// regular tetrahedron do.
+    /// Whether the shapes overlap by more than any rounding, that of a depth to float included: a ball lies in their
+    /// difference, since the corners of a regular tetrahedron do.
     /// </summary>
     private static bool IsDeep<TA, TB>(ref TA a, ref TB b, in PosedPair pair, in WitnessWalk walk)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         double touch = Touch(pair);
-        double reach = Math.Max((pair.IsCurved ? CurvedDeep : Deep) * pair.Size, BallRatio * touch);
+        double reach = Math.Max(LeastFloat + (pair.IsCurved ? CurvedDeep : Deep) * pair.Size, BallRatio * touch);
         return walk.Upper <= touch
             && IsTouching(ref a, ref b, pair, new Double3(reach, reach, reach), touch)
             && IsTouching(ref a, ref b, pair, new Double3(reach, -reach, -reach), touch)

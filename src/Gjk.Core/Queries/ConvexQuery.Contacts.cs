@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
@@ -32,8 +33,9 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        ContactPlane plane;
         Make(out manifold);
-        return AskContacts(a, poseA, b, poseB, maxGap, null, ref manifold);
+        return AskContacts(a, poseA, b, poseB, maxGap, null, &plane, ref manifold);
     }
 
     /// <summary>
@@ -58,8 +60,45 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        ContactPlane plane;
         Make(out manifold);
-        fixed (WarmStart* warm = &warmStart) return AskContacts(a, poseA, b, poseB, maxGap, warm, ref manifold);
+        fixed (WarmStart* warm = &warmStart)
+            return AskContacts(a, poseA, b, poseB, maxGap, warm, &plane, ref manifold);
+    }
+
+    /// <summary>As the first, and where the contact is.</summary>
+    internal static DistanceResult Contacts(
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float maxGap,
+        ref ContactPlane plane, out ContactManifold manifold)
+    {
+        Make(out manifold);
+        fixed (ContactPlane* found = &plane)
+            return AskContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold);
+    }
+
+    /// <summary>
+    /// The points of a pair along a direction near its normal: where the faces or edges that both show along it lie
+    /// opposite each other.
+    /// </summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Its pose.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="normal">From A to B, of unit length, in the world.</param>
+    /// <param name="maxGap">Points further apart along it are left out.</param>
+    /// <param name="plane">Where the contact is; its normal becomes the other one.</param>
+    /// <param name="manifold">Gets the points; none where the two show no more than a corner.</param>
+    internal static void ContactsAlong(
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in Double3 normal, float maxGap,
+        ref ContactPlane plane, out ContactManifold manifold)
+    {
+        manifold = default;
+        manifold.Begin((Vector3)normal);
+        plane.SetAlong(plane.Frame.RotationA.InverseRotate(normal));
+        ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(a, out _) : a;
+        ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(b, out _) : b;
+        TryAddFaces(
+            ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
+        if (manifold.Count == 0) manifold.Clear();
     }
 
     /// <summary>Room for points, not cleared.</summary>
@@ -75,20 +114,27 @@ public static unsafe partial class ConvexQuery
 
     private static DistanceResult AskContacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
-        ref ContactManifold manifold)
+        ContactPlane* plane, ref ContactManifold manifold)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        ContactPlane plane;
-        var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm, Plane = &plane };
+        var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm, Plane = plane };
         DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
         manifold.Clear();
         float mostGap = maxGap > 0 ? maxGap : 0;
         if (result.Distance <= mostGap)
         {
             manifold.Begin(result.Normal);
+            if (plane->Normal.LengthSquared > 0 && plane->Frame.IsPlaced)
+            {
+                TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
+                TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
+                AddPoints(ref coreA, poseA, ref coreB, ref *plane, result, mostGap, ref manifold);
+                return result;
+            }
+
             AddPoints(
-                ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), ref plane, result, mostGap, ref manifold);
+                ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), ref *plane, result, mostGap, ref manifold);
         }
 
         return result;
@@ -102,6 +148,19 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        if (TryAddFaces(ref a, poseA, ref b, ref plane, result.Distance, maxGap, ref manifold, out long id)) return;
+        manifold.Add(
+            new ManifoldPoint(
+                result.PointA, result.PointB, result.LocalPointA, result.LocalPointB, result.Distance, id));
+    }
+
+    /// <summary>Adds what two faces or edges share; if they share nothing, only the corners have a name.</summary>
+    private static bool TryAddFaces<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, ref ContactPlane plane, float distance, float maxGap,
+        ref ContactManifold manifold, out long id)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
         FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
         var cornersA = new FaceCorners(memory);
         var cornersB = new FaceCorners(memory + FaceCorners.Capacity);
@@ -111,18 +170,10 @@ public static unsafe partial class ConvexQuery
             b.GetFace(plane.Frame.Rotation.InverseRotate(-plane.Normal), ref cornersB);
         }
 
-        bool areFlat = cornersA.Count > 1 && cornersB.Count > 1;
-        if (areFlat) plane.Span();
-        if (areFlat
-            && ContactBuilder.TryBuild(
-                ref a, ref b, plane, cornersA, cornersB, poseA, maxGap, result.Distance, ref manifold))
-        {
-            return;
-        }
-
-        long id = ContactFeature.Of(ContactFeature.OnlyCorner(cornersA), ContactFeature.OnlyCorner(cornersB));
-        manifold.Add(
-            new ManifoldPoint(
-                result.PointA, result.PointB, result.LocalPointA, result.LocalPointB, result.Distance, id));
+        id = ContactFeature.Of(ContactFeature.OnlyCorner(cornersA), ContactFeature.OnlyCorner(cornersB));
+        if (cornersA.Count < 2 || cornersB.Count < 2) return false;
+        plane.Span();
+        return ContactBuilder.TryBuild(
+            ref a, ref b, plane, cornersA, cornersB, poseA, maxGap, distance, ref manifold);
     }
 }

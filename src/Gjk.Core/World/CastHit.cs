@@ -13,10 +13,14 @@ public readonly struct CastHit : IComparable<CastHit>
     /// <summary>When and where they first touch, with the bits of <see cref="ConvexQuery"/>.</summary>
     public readonly CastResult Result;
 
-    internal CastHit(int id, in CastResult result)
+    /// <summary>The object's part; -1 where it is convex, or where the start is in its inside.</summary>
+    public readonly int Part;
+
+    internal CastHit(int id, in CastResult result, int part = PartSide.NoPart)
     {
         Id = id;
         Result = result;
+        Part = part;
     }
 
     /// <inheritdoc/>

@@ -35,13 +35,34 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, Vector3 translation, out int id, out CastResult result,
         float maxFraction = 1, in QueryFilter filter = default, in CastOptions options = default)
     {
+        bool isHit = TryFindCastHit(shape, pose, translation, out CastHit hit, maxFraction, filter, options);
+        (id, result) = (hit.Id, hit.Result);
+        return isHit;
+    }
+
+    /// <summary>As the other, with the part of the object.</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
+    /// <param name="pose">Its pose at the start.</param>
+    /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
+    /// <param name="hit">The object, the part, and when they first touch.</param>
+    /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <returns>Whether the shape meets an object, or may.</returns>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The motion is not finite, or the fraction is negative or NaN.
+    /// </exception>
+    public bool TryFindCastHit(
+        in ConvexShape shape, in RigidPose pose, Vector3 translation, out CastHit hit, float maxFraction = 1,
+        in QueryFilter filter = default, in CastOptions options = default)
+    {
         CheckNotVisiting();
         CheckCast(shape, pose, translation, maxFraction);
         var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
         var first = new FirstCastHit(_objects, moving, maxFraction);
         _phase.Sweep(moving.Path(), ref first);
-        id = first.Slot < 0 ? -1 : _objects.Ids[first.Slot];
-        result = first.Result;
+        hit = first.Hit;
         return first.Slot >= 0;
     }
 
@@ -100,7 +121,7 @@ public sealed partial class CollisionScene
         _visiting = true;
         try
         {
-            for (int i = 0; i < _castHits.Count; i++) visitor.Visit(_castHits[i].Id, _castHits[i].Result);
+            for (int i = 0; i < _castHits.Count; i++) visitor.Visit(_castHits[i]);
         }
         finally
         {

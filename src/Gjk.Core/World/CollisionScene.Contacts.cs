@@ -16,10 +16,12 @@ public sealed partial class CollisionScene
     private float _contactGap;
 
     /// <summary>
-    /// The pairs that overlap, touching included, and how deep: with the bits of <c>ConvexQuery.SignedDistance</c>. A
-    /// pair whose objects have not moved since the last call keeps its answer, which costs next to nothing.
+    /// The pairs that overlap, touching included, and how deep: with the bits of <c>ConvexQuery.SignedDistance</c>. Of
+    /// objects that are not convex each pair of parts that overlaps has a depth of its own, as
+    /// <c>ConcaveQuery.FindDepths</c> gives it. A pair whose objects have not moved since the last call keeps its
+    /// answer, which costs next to nothing.
     /// </summary>
-    /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
+    /// <param name="results">Emptied first; then the pairs, sorted by ids and parts.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
@@ -29,7 +31,11 @@ public sealed partial class CollisionScene
         Guard.NotNull(results, nameof(results));
         MeasureDepths(workers);
         results.Clear();
-        for (int i = 0; i < _depths.Count; i++) results.Add(_depths[i]);
+        for (int i = 0; i < _depths.Count; i++)
+        {
+            if (_objects.Parts.Has(_touching[i])) results.AddRange(_depths.Parts(i));
+            else results.Add(_depths[i]);
+        }
     }
 
     /// <summary>
@@ -51,7 +57,17 @@ public sealed partial class CollisionScene
         _visiting = true;
         try
         {
-            for (int i = 0; i < _depths.Count; i++) visitor.Visit(_depths[i].Pair, _depths[i].Result);
+            for (int i = 0; i < _depths.Count; i++)
+            {
+                if (!_objects.Parts.Has(_touching[i]))
+                {
+                    visitor.Visit(_depths[i]);
+                    continue;
+                }
+
+                List<PairDistance> parts = _depths.Parts(i);
+                for (int k = 0; k < parts.Count; k++) visitor.Visit(parts[k]);
+            }
         }
         finally
         {
@@ -61,11 +77,12 @@ public sealed partial class CollisionScene
 
     /// <summary>
     /// The contact points of all pairs that overlap or are no further apart than a gap: with the bits of
-    /// <c>ConvexQuery.Contacts</c>. A pair whose objects have not moved since the last call with the same gap keeps its
-    /// answer, which costs next to nothing.
+    /// <c>ConvexQuery.Contacts</c>; of objects that are not convex one manifold for each pair of parts, with the bits
+    /// of <c>ConcaveQuery.FindContacts</c>. A pair whose objects have not moved since the last call with the same gap
+    /// keeps its answer, which costs next to nothing.
     /// </summary>
     /// <param name="maxGap">At least 0: points, and pairs, further apart are left out.</param>
-    /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
+    /// <param name="results">Emptied first; then the pairs, sorted by ids and parts.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gap is negative or NaN.</exception>
@@ -78,7 +95,10 @@ public sealed partial class CollisionScene
         MakeContacts(maxGap, workers);
         results.Clear();
         for (int i = 0; i < _contacts.Count; i++)
-            if (_contacts[i].Manifold.Count > 0) results.Add(_contacts[i]);
+        {
+            if (_objects.Parts.Has(_touching[i])) results.AddRange(_contacts.Parts(i));
+            else if (_contacts[i].Manifold.Count > 0) results.Add(_contacts[i]);
+        }
     }
 
     /// <summary>Shows the contact points to a visitor, pair by pair, sorted by id; as the other otherwise.</summary>
@@ -103,8 +123,14 @@ public sealed partial class CollisionScene
         {
             for (int i = 0; i < _contacts.Count; i++)
             {
-                ref PairContacts contacts = ref _contacts[i];
-                if (contacts.Manifold.Count > 0) visitor.Visit(contacts.Pair, contacts.Result, contacts.Manifold);
+                if (!_objects.Parts.Has(_touching[i]))
+                {
+                    if (_contacts[i].Manifold.Count > 0) visitor.Visit(_contacts[i]);
+                    continue;
+                }
+
+                List<PairContacts> parts = _contacts.Parts(i);
+                for (int k = 0; k < parts.Count; k++) visitor.Visit(parts[k]);
             }
         }
         finally
@@ -116,9 +142,10 @@ public sealed partial class CollisionScene
     private void MeasureDepths(Workers? workers)
     {
         CollectTouching(0, workers);
+        _depths.HasParts = _objects.Parts.Any;
         _depths.Begin(_touching, _objects.Ids, ref _calls);
         Workers.Run(
-            workers, new SceneDepthJob(_objects, _touching, _depths), _touching.Count, PairBatch.PartLength,
+            workers, new SceneDepthJob(_objects, _touching, _depths), _touching.Count, _objects.Parts.PartLength,
             CancellationToken.None);
         _depths.Complete();
     }
@@ -128,10 +155,11 @@ public sealed partial class CollisionScene
         CollectTouching(maxGap, workers);
         if (maxGap != _contactGap) _contacts.Forget();
         _contactGap = maxGap;
+        _contacts.HasParts = _objects.Parts.Any;
         _contacts.Begin(_touching, _objects.Ids, ref _calls);
         Workers.Run(
             workers, new SceneContactJob(_objects, _touching, _contacts, maxGap), _touching.Count,
-            PairBatch.PartLength, CancellationToken.None);
+            _objects.Parts.PartLength, CancellationToken.None);
         _contacts.Complete();
     }
 
@@ -143,7 +171,7 @@ public sealed partial class CollisionScene
         else DecideOverlaps(workers);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_overlaps[i]) _touching.Add(_candidates[i]);
+            if (_overlaps[i] || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);
     }
 
     private void DecideWithin(float maxGap, Workers? workers)
@@ -151,6 +179,6 @@ public sealed partial class CollisionScene
         ReserveOverlaps();
         Workers.Run(
             workers, new SceneWithinJob(_objects, _candidates, _overlaps, maxGap), _candidates.Count,
-            PairBatch.PartLength, CancellationToken.None);
+            _objects.Parts.PartLength, CancellationToken.None);
     }
 }

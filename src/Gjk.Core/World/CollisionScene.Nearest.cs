@@ -26,13 +26,22 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public bool TryFindNearest(int id, out int other, out DistanceResult result)
     {
+        bool isFound = TryFindNearest(id, out PairDistance nearest);
+        (other, result) = (nearest.Pair.B, nearest.Result);
+        return isFound;
+    }
+
+    /// <summary>As the other, with the parts.</summary>
+    /// <param name="id">The object.</param>
+    /// <param name="nearest">The object and the nearest other one, or -1 where there is none.</param>
+    /// <returns>False when there is no such object.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public bool TryFindNearest(int id, out PairDistance nearest)
+    {
         CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
-        other = -1;
-        result = default;
-        if (_objects.Count == 1) return false;
         var search = new NearestSearch(_objects, slot);
-        return TryFindNearest(ref search, _objects.Bounds[slot], out other, out result);
+        return TryFindNearest(ref search, _objects.Bounds[slot], id, out nearest);
     }
 
     /// <summary>
@@ -54,16 +63,34 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, out int id, out DistanceResult result,
         float maxDistance = float.PositiveInfinity, in QueryFilter filter = default)
     {
+        bool isFound = TryFindNearest(shape, pose, out PairDistance nearest, maxDistance, filter);
+        (id, result) = (nearest.Pair.B, nearest.Result);
+        return isFound;
+    }
+
+    /// <summary>As the other, with the parts.</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="nearest">-1 for the shape, and the nearest object, or -1 where there is none.</param>
+    /// <param name="maxDistance">At least 0: objects further away are not found. Infinite for all.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <returns>Whether there is such an object.</returns>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    public bool TryFindNearest(
+        in ConvexShape shape, in RigidPose pose, out PairDistance nearest,
+        float maxDistance = float.PositiveInfinity, in QueryFilter filter = default)
+    {
         CheckNotVisiting();
         CheckShape(shape);
         CheckPose(pose);
         CheckDistance(maxDistance, nameof(maxDistance));
         var search = new NearestSearch(_objects, shape, pose, maxDistance, filter);
-        return TryFindNearest(ref search, new ShapeBounds(shape), out id, out result);
+        return TryFindNearest(ref search, new ShapeBounds(shape), -1, out nearest);
     }
 
     /// <summary>Looks in boxes that grow until an object is found.</summary>
-    private bool TryFindNearest(ref NearestSearch search, in ShapeBounds bounds, out int id, out DistanceResult result)
+    private bool TryFindNearest(ref NearestSearch search, in ShapeBounds bounds, int id, out PairDistance nearest)
     {
         Aabb box = bounds.BoxAt(search.Pose);
         float reach = (float)Math.Min(Math.Max(bounds.Radius, float.Epsilon), float.MaxValue);
@@ -77,8 +104,8 @@ public sealed partial class CollisionScene
 
         // What lies nearer than the one found may be outside the box in which it was found.
         if (search.Best >= 0 && search.Result.Distance > reach) LookWithin(ref search, box, search.Result.Distance);
-        id = search.Best < 0 ? -1 : _objects.Ids[search.Best];
-        result = search.Result;
+        int other = search.Best < 0 ? -1 : _objects.Ids[search.Best];
+        nearest = new PairDistance(new ObjectPair(id, other), search.Result, search.PartA, search.PartB);
         return search.Best >= 0;
     }
 

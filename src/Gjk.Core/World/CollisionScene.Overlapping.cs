@@ -28,8 +28,10 @@ public sealed partial class CollisionScene
         {
             int slot = _near[i];
             if (!_objects.IsSeen(slot, filter)) continue;
-            if (ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]))
-                ids.Add(_objects.Ids[slot]);
+            bool overlaps = _objects.Parts.Has(slot)
+                ? _objects.Parts.Distance(AnyShape.Of(shape), pose, slot, 0).IsOverlapping
+                : ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]);
+            if (overlaps) ids.Add(_objects.Ids[slot]);
         }
     }
 

@@ -137,7 +137,7 @@ public sealed partial class CollisionScene
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
             if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
-                results.Add(new PairDistance(_objects.IdsOf(_candidates[i]), _pairWarmStarts.Results[i]));
+                results.Add(DistanceOf(i));
     }
 
     /// <summary>
@@ -164,7 +164,7 @@ public sealed partial class CollisionScene
         {
             for (int i = 0; i < _candidates.Count; i++)
                 if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
-                    visitor.Visit(_objects.IdsOf(_candidates[i]), _pairWarmStarts.Results[i]);
+                    visitor.Visit(DistanceOf(i));
         }
         finally
         {
@@ -187,6 +187,11 @@ public sealed partial class CollisionScene
         if (a == b) throw new ArgumentException("An object has no distance to itself.", nameof(idB));
         _asked = true;
         (int first, int second) = a < b ? (a, b) : (b, a);
+        if (_objects.Parts.Has(new ObjectPair(a, b)))
+        {
+            return _objects.Parts.Distance(_objects.Parts[a], _objects.Poses[a], b, float.PositiveInfinity).Result;
+        }
+
         ref WarmStart warmStart = ref _singleWarmStarts.Find(PairKeys.Key(idA, idB), _frame);
         DistanceResult result = ConvexQuery.Distance(
             _objects.Shapes[first], _objects.Poses[first], _objects.Shapes[second], _objects.Poses[second],
@@ -199,12 +204,21 @@ public sealed partial class CollisionScene
         if (!(distance >= 0)) throw new ArgumentOutOfRangeException(name, distance, "Must not be negative or NaN.");
     }
 
+    /// <summary>What was found of the i-th pair.</summary>
+    private PairDistance DistanceOf(int i)
+    {
+        ObjectPair ids = _objects.IdsOf(_candidates[i]);
+        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(ids, _pairWarmStarts.Results[i]);
+        ObjectPair parts = _pairWarmStarts.Parts[i];
+        return new PairDistance(ids, _pairWarmStarts.Results[i], parts.A, parts.B);
+    }
+
     private void DecideOverlaps(Workers? workers)
     {
         ReserveOverlaps();
         Workers.Run(
-            workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count, PairBatch.PartLength,
-            CancellationToken.None);
+            workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count,
+            _objects.Parts.PartLength, CancellationToken.None);
     }
 
     private void ReserveOverlaps()
@@ -227,7 +241,7 @@ public sealed partial class CollisionScene
         _pairWarmStarts.Begin(_candidates, _objects.Ids, ref _calls);
         Workers.Run(
             workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance),
-            _candidates.Count, PairBatch.PartLength, CancellationToken.None);
+            _candidates.Count, _objects.Parts.PartLength, CancellationToken.None);
         _pairWarmStarts.Complete();
     }
 }

@@ -27,12 +27,26 @@ public sealed partial class CollisionScene
         in RayQuery ray, out int id, out RayCastResult result, in QueryFilter filter = default,
         in CastOptions options = default)
     {
+        bool isHit = TryFindRayHit(ray, out RayHit hit, filter, options);
+        (id, result) = (hit.Id, hit.Result);
+        return isHit;
+    }
+
+    /// <summary>As the other, with the part of the object.</summary>
+    /// <param name="ray">The ray.</param>
+    /// <param name="hit">The object, the part and where the ray meets it.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <returns>Whether the ray meets an object, or may.</returns>
+    /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
+    public bool TryFindRayHit(
+        in RayQuery ray, out RayHit hit, in QueryFilter filter = default, in CastOptions options = default)
+    {
         CheckNotVisiting();
         CheckRay(ray);
         var first = new FirstRayHit(_objects, ray, filter, options);
         _phase.Sweep(ray.Path(), ref first);
-        id = first.Slot < 0 ? -1 : _objects.Ids[first.Slot];
-        result = first.Result;
+        hit = first.Hit;
         return first.Slot >= 0;
     }
 
@@ -74,7 +88,7 @@ public sealed partial class CollisionScene
         _visiting = true;
         try
         {
-            for (int i = 0; i < _rayHits.Count; i++) visitor.Visit(_rayHits[i].Id, _rayHits[i].Result);
+            for (int i = 0; i < _rayHits.Count; i++) visitor.Visit(_rayHits[i]);
         }
         finally
         {
@@ -102,7 +116,7 @@ public sealed partial class CollisionScene
         if (_phase is DynamicAabbTree tree) tree.UpdateLeaves();
         Workers.Run(
             workers, new SceneRayJob(_phase, _objects, rays, results, filter, options), rays.Length,
-            PairBatch.PartLength, CancellationToken.None);
+            _objects.Parts.PartLength, CancellationToken.None);
     }
 
     private static void CheckRay(in RayQuery ray)

@@ -85,7 +85,12 @@ public sealed partial class CollisionScene
 
     /// <summary>An object's shape.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    /// <returns>A <c>default</c> struct where it is not convex.</returns>
     public ConvexShape GetShape(int id) => _objects.Shapes[_objects.Checked(id, nameof(id))];
+
+    /// <summary>An object's shape, convex or not.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public AnyShape GetAnyShape(int id) => _objects.Parts[_objects.Checked(id, nameof(id))];
 
     /// <summary>How an object is treated.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
@@ -113,7 +118,31 @@ public sealed partial class CollisionScene
     public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
         CheckNotVisiting();
-        var bounds = new ShapeBounds(shape);
+        return Add(shape, new ShapeBounds(shape), pose, settings);
+    }
+
+    /// <summary>
+    /// Adds an object that need not be convex: a surface, a solid or a compound. Answers about it name its parts.
+    /// </summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="settings">What it is tested against, and a tag; by default all others, and 0.</param>
+    /// <returns>Its id: the next number, from 0.</returns>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// There are 16,777,216 objects, or 2,147,483,647 ids were given out.
+    /// </exception>
+    public int Add(in AnyShape shape, in RigidPose pose, in ObjectSettings settings = default)
+    {
+        if (shape.Kind == AnyShapeKind.Convex) return Add(AnyShape.ConvexOf(shape), pose, settings);
+        CheckNotVisiting();
+        int id = Add(default, new ShapeBounds(shape), pose, settings);
+        _objects.Parts.Set(_objects.SlotOf(id), shape);
+        return id;
+    }
+
+    private int Add(in ConvexShape shape, in ShapeBounds bounds, in RigidPose pose, in ObjectSettings settings)
+    {
         CheckPose(pose);
         if (_objects.ShouldCloseUp) CloseUp();
         int slot = _objects.Reserve();

@@ -6,7 +6,7 @@ namespace Gjk.Core;
 public interface IRayHitVisitor
 {
     /// <summary>One object. The scene must not be used before the last visit has returned.</summary>
-    void Visit(int id, in RayCastResult result);
+    void Visit(in RayHit hit);
 }
 
 /// <summary>
@@ -15,7 +15,7 @@ public interface IRayHitVisitor
 public interface ICastHitVisitor
 {
     /// <summary>One object. The scene must not be used before the last visit has returned.</summary>
-    void Visit(int id, in CastResult result);
+    void Visit(in CastHit hit);
 }
 
 /// <summary>

@@ -18,7 +18,7 @@ public interface IPairDistanceVisitor
     /// <summary>
     /// One pair, A less than B, with its distance. The scene must not be used before the last visit has returned.
     /// </summary>
-    void Visit(ObjectPair pair, in DistanceResult result);
+    void Visit(in PairDistance pair);
 }
 
 /// <summary>
@@ -31,5 +31,5 @@ public interface IPairContactsVisitor
     /// One pair, A less than B, with its signed distance and its points. The scene must not be used before the last
     /// visit has returned.
     /// </summary>
-    void Visit(ObjectPair pair, in DistanceResult result, in ContactManifold manifold);
+    void Visit(in PairContacts pair);
 }

@@ -16,6 +16,9 @@ internal struct NearestSearch
     /// <summary>The distance to it.</summary>
     public DistanceResult Result;
 
+    /// <summary>The parts that it is between.</summary>
+    public int PartA, PartB;
+
     private readonly SceneObjects _objects;
     private readonly ConvexShape _shape;
     private readonly QueryFilter _filter;
@@ -38,6 +41,7 @@ internal struct NearestSearch
         Pose = pose;
         MaxDistance = maxDistance;
         Best = -1;
+        PartA = PartB = PartSide.NoPart;
         Result = default;
     }
 
@@ -46,13 +50,24 @@ internal struct NearestSearch
     {
         if (!IsAsked(slot)) return;
         float limit = Best < 0 ? MaxDistance : Math.Min(MaxDistance, CollisionScene.JustBeyond(Result.Distance));
-        DistanceResult found = ConvexQuery.Distance(
-            _shape, Pose, _objects.Shapes[slot], _objects.Poses[slot], limit);
+        int partA = PartSide.NoPart, partB = PartSide.NoPart;
+        DistanceResult found;
+        if (_objects.Parts.Has(slot) || _shape.Kind == ShapeKind.None)
+        {
+            AnyShape self = _self < 0 ? AnyShape.Of(_shape) : _objects.Parts[_self];
+            PartDistance nearest = _objects.Parts.Distance(self, Pose, slot, limit);
+            (found, partA, partB) = (nearest.Result, nearest.PartA, nearest.PartB);
+        }
+        else
+        {
+            found = ConvexQuery.Distance(_shape, Pose, _objects.Shapes[slot], _objects.Poses[slot], limit);
+        }
+
         if (found.Status == GjkStatus.BeyondMaxDistance) return;
         bool isBetter = Best < 0 || found.Distance < Result.Distance
             || (found.Distance == Result.Distance && slot < Best);
         if (!isBetter) return;
-        Best = slot;
+        (Best, PartA, PartB) = (slot, partA, partB);
         Result = found;
     }
 

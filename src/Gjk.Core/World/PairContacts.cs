@@ -12,8 +12,21 @@ public readonly struct PairContacts
     /// <summary>The points, at least one.</summary>
     public readonly ContactManifold Manifold;
 
-    internal PairContacts(ObjectPair pair, in DistanceResult result, in ContactManifold manifold)
+    /// <summary>
+    /// The part of A; -1 where it is convex. What a solver knows of a point belongs to the pair, the two parts and the
+    /// point's name.
+    /// </summary>
+    public readonly int PartA;
+
+    /// <summary>The part of B, likewise.</summary>
+    public readonly int PartB;
+
+    internal PairContacts(
+        ObjectPair pair, in DistanceResult result, in ContactManifold manifold, int partA = PartSide.NoPart,
+        int partB = PartSide.NoPart)
     {
+        PartA = partA;
+        PartB = partB;
         Pair = pair;
         Result = result;
         Manifold = manifold;

@@ -9,10 +9,19 @@ public readonly struct PairDistance
     /// <summary>Distance, closest points and normal.</summary>
     public readonly DistanceResult Result;
 
-    internal PairDistance(ObjectPair pair, in DistanceResult result)
+    /// <summary>The part of A; -1 where it is convex, or holds a piece of B in its inside.</summary>
+    public readonly int PartA;
+
+    /// <summary>The part of B, likewise.</summary>
+    public readonly int PartB;
+
+    internal PairDistance(
+        ObjectPair pair, in DistanceResult result, int partA = PartSide.NoPart, int partB = PartSide.NoPart)
     {
         Pair = pair;
         Result = result;
+        PartA = partA;
+        PartB = partB;
     }
 
     /// <summary>The pair and its result, for people to read.</summary>

@@ -15,6 +15,12 @@ internal sealed class PairWarmStarts : PairFrames
     /// <summary>The answers of the frame, one for each pair.</summary>
     public DistanceResult[] Results => _now.Results;
 
+    /// <summary>The parts that the answers are of, one for each pair; valid for pairs that are not convex.</summary>
+    public ObjectPair[] Parts => _now.Parts;
+
+    /// <summary>The parts that the pair's answer was of in the last frame.</summary>
+    public ObjectPair LastParts(int last) => _last.Parts[last];
+
     /// <summary>The warm starts of the frame, one for each pair.</summary>
     public WarmStart[] Starts => _now.Starts;
 
@@ -51,6 +57,7 @@ internal sealed class PairWarmStarts : PairFrames
         public PairState[] States = [];
         public bool[] Kept = [];
         public DistanceResult[] Results = [];
+        public ObjectPair[] Parts = [];
 
         /// <summary>Nothing changes if there is no memory for it.</summary>
         public void Reserve(int count)
@@ -61,7 +68,8 @@ internal sealed class PairWarmStarts : PairFrames
             var states = new PairState[capacity];
             bool[] kept = new bool[capacity];
             var results = new DistanceResult[capacity];
-            (Starts, States, Kept, Results) = (starts, states, kept, results);
+            var parts = new ObjectPair[capacity];
+            (Starts, States, Kept, Results, Parts) = (starts, states, kept, results, parts);
         }
     }
 }

@@ -13,10 +13,14 @@ public readonly struct RayHit : IComparable<RayHit>
     /// <summary>Where the ray meets it, with the bits of <see cref="ConvexQuery"/>.</summary>
     public readonly RayCastResult Result;
 
-    internal RayHit(int id, in RayCastResult result)
+    /// <summary>The object's part; -1 where it is convex, or where the start is in its inside.</summary>
+    public readonly int Part;
+
+    internal RayHit(int id, in RayCastResult result, int part = PartSide.NoPart)
     {
         Id = id;
         Result = result;
+        Part = part;
     }
 
     /// <inheritdoc/>

@@ -14,9 +14,13 @@ internal readonly struct MovingShape(
     private readonly CastOptions _options = options;
 
     /// <summary>When it meets an object, as asked alone.</summary>
-    public CastResult Cast(SceneObjects objects, int slot) => ConvexQuery.Cast(
-        _shape, _pose, translation, objects.Shapes[slot], objects.Poses[slot], Vector3.Zero, maxFraction,
-        _options);
+    public PartCast Cast(SceneObjects objects, int slot) => objects.Parts.Has(slot)
+        ? objects.Parts.Cast(_shape, _pose, translation, slot, maxFraction, _options)
+        : new PartCast(
+            ConvexQuery.Cast(
+                _shape, _pose, translation, objects.Shapes[slot], objects.Poses[slot], Vector3.Zero, maxFraction,
+                _options),
+            PartSide.NoPart, PartSide.NoPart);
 
     /// <summary>Its path for a broad phase.</summary>
     public SweptBox Path()
@@ -33,6 +37,9 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
     /// <summary>The slot of the first object, or -1.</summary>
     public int Slot = -1;
 
+    /// <summary>The part of it, or -1.</summary>
+    public int Part = PartSide.NoPart;
+
     /// <summary>When the shape meets it.</summary>
     public CastResult Result = CastResult.Nothing(CastStatus.Miss, maxFraction, 0);
 
@@ -41,18 +48,24 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
 
     public double Visit(int slot)
     {
-        if (objects.IsSeen(slot, _shape.Filter)) Take(slot, _shape.Cast(objects, slot));
+        if (!objects.IsSeen(slot, _shape.Filter)) return _limit;
+        PartCast found = _shape.Cast(objects, slot);
+        Take(slot, found.Result, found.PartB);
         return _limit;
     }
 
+    /// <summary>What was found.</summary>
+    public readonly CastHit Hit => new(Slot < 0 ? -1 : objects.Ids[Slot], Result, Part);
+
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(int slot, in CastResult found)
+    public void Take(int slot, in CastResult found, int part = PartSide.NoPart)
     {
         if (!found.MayHit) return;
         bool isFirst = Slot < 0 || found.Fraction < Result.Fraction
             || (found.Fraction == Result.Fraction && slot < Slot);
         if (!isFirst) return;
         Slot = slot;
+        Part = part;
         Result = found;
         _limit = SweptBox.After(found.Fraction);
     }
@@ -64,8 +77,8 @@ internal readonly struct AllCastHits(SceneObjects objects, MovingShape shape, Li
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, shape.Filter)) return double.PositiveInfinity;
-        CastResult found = shape.Cast(objects, slot);
-        if (found.MayHit) hits.Add(new CastHit(objects.Ids[slot], found));
+        PartCast found = shape.Cast(objects, slot);
+        if (found.Result.MayHit) hits.Add(new CastHit(objects.Ids[slot], found.Result, found.PartB));
         return double.PositiveInfinity;
     }
 }

@@ -8,7 +8,9 @@ using System.Runtime.InteropServices;
 
 namespace Gjk.Core;
 
-/// <summary>Which of a scene's pairs are no further apart than a gap.</summary>
+/// <summary>
+/// Which of a scene's pairs are no further apart than a gap. Pairs that are not convex are not asked.
+/// </summary>
 internal readonly struct SceneWithinJob(
     SceneObjects objects, List<ObjectPair> pairs, bool[] areWithin, float maxGap) : IPartJob
 {
@@ -42,15 +44,24 @@ internal readonly struct SceneDepthJob(
 {
     public void Run(int begin, int end)
     {
+        ConcaveScratch? scratch = objects.Parts.Any ? objects.Parts.Rent() : null;
         int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
             if (objects.Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last)) continue;
+            if (objects.Parts.Has(pair))
+            {
+                objects.Parts.FindDepths(pair, scratch!, answers.Parts(i));
+                continue;
+            }
+
             DistanceResult depth = ConvexQuery.SignedDistance(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B]);
             answers[i] = new PairDistance(objects.IdsOf(pair), depth);
         }
+
+        if (scratch is not null) objects.Parts.Return(scratch);
     }
 }
 
@@ -60,16 +71,25 @@ internal readonly struct SceneContactJob(
 {
     public void Run(int begin, int end)
     {
+        ConcaveScratch? scratch = objects.Parts.Any ? objects.Parts.Rent() : null;
         int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
             if (objects.Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last)) continue;
+            if (objects.Parts.Has(pair))
+            {
+                objects.Parts.FindContacts(pair, maxGap, scratch!, answers.Parts(i));
+                continue;
+            }
+
             ContactManifold manifold = default;
             DistanceResult depth = ConvexQuery.Contacts(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
                 maxGap, out manifold);
             answers[i] = new PairContacts(objects.IdsOf(pair), depth, manifold);
         }
+
+        if (scratch is not null) objects.Parts.Return(scratch);
     }
 }

@@ -13,6 +13,20 @@ internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> 
 {
     public void Run(int begin, int end)
     {
+        Ask(begin, end);
+        if (!objects.Parts.Any) return;
+        ConcaveScratch scratch = objects.Parts.Rent();
+        for (int i = begin; i < end; i++)
+        {
+            if (objects.Parts.Has(pairs[i]))
+                overlaps[i] = objects.Parts.Distance(pairs[i], 0, scratch).IsOverlapping;
+        }
+
+        objects.Parts.Return(scratch);
+    }
+
+    private void Ask(int begin, int end)
+    {
         ConvexShape[] shapes = objects.Shapes;
         RigidPose[] poses = objects.Poses;
 #if NET
@@ -66,14 +80,18 @@ internal readonly struct SceneDistanceJob(
             bool keeps = state == PairState.Reported && objects.Rest(pairs[i], warmStarts.LastCall)
                 && warmStarts.LastResult(last).Distance <= maxDistance;
             warmStarts.Kept[i] = keeps;
-            if (keeps) warmStarts.Results[i] = warmStarts.LastResult(last);
+            if (!keeps) continue;
+            warmStarts.Results[i] = warmStarts.LastResult(last);
+            warmStarts.Parts[i] = warmStarts.LastParts(last);
         }
 
         Ask(begin, end);
+        if (objects.Parts.Any) AskParts(begin, end);
         for (int i = begin; i < end; i++)
         {
             ref DistanceResult result = ref warmStarts.Results[i];
-            if (warmStarts.States[i] == PairState.Beyond && !IsClearlyBeyond(pairs[i], result))
+            bool isUnclear = warmStarts.States[i] == PairState.Beyond && !IsClearlyBeyond(pairs[i], result);
+            if (isUnclear && !objects.Parts.Has(pairs[i]))
             {
                 warmStarts.Starts[i].Clear();
                 AskAlone(i);
@@ -100,6 +118,21 @@ internal readonly struct SceneDistanceJob(
 #endif
         for (int i = begin; i < end; i++)
             if (!warmStarts.Kept[i]) AskAlone(i);
+    }
+
+    /// <summary>Asks about the pairs that are not convex, cold.</summary>
+    private void AskParts(int begin, int end)
+    {
+        ConcaveScratch scratch = objects.Parts.Rent();
+        for (int i = begin; i < end; i++)
+        {
+            if (warmStarts.Kept[i] || !objects.Parts.Has(pairs[i])) continue;
+            PartDistance found = objects.Parts.Distance(pairs[i], maxDistance, scratch);
+            warmStarts.Results[i] = found.Result;
+            warmStarts.Parts[i] = new ObjectPair(found.PartA, found.PartB);
+        }
+
+        objects.Parts.Return(scratch);
     }
 
     private void AskAlone(int i)

@@ -39,7 +39,12 @@ internal sealed class SceneObjects
     /// <summary>How many objects there are.</summary>
     public int Count;
 
+    /// <summary>The objects that are not convex; their shapes here are default structs.</summary>
+    public readonly ScenePartQueries Parts;
+
     private int _nextId;
+
+    public SceneObjects() => Parts = new ScenePartQueries(this);
 
     /// <summary>Whether every slot is its id.</summary>
     public bool IsDirect { get; private set; } = true;
@@ -97,6 +102,7 @@ internal sealed class SceneObjects
     {
         Alive[slot] = false;
         Shapes[slot] = default;
+        Parts.Remove(slot);
         Count--;
     }
 
@@ -125,6 +131,7 @@ internal sealed class SceneObjects
         {
             if (!Alive[slot]) continue;
             Shapes[kept] = Shapes[slot];
+            Parts.Move(slot, kept);
             Poses[kept] = Poses[slot];
             Bounds[kept] = Bounds[slot];
             Settings[kept] = Settings[slot];
@@ -143,6 +150,7 @@ internal sealed class SceneObjects
     {
         int capacity = Math.Min(BoundsTable.Grown(Ids.Length, End), BoundsTable.IdLimit);
         Array.Resize(ref Shapes, capacity);
+        Parts.Reserve();
         Array.Resize(ref Poses, capacity);
         Array.Resize(ref Bounds, capacity);
         Array.Resize(ref Settings, capacity);

@@ -13,6 +13,9 @@ internal struct FirstRayHit(
     /// <summary>The slot of the first object, or -1.</summary>
     public int Slot = -1;
 
+    /// <summary>The part of it, or -1.</summary>
+    public int Part = PartSide.NoPart;
+
     /// <summary>Where the ray meets it.</summary>
     public RayCastResult Result = RayCastResult.Nothing(CastStatus.Miss, ray.MaxDistance, 0);
 
@@ -22,25 +25,33 @@ internal struct FirstRayHit(
     private readonly double _length = ray.Length;
     private double _limit = double.PositiveInfinity;
 
+    /// <summary>What was found.</summary>
+    public readonly RayHit Hit => new(Slot < 0 ? -1 : objects.Ids[Slot], Result, Part);
+
     public double Visit(int slot)
     {
-        if (objects.IsSeen(slot, _filter))
+        if (!objects.IsSeen(slot, _filter)) return _limit;
+        if (objects.Parts.Has(slot))
         {
-            Take(slot, ConvexQuery.RayCast(
-                objects.Shapes[slot], objects.Poses[slot], _ray.Origin, _ray.Direction, _ray.MaxDistance, _options));
+            PartRayHit hit = objects.Parts.RayCast(slot, _ray, _options);
+            Take(slot, hit.Result, hit.Part);
+            return _limit;
         }
 
+        Take(slot, ConvexQuery.RayCast(
+            objects.Shapes[slot], objects.Poses[slot], _ray.Origin, _ray.Direction, _ray.MaxDistance, _options));
         return _limit;
     }
 
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(int slot, in RayCastResult found)
+    public void Take(int slot, in RayCastResult found, int part = PartSide.NoPart)
     {
         if (!found.MayHit) return;
         bool isFirst = Slot < 0 || found.Distance < Result.Distance
             || (found.Distance == Result.Distance && slot < Slot);
         if (!isFirst) return;
         Slot = slot;
+        Part = part;
         Result = found;
 
         // Twice, since the distance and the fraction are rounded each on its own scale.
@@ -55,9 +66,13 @@ internal readonly struct AllRayHits(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, filter)) return double.PositiveInfinity;
-        RayCastResult found = ConvexQuery.RayCast(
-            objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options);
-        if (found.MayHit) hits.Add(new RayHit(objects.Ids[slot], found));
+        PartRayHit found = objects.Parts.Has(slot)
+            ? objects.Parts.RayCast(slot, ray, options)
+            : new PartRayHit(
+                ConvexQuery.RayCast(
+                    objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options),
+                PartSide.NoPart);
+        if (found.Result.MayHit) hits.Add(new RayHit(objects.Ids[slot], found.Result, found.Part));
         return double.PositiveInfinity;
     }
 }
@@ -73,7 +88,7 @@ internal readonly struct SceneRayJob(
         {
             var first = new FirstRayHit(objects, rays[i], filter, options);
             phase.Sweep(rays[i].Path(), ref first);
-            results[i] = new RayHit(first.Slot < 0 ? -1 : objects.Ids[first.Slot], first.Result);
+            results[i] = first.Hit;
         }
     }
 }

@@ -54,6 +54,33 @@ public readonly struct ShapeBounds
         _offset = _center.Length;
     }
 
+    /// <summary>Measures a shape that need not be convex; do it once per shape.</summary>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
+    public ShapeBounds(in AnyShape shape)
+    {
+        if (shape.Kind == AnyShapeKind.Convex)
+        {
+            this = new ShapeBounds(AnyShape.ConvexOf(shape));
+            return;
+        }
+
+        if (shape.Kind == AnyShapeKind.None)
+            throw new ArgumentException("A default AnyShape has no extent.", nameof(shape));
+        IPartSource parts = shape.Mesh is not null ? shape.Mesh.Source : shape.Compound!.Source;
+        PartBox box = PartBox.Nothing;
+        for (int i = 0; i < parts.Count; i++)
+        {
+            parts.GetBox(i, out Double3 min, out Double3 max);
+            box.Add(new PartBox(min, max));
+        }
+
+        _center = (box.Min + box.Max) * 0.5;
+        _half = (box.Max - box.Min) * 0.5;
+        _margin = 0;
+        _radius = _half.Length;
+        _offset = _center.Length;
+    }
+
     /// <summary>The radius of the ball in <see cref="BallBoxAt"/>.</summary>
     internal double Radius => _radius;
 

@@ -13,7 +13,7 @@ internal static class ImportOptions
         var file = new Argument<string>("FILE")
         {
             Description = "What to import. Its name must end in " + Importer.Endings + ". Each part of a mesh file is "
-                + "an object (o and g of an OBJ, a solid of an STL, a primitive in its place of a GLB). A mesh counts "
+                + "an object (o and g of an OBJ, a solid of an STL, a primitive in its place of a glTF). A mesh counts "
                 + "as its convex hull; a part that is not convex gets a warning.",
         };
         var output = new Option<string?>("--out")
@@ -37,7 +37,8 @@ internal static class ImportOptions
             "Make a scene of a Unity scene or prefab, or of a mesh file. Units and axes stay as they are: Unity's axes "
             + "are left-handed, which changes no distance. In Unity, an object is its enabled colliders, or without "
             + "any, its mesh; inactive objects are left out. Unity's own sphere, capsule and cylinder become the "
-            + "smooth shapes. What cannot be read is listed on standard error with file, line and fileID; the rest is "
+            + "smooth shapes. What cannot be read is counted, and the first of each kind listed on standard error with "
+            + "file, line and fileID; the rest is "
             + "written, and the exit code is 1.")
         {
             file, output, project, concave,
@@ -46,7 +47,7 @@ internal static class ImportOptions
         {
             if (result.GetResult(file) is not { Implicit: false } || result.GetValue(file) is not { } name) return;
             if (!Importer.CanRead(name))
-                result.AddError($"{name}: its name must end in {Importer.Endings}.");
+                result.AddError(Importer.Refusal(name) + ".");
             else if (!Importer.IsUnityFile(name) && result.GetResult(project) is not null)
                 result.AddError("--project is for files of Unity.");
         });

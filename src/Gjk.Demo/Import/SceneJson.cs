@@ -130,7 +130,8 @@ internal sealed class SceneJson
 
     private void Write(ImportedShape shape)
     {
-        bool isSolid = false, isSurface = shape.Mesh is not null && _surfaces.TryGetValue(shape.Mesh, out isSolid);
+        bool isSolid = false;
+        bool isSurface = shape is { Mesh: { } mesh, IsHull: false } && _surfaces.TryGetValue(mesh, out isSolid);
         string type = isSurface ? "surface" : shape.Kind.ToString().ToLowerInvariant();
         _out.Write($"{{ \"type\": \"{type}\"");
         switch (shape.Kind)

@@ -51,6 +51,14 @@ internal sealed class GlbAccessor
         return reader._isNormalized && reader._type != Float ? reader.Normalized(numbers) : numbers;
     }
 
+    /// <summary>False if the numbers are those of a compressed primitive, which the accessor has not.</summary>
+    public static bool HasData(GlbFile file, int index, string where)
+    {
+        var accessors = file.List("accessors");
+        JsonElement accessor = accessors[file.Checked(index, accessors.Count, "accessor", where)];
+        return file.Index(accessor, "bufferView", where) is not null;
+    }
+
     private static int Offset(GlbFile file, JsonElement element, string where) =>
         file.Index(element, "byteOffset", where) ?? 0;
 
@@ -93,7 +101,7 @@ internal sealed class GlbAccessor
         if (_file.TryObject(view, "extensions", where, out JsonElement extensions)
             && extensions.TryGetProperty("EXT_meshopt_compression", out _))
             throw _file.Refuse(where, "is compressed with EXT_meshopt_compression, which is not read");
-        ReadOnlySpan<byte> bytes = Buffer(_file.Index(view, "buffer", where) ?? 0, where).Span;
+        ReadOnlySpan<byte> bytes = _file.Buffer(_file.Index(view, "buffer", where) ?? 0, where).Span;
         int size = SizeOf(type) * width;
         int stride = _file.Index(view, "byteStride", where) ?? size;
         long length = _file.Index(view, "byteLength", where) ?? throw _file.Refuse(where, "byteLength is missing");
@@ -110,26 +118,6 @@ internal sealed class GlbAccessor
         }
 
         return numbers;
-    }
-
-    private ReadOnlyMemory<byte> Buffer(int index, string where)
-    {
-        var buffers = _file.List("buffers");
-        JsonElement buffer = buffers[_file.Checked(index, buffers.Count, "buffer", where)];
-        string uri = _file.Text(buffer, "uri");
-        if (index == 0 && uri.Length == 0) return _file.Binary;
-        const string prefix = "data:", encoding = ";base64,";
-        int comma = uri.IndexOf(encoding, StringComparison.Ordinal);
-        if (!uri.StartsWith(prefix, StringComparison.Ordinal) || comma < 0)
-            throw _file.Refuse($"buffers[{index}]", "lies in another file; export with all data in the .glb");
-        try
-        {
-            return Convert.FromBase64String(uri[(comma + encoding.Length)..]);
-        }
-        catch (FormatException)
-        {
-            throw _file.Refuse($"buffers[{index}]", "its data is not valid base64");
-        }
     }
 
     private static double Component(ReadOnlySpan<byte> bytes, int type) => type switch

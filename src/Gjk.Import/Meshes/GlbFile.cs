@@ -1,13 +1,15 @@
 using System;
 using System.Buffers.Binary;
 using System.Collections.Generic;
+using System.IO;
 using System.Text.Json;
+using System.Threading;
 
 namespace Gjk.Import;
 
 /// <summary>
-/// A GLB file cut into its JSON and its bytes (Khronos Group, "glTF 2.0 Specification", 2021, section 4.4). Numbers and
-/// indices are read with checks, since nothing in a file can be trusted.
+/// A GLB file cut into its JSON and its bytes, or a .gltf file with the files beside it (Khronos Group, "glTF 2.0
+/// Specification", 2021, section 4.4). Numbers and indices are checked, since nothing in a file can be trusted.
 /// </summary>
 internal sealed class GlbFile : IDisposable
 {
@@ -18,21 +20,48 @@ internal sealed class GlbFile : IDisposable
 
     private readonly string _file;
     private readonly JsonDocument _json;
+    private readonly ReadOnlyMemory<byte> _binary;
     private readonly Dictionary<string, List<JsonElement>> _lists = new(StringComparer.Ordinal);
 
-    private GlbFile(string file, JsonDocument json, ReadOnlyMemory<byte> binary)
+    private readonly string? _folder;
+    private readonly CancellationToken _cancel;
+    private readonly Dictionary<int, byte[]> _buffers = [];
+
+    private GlbFile(
+        string file, JsonDocument json, ReadOnlyMemory<byte> binary, string? folder, CancellationToken cancel)
     {
         _file = file;
         _json = json;
-        Binary = binary;
+        _binary = binary;
+        _folder = folder;
+        _cancel = cancel;
     }
 
     public JsonElement Root => _json.RootElement;
 
-    /// <summary>The file's own buffer. Empty if it has none.</summary>
-    public ReadOnlyMemory<byte> Binary { get; }
+    /// <param name="file">For messages.</param>
+    /// <param name="bytes">Its content: JSON in the frame of a GLB file, or on its own.</param>
+    /// <param name="isFramed">True for a GLB file.</param>
+    /// <param name="folder">Where the files lie that it names; null if none may be opened.</param>
+    /// <param name="cancel">Ends the reading of such a file.</param>
+    public static GlbFile Open(string file, byte[] bytes, bool isFramed, string? folder, CancellationToken cancel)
+    {
+        ReadOnlyMemory<byte> json = bytes, binary = default;
+        if (isFramed) Cut(file, bytes, out json, out binary);
+        else MeshText.CheckEncoding(file, bytes);
+        if (json.Span.StartsWith("\uFEFF"u8)) json = json["\uFEFF"u8.Length..];
+        try
+        {
+            return new GlbFile(file, JsonDocument.Parse(json), binary, folder, cancel);
+        }
+        catch (JsonException e)
+        {
+            throw new ImportException(
+                $"{file}: its JSON is not valid at line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}");
+        }
+    }
 
-    public static GlbFile Open(string file, byte[] bytes)
+    private static void Cut(string file, byte[] bytes, out ReadOnlyMemory<byte> json, out ReadOnlyMemory<byte> binary)
     {
         ImportException Refuse(string reason) => new($"{file}: {reason}");
         if (bytes.Length < HeaderBytes || Number(bytes, 0) != Magic)
@@ -41,7 +70,7 @@ internal sealed class GlbFile : IDisposable
             throw Refuse($"glTF version {Number(bytes, 4)} is not known; must be {Version}");
         if (Number(bytes, 8) != bytes.Length)
             throw Refuse($"its header says {Number(bytes, 8)} bytes, but it has {bytes.Length}");
-        ReadOnlyMemory<byte> json = default, binary = default;
+        json = binary = default;
         int next = HeaderBytes;
         for (int i = 0; next < bytes.Length; i++)
         {
@@ -54,20 +83,27 @@ internal sealed class GlbFile : IDisposable
             if (i == 1 && type == BinaryChunk) binary = bytes.AsMemory(next, (int)length);
             next += (int)length;
         }
-
-        try
-        {
-            return new GlbFile(file, JsonDocument.Parse(json), binary);
-        }
-        catch (JsonException e)
-        {
-            throw Refuse($"its JSON is not valid at line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}");
-        }
     }
 
     public void Dispose() => _json.Dispose();
 
     public ImportException Refuse(string where, string reason) => new($"{_file}: {where}: {reason}");
+
+    /// <summary>The bytes of a buffer: those of the file itself, text within it, or a file beside it.</summary>
+    public ReadOnlyMemory<byte> Buffer(int index, string where)
+    {
+        List<JsonElement> buffers = List("buffers");
+        JsonElement buffer = buffers[Checked(index, buffers.Count, "buffer", where)];
+        where = $"buffers[{index}]";
+        string uri = Text(buffer, "uri");
+        if (index == 0 && uri.Length == 0) return _binary;
+        if (_buffers.TryGetValue(index, out byte[]? known)) return known;
+        byte[] bytes = uri.StartsWith("data:", StringComparison.Ordinal) ? OfText(uri, where) : Beside(uri, where);
+        if (Index(buffer, "byteLength", where) is { } length && length > bytes.Length)
+            throw Refuse(where, $"must have {length} bytes, but has {bytes.Length}");
+        _buffers.Add(index, bytes);
+        return bytes;
+    }
 
     /// <summary>The elements of an array of the root. Empty if it is missing.</summary>
     public List<JsonElement> List(string name)
@@ -138,6 +174,41 @@ internal sealed class GlbFile : IDisposable
         }
 
         return isGood ? numbers : throw Refuse($"{where}.{name}", $"must be {count} finite numbers");
+    }
+
+    private byte[] OfText(string uri, string where)
+    {
+        const string encoding = ";base64,";
+        int comma = uri.IndexOf(encoding, StringComparison.Ordinal);
+        try
+        {
+            if (comma >= 0) return Convert.FromBase64String(uri[(comma + encoding.Length)..]);
+        }
+        catch (FormatException)
+        {
+            // As without the encoding.
+        }
+
+        throw Refuse(where, "its data is not valid base64");
+    }
+
+    /// <summary>A file in the folder or below it; no name leads anywhere else.</summary>
+    private byte[] Beside(string uri, string where)
+    {
+        if (uri.Length == 0) throw Refuse(where, "has no data");
+        if (_folder is null) throw Refuse(where, "lies in another file; export with all data in the .glb");
+        string name = Uri.UnescapeDataString(uri);
+        bool isBelow = !Path.IsPathRooted(name) && name.IndexOfAny([':', '\\', '\0']) < 0
+            && !Array.Exists(name.Split('/'), step => step == "..");
+        if (!isBelow) throw Refuse(where, $"\"{MeshText.Short(name)}\" is not the name of a file beside it");
+        try
+        {
+            return WholeFile.Read(Path.Combine(_folder, name), ImportLimits.FileBytes, _cancel);
+        }
+        catch (ImportException e)
+        {
+            throw Refuse(where, e.Message);
+        }
     }
 
     private static uint Number(byte[] bytes, int at) => BinaryPrimitives.ReadUInt32LittleEndian(bytes.AsSpan(at));

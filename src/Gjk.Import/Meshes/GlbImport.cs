@@ -7,13 +7,17 @@ using System.Threading;
 namespace Gjk.Import;
 
 /// <summary>
-/// Imports a GLB file: every mesh of its scene's nodes, in its place. Materials, animations and the like are no shapes.
+/// Imports a GLB or .gltf file: every mesh of its scene's visible nodes, in its place. Materials, animations and the
+/// like are no shapes.
 /// </summary>
 internal sealed class GlbImport
 {
     /// <summary>Extensions that do not change where the vertices are, or whose change is read.</summary>
     private static readonly string[] Harmless =
-        ["KHR_materials_", "KHR_texture_", "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_xmp", "EXT_texture_"];
+        [
+        "KHR_materials_", "KHR_texture_", "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_node_visibility",
+        "KHR_xmp", "EXT_texture_",
+    ];
 
     private readonly GlbFile _file;
     private readonly string _name;
@@ -35,10 +39,8 @@ internal sealed class GlbImport
         _meshes = new GlbMeshes(file, name, log);
     }
 
-    public static void Import(
-        string file, byte[] content, SceneBuilder scene, ImportLog log, CancellationToken cancel)
+    public static void Import(string file, GlbFile glb, SceneBuilder scene, ImportLog log, CancellationToken cancel)
     {
-        using GlbFile glb = GlbFile.Open(file, content);
         var import = new GlbImport(glb, file, scene, log, cancel);
         import.CheckExtensions();
         import.Walk();
@@ -68,6 +70,7 @@ internal sealed class GlbImport
             if (!_seen.Add(next.Node)) throw _file.Refuse(where, "it is reached twice");
             JsonElement node = _nodes[next.Node];
             if (node.ValueKind != JsonValueKind.Object) throw _file.Refuse(where, "must be an object");
+            if (IsInvisible(node, where)) continue;
             Affine world = next.Parent * Local(node, where);
             AddMesh(node, next.Node, world, where);
             List<JsonElement> children = _file.List(node, "children", where);
@@ -121,6 +124,18 @@ internal sealed class GlbImport
         return Affine.Of(new(t[0], t[1], t[2]), turn, new(s[0], s[1], s[2]));
     }
 
+    /// <summary>An invisible node hides all below it, as an inactive object does in Unity.</summary>
+    private bool IsInvisible(JsonElement node, string where)
+    {
+        bool isInvisible = _file.TryObject(node, "extensions", where, out JsonElement extensions)
+            && _file.TryObject(extensions, "KHR_node_visibility", where, out JsonElement visibility)
+            && visibility.TryGetProperty("visible", out JsonElement visible)
+            && visible.ValueKind == JsonValueKind.False;
+        if (isInvisible)
+            _log.Warn($"{_name}: {where}", "it is not visible, so it is left out with all below it");
+        return isInvisible;
+    }
+
     private void AddMesh(JsonElement node, int number, Affine world, string where)
     {
         if (_file.TryObject(node, "extensions", where, out JsonElement extensions)
@@ -130,20 +145,22 @@ internal sealed class GlbImport
         if (_file.Index(node, "skin", where) is not null)
         {
             // The node's own place does not move a skinned mesh (glTF 2.0, section 3.7.3.3).
-            _log.Warn(_name, $"{where} is a skinned mesh: it is taken in its bind pose");
+            _log.Warn($"{_name}: {where}", "it is a skinned mesh, taken in its bind pose");
             world = Affine.Identity;
         }
 
         string name = _file.Text(node, "name") is { Length: > 0 } given
             ? given
             : "node " + number.ToString(CultureInfo.InvariantCulture);
-        List<ImportedMesh> parts = _meshes.Parts(mesh, where);
+        List<GlbPart> parts = _meshes.Parts(mesh, where);
+        bool isSingle = parts.FindAll(p => p.Mesh is not null).Count == 1;
         for (int i = 0; i < parts.Count; i++)
         {
             try
             {
-                string own = parts.Count == 1 ? name : $"{name}/{i}";
-                _scene.AddMesh(own, parts[i], world, world.Rotation());
+                string own = isSingle ? name : $"{name}/{i}";
+                if (parts[i].Mesh is { } part) _scene.AddMesh(own, part, world, world.Rotation());
+                else _log.CannotRead($"{_name}: {where}: {parts[i].Where}", parts[i].Fault!);
             }
             catch (UnreadableException e)
             {

@@ -5,6 +5,12 @@ using System.Text.Json;
 
 namespace Gjk.Import;
 
+/// <summary>A primitive.</summary>
+/// <param name="Mesh">Null if it cannot be read.</param>
+/// <param name="Where">Its place in the file.</param>
+/// <param name="Fault">Why it cannot be read, or null.</param>
+internal sealed record GlbPart(ImportedMesh? Mesh, string Where, string? Fault);
+
 /// <summary>
 /// The meshes of a GLB file. Each primitive of a mesh is a part. They are read when they are first used.
 /// </summary>
@@ -19,7 +25,7 @@ internal sealed class GlbMeshes
     private readonly ImportLog _log;
     private readonly string _name;
     private readonly List<JsonElement> _meshes;
-    private readonly Dictionary<int, List<ImportedMesh>> _read = [];
+    private readonly Dictionary<int, List<GlbPart>> _read = [];
 
     public GlbMeshes(GlbFile file, string name, ImportLog log)
     {
@@ -29,41 +35,40 @@ internal sealed class GlbMeshes
         _meshes = file.List("meshes");
     }
 
-    public List<ImportedMesh> Parts(int index, string where)
+    public List<GlbPart> Parts(int index, string where)
     {
-        if (_read.TryGetValue(index, out List<ImportedMesh>? known)) return known;
+        if (_read.TryGetValue(index, out List<GlbPart>? known)) return known;
         JsonElement mesh = _meshes[_file.Checked(index, _meshes.Count, "mesh", where)];
         string path = $"meshes[{index}]";
         List<JsonElement> primitives = _file.List(mesh, "primitives", path);
         string name = _file.Text(mesh, "name") is { Length: > 0 } given ? given : $"mesh {index}";
-        var parts = new List<ImportedMesh>();
+        var parts = new List<GlbPart>();
         for (int i = 0; i < primitives.Count; i++)
         {
             string own = primitives.Count == 1 ? name : $"{name}/{i}";
-            ImportedMesh? part = Part(primitives[i], own, $"{path}.primitives[{i}]");
-            if (part is null) continue;
+            GlbPart part = Part(primitives[i], own, $"{path}.primitives[{i}]");
             parts.Add(part);
-            _log.WarnOf(_name, part);
+            if (part.Mesh is { } read) _log.WarnOf(_name, read);
         }
 
         _read.Add(index, parts);
         return parts;
     }
 
-    private ImportedMesh? Part(JsonElement primitive, string name, string where)
+    private GlbPart Part(JsonElement primitive, string name, string where)
     {
-        if (_file.TryObject(primitive, "extensions", where, out JsonElement extensions)
-            && extensions.TryGetProperty("KHR_draco_mesh_compression", out _))
-            throw _file.Refuse(where, "is compressed with KHR_draco_mesh_compression, which is not read");
         if (!_file.TryObject(primitive, "attributes", where, out JsonElement attributes)
             || _file.Index(attributes, "POSITION", where) is not { } positions)
-        {
-            _log.CannotRead($"{_name}: {where}", "it has no POSITION");
-            return null;
-        }
+            return new GlbPart(null, where, "it has no POSITION");
+
+        // A file that can be read without the extension has the plain numbers, too.
+        if (_file.TryObject(primitive, "extensions", where, out JsonElement extensions)
+            && extensions.TryGetProperty("KHR_draco_mesh_compression", out _)
+            && !GlbAccessor.HasData(_file, positions, where))
+            return new GlbPart(null, where, "it is compressed with KHR_draco_mesh_compression, which is not read");
 
         if (primitive.TryGetProperty("targets", out _))
-            _log.Warn(_name, $"{where} has morph targets: it is taken without them");
+            _log.Warn($"{_name}: {where}", "it has morph targets, and is taken without them");
         double[] numbers = GlbAccessor.Read(_file, positions, "VEC3");
         var vertices = new Vector3[numbers.Length / 3];
         if (vertices.Length == 0) throw _file.Refuse(where, "it has no vertices");
@@ -76,7 +81,10 @@ internal sealed class GlbMeshes
         }
 
         int mode = _file.Index(primitive, "mode", where) ?? Triangles;
-        return ImportedMesh.Weld(name, vertices, Faces(Indices(primitive, vertices.Length, where), mode));
+        int[] indices = Indices(primitive, vertices.Length, where);
+        if (mode == Triangles && indices.Length % 3 != 0)
+            _log.Warn($"{_name}: {where}", "its last indices make no whole triangle, and are passed over");
+        return new GlbPart(ImportedMesh.Weld(name, vertices, Faces(indices, mode)), where, null);
     }
 
     private int[] Indices(JsonElement primitive, int vertices, string where)

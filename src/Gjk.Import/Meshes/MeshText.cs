@@ -13,13 +13,22 @@ internal sealed class MeshText
     private readonly string _file;
     private readonly byte[] _bytes;
     private readonly List<string> _words = [];
+
+    /// <summary>True if a line feed behind a carriage return is no part of the line's end.</summary>
+    private readonly bool _hasBareReturns;
     private int _next;
 
-    public MeshText(string file, byte[] bytes, int start = 0)
+    /// <exception cref="ImportException">It is not text of bytes.</exception>
+    public MeshText(string file, byte[] bytes)
     {
+        CheckEncoding(file, bytes);
         _file = file;
         _bytes = bytes;
-        _next = start;
+
+        // The first line tells how lines end. In a binary PLY with carriage returns alone, the data behind the header
+        // may begin with a line feed.
+        int first = bytes.AsSpan().IndexOfAny((byte)'\r', (byte)'\n');
+        _hasBareReturns = first >= 0 && bytes[first] == '\r' && (first + 1 == bytes.Length || bytes[first + 1] != '\n');
     }
 
     /// <summary>Counted from 1. Of a line that a backslash continues, the first one.</summary>
@@ -73,6 +82,16 @@ internal sealed class MeshText
             ? value
             : throw Refuse($"\"{Short(word)}\" is not a whole number");
 
+    /// <summary>Refuses text of 16 bits a character, with or without a mark at its beginning.</summary>
+    /// <exception cref="ImportException">It is such text.</exception>
+    public static void CheckEncoding(string file, ReadOnlySpan<byte> bytes)
+    {
+        bool isMarked = bytes.Length >= 2 && (bytes[0], bytes[1]) is (0xFF, 0xFE) or (0xFE, 0xFF);
+        bool isWide = bytes.Length >= 4 && (bytes[0] == 0) != (bytes[1] == 0) && (bytes[0] == 0) == (bytes[2] == 0)
+            && (bytes[1] == 0) == (bytes[3] == 0);
+        if (isMarked || isWide) throw new ImportException($"{file}: it is UTF-16 text; save it as UTF-8");
+    }
+
     /// <summary>A word of a file that is not text may be very long.</summary>
     public static string Short(string word) => word.Length <= 40 ? word : word[..40] + "...";
 
@@ -80,14 +99,16 @@ internal sealed class MeshText
     public static Vector3 Checked(Vector3 vertex, Func<ImportException> refuse) =>
         ((Double3)vertex).IsFinite ? vertex : throw refuse();
 
+    /// <summary>A line ends with a line feed, a carriage return or both.</summary>
     private string RawLine()
     {
         ReadOnlySpan<byte> rest = _bytes.AsSpan(_next);
-        int end = rest.IndexOf((byte)'\n');
+        int end = rest.IndexOfAny((byte)'\r', (byte)'\n');
         ReadOnlySpan<byte> line = end < 0 ? rest : rest[..end];
         _next += end < 0 ? rest.Length : end + 1;
         LinesRead++;
-        if (line.EndsWith("\r"u8)) line = line[..^1];
+        bool isPair = !_hasBareReturns && end >= 0 && rest[end..].StartsWith("\r\n"u8);
+        if (isPair) _next++;
         return Encoding.UTF8.GetString(line).TrimStart('\uFEFF');
     }
 }

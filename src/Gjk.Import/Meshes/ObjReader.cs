@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 using System.Numerics;
 using System.Threading;
@@ -8,12 +9,15 @@ namespace Gjk.Import;
 
 /// <summary>
 /// Reads Wavefront OBJ (Alias|Wavefront, "Object Files", Advanced Visualizer manual, appendix B1). Each object (o) and
-/// group (g) is a part. Only positions and faces are used. Curves and surfaces are refused.
+/// group (g) is a part. Only positions and faces are used. Curves and surfaces are refused, and unknown statements are
+/// passed over with a warning.
 /// </summary>
 internal sealed class ObjReader
 {
     private const int LinesPerLook = 4096;
 
+    private readonly string _file;
+    private readonly ImportLog _log;
     private readonly MeshText _text;
     private readonly List<Vector3> _vertices = [];
     private readonly Dictionary<string, List<int>> _faces = new(StringComparer.Ordinal);
@@ -21,8 +25,14 @@ internal sealed class ObjReader
     private readonly Dictionary<string, List<Vector3>> _points = new(StringComparer.Ordinal);
     private readonly List<string> _order = [];
     private string _object = "", _group = "";
+    private string? _unknown;
 
-    private ObjReader(MeshText text) => _text = text;
+    private ObjReader(string file, byte[] bytes, ImportLog log)
+    {
+        _file = file;
+        _log = log;
+        _text = new MeshText(file, bytes);
+    }
 
     private string PartName => (_object, _group) switch
     {
@@ -32,12 +42,13 @@ internal sealed class ObjReader
         _ => $"{_object}/{_group}",
     };
 
-    public static List<ImportedMesh> Read(string file, byte[] bytes, CancellationToken cancel)
+    public static List<ImportedMesh> Read(string file, byte[] bytes, ImportLog log, CancellationToken cancel)
     {
-        var reader = new ObjReader(new MeshText(file, bytes));
+        var reader = new ObjReader(file, bytes, log);
         reader.ReadLines(cancel);
         List<ImportedMesh> parts = reader.Parts();
-        return parts.Count > 0 ? parts : throw new ImportException($"{file}: there are no vertices in it");
+        if (parts.Count > 0) return parts;
+        throw new ImportException(reader._unknown ?? $"{file}: there are no vertices in it");
     }
 
     private void ReadLines(CancellationToken cancel)
@@ -83,16 +94,28 @@ internal sealed class ObjReader
                 or "cdp" or "res":
                 throw _text.Refuse($"\"{words[0]}\": curves and surfaces are not read, only faces");
             default:
-                throw _text.Refuse($"\"{MeshText.Short(words[0])}\" is not a statement of an OBJ file");
+                Unknown(words[0]);
+                break;
         }
+    }
+
+    /// <summary>Programs write words of their own. In a file without vertices the word is the reason.</summary>
+    private void Unknown(string word)
+    {
+        string what = $"\"{MeshText.Short(word)}\" is not a statement of an OBJ file";
+        _unknown ??= _text.Refuse(what).Message;
+        _log.Warn($"{_file}:{_text.Line}", what + ", and is passed over", "not a statement");
     }
 
     private static string NameOf(IReadOnlyList<string> words) => string.Join(" ", words.Skip(1));
 
-    /// <summary>A weight or a colour may follow the three coordinates.</summary>
+    /// <summary>A weight or a colour of three or four numbers may follow the three coordinates.</summary>
     private void ReadVertex(IReadOnlyList<string> words)
     {
         if (words.Count < 4) throw _text.Refuse($"a vertex needs three coordinates, but has {words.Count - 1}");
+        if (words.Count is 6 or > 8)
+            throw _text.Refuse($"a vertex has 3 numbers, 4, 6 or 7, but this one has {words.Count - 1}");
+        for (int i = 4; i < words.Count; i++) _text.Number(words[i]);
         var vertex = new Vector3(_text.Number(words[1]), _text.Number(words[2]), _text.Number(words[3]));
         _vertices.Add(vertex);
         if (!_points.TryGetValue(PartName, out List<Vector3>? points)) _points[PartName] = points = [];
@@ -135,9 +158,21 @@ internal sealed class ObjReader
     {
         int slash = word.IndexOf('/', StringComparison.Ordinal);
         int index = _text.Whole(slash < 0 ? word : word[..slash]);
+        if (slash >= 0) CheckOthers(word, slash + 1);
         long vertex = index < 0 ? (long)_vertices.Count + index : (long)index - 1;
         if (vertex >= 0 && vertex < _vertices.Count) return (int)vertex;
         throw _text.Refuse($"there is no vertex {index}: {_vertices.Count} came before this face");
+    }
+
+    /// <summary>The texture coordinate and the normal: each a number or nothing, and nothing behind them.</summary>
+    private void CheckOthers(string word, int start)
+    {
+        string[] others = word[start..].Split('/');
+        bool isGood = others.Length <= 2 && Array.TrueForAll(
+            others, o => o.Length == 0
+                || int.TryParse(o, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out _));
+        if (isGood) return;
+        throw _text.Refuse($"\"{MeshText.Short(word)}\" is not a corner: must be v, v/vt, v//vn or v/vt/vn");
     }
 
     private List<ImportedMesh> Parts()

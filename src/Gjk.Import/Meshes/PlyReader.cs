@@ -18,14 +18,16 @@ internal sealed class PlyReader
     private readonly byte[] _bytes;
     private readonly MeshText _text;
     private readonly PlyHeader _header;
+    private readonly ImportLog _log;
     private readonly List<Vector3> _vertices = [];
     private readonly List<int> _triangles = [];
     private readonly List<double> _list = [];
     private int _next, _word;
     private string _place = "";
 
-    private PlyReader(string file, byte[] bytes)
+    private PlyReader(string file, byte[] bytes, ImportLog log)
     {
+        _log = log;
         _file = file;
         _bytes = bytes;
         _text = new MeshText(file, bytes);
@@ -34,10 +36,11 @@ internal sealed class PlyReader
         _word = int.MaxValue;
     }
 
-    public static List<ImportedMesh> Read(string file, byte[] bytes, CancellationToken cancel)
+    public static List<ImportedMesh> Read(string file, byte[] bytes, ImportLog log, CancellationToken cancel)
     {
-        var reader = new PlyReader(file, bytes);
+        var reader = new PlyReader(file, bytes, log);
         foreach (PlyElement element in reader._header.Elements) reader.Rows(element, cancel);
+        reader.WarnOfRest();
         if (reader._vertices.Count == 0) throw new ImportException($"{file}: there are no vertices in it");
         foreach (int corner in reader._triangles)
         {
@@ -48,6 +51,16 @@ internal sealed class PlyReader
 
         string name = System.IO.Path.GetFileNameWithoutExtension(file);
         return [ImportedMesh.Weld(name, reader._vertices, reader._triangles)];
+    }
+
+    /// <summary>Rows that the header does not count, or bytes behind the last row.</summary>
+    private void WarnOfRest()
+    {
+        const string rest = "behind its last element are passed over";
+        if (_header.Format != PlyFormat.Text && _next < _bytes.Length)
+            _log.Warn(_file, $"{_bytes.Length - _next} bytes {rest}");
+        while (_header.Format == PlyFormat.Text && _text.NextLine())
+            _log.Warn($"{_file}:{_text.Line}", "lines " + rest);
     }
 
     private ImportException Refuse(string reason) => new($"{_file}: {_place}: {reason}");
@@ -84,6 +97,7 @@ internal sealed class PlyReader
 
     private void Face()
     {
+        if (_list.Count < 3) _log.Warn($"{_file}: {_place}", "a face of fewer than three corners is left out");
         for (int i = 1; i + 1 < _list.Count; i++)
         {
             _triangles.Add(Corner(_list[0]));

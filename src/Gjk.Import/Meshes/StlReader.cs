@@ -21,29 +21,39 @@ internal static class StlReader
 
     private const int TrianglesPerLook = 4096;
 
-    public static List<ImportedMesh> Read(string file, byte[] bytes, CancellationToken cancel)
+    /// <summary>A binary file has fewer triangles. Four letters of a text in the place of the count say more.</summary>
+    private const long MostTriangles = 1 << 24;
+
+    public static List<ImportedMesh> Read(string file, byte[] bytes, ImportLog log, CancellationToken cancel)
     {
         bool hasHeader = bytes.Length >= HeaderBytes;
         long count = hasHeader ? BinaryPrimitives.ReadUInt32LittleEndian(bytes.AsSpan(HeaderBytes - 4)) : 0;
-        long length = HeaderBytes + count * TriangleBytes;
-        if (hasHeader && bytes.Length == length) return [Binary(file, bytes, (int)count, cancel)];
-        if (StartsWithSolid(bytes)) return Text(file, bytes, cancel);
-        throw new ImportException(hasHeader
-            ? $"{file}: not an STL file: {count} triangles need {length} bytes, but it has {bytes.Length}"
-            : $"{file}: not an STL file: it neither begins with \"solid\" nor has the {HeaderBytes} bytes of a header");
+        long length = HeaderBytes + count * TriangleBytes, behind = bytes.Length - length;
+        if (!hasHeader || behind != 0) MeshText.CheckEncoding(file, bytes);
+        if (StartsWithSolid(bytes) && (!hasHeader || count >= MostTriangles)) return Text(file, bytes, log, cancel);
+        if (!hasHeader)
+            throw new ImportException(
+                $"{file}: not an STL file: it neither begins with \"solid\" nor has the {HeaderBytes} bytes of a "
+                + "header");
+        if (behind < 0 || (count == 0 && behind > 0))
+            throw new ImportException(
+                $"{file}: not an STL file: {count} triangles need {length} bytes, but it has {bytes.Length}");
+        if (count == 0) throw new ImportException($"{file}: there are no triangles in it");
+        if (behind > 0) log.Warn(file, $"{behind} bytes behind its {count} triangles are passed over");
+        return [Binary(file, bytes, (int)count, cancel)];
     }
 
     private static bool StartsWithSolid(ReadOnlySpan<byte> bytes)
     {
+        if (bytes.StartsWith("\uFEFF"u8)) bytes = bytes["\uFEFF"u8.Length..];
         int start = 0;
-        while (start < bytes.Length && "\uFEFF \t\r\n"u8.IndexOf(bytes[start]) >= 0) start++;
+        while (start < bytes.Length && " \t\r\n"u8.IndexOf(bytes[start]) >= 0) start++;
         string text = Encoding.ASCII.GetString(bytes[start..Math.Min(start + 5, bytes.Length)]);
         return text.Equals("solid", StringComparison.OrdinalIgnoreCase);
     }
 
     private static ImportedMesh Binary(string file, byte[] bytes, int count, CancellationToken cancel)
     {
-        if (count == 0) throw new ImportException($"{file}: there are no triangles in it");
         var corners = new Vector3[3 * count];
         for (int i = 0; i < count; i++)
         {
@@ -67,10 +77,11 @@ internal static class StlReader
     private static ImportException NotFinite(string file, int triangle) =>
         new($"{file}: triangle {triangle}: a coordinate is not a finite number");
 
-    private static List<ImportedMesh> Text(string file, byte[] bytes, CancellationToken cancel)
+    private static List<ImportedMesh> Text(string file, byte[] bytes, ImportLog log, CancellationToken cancel)
     {
         var text = new MeshText(file, bytes);
         var parts = new List<ImportedMesh>();
+        ImportException? isEmpty = null;
         while (text.NextLine())
         {
             if (!Is(text, "solid")) throw Expected(text, "\"solid\"");
@@ -83,32 +94,40 @@ internal static class StlReader
                 Triangle(text, corners);
             }
 
-            if (corners.Count == 0) throw text.Refuse($"the solid \"{name}\" has no triangles");
-            parts.Add(Part(name, corners));
+            if (corners.Count > 0)
+            {
+                parts.Add(Part(name, corners));
+                continue;
+            }
+
+            isEmpty ??= text.Refuse($"the solid \"{name}\" has no triangles");
+            log.Warn($"{file}:{text.Line}", $"the solid \"{name}\" has no triangles, and is left out", "empty solid");
         }
 
-        return parts;
+        return parts.Count > 0 ? parts : throw isEmpty ?? Expected(text, "\"solid\"");
     }
 
     private static void Triangle(MeshText text, List<Vector3> corners)
     {
-        Next(text, "outer");
+        Next(text, "outer", 2);
         for (int k = 0; k < 3; k++)
         {
-            Next(text, "vertex");
+            Next(text, "vertex", 4);
             if (text.Words.Count != 4)
                 throw text.Refuse($"a vertex needs three coordinates, but has {text.Words.Count - 1}");
             corners.Add(new Vector3(
                 text.Number(text.Words[1]), text.Number(text.Words[2]), text.Number(text.Words[3])));
         }
 
-        Next(text, "endloop");
-        Next(text, "endfacet");
+        Next(text, "endloop", 1);
+        Next(text, "endfacet", 1);
     }
 
-    private static void Next(MeshText text, string word)
+    private static void Next(MeshText text, string word, int mostWords)
     {
         if (!text.NextLine() || !Is(text, word)) throw Expected(text, $"\"{word}\"");
+        if (text.Words.Count > mostWords)
+            throw text.Refuse($"there is more behind \"{word}\": \"{MeshText.Short(text.Words[mostWords])}\"");
     }
 
     /// <summary>True if the next line begins with the word, false if it ends the list.</summary>
@@ -116,7 +135,12 @@ internal static class StlReader
     {
         if (!text.NextLine()) throw text.Refuse($"the file ends before \"{end}\"");
         if (Is(text, end)) return false;
-        return Is(text, word) ? true : throw Expected(text, $"\"{word}\" or \"{end}\"");
+        if (!Is(text, word)) throw Expected(text, $"\"{word}\" or \"{end}\"");
+
+        // The word "normal" and its three numbers, which are not used.
+        if (text.Words.Count > 5)
+            throw text.Refuse($"there is more behind \"{word}\": \"{MeshText.Short(text.Words[5])}\"");
+        return true;
     }
 
     private static bool Is(MeshText text, string word) =>

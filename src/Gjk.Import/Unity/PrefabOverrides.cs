@@ -23,24 +23,28 @@ internal sealed class PrefabOverrides
 
     private readonly UnityDocument _instance;
     private readonly UnityNode _changes;
-    private readonly ImportLog _log;
+    private readonly List<UnityProblem>? _problems;
     private readonly Dictionary<long, int> _byId = [];
     private readonly Dictionary<(string, long), int> _bySource = [];
     private readonly HashSet<int> _changed = [];
 
-    private PrefabOverrides(UnityDocument instance, UnityNode changes, ImportLog log)
+    private PrefabOverrides(UnityDocument instance, UnityNode changes, List<UnityProblem>? problems)
     {
         _instance = instance;
         _changes = changes;
-        _log = log;
+        _problems = problems;
     }
 
-    /// <summary>Changes the elements of a prefab in place.</summary>
-    public static void Apply(UnityDocument instance, UnityNode changes, List<UnityElement> elements, ImportLog log)
+    /// <summary>
+    /// Changes the elements of a prefab in place. Overrides without a target are problems; of a prefab that lacks objects
+    /// anyway there is no list for them.
+    /// </summary>
+    public static void Apply(
+        UnityDocument instance, UnityNode changes, List<UnityElement> elements, List<UnityProblem>? problems)
     {
         bool isPlain = !Array.Exists(Lists, l => changes[l]?.Items.Count > 0);
         if (isPlain) return;
-        var overrides = new PrefabOverrides(instance, changes, log);
+        var overrides = new PrefabOverrides(instance, changes, problems);
         for (int i = 0; i < elements.Count; i++)
         {
             overrides._byId.TryAdd(elements[i].Id, i);
@@ -59,7 +63,8 @@ internal sealed class PrefabOverrides
         {
             if (!Array.Exists(ReadFields, f => path.StartsWith(f, StringComparison.Ordinal))) return;
             string id = target.FileId.ToString(CultureInfo.InvariantCulture);
-            _log.Warn(_instance.Where, $"its override of {path} is ignored: the prefab has no fileID {id}");
+            string what = $"its override of {path} is ignored: the prefab has no fileID {id}";
+            _problems?.Add(new UnityProblem(_instance.Where, what, "override", IsMissing: false));
             return;
         }
 

@@ -4,8 +4,8 @@ namespace Gjk.Import;
 internal static class UnityClass
 {
     public const int GameObject = 1, Transform = 4, MeshFilter = 33, Mesh = 43, MeshCollider = 64, BoxCollider = 65,
-        SphereCollider = 135, CapsuleCollider = 136, SkinnedMeshRenderer = 137, RectTransform = 224,
-        PrefabInstance = 1001;
+        SphereCollider = 135, CapsuleCollider = 136, SkinnedMeshRenderer = 137, CharacterController = 143,
+        RectTransform = 224, PrefabInstance = 1001;
 
     /// <summary>True for the classes whose bodies are read.</summary>
     public static bool IsRead(int id) =>
@@ -14,15 +14,15 @@ internal static class UnityClass
     /// <summary>True for a class that gives its object a shape, whether it can be read or not.</summary>
     public static bool IsShape(int id) => id == MeshFilter || IsCollider(id) || UnreadShape(id) is not null;
 
-    public static bool IsCollider(int id) => id is MeshCollider or BoxCollider or SphereCollider or CapsuleCollider;
+    public static bool IsCollider(int id) =>
+        id is MeshCollider or BoxCollider or SphereCollider or CapsuleCollider or CharacterController;
 
     /// <summary>Why a class with a shape is not read, or null if it is read or has no shape.</summary>
     public static string? UnreadShape(int id) => id switch
     {
         SkinnedMeshRenderer => "a SkinnedMeshRenderer moves its vertices while it runs",
-        143 => "a CharacterController is not read; use a CapsuleCollider of the same size",
         146 => "a WheelCollider is not read",
-        154 => "a TerrainCollider is not convex",
+        154 => "a TerrainCollider's heights are in a binary asset that only Unity reads; export the terrain as OBJ",
         58 or 60 or 61 or 66 or 68 or 70 or 19719996 => "a 2D collider has no volume",
         _ => null,
     };
@@ -38,6 +38,7 @@ internal static class UnityClass
         BoxCollider => nameof(BoxCollider),
         SphereCollider => nameof(SphereCollider),
         CapsuleCollider => nameof(CapsuleCollider),
+        CharacterController => nameof(CharacterController),
         PrefabInstance => nameof(PrefabInstance),
         58 => "CircleCollider2D",
         60 => "PolygonCollider2D",
@@ -46,7 +47,6 @@ internal static class UnityClass
         68 => "EdgeCollider2D",
         70 => "CapsuleCollider2D",
         SkinnedMeshRenderer => nameof(SkinnedMeshRenderer),
-        143 => "CharacterController",
         146 => "WheelCollider",
         154 => "TerrainCollider",
         19719996 => "TilemapCollider2D",

@@ -82,13 +82,16 @@ internal sealed class UnityFile
     public static UnityFile Load(string name, CancellationToken cancel)
     {
         byte[] bytes = WholeFile.Read(name, ImportLimits.FileBytes, cancel);
+        MeshText.CheckEncoding(name, bytes);
         ReadOnlySpan<byte> content = bytes;
         if (content.StartsWith("\uFEFF"u8)) content = content["\uFEFF"u8.Length..];
         if (!content.StartsWith("%YAML"u8))
             throw new ImportException(
                 $"{name}: not a file of Unity as text: it must begin with %YAML. In the Editor, set Project Settings > "
                 + "Editor > Asset Serialization to Force Text");
-        var file = new UnityFile(name, Encoding.UTF8.GetString(content));
+        string text = Encoding.UTF8.GetString(content);
+        if (text.Contains('\r')) text = text.Replace("\r\n", "\n").Replace('\r', '\n');
+        var file = new UnityFile(name, text);
         file.Cut(cancel);
         return file;
     }
@@ -102,7 +105,7 @@ internal sealed class UnityFile
             line++;
             int end = Text.IndexOf('\n', next);
             if (end < 0) end = Text.Length;
-            ReadOnlySpan<char> content = Text.AsSpan(next, end - next).TrimEnd('\r');
+            ReadOnlySpan<char> content = Text.AsSpan(next, end - next);
             if (content.StartsWith(Header, StringComparison.Ordinal))
             {
                 cancel.ThrowIfCancellationRequested();

@@ -40,7 +40,7 @@ internal sealed class UnityHierarchy
             if (element.ClassId == UnityClass.GameObject) _objects.TryAdd(element.Id, element);
             if (!element.IsTransform) continue;
             _transforms.TryAdd(element.Id, element);
-            _transformOf.TryAdd(element.Owner, element);
+            if (element.Fault is null) _transformOf.TryAdd(element.Owner, element);
         }
     }
 
@@ -68,7 +68,9 @@ internal sealed class UnityHierarchy
             if (transform.Father == 0) break;
             long father = transform.Father;
             if (!_transforms.TryGetValue(father, out transform))
-                throw new UnreadableException($"an object above it is missing: there is no Transform {father}");
+                throw new UnreadableException(
+                    $"an object above it is missing: there is no Transform {father}", "no object above");
+            if (transform.Fault is not null) throw new UnreadableException(transform.Fault);
         }
 
         while (chain.TryPop(out transform))

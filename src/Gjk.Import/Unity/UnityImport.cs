@@ -33,9 +33,11 @@ internal sealed class UnityImport
         string file, string? folder, SceneBuilder scene, ImportLog log, CancellationToken cancel)
     {
         var project = new UnityProject(folder, file, log, cancel);
-        List<UnityElement> elements = new PrefabExpander(project, log, cancel).Expand(UnityFile.Load(file, cancel), "");
+        UnityObjects objects = new PrefabExpander(project, cancel).Expand(UnityFile.Load(file, cancel), "");
+        foreach (UnityProblem problem in objects.Problems) log.Add(problem);
         var shapes = new UnityShapes(scene, new UnityMeshes(project, log, cancel));
-        new UnityImport(log, shapes, new UnityHierarchy(elements), cancel).AddObjects(elements);
+        var import = new UnityImport(log, shapes, new UnityHierarchy(objects.Elements), cancel);
+        import.AddObjects(objects.Elements);
     }
 
     private void AddObjects(List<UnityElement> elements)
@@ -44,10 +46,12 @@ internal sealed class UnityImport
         foreach (UnityElement element in elements)
         {
             if (!UnityClass.IsShape(element.ClassId)) continue;
-            if (_hierarchy.Find(element.Owner) is null)
+            if (_hierarchy.Find(element.Owner) is not { Fault: null })
             {
                 string owner = element.Owner.ToString(CultureInfo.InvariantCulture);
-                _log.CannotRead(element.Source.Where, $"its GameObject {owner} is not in the file");
+                string? fault = _hierarchy.Find(element.Owner)?.Fault;
+                string reason = fault ?? $"its GameObject {owner} is not in the file";
+                _log.CannotRead(element.Source.Where, reason, fault ?? "no owner");
                 continue;
             }
 
@@ -79,7 +83,7 @@ internal sealed class UnityImport
         }
         catch (UnreadableException e)
         {
-            foreach (UnityElement component in components) CannotRead(component, NameOf(gameObject), e.Message);
+            foreach (UnityElement component in components) CannotRead(component, NameOf(gameObject), e.Message, e.Kind);
             return;
         }
 
@@ -93,7 +97,7 @@ internal sealed class UnityImport
             }
             catch (UnreadableException e)
             {
-                CannotRead(shape, NameOf(gameObject), e.Message);
+                CannotRead(shape, NameOf(gameObject), e.Message, e.Kind);
             }
         }
     }
@@ -133,8 +137,8 @@ internal sealed class UnityImport
         return meshes;
     }
 
-    private void CannotRead(UnityElement component, string name, string reason) =>
-        _log.CannotRead($"{component.Source.Where} of \"{name}\"", reason);
+    private void CannotRead(UnityElement component, string name, string reason, string? kind = null) =>
+        _log.CannotRead($"{component.Source.Where} of \"{name}\"", reason, kind);
 
     private static string NameOf(UnityElement gameObject) =>
         gameObject.Body["m_Name"]?.Text is { Length: > 0 } name

@@ -12,11 +12,12 @@ namespace Gjk.Import;
 /// <summary>Finds the meshes that a scene names: in its own file, in a mesh asset, or in an OBJ file.</summary>
 internal sealed class UnityMeshes
 {
-
     private readonly UnityProject _project;
     private readonly ImportLog _log;
     private readonly CancellationToken _cancel;
-    private readonly Dictionary<(string Path, long FileId), ImportedMesh> _known = [];
+    private readonly Dictionary<(string Path, long FileId), (ImportedMesh Mesh, string Where)> _known = [];
+    private readonly HashSet<(string Path, long FileId)> _warned = [];
+    private readonly Dictionary<(string Path, long FileId), string> _faults = [];
     private readonly Dictionary<string, List<ImportedMesh>> _models = new(StringComparer.Ordinal);
 
     public UnityMeshes(UnityProject project, ImportLog log, CancellationToken cancel)
@@ -32,17 +33,39 @@ internal sealed class UnityMeshes
 
     public ImportedMesh Quad { get; } = BuiltInMesh.QuadCorners();
 
-    /// <summary>A mesh that is not built in.</summary>
+    /// <summary>A mesh that is not built in. It is read once, whether it can be read or not.</summary>
     /// <param name="mesh">Its name in the scene.</param>
     /// <param name="own">The file that it lies in if it has no GUID.</param>
+    /// <param name="isHullMeant">True if the object is the hull, so that no warning says that the mesh is not.</param>
     /// <exception cref="UnreadableException">It cannot be read.</exception>
-    public ImportedMesh Find(UnityReference mesh, UnityFile own)
+    public ImportedMesh Find(UnityReference mesh, UnityFile own, bool isHullMeant)
     {
         string path = mesh.IsLocal ? own.Name : _project.PathOf(mesh.Guid!);
-        if (_known.TryGetValue((path, mesh.FileId), out ImportedMesh? known)) return known;
+        if (_faults.TryGetValue((path, mesh.FileId), out string? fault)) throw new UnreadableException(fault);
+        try
+        {
+            ImportedMesh part = Find(path, mesh, own, out string where);
+            if (!isHullMeant && _warned.Add((path, mesh.FileId))) _log.WarnOf(where, part, "it");
+            return part;
+        }
+        catch (UnreadableException e)
+        {
+            _faults.Add((path, mesh.FileId), e.Message);
+            throw;
+        }
+    }
+
+    private ImportedMesh Find(string path, UnityReference mesh, UnityFile own, out string where)
+    {
+        where = path;
+        if (_known.TryGetValue((path, mesh.FileId), out (ImportedMesh Mesh, string Where) known))
+        {
+            where = known.Where;
+            return known.Mesh;
+        }
+
         _cancel.ThrowIfCancellationRequested();
         ImportedMesh part;
-        string where;
         if (mesh.IsLocal || Path.GetExtension(path).ToLowerInvariant() is ".asset" or ".mesh" or ".prefab" or ".unity")
         {
             UnityFile file = mesh.IsLocal ? own : _project.Open(path);
@@ -63,8 +86,7 @@ internal sealed class UnityMeshes
                 $"{path}: only Unity can read this model; save its mesh as .obj or as an .asset, or export a .glb");
         }
 
-        _known.Add((path, mesh.FileId), part);
-        _log.WarnOf(where, part, "it");
+        _known.Add((path, mesh.FileId), (part, where));
         return part;
     }
 
@@ -106,7 +128,7 @@ internal sealed class UnityMeshes
         try
         {
             byte[] content = WholeFile.Read(path, ImportLimits.FileBytes, _cancel);
-            return [.. ObjReader.Read(path, content, _cancel).Select(part => Mirrored(part, scale))];
+            return [.. ObjReader.Read(path, content, _log, _cancel).Select(part => Mirrored(part, scale))];
         }
         catch (ImportException e)
         {

@@ -41,6 +41,9 @@ internal sealed class UnityShapes
             case UnityClass.CapsuleCollider:
                 AddCapsule(name, body, place);
                 break;
+            case UnityClass.CharacterController:
+                AddUpright(name, body, place);
+                break;
             default:
                 AddMesh(name, component, place);
                 break;
@@ -66,6 +69,18 @@ internal sealed class UnityShapes
         Add(name, shape, place, body.Vector("m_Center"), place.Rotation * turn);
     }
 
+    /// <summary>
+    /// A character's capsule stands along the world's y however its object is turned. Its skin is no part of it.
+    /// </summary>
+    private void AddUpright(string name, UnityNode body, in UnityPlace place)
+    {
+        Double3 scale = Placement.Absolute(place.LossyScale);
+        double radius = Radius(body) * Math.Max(scale.X, scale.Z);
+        double halfHeight = Math.Abs(body.Number("m_Height")) * scale.Y / 2 - radius;
+        ImportedShape shape = halfHeight > 0 ? ImportedShape.Capsule(radius, halfHeight) : ImportedShape.Sphere(radius);
+        Add(name, shape, place, body.Vector("m_Center"), TurnD.Identity);
+    }
+
     private void Add(string name, ImportedShape shape, in UnityPlace place, in Double3 center, in TurnD rotation)
     {
         Affine world = place.World with { Origin = place.World.Apply(center) };
@@ -77,7 +92,15 @@ internal sealed class UnityShapes
         UnityReference mesh = component.Body.Reference("m_Mesh");
         if (mesh.IsNone) throw new UnreadableException("it has no mesh; a script may make one when the scene runs");
         if (mesh.Guid == BuiltInMesh.Guid) AddBuiltIn(name, mesh.FileId, place);
-        else _scene.AddMesh(name, _meshes.Find(mesh, component.MeshFile), place.World, place.Rotation);
+        else AddMesh(name, component, mesh, place);
+    }
+
+    /// <summary>A collider with Convex ticked is the hull of its mesh.</summary>
+    private void AddMesh(string name, UnityElement component, UnityReference mesh, in UnityPlace place)
+    {
+        bool isHull = component.ClassId == UnityClass.MeshCollider && component.Body.Whole("m_Convex", 0) != 0;
+        ImportedMesh part = _meshes.Find(mesh, component.MeshFile, isHull);
+        _scene.AddMesh(name, part, place.World, place.Rotation, isHull);
     }
 
     private void AddBuiltIn(string name, long mesh, in UnityPlace place)

@@ -24,7 +24,7 @@ public class FolderTests(ITestOutputHelper output)
         ("Hulls/Lookup", ["Arithmetic", "Geometry"]),
         ("Hulls", ["Arithmetic", "Geometry", "Hulls/Building", "Hulls/Lookup"]),
         ("Cores", ["Arithmetic", "Geometry", "Hulls", "Hulls/Lookup"]),
-        ("Shapes", ["Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores"]),
+        ("Shapes", ["Geometry", "Hulls", "Hulls/Lookup", "Cores"]),
         ("Simplex", ["Arithmetic", "Geometry"]),
         ("Minkowski", ["Arithmetic", "Geometry", "Cores", "Simplex"]),
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),
@@ -50,7 +50,7 @@ public class FolderTests(ITestOutputHelper output)
             "Concave",
             [
                 "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Solvers", "Solvers/Motion",
-                "Queries", "Queries/Rays", "Concave/Trees",
+                "Contacts", "Queries", "Queries/Rays", "Concave/Trees",
             ]),
         (
             "Diagnostics",
@@ -62,12 +62,12 @@ public class FolderTests(ITestOutputHelper output)
                 "Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores", "Shapes", "Minkowski", "Simplex", "Solvers",
                 "Queries", "BroadPhase", "Threading",
             ]),
-        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Threading", "BroadPhase", "Wide"]),
+        ("Batch", ["Geometry", "Shapes", "Solvers", "Queries", "Concave", "Threading", "BroadPhase", "Wide"]),
         (
             "World",
             [
-                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Threading",
-                "BroadPhase", "Wide", "Batch",
+                "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Concave",
+                "Concave/Trees", "Threading", "BroadPhase", "Wide", "Batch",
             ]),
     ];
 

@@ -95,4 +95,17 @@ public class AnswerToleranceTests
             Cube, left, default, Cube, new RigidPose(new Vector3(2, 4, 0)), new Vector3(0, -4, 0), told);
         Assert.True(check.Status == status, check.ToString());
     }
+
+    /// <summary>Balls of some 1e-40 whose depth is less than half the least float: they touch, and a rest misses.</summary>
+    [Fact]
+    public void ADepthThatNoFloatHolds()
+    {
+        QueryRecord q = QueryRecord.Parse(
+            "gjk1 point 2.2666100000000001E-40 @ 0 0 0 1 0 0 0 point 2.8166099999999999E-41 @ 0 0 0 1 -2.1413382E-40 "
+            + "-1.37536043E-40 1.29297809E-41");
+        CastResult rest = ConvexQuery.Cast(q.A, q.PoseA, default, q.B, q.PoseB, default);
+        Assert.Equal(CastStatus.Miss, rest.Status);
+        CheckedAnswer check = AnswerCheck.Cast(q.A, q.PoseA, default, q.B, q.PoseB, default, rest);
+        Assert.True(check.Status != CheckStatus.Refuted, check.ToString());
+    }
 }

@@ -237,7 +237,7 @@ public class CollisionSceneTests
 
         public readonly void Visit(ObjectPair pair) => Pairs.Add(pair);
 
-        public readonly void Visit(ObjectPair pair, in DistanceResult result) => Distances.Add((pair, result.Distance));
+        public readonly void Visit(in PairDistance pair) => Distances.Add((pair.Pair, pair.Result.Distance));
     }
 
     private struct User : IPairVisitor, IPairDistanceVisitor
@@ -246,6 +246,6 @@ public class CollisionSceneTests
 
         public readonly void Visit(ObjectPair pair) => Use();
 
-        public readonly void Visit(ObjectPair pair, in DistanceResult result) => Use();
+        public readonly void Visit(in PairDistance pair) => Use();
     }
 }

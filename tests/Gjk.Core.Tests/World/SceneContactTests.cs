@@ -149,16 +149,16 @@ public class SceneContactTests
         public List<string> Seen;
         public Action? Use;
 
-        public readonly void Visit(ObjectPair pair, in DistanceResult result)
+        public readonly void Visit(in PairDistance pair)
         {
             Use?.Invoke();
-            Seen.Add(Text(pair, result));
+            Seen.Add(Text(pair.Pair, pair.Result));
         }
 
-        public readonly void Visit(ObjectPair pair, in DistanceResult result, in ContactManifold manifold)
+        public readonly void Visit(in PairContacts pair)
         {
             Use?.Invoke();
-            Seen.Add(Text(pair, result, manifold));
+            Seen.Add(Text(pair.Pair, pair.Result, pair.Manifold));
         }
     }
 }

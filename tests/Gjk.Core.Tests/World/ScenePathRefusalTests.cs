@@ -174,9 +174,9 @@ public class ScenePathRefusalTests
     {
         public Action<int> Use;
 
-        public readonly void Visit(int id, in RayCastResult result) => Use(id);
+        public readonly void Visit(in RayHit hit) => Use(hit.Id);
 
-        public readonly void Visit(int id, in CastResult result) => Use(id);
+        public readonly void Visit(in CastHit hit) => Use(hit.Id);
 
         public readonly void Visit(int id) => Use(id);
     }

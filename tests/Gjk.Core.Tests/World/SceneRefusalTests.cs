@@ -31,7 +31,9 @@ public class SceneRefusalTests
             Assert.Equal("pose", Assert.Throws<ArgumentException>(() => scene.Move(0, pose)).ParamName);
         }
 
-        Assert.Equal("shape", Assert.Throws<ArgumentException>(() => scene.Add(default, RigidPose.Identity)).ParamName);
+        Assert.Equal(
+            "shape",
+            Assert.Throws<ArgumentException>(() => scene.Add(default(ConvexShape), RigidPose.Identity)).ParamName);
         RefusesIds(scene);
         RefusesLists(scene);
         Assert.Equal(3, scene.Count);

@@ -102,7 +102,7 @@ public class ShapeBoundsTests
 
     [Fact]
     public void ADefaultShapeIsRefused() =>
-        Assert.Equal("shape", Assert.Throws<ArgumentException>(() => new ShapeBounds(default)).ParamName);
+        Assert.Equal("shape", Assert.Throws<ArgumentException>(() => new ShapeBounds(default(ConvexShape))).ParamName);
 
     private static float Component(Vector3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 

@@ -144,15 +144,15 @@ public class WorldAllocationTests
 
         public void Visit(ObjectPair pair) => _count++;
 
-        public void Visit(ObjectPair pair, in DistanceResult result) => _count++;
+        public void Visit(in PairDistance pair) => _count++;
 
         public void Visit(int id) => _count++;
 
-        public void Visit(int id, in RayCastResult result) => _count++;
+        public void Visit(in RayHit hit) => _count++;
 
-        public void Visit(int id, in CastResult result) => _count++;
+        public void Visit(in CastHit hit) => _count++;
 
-        public void Visit(ObjectPair pair, in DistanceResult result, in ContactManifold manifold) => _count++;
+        public void Visit(in PairContacts pair) => _count++;
     }
 }
 

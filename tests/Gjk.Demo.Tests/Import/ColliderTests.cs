@@ -59,6 +59,37 @@ public sealed class ColliderTests
         Imported.AssertBounds(imported["low"], new(-0.75f, 0.25f, -0.75f), new(0.75f, 1.75f, 0.75f));
     }
 
+    /// <summary>A character stands upright however its object is turned; its width follows x and z.</summary>
+    [Fact]
+    public void ACharacterIsAnUprightCapsule()
+    {
+        Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2);
+        Imported imported = Of(text => text.Component(
+            text.Object("player", position: new(5, 0, 0), rotation: turn, scale: new(3, 2, 1)).GameObject, 143,
+            "CharacterController", "m_Height: 4", "m_Radius: 0.5", "m_SkinWidth: 0.08",
+            "m_Center: {x: 0, y: 1, z: 0}"));
+        Assert.Equal(ShapeKind.Capsule, imported["player"].Shape.Kind);
+        Imported.AssertBounds(imported["player"], new(1.5f, -4, -1.5f), new(4.5f, 4, 1.5f));
+    }
+
+    /// <summary>With Convex ticked the hull is meant: no warning, and no surface.</summary>
+    [Theory]
+    [InlineData(1, "\"type\": \"mesh\"")]
+    [InlineData(0, "\"type\": \"surface\"")]
+    public void AConvexMeshColliderStaysAHull(int convex, string type)
+    {
+        using var directory = new TempDirectory();
+        var text = new UnityText();
+        UnityObject one = text.Object("open");
+        text.Component(one.GameObject, 64, "MeshCollider", $"m_Convex: {convex}", "m_Mesh: {fileID: 77}");
+        text.Mesh(77, "own", [new(0, 0, 0), new(4, 0, 0), new(0, 2, 0), new(0, 0, 1)], [0, 2, 1, 0, 1, 3]);
+        string scene = text.Save(directory, "scene.unity");
+        Assert.Equal(1 - convex, Imported.Of(scene).Lines.Count);
+        DemoRun run = DemoRun.Of("import", scene, "--concave");
+        run.AssertDone();
+        Assert.Contains(type, run.Out);
+    }
+
     [Fact]
     public void AMeshColliderIsItsMesh()
     {

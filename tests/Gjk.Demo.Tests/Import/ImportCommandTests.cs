@@ -30,6 +30,7 @@ public sealed class ImportCommandTests
     [Theory]
     [InlineData("import", "FILE")]
     [InlineData("import scene.json", "scene.json: its name must end in .unity, .prefab, .obj")]
+    [InlineData("import a.FBX", "a.FBX: FBX is not read; save it as GLB: in Blender with File > Export")]
     [InlineData("import -", "-: its name must end in")]
     [InlineData("import a.obj b.obj", "b.obj")]
     [InlineData("import a.obj --nope", "--nope")]
@@ -122,7 +123,8 @@ public sealed class ImportCommandTests
         DemoRun run = DemoRun.Of("import", scene, "--out", target);
         Assert.Equal((1, ""), (run.ExitCode, run.Out));
         Assert.Equal(
-            $"gjk-demo: {scene}:{line}: fileID {id} (TerrainCollider) of \"bad\": a TerrainCollider is not convex\n"
+            $"gjk-demo: {scene}:{line}: fileID {id} (TerrainCollider) of \"bad\": a TerrainCollider's heights are in a "
+            + "binary asset that only Unity reads; export the terrain as OBJ\n"
             + $"gjk-demo: {scene}: 1 thing could not be read; the scene has the other object\n",
             run.Error);
         DemoRun.Of("query", target).AssertDone();

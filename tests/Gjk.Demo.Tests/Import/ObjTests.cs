@@ -1,5 +1,7 @@
+using System.IO;
 using System.Linq;
 using System.Numerics;
+using System.Text;
 using Gjk.Demo.Tests.Support;
 using Xunit;
 
@@ -71,6 +73,14 @@ public sealed class ObjTests
     [InlineData("v 1 2\n", ":1: a vertex needs three coordinates, but has 2")]
     [InlineData("v 1 2 three\n", ":1: \"three\" is not a number")]
     [InlineData("v 1 2 1e39\n", ":1: 1e39 is too large for a float")]
+    [InlineData("v 1 2 3 abc def\n", ":1: a vertex has 3 numbers, 4, 6 or 7, but this one has 5")]
+    [InlineData("v 1 2 3 abc\n", ":1: \"abc\" is not a number")]
+    [InlineData("v 2 2 2 v 9 9 9\n", ":1: \"v\" is not a number")]
+    [InlineData("v 1 2 3\rv 1 2\r", ":2: a vertex needs three coordinates")]
+    [InlineData("v 0 0 0\nf 1/1/1/1 1 1\n", ":2: \"1/1/1/1\" is not a corner")]
+    [InlineData("v 0 0 0\nf 1/a 1 1\n", ":2: \"1/a\" is not a corner")]
+    [InlineData("\u00FF\u00FEv\0 \0", "it is UTF-16 text; save it as UTF-8")]
+    [InlineData("v\0 \0001\0", "it is UTF-16 text")]
     [InlineData("v 1 2 nan\n", ":1: \"nan\" is not a number")]
     [InlineData("v 0 0 0\n\nf 1 1\n", ":3: a face needs three corners, but has 2")]
     [InlineData("v 0 0 0\nf 1 1 0\n", ":2: there is no vertex 0: 1 came before")]
@@ -85,8 +95,38 @@ public sealed class ObjTests
     public void WhatIsWrongIsNamedWithItsLine(string text, string part)
     {
         using var directory = new TempDirectory();
-        string file = directory.Write("bad.obj", text);
+        string file = directory.File("bad.obj");
+        File.WriteAllBytes(file, Encoding.Latin1.GetBytes(text));
         Imported.Refused(file, file, part);
+    }
+
+    /// <summary>Old Macs end a line with a carriage return alone; a comment ends there, too.</summary>
+    [Theory]
+    [InlineData("\r")]
+    [InlineData("\n")]
+    [InlineData("\r\n")]
+    public void AnyLineEndIsRead(string end)
+    {
+        using var directory = new TempDirectory();
+        string text = ("# by hand\no one\n" + Corners + "f 1 3 \\\n2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").Replace("\n", end);
+        Imported imported = Imported.Quietly(directory.Write("a.obj", text));
+        Assert.Equal(4, imported.Scene.Objects.Single().Shape.Hull!.VertexCount);
+        Assert.Equal(12, imported.Result.Meshes[0].Triangles.Count);
+    }
+
+    /// <summary>Programs write statements of their own.</summary>
+    [Fact]
+    public void UnknownStatementsAreCountedAndPassedOver()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("a.obj", "t 0 0\nvw 1 2\n" + Corners + "vt 0 0 # t\nt 1 1\n" + Tetrahedron);
+        Imported imported = Imported.Of(file);
+        Assert.Equal(
+            $"{file}:1: warning: \"t\" is not a statement of an OBJ file, and is passed over; and 2 more",
+            Assert.Single(imported.Lines));
+        Assert.Equal(0, imported.Result.MissingCount);
+        Assert.Equal(3, imported.Result.Problems[0].Count);
+        Assert.Single(imported.Names);
     }
 
     private static Imported Of(string text)

@@ -47,6 +47,60 @@ public sealed class PlyTests
         Imported.AssertBounds(imported["cloud"], new(0), new(1, 2, 3));
     }
 
+    /// <summary>Some programs end the lines of the header with a carriage return alone.</summary>
+    [Theory]
+    [InlineData("ascii", "\r")]
+    [InlineData("ascii", "\r\n")]
+    [InlineData("binary_little_endian", "\r")]
+    [InlineData("binary_big_endian", "\r\n")]
+    public void AnyLineEndIsRead(string format, string end)
+    {
+        using var directory = new TempDirectory();
+        string file = directory.File("tetra.ply");
+        byte[] good = Write(format, "float", "int");
+        string text = Encoding.Latin1.GetString(good);
+        int header = text.IndexOf("end_header\n", StringComparison.Ordinal) + "end_header\n".Length;
+        string rows = format == "ascii" ? text[header..].Replace("\n", end) : text[header..];
+        File.WriteAllBytes(file, Encoding.Latin1.GetBytes(text[..header].Replace("\n", end) + rows));
+        Imported.AssertBounds(Imported.Quietly(file)["tetra"], new(0), new(1, 2, 3));
+    }
+
+    /// <summary>The first byte of the data is a line feed, which is no part of the line before it.</summary>
+    [Fact]
+    public void DataMayBeginWithALineFeed()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.File("points.ply");
+        string header = "ply\rformat binary_little_endian 1.0\relement vertex 1\rproperty uchar red\rproperty float x\r"
+            + "property float y\rproperty float z\rend_header\r";
+        byte[] row = [(byte)'\n', .. new float[] { 1, 2, 3 }.SelectMany(BitConverter.GetBytes)];
+        File.WriteAllBytes(file, [.. Encoding.ASCII.GetBytes(header), .. row]);
+        Assert.Equal([new(1, 2, 3)], Imported.Quietly(file).Vertices("points"));
+    }
+
+    [Theory]
+    [InlineData("4 0 0\n5 0 0\n", "a.ply:9: warning: lines behind its last element are passed over; and 1 more")]
+    [InlineData("\n", null)]
+    public void RowsThatTheHeaderDoesNotCountAreTold(string rest, string? told)
+    {
+        using var directory = new TempDirectory();
+        Imported imported = Imported.Of(directory.Write("a.ply", Header + "end_header\n1 2 3\n" + rest));
+        Assert.Equal(told is null ? 0 : 1, imported.Lines.Count);
+        if (told is not null) Assert.EndsWith(told, imported.Lines[0]);
+    }
+
+    [Fact]
+    public void BytesAndThinFacesAreTold()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.File("a.ply");
+        File.WriteAllBytes(file, [.. Write("binary_big_endian", "float", "int"), 1, 2]);
+        Assert.Contains("2 bytes behind its last element", Assert.Single(Imported.Of(file).Lines));
+        string thin = Header + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n";
+        Imported imported = Imported.Of(directory.Write("thin.ply", thin));
+        Assert.Contains("face 0: warning: a face of fewer than three corners", Assert.Single(imported.Lines));
+    }
+
     [Theory]
     [InlineData("", "must begin with \"ply\"")]
     [InlineData("plyx\n", ":1: not a PLY file")]
@@ -100,7 +154,7 @@ public sealed class PlyTests
     /// <summary>
     /// A vertex has a colour too, an element that nobody knows comes first, and a face has a list more.
     /// </summary>
-    private static byte[] Write(string format, string coordinate, string index)
+    internal static byte[] Write(string format, string coordinate, string index)
     {
         string header = $"ply\nformat {format} 1.0\ncomment by hand\nobj_info none\nelement camera 2\n"
             + "property list uchar float lens\nproperty char kind\nelement vertex 4\n"

@@ -42,7 +42,46 @@ public sealed class StlTests
         Assert.Equal([Corners[0], Corners[2], Corners[1], Corners[3]], imported.Vertices("part"));
     }
 
+    [Fact]
+    public void AnEmptySolidIsPassedOver()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("two.stl", "solid none\nendsolid none\n" + Solid("one") + "solid\nendsolid\n");
+        Imported imported = Imported.Of(file);
+        Assert.Equal(["one"], imported.Names);
+        Assert.Equal(
+            $"{file}:2: warning: the solid \"none\" has no triangles, and is left out; and 1 more",
+            Assert.Single(imported.Lines));
+    }
+
     [Theory]
+    [InlineData("made by hand")]
+    [InlineData("solid made by hand")]
+    public void BytesBehindTheTrianglesArePassedOver(string title)
+    {
+        using var directory = new TempDirectory();
+        string file = directory.File("part.stl");
+        File.WriteAllBytes(file, [.. Binary(title, [.. Faces.Select(i => Corners[i])]), 1, 2, 3]);
+        Imported imported = Imported.Of(file);
+        Assert.Equal(["part"], imported.Names);
+        Assert.Contains("3 bytes behind its 4 triangles", Assert.Single(imported.Lines));
+
+        // A file that is cut off is none of text, whatever its title begins with.
+        File.WriteAllBytes(file, Binary(title, [.. Faces.Select(i => Corners[i])])[..^1]);
+        Imported.Refused(file, "4 triangles need 284 bytes, but it has 283");
+    }
+
+    [Fact]
+    public void CarriageReturnsEndLines()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write("mac.stl", "\uFEFF" + Solid("one").Replace("\n", "\r"));
+        Assert.Equal(["one"], Imported.Quietly(file).Names);
+    }
+
+    [Theory]
+    [InlineData("solid a\nfacet normal 0 0 1 outer\n", ":2: there is more behind \"facet\": \"outer\"")]
+    [InlineData("solid a\nfacet normal 0 0 1\nouter loop vertex\n", ":3: there is more behind \"outer\"")]
     [InlineData("", "neither begins with \"solid\" nor has the 84 bytes")]
     [InlineData("hello", "neither begins with \"solid\"")]
     [InlineData("solid a\nendsolid a\n", ":2: the solid \"a\" has no triangles")]
@@ -76,6 +115,9 @@ public sealed class StlTests
         File.WriteAllBytes(file, Binary("title", [Corners[0], Corners[1], new(0, float.NaN, 0)]));
         Imported.Refused(file, "triangle 0: a coordinate is not a finite number");
     }
+
+    /// <summary>A binary file without a fault.</summary>
+    internal static byte[] Good() => Binary("made by hand", [.. Faces.Select(i => Corners[i])]);
 
     private static string Solid(string name)
     {

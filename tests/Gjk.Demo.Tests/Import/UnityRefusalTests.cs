@@ -10,6 +10,7 @@ namespace Gjk.Demo.Tests.Import;
 public sealed class UnityRefusalTests
 {
     [Theory]
+    [InlineData("%\0Y\0A\0M\0L\0", "it is UTF-16 text")]
     [InlineData("", "must begin with %YAML")]
     [InlineData("UnityFS\0\0", "Force Text")]
     [InlineData("%YAML 1.1\n--- !u!1\nGameObject:\n", ":2: not a header of Unity")]
@@ -99,13 +100,15 @@ public sealed class UnityRefusalTests
         Assert.Contains("below itself", Assert.Single(Imported.Of(text.Save(directory, "loop.unity")).Lines));
     }
 
-    [Fact]
-    public void WindowsLinesAndAByteOrderMarkAreRead()
+    [Theory]
+    [InlineData("\r\n")]
+    [InlineData("\r")]
+    public void WindowsLinesAndAByteOrderMarkAreRead(string end)
     {
         using var directory = new TempDirectory();
         var text = new UnityText();
         text.Box(text.Object("\"A \\u00e9 \\\" name\""));
-        string scene = directory.Write("scene.unity", "\uFEFF" + text.ToString().Replace("\n", "\r\n"));
+        string scene = directory.Write("scene.unity", "\uFEFF" + text.ToString().Replace("\n", end));
         Assert.Equal(["A \u00e9 \" name"], Imported.Quietly(scene).Names);
     }
 

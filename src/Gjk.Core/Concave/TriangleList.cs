@@ -1,0 +1,122 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace Gjk.Core;
+
+/// <summary>Vertices, and which of them each triangle has: lists as they were given, or the cells of a grid.</summary>
+/// <remarks>
+/// A grid has a vertex for each height, row by row: x is the column times the spacing, z the row times the spacing,
+/// both rounded to float. A cell is cut from its corner with the greater x to that with the greater z. Its triangles
+/// are 2 cell, with the corner of least x and z, and 2 cell + 1; both are counter-clockwise seen from above.
+/// </remarks>
+internal sealed class TriangleList
+{
+    private readonly Vector3[] _vertices;
+    private readonly int[] _indices;
+    private readonly float[]? _heights;
+    private readonly int _columns;
+    private readonly Vector2 _spacing;
+
+    public TriangleList(Vector3[] vertices, int[] indices)
+    {
+        (_vertices, _indices) = (vertices, indices);
+        (VertexCount, SideCount) = (vertices.Length, indices.Length);
+    }
+
+    public TriangleList(float[] heights, int columns, Vector2 spacing)
+    {
+        (_vertices, _indices, _heights, _columns, _spacing) = ([], [], heights, columns, spacing);
+        VertexCount = heights.Length;
+        SideCount = 6 * (Rows - 1) * (columns - 1);
+    }
+
+    public int VertexCount { get; }
+
+    /// <summary>Three times the number of triangles.</summary>
+    public int SideCount { get; }
+
+    /// <summary>Whether it is a grid.</summary>
+    public bool IsGrid => _heights is not null;
+
+    private int Rows => VertexCount / _columns;
+
+    public Vector3 Vertex(int index) =>
+        _heights is null ? _vertices[index] : Vertex(index, index / _columns, index % _columns);
+
+    /// <summary>Where the corners of a triangle are.</summary>
+    /// <param name="side">Three times the triangle.</param>
+    /// <param name="a">The first corner.</param>
+    /// <param name="b">The second corner.</param>
+    /// <param name="c">The third corner.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Places(int side, out Vector3 a, out Vector3 b, out Vector3 c)
+    {
+        if (_heights is null)
+            (a, b, c) = (_vertices[_indices[side]], _vertices[_indices[side + 1]], _vertices[_indices[side + 2]]);
+        else PlacesInGrid(side, out a, out b, out c);
+    }
+
+    /// <summary>The corners of a triangle.</summary>
+    /// <param name="side">Three times the triangle.</param>
+    /// <param name="a">The first vertex.</param>
+    /// <param name="b">The second vertex.</param>
+    /// <param name="c">The third vertex.</param>
+    public void Corners(int side, out int a, out int b, out int c)
+    {
+        if (_heights is null)
+        {
+            (a, b, c) = (_indices[side], _indices[side + 1], _indices[side + 2]);
+            return;
+        }
+
+        int cell = side / 6, row = cell / (_columns - 1), at = cell + row;
+        (a, b, c) = side == 6 * cell
+            ? (at, at + _columns, at + 1)
+            : (at + 1, at + _columns, at + _columns + 1);
+    }
+
+    /// <summary>The vertex at which a side begins.</summary>
+    public int Corner(int side)
+    {
+        if (_heights is null) return _indices[side];
+        Corners(side - side % 3, out int a, out int b, out int c);
+        return side % 3 == 0 ? a : side % 3 == 1 ? b : c;
+    }
+
+    private void PlacesInGrid(int side, out Vector3 a, out Vector3 b, out Vector3 c)
+    {
+        int cell = side / 6, row = cell / (_columns - 1), at = cell + row, column = at - row * _columns;
+        bool isFirst = side == 6 * cell;
+        Vector3 right = Vertex(at + 1, row, column + 1), far = Vertex(at + _columns, row + 1, column);
+        a = isFirst ? Vertex(at, row, column) : right;
+        b = far;
+        c = isFirst ? right : Vertex(at + _columns + 1, row + 1, column + 1);
+    }
+
+    private Vector3 Vertex(int index, int row, int column) =>
+        new(column * _spacing.X, _heights![index], row * _spacing.Y);
+
+    /// <summary>Three vertices of each triangle.</summary>
+    public int[] CopyIndices()
+    {
+        int[] indices = new int[SideCount];
+        for (int i = 0; i < SideCount; i += 3)
+            Corners(i, out indices[i], out indices[i + 1], out indices[i + 2]);
+        return indices;
+    }
+
+    /// <summary>The side of a grid's other triangle at a side, or -1.</summary>
+    public int TwinInGrid(int side)
+    {
+        int cell = side / 6, across = _columns - 1, row = cell / across, column = cell - row * across;
+        return (side - 6 * cell) switch
+        {
+            0 => column > 0 ? side - 1 : -1,
+            1 => side + 2,
+            2 => row > 0 ? side - 6 * across + 2 : -1,
+            3 => side - 2,
+            4 => row + 2 < Rows ? side + 6 * across - 2 : -1,
+            _ => column + 1 < across ? side + 1 : -1,
+        };
+    }
+}

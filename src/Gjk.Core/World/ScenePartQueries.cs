@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core;
+
+/// <summary>
+/// The objects of a scene that are not convex, and the queries about them. The jobs ask the convex pairs first, for
+/// which an object that is not convex is invalid input, and then these, each with a scratch of its own.
+/// </summary>
+internal sealed class ScenePartQueries(SceneObjects objects)
+{
+    /// <summary>By slot; empty while all objects are convex.</summary>
+    private AnyShape[] _shapes = [];
+
+    private readonly ConcaveScratch _scratches = new();
+
+    /// <summary>Whether there has been an object that is not convex.</summary>
+    public bool Any { get; private set; }
+
+    /// <summary>How many pairs make a part of a job: pairs of surfaces cost far more than convex ones.</summary>
+    public int PartLength => Any ? PairBatch.ConcavePartLength : PairBatch.PartLength;
+
+    /// <summary>Whether the object in a slot is not convex.</summary>
+    public bool Has(int slot) => Any && objects.Shapes[slot].Kind == ShapeKind.None;
+
+    /// <summary>Whether an object of a pair is not convex.</summary>
+    public bool Has(ObjectPair pair) => Has(pair.A) || Has(pair.B);
+
+    /// <summary>The shape in a slot, convex or not.</summary>
+    public AnyShape this[int slot] => Has(slot) ? _shapes[slot] : AnyShape.Of(objects.Shapes[slot]);
+
+    public void Set(int slot, in AnyShape shape)
+    {
+        Any = true;
+        Reserve();
+        _shapes[slot] = shape;
+    }
+
+    /// <summary>Makes room for as many as there are slots.</summary>
+    public void Reserve()
+    {
+        if (Any && _shapes.Length < objects.Shapes.Length) Array.Resize(ref _shapes, objects.Shapes.Length);
+    }
+
+    public void Remove(int slot)
+    {
+        if (Any) _shapes[slot] = default;
+    }
+
+    public void Move(int from, int to)
+    {
+        if (!Any || from == to) return;
+        (_shapes[to], _shapes[from]) = (_shapes[from], default);
+    }
+
+    public ConcaveScratch Rent() => _scratches.Rent();
+
+    public void Return(ConcaveScratch scratch) => _scratches.Return(scratch);
+
+    public PartDistance Distance(ObjectPair pair, float maxDistance, ConcaveScratch scratch) =>
+        ConcaveQuery.Distance(
+            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, maxDistance);
+
+    /// <summary>The distance of an object from a shape that need be none of the scene's.</summary>
+    public PartDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
+    {
+        ConcaveScratch scratch = Rent();
+        PartDistance found = ConcaveQuery.Distance(
+            shape, pose, this[slot], objects.Poses[slot], scratch, maxDistance);
+        Return(scratch);
+        return found;
+    }
+
+    public PartRayHit RayCast(int slot, in RayQuery ray, in CastOptions options)
+    {
+        ConcaveScratch scratch = Rent();
+        PartRayHit found = ConcaveQuery.RayCast(
+            _shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, scratch, ray.MaxDistance, options);
+        Return(scratch);
+        return found;
+    }
+
+    public PartCast Cast(
+        in ConvexShape shape, in RigidPose pose, Vector3 translation, int slot, float maxFraction,
+        in CastOptions options)
+    {
+        ConcaveScratch scratch = Rent();
+        PartCast found = ConcaveQuery.Cast(
+            AnyShape.Of(shape), pose, translation, _shapes[slot], objects.Poses[slot], Vector3.Zero, scratch,
+            maxFraction, options);
+        Return(scratch);
+        return found;
+    }
+
+    /// <summary>The depths of all pairs of parts of two objects.</summary>
+    public void FindDepths(ObjectPair pair, ConcaveScratch scratch, List<PairDistance> depths)
+    {
+        depths.Clear();
+        List<PartDistance> found = scratch.Pairs;
+        ConcaveQuery.FindDepths(
+            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, found);
+        for (int i = 0; i < found.Count; i++)
+            depths.Add(new PairDistance(objects.IdsOf(pair), found[i].Result, found[i].PartA, found[i].PartB));
+    }
+
+    /// <summary>The contacts of all pairs of parts of two objects.</summary>
+    public void FindContacts(ObjectPair pair, float maxGap, ConcaveScratch scratch, List<PairContacts> contacts)
+    {
+        contacts.Clear();
+        List<PartContacts> found = scratch.Contacts;
+        ConcaveQuery.FindContacts(
+            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], maxGap, scratch, found);
+        for (int i = 0; i < found.Count; i++)
+        {
+            PartContacts one = found[i];
+            contacts.Add(new PairContacts(objects.IdsOf(pair), one.Result, one.Manifold, one.PartA, one.PartB));
+        }
+    }
+}

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Concave;
+
+/// <summary>Contacts are what single queries say of the parts, less what a surface does not show.</summary>
+public class ContactBruteForceTests
+{
+    private const float Reach = 0.02f;
+    private readonly ConcaveScratch _scratch = new();
+    private readonly List<PartContacts> _contacts = [];
+
+    [Fact]
+    public void TheContactsAreThoseOfAllTrianglesThatTheSurfaceShows()
+    {
+        int kept = 0, dropped = 0;
+        for (int seed = 0; seed < 200; seed++)
+        {
+            var random = new FuzzRandom((ulong)seed);
+            TriangleMesh mesh = seed % 3 == 0
+                ? ConcaveShapes.Torus(11, 7)
+                : SeamBodies.Plate(6, seed % 4, (_, _) => random.Float(-0.4f, 0.4f));
+            if (seed % 5 == 0) mesh = mesh.Scaled(random.Factors(0.5, 2));
+            AnyShape ground = AnyShape.Surface(mesh);
+            AnyShape body = SeamBodies.Named(random.Of("ball", "box", "capsule", "hull"));
+            var at = new RigidPose(Rotations.Even(random), random.Vector(1.2));
+            ConcaveQuery.FindContacts(ground, RigidPose.Identity, body, at, 0.1f, _scratch, _contacts);
+            List<ConvexShape> parts = ConcaveShapes.Parts(ground);
+            for (int i = 0; i < parts.Count; i++)
+            {
+                ConvexQuery.Contacts(
+                    parts[i], RigidPose.Identity, body.Convex, at, 0.1f, out ContactManifold manifold);
+                int index = _contacts.FindIndex(one => one.PartA == i);
+                if (manifold.Count == 0)
+                {
+                    Assert.Equal(-1, index);
+                    continue;
+                }
+
+                ConeReference truth = new(mesh, i, manifold.Normal);
+                if (truth.IsUnclear) continue;
+                if (truth.Stays)
+                {
+                    kept++;
+                    Assert.True(index >= 0, $"seed {seed}: {i} is lost");
+                    Assert.Equal(manifold.Normal, _contacts[index].Manifold.Normal);
+                }
+                else if (index >= 0)
+                {
+                    Assert.True(
+                        Math.Abs(Vector3.Dot(_contacts[index].Manifold.Normal, truth.Face)) > 1 - 1e-6f,
+                        $"seed {seed}: {i} is a ghost");
+                }
+                else
+                {
+                    dropped++;
+                }
+            }
+        }
+
+        Assert.InRange(kept, 100, 10000);
+        Assert.InRange(dropped, 100, 10000);
+    }
+
+    [Fact]
+    public void PartsOfACompoundAllCount()
+    {
+        var random = new FuzzRandom(3);
+        CompoundShape compound = ConcaveShapes.Compound(random, 30);
+        AnyShape shape = AnyShape.Of(compound), body = SeamBodies.Named("box");
+        ConcaveQuery.FindContacts(
+            shape, RigidPose.Identity, body, RigidPose.Identity, Reach, _scratch, _contacts);
+        int next = 0;
+        for (int i = 0; i < compound.PartCount; i++)
+        {
+            DistanceResult result = ConvexQuery.Contacts(
+                compound.GetPart(i), RigidPose.Identity, body.Convex, RigidPose.Identity, Reach,
+                out ContactManifold manifold);
+            if (manifold.Count == 0) continue;
+            Assert.Equal(i, _contacts[next].PartA);
+            Assert.Equal(-1, _contacts[next].PartB);
+            Assert.Equal(result.Distance, _contacts[next].Result.Distance);
+            Assert.Equal(manifold.Count, _contacts[next++].Manifold.Count);
+        }
+
+        Assert.Equal(next, _contacts.Count);
+        Assert.InRange(next, 3, 30);
+    }
+
+    [Fact]
+    public void WarmListsAllocateNothing()
+    {
+        AnyShape ground = AnyShape.Surface(SeamBodies.Plate(8, 1, (_, _) => 0)), body = SeamBodies.Named("box");
+        RigidPose at = SeamBodies.Placed(body, new Vector3(0.1f, 0, 0.2f), Quaternion.Identity, -0.001f);
+        Assert.Equal(
+            0,
+            Allocation.Least(() => ConcaveQuery.FindContacts(
+                ground, RigidPose.Identity, body, at, Reach, _scratch, _contacts)));
+        Assert.NotEmpty(_contacts);
+    }
+}
