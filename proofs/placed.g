@@ -1,7 +1,7 @@
 # The bounding radius of a placed shape holds it: a turned point is no further from the centre than its distance before,
 # times 1 + c.
-# constant: Placed.RoundingUp = 1 + 32 * 2^-53
-# code: src/Gjk.Core/Shapes/Placed.cs, Placed and Support; Geometry/RotationD.cs, Rotate
+# constant: Placement.RoundingUp = 1 + 32 * 2^-53
+# code: src/Gjk.Core/Cores/Placement.cs, Outward; Geometry/RotationD.cs, Rotate
 # assumed: a point at the distance 1, since nothing here knows a scale; the inner radius holds the inner shape
 # control: c = 1 + 8b-53;
 c = 1 + 32b-53;

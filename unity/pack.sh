@@ -30,5 +30,5 @@ if [ -z "$target" ]; then
   run refresh "${options[@]}"
 else
   git describe --exact-match --tags --match 'v*' > /dev/null 2>&1 && options+=(--release)
-  run export "$target" "${options[@]}"
+  run export "$target" "$(git config --get remote.origin.url || true)" "${options[@]}"
 fi

@@ -33,6 +33,7 @@ const tasks = [
   { text: 'A character that sweeps', link: '/tasks/character-sweep' },
   { text: 'Real meshes', link: '/tasks/meshes' },
   { text: 'A scene of 100,000', link: '/tasks/large-scene' },
+  { text: 'More than one machine', link: '/tasks/many-machines' },
   { text: 'A perceptual study', link: '/study' },
   { text: 'Unity', link: '/tasks/unity' },
 ]
@@ -40,6 +41,7 @@ const tasks = [
 const reference = [
   { text: 'API', link: '/api/' },
   { text: 'Scene files', link: '/scene-format' },
+  { text: 'The command gjk-demo', link: '/command' },
   { text: 'How right', link: '/exactness' },
   { text: 'Judge any engine', link: '/cases' },
   { text: 'How fast', link: '/performance' },

@@ -135,15 +135,28 @@ internal static class CommandLine
                 + "scenes that it completed, but it leaves an existing file unchanged.",
             HelpName = "FILE",
         };
+        var files = new Argument<string[]>("SCENE.json")
+        {
+            Description = "Scenes to replay instead of the report's, such as import makes. Their objects rest. Use - to "
+                + "read one from standard input.",
+            Arity = ArgumentArity.ZeroOrMore,
+        };
         var command = new Command(
             Default,
             "Replay the report's two scenes, with 20 objects and 190 pairs per frame, and print the report's table "
-            + "beside the figures of this machine.")
+            + "beside the figures of this machine; or replay scene files in the same way.")
         {
-            seconds, frames, json,
+            files, seconds, frames, json,
         };
         command.Validators.Add(result =>
         {
+            string[] given = [.. result.GetResult(files)?.Tokens.Select(t => t.Value) ?? []];
+            if (given.Count(file => file == InputFile.StandardInput) > 1)
+                result.AddError("standard input can be read only once.");
+            string? other = given.Length == 0 ? null : result.Children.OfType<OptionResult>()
+                .FirstOrDefault(o => !o.Implicit && o.Option != seconds && o.Option != frames && o.Option != json)
+                ?.Option.Name;
+            if (other is not null) result.AddError($"{other} is for the report's scenes.");
             if (result.GetResult(seconds) is { Implicit: false } && result.GetResult(frames) is { Implicit: false })
                 result.AddError("--frames and --seconds exclude each other.");
         });
@@ -155,7 +168,7 @@ internal static class CommandLine
             var length = new ReplayLength(TimeSpan.FromSeconds(r.GetValue(seconds)), r.GetValue(frames));
             return world.Read(r) is { } settings
                 ? ReplayCommand.RunWorlds(settings, r.GetValue(mesh), length, r.GetValue(json), cancel)
-                : ReplayCommand.Run(r.GetValue(mesh), length, r.GetValue(json), cancel);
+                : ReplayCommand.Run(r.GetValue(files)!, r.GetValue(mesh), length, r.GetValue(json), cancel);
         });
         return command;
     }

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Packs src/Gjk.Core and src/Gjk.Import and checks the packages as their users meet them: what is in them, what their
-# fields say, and that a new project that has only the package compiles and runs the snippets of its README. --no-build
-# packs the Release build that is there.
+# Makes all packages with pack.sh and checks them as their users meet them: what is in them, what their fields say, that
+# a new project that has only the package compiles and runs the snippets of its README, and that the tool can be
+# installed and used. --no-build packs the Release build of the solution that is there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+root=$PWD
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -18,7 +19,7 @@ check_package() {
   shift
   local package=$work/$name.package nuspec=$work/$name.package/$name.nuspec
   unpack "$(ls "$work"/feed/"$name".*.nupkg)" "$package"
-  unpack "$(ls "$work"/feed/"$name".*.snupkg)" "$work/$name.symbols"
+  [ $# -eq 0 ] || unpack "$(ls "$work"/feed/"$name".*.snupkg)" "$work/$name.symbols"
   for target in "$@"; do
     for file in package/lib/$target/$name.{dll,xml} symbols/lib/$target/$name.pdb; do
       [ -s "$work/$name.$file" ] || fail "$name: $file is missing"
@@ -26,9 +27,13 @@ check_package() {
   done
   [ -s "$package/icon.png" ] || fail "$name: the icon is missing"
   for field in '<title>' '<readme>README.md</readme>' '<icon>icon.png</icon>' '<license type="expression">MIT</license>' \
-    '<releaseNotes>## [' '<tags>' '<description>' '<repository type="git"'; do
+    "<releaseNotes>## [$version]" '<tags>' '<description>' '<repository type="git"'; do
     has_line "$nuspec" "$field"
   done
+
+  local notes
+  notes=$(sed -n '/<releaseNotes>/,/<\/releaseNotes>/p' "$nuspec" | wc -c)
+  [ "$notes" -le 2000 ] || fail "$name: the release notes have $notes bytes, more than anybody reads"
 
   local readme=$package/README.md relative
   [ "$(wc -l < "$readme")" -le 80 ] || fail "$name: the README has more than 80 lines"
@@ -36,10 +41,13 @@ check_package() {
   [ -z "$relative" ] || fail "$name: the README has links that only work in the repository: $relative"
 }
 
-dotnet pack src/Gjk.Core -c Release "$@" -o "$work/feed" -v quiet
-dotnet pack src/Gjk.Import -c Release "$@" -o "$work/feed" -v quiet
+version=$(dotnet msbuild src/Gjk.Core -getProperty:Version)
+./pack.sh "$work/feed" "$@" > /dev/null
 check_package Gjk.Core netstandard2.0 netstandard2.1 net10.0
 check_package Gjk.Import netstandard2.1 net10.0
+check_package gjk-demo
+for word in depth contacts casts rays concave; do has_line "$work/Gjk.Core.package/Gjk.Core.nuspec" "$word"; done
+[ -s "$work/feed/com.gjk.core-$version.tgz" ] || fail "the package for Unity is missing"
 
 # No path of this machine, in the fields or in the symbols.
 leaks=$(grep -rlaF -- "$PWD" "$work"/*.package "$work"/*.symbols || true)
@@ -89,7 +97,7 @@ CONFIG
   awk '/^```/ { inside = /csharp/; next } inside' "$work/$name.package/README.md" > "$app/Program.cs"
   (
     cd "$app"
-    dotnet add package "$name" > add.log || { cat add.log >&2; fail "dotnet add package $name failed"; }
+    dotnet add package "$name" --prerelease > add.log || { cat add.log >&2; fail "dotnet add package $name failed"; }
     dotnet run -c Release > run.log || { cat run.log >&2; fail "the snippets of $name's README do not compile or run"; }
   )
 }
@@ -100,4 +108,29 @@ has_line "$work/Gjk.Core.app/run.log" ': they touch'
 has_line "$work/Gjk.Core.app/run.log" '(0, 1): Separated, 0.25 from '
 run_readme Gjk.Import
 has_line "$work/Gjk.Import.app/run.log" 'left, right: 2'
-echo "package: $(cd "$work/feed" && ls -- *.nupkg | xargs) are complete, and their READMEs' snippets run"
+
+# The tool, from a folder that is not this one, with all that it carries.
+(
+  mkdir "$work/tool" && cd "$work/tool"
+  cp "$work/Gjk.Core.app/nuget.config" .
+  dotnet tool install gjk-demo --tool-path . --prerelease > install.log || { cat install.log >&2; fail "no tool"; }
+  ./gjk-demo example > scene.json
+  ./gjk-demo query scene.json --names --out answers.csv 2> wrote
+  has_line wrote ' pairs to answers.csv'
+  [[ "$(./gjk-demo --version)" = "$version"* ]] || fail "the tool's version is $(./gjk-demo --version)"
+  ./gjk-demo play --out play.html 2> /dev/null || fail "the tool lacks the library for browsers"
+)
+
+# The package for npm in Node.js, where that is there.
+if command -v npm > /dev/null; then
+  (
+    mkdir "$work/npm" && cd "$work/npm"
+    echo '{ "type": "module" }' > package.json
+    npm install --silent --offline --no-audit --no-fund "$work/feed/gjk-core-$version.tgz" || fail "npm install failed"
+    cp "$root/tests/Gjk.Package/npm.mjs" .
+    node npm.mjs || fail "the package for npm does not work"
+  )
+else
+  echo "package: no npm, so gjk-core was not tried"
+fi
+echo "package: $(cd "$work/feed" && ls -- *.nupkg *.tgz | xargs) are complete and work"

@@ -1,4 +1,5 @@
 using System;
+using System.Reflection;
 using Gjk.Unity.Editor;
 using UnityEditor;
 using UnityEngine;
@@ -64,6 +65,52 @@ public sealed class EditorTests : IDisposable
         Assert.Contains("Near: 1", EditorGUILayout.Drawn);
         Assert.Contains("ball: 2", EditorGUILayout.Drawn);
     }
+
+    /// <summary>What was near in the last frame may have been destroyed since.</summary>
+    [Fact]
+    public void ADestroyedNeighbourIsShownAsSuch()
+    {
+        var sensor = _box.AddComponent<ProximitySensor>();
+        sensor.Radius = 2.5f;
+        sensor.Root = _ball;
+        sensor.Rescan();
+        sensor.Sense();
+        UnityEngine.Object.DestroyImmediate(_ball);
+        Application.isPlaying = true;
+        new ProximitySensorEditor { target = sensor }.OnInspectorGUI();
+        Assert.Contains("destroyed: 2", EditorGUILayout.Drawn);
+    }
+
+    [Theory]
+    [InlineData(typeof(ProximitySensorEditor))]
+    [InlineData(typeof(ConvexDistanceEditor))]
+    public void SeveralObjectsCanBeEditedAtOnce(Type type)
+    {
+        Assert.NotEmpty(type.GetCustomAttributes(typeof(CanEditMultipleObjects), false));
+        var inspector = (UnityEditor.Editor)Activator.CreateInstance(type)!;
+        inspector.targets = [_box.AddComponent<ConvexDistance>(), _ball.AddComponent<ConvexDistance>()];
+        Application.isPlaying = true;
+        inspector.OnInspectorGUI();
+        Assert.Empty(EditorGUILayout.Drawn);
+    }
+
+    /// <summary>A mesh that was imported again may be another one, whatever is compared.</summary>
+    [Fact]
+    public void AnImportForgetsAllHulls()
+    {
+        var mesh = Tests.TestMeshes.Cube();
+        var filter = _box.AddComponent<MeshFilter>();
+        filter.sharedMesh = mesh;
+        Gjk.Core.ConvexHull first = GjkShapes.From(filter).Shape.Hull!;
+        Import([]);
+        Assert.Same(first, GjkShapes.From(filter).Shape.Hull);
+        Import(["Assets/cube.fbx"]);
+        Assert.NotSame(first, GjkShapes.From(filter).Shape.Hull);
+    }
+
+    private static void Import(string[] assets) => typeof(MeshReimport)
+        .GetMethod("OnPostprocessAllAssets", BindingFlags.Static | BindingFlags.NonPublic)!
+        .Invoke(null, [assets, Array.Empty<string>(), Array.Empty<string>(), Array.Empty<string>()]);
 
     [Fact]
     public void TheWindowMeasuresTheTwoSelected()

@@ -71,7 +71,7 @@ public partial class PackageFilesTests
         string changes = File.ReadAllText(Path.Combine(Layout.Package, "CHANGELOG.md"));
         Assert.Equal(version, Heading().Match(changes).Groups["version"].Value);
         string library = Path.Combine(Layout.Plugins, Layout.Library[0]);
-        Assert.Equal(version + ".0", AssemblyName.GetAssemblyName(library).Version!.ToString());
+        Assert.Equal(version.Split('-')[0] + ".0", AssemblyName.GetAssemblyName(library).Version!.ToString());
     }
 
     [Fact]
@@ -91,6 +91,26 @@ public partial class PackageFilesTests
         Assert.Equal(
             File.ReadAllText(Path.Combine(Layout.Root, "LICENSE")),
             File.ReadAllText(Path.Combine(Layout.Package, "LICENSE.md")));
+    }
+
+    /// <summary>Relative addresses open nothing; those of a release lead to the repository.</summary>
+    [Fact]
+    public void AReleaseNamesTheRepository()
+    {
+        Assert.DoesNotContain("Url", ManifestText);
+        Assert.Equal(ManifestText, Manifest.Text(ManifestText, "/home/me/gjk", "1.2.3"));
+        using var manifest = JsonDocument.Parse(Manifest.Text(ManifestText, "https://example.org/gjk.git", "1.2.3"));
+        JsonElement root = manifest.RootElement;
+        Assert.Equal("https://example.org/gjk.git", root.GetProperty("repository").GetProperty("url").GetString());
+        Assert.Equal("unity/com.gjk.core", root.GetProperty("repository").GetProperty("directory").GetString());
+        foreach (string field in new[] { "documentationUrl", "changelogUrl", "licensesUrl" })
+        {
+            string address = root.GetProperty(field).GetString()!;
+            string file = address["https://example.org/gjk/blob/v1.2.3/".Length..];
+            Assert.True(File.Exists(Path.Combine(Layout.Root, file)), address);
+        }
+
+        Assert.Equal(Layout.PackageName, root.GetProperty("name").GetString());
     }
 
     [Theory]
@@ -145,6 +165,7 @@ public partial class PackageFilesTests
     [Theory]
     [InlineData("Samples~/Visualizer/Visualizer.unity", 6, 0)]
     [InlineData("Samples~/MeasureTest/MeasureTest.unity", 40, 1)]
+    [InlineData("Samples~/Jobs/Jobs.unity", 20, 0)]
     public void ReferencesInASceneAreResolved(string path, int meshes, int inactive)
     {
         string scene = File.ReadAllText(Path.Combine(Layout.Package, path));
@@ -154,7 +175,9 @@ public partial class PackageFilesTests
             Assert.Contains(reference.Groups["id"].Value, ids.Append("0"));
         GuidList guids = GuidList.Read(Layout.GuidFile);
         string[] scripts = [.. ScriptReference().Matches(scene).Select(m => m.Groups["guid"].Value)];
-        Assert.Equal([guids[Path.ChangeExtension(path, ".cs")]], scripts);
+        string folder = Path.Combine(Layout.Package, Path.GetDirectoryName(path)!);
+        string script = Directory.GetFiles(folder, "*.cs").Single(f => Behaviour().IsMatch(File.ReadAllText(f)));
+        Assert.Equal([guids[Path.GetRelativePath(Layout.Package, script).Replace('\\', '/')]], scripts);
         Assert.Equal(meshes, Header().Matches(scene).Count(m => m.Groups["class"].Value == "33"));
         Assert.Equal(inactive, scene.Split("m_IsActive: 0").Length - 1);
     }

@@ -3,11 +3,12 @@ using System.Collections.Generic;
 using System.Reflection;
 using Gjk.Samples;
 using UnityEngine;
+using UnityEngine.Rendering;
 using UnityStubs;
 
 namespace Gjk.Unity.Checks;
 
-/// <summary>The two samples, a few frames of each.</summary>
+/// <summary>The samples, a few frames of each.</summary>
 [Collection(nameof(OneScene))]
 public sealed class SampleTests : IDisposable
 {
@@ -17,6 +18,9 @@ public sealed class SampleTests : IDisposable
     {
         foreach (GameObject root in _roots) UnityEngine.Object.DestroyImmediate(root);
         Camera.main = null;
+        Input.IsHeld = false;
+        Input.Pressed = default;
+        GraphicsSettings.currentRenderPipeline = null;
     }
 
     [Fact]
@@ -41,13 +45,15 @@ public sealed class SampleTests : IDisposable
         Camera.main = eye.AddComponent<Camera>();
         var sample = root.AddComponent<Visualizer>();
         Messages.Send(sample, "Update");
-        Mouse(sample, EventType.MouseDown);
+        Input.IsHeld = true;
+        Messages.Send(sample, "Update");
         eye.transform.localPosition += new Vector3(2, 1, 0);
-        Mouse(sample, EventType.MouseDrag);
+        Messages.Send(sample, "Update");
         Assert.True((cube.transform.position - new Vector3(2, 1, 0)).magnitude < 1e-5f, $"{cube.transform.position}");
-        Mouse(sample, EventType.MouseUp);
+        Input.IsHeld = false;
+        Messages.Send(sample, "Update");
         eye.transform.localPosition += new Vector3(2, 1, 0);
-        Mouse(sample, EventType.MouseDrag);
+        Messages.Send(sample, "Update");
         Assert.True((cube.transform.position - new Vector3(2, 1, 0)).magnitude < 1e-5f, $"{cube.transform.position}");
     }
 
@@ -65,15 +71,73 @@ public sealed class SampleTests : IDisposable
         Assert.True(cubes.activeSelf && !spheres.activeSelf);
         for (int frame = 0; frame < 60; frame++) Messages.Send(sample, "Update");
         Messages.Send(sample, "OnGUI");
-        Assert.StartsWith("190 calls a frame, 1 pairs intersect\n", GUILayout.LastLabel, StringComparison.Ordinal);
-        Assert.EndsWith(" loops per call", GUILayout.LastLabel, StringComparison.Ordinal);
+        Assert.StartsWith("190 calls a frame, 1 pairs intersect\n", GUI.LastLabel, StringComparison.Ordinal);
+        Assert.EndsWith(" loops per call\nspace bar: spheres", GUI.LastLabel, StringComparison.Ordinal);
+        Input.Pressed = KeyCode.Space;
+        Cube(spheres, 0);
+        Messages.Send(sample, "Update");
+        Assert.True(spheres.activeSelf && !cubes.activeSelf);
     }
 
-    private static void Mouse(MonoBehaviour sample, EventType type)
+    [Fact]
+    public void KeysChooseThePairAndShowItsSearch()
     {
-        Event.current = new Event { type = type };
+        GameObject root = Root("visualizer");
+        for (int i = 0; i < 3; i++) Cube(root, 3 * i);
+        var sample = root.AddComponent<Visualizer>();
         Messages.Send(sample, "OnGUI");
+        Assert.EndsWith("S: the search of one pair on, N: next pair", GUI.LastLabel, StringComparison.Ordinal);
+        Input.Pressed = KeyCode.S;
+        Messages.Send(sample, "Update");
+        Messages.Send(sample, "OnGUI");
+        Assert.EndsWith("S: the search of one pair off, N: next pair", GUI.LastLabel, StringComparison.Ordinal);
+        Input.Pressed = KeyCode.N;
+        for (int pair = 1; pair < 5; pair++)
+        {
+            Messages.Send(sample, "Update");
+            Assert.Equal(pair % 3, Get(sample, "_searchedPair"));
+        }
     }
+
+    /// <summary>With another pipeline than the built-in one, its material; where it has none, one with its shader.
+    /// </summary>
+    [Fact]
+    public void ObjectsHaveAMaterialOfTheRenderPipeline()
+    {
+        var pipeline = new RenderPipelineAsset { defaultMaterial = new Material(), defaultShader = new Shader() };
+        GraphicsSettings.currentRenderPipeline = pipeline;
+        GameObject root = Root("visualizer");
+        MeshFilter cube = Cube(root, 0);
+        root.AddComponent<Visualizer>();
+        Assert.Same(pipeline.defaultMaterial, cube.GetComponent<Renderer>().sharedMaterial);
+        pipeline.defaultMaterial = null;
+        GameObject other = Root("measure");
+        MeshFilter second = Cube(other, 0);
+        other.SetActive(false);
+        var sample = other.AddComponent<MeasureTest>();
+        Set(sample, "_cubes", other);
+        Set(sample, "_spheres", root);
+        Messages.Send(sample, "OnEnable");
+        Assert.Same(pipeline.defaultShader, second.GetComponent<Renderer>().sharedMaterial.shader);
+    }
+
+    /// <summary>On job threads and by the library the same figure.</summary>
+    [Fact]
+    public void TheJobsFindTheLeastDistance()
+    {
+        GameObject root = Root("jobs");
+        for (int i = 0; i < 12; i++) Cube(root, i * (i + 3));
+        var sample = root.AddComponent<ParallelDistances>();
+        foreach (bool isLibrary in new[] { false, true })
+        {
+            Set(sample, "_useLibrary", isLibrary);
+            Messages.Send(sample, "Update");
+            Assert.Equal(3, sample.Least);
+        }
+    }
+
+    private static object Get(object sample, string field) =>
+        sample.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic)!.GetValue(sample)!;
 
     private static void Set(object sample, string field, object value) =>
         sample.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic)!.SetValue(sample, value);

@@ -61,8 +61,12 @@ public static class Package
     /// Writes the package with the build's library: a folder to add from disk, and the tarball that a registry or the
     /// Package Manager takes. The same input gives the same bytes.
     /// </summary>
+    /// <param name="layout">Where things are.</param>
+    /// <param name="version">Of the package.</param>
+    /// <param name="target">Where to write.</param>
+    /// <param name="repository">The clone's remote, or nothing.</param>
     /// <returns>The tarball.</returns>
-    public static string Export(Layout layout, string version, string target)
+    public static string Export(Layout layout, string version, string target, string repository)
     {
         string folder = Path.Combine(target, Layout.PackageName);
         foreach (string file in Files(layout.Package))
@@ -74,6 +78,8 @@ public static class Package
 
         foreach (string file in Layout.Library)
             File.Copy(Path.Combine(layout.Build, file), Path.Combine(folder, "Runtime", "Plugins", file), true);
+        string manifest = Path.Combine(folder, "package.json");
+        File.WriteAllText(manifest, Manifest.Text(File.ReadAllText(manifest), repository, version));
         string tarball = Path.Combine(target, $"{Layout.PackageName}-{version}.tgz");
         using var stream = new GZipStream(File.Create(tarball), CompressionLevel.SmallestSize);
         using var tar = new TarWriter(stream, TarEntryFormat.Ustar);

@@ -9,7 +9,7 @@ internal static class Program
 {
     private const string Usage = """
         Gjk.Unity.Pack refresh [--force]   brings the generated files of unity/com.gjk.core up to date
-        Gjk.Unity.Pack export DIR [--release]   writes the package with the build's DLL, and a tarball, to DIR
+        Gjk.Unity.Pack export DIR REMOTE [--release]   writes the package with the build's DLL, and a tarball, to DIR
         """;
 
     private static int Main(string[] args)
@@ -26,19 +26,19 @@ internal static class Program
             case ["refresh", .. string[] rest] when rest.All(a => a == "--force"):
                 Console.WriteLine(Package.Refresh(layout, rest.Length > 0));
                 return 0;
-            case ["export", string target, .. string[] rest] when rest.All(a => a == "--release"):
-                return Export(layout, target, rest.Length > 0);
+            case ["export", string target, string repository, .. string[] rest] when rest.All(a => a == "--release"):
+                return Export(layout, target, repository, rest.Length > 0);
             default:
                 Console.Error.WriteLine(Usage);
                 return 2;
         }
     }
 
-    private static int Export(Layout layout, string target, bool isRelease)
+    private static int Export(Layout layout, string target, string repository, bool isRelease)
     {
         using var manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(layout.Package, "package.json")));
         string version = manifest.RootElement.GetProperty("version").GetString()!;
-        Console.WriteLine($"wrote {Package.Export(layout, version, target)}");
+        Console.WriteLine($"wrote {Package.Export(layout, version, target, repository)}");
         string packed = Path.Combine(target, Layout.PackageName, "Runtime", "Plugins", Layout.Library[0]);
         byte[] dll = File.ReadAllBytes(packed);
         byte[] built = File.ReadAllBytes(Path.Combine(layout.Build, Layout.Library[0]));

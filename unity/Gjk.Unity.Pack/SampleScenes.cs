@@ -14,13 +14,17 @@ public static class SampleScenes
     private const string MeasureScene = "Samples~/MeasureTest/MeasureTest.unity";
     private const string MeasureScript = "Samples~/MeasureTest/MeasureTest.cs";
 
-    public static IReadOnlyList<string> Paths { get; } = [VisualizerScene, MeasureScene];
+    private const string JobsScene = "Samples~/Jobs/Jobs.unity";
+    private const string JobsScript = "Samples~/Jobs/ParallelDistances.cs";
+
+    public static IReadOnlyList<string> Paths { get; } = [VisualizerScene, MeasureScene, JobsScene];
 
     /// <summary>The path and the text of each.</summary>
     public static IEnumerable<(string Path, string Text)> All(GuidList guids)
     {
         yield return (VisualizerScene, Visualizer(guids[VisualizerScript]));
         yield return (MeasureScene, MeasureTest(guids[MeasureScript]));
+        yield return (JobsScene, Jobs(guids[JobsScript]));
     }
 
     /// <summary>Six objects, two pairs of which intersect.</summary>
@@ -58,6 +62,17 @@ public static class SampleScenes
         scene.AddScript(root, script, $"_cubes: {{fileID: {cubes}}}", $"_spheres: {{fileID: {spheres}}}");
         AddAll(scene, BuiltInScenes.Cubes(), cubes, SceneWriter.BuiltInMesh.Cube);
         AddAll(scene, BuiltInScenes.Spheres(), spheres, SceneWriter.BuiltInMesh.Sphere);
+        return scene.ToString();
+    }
+
+    /// <summary>The experiment's spheres.</summary>
+    private static string Jobs(string script)
+    {
+        var scene = new SceneWriter();
+        AddStage(scene, new Vector3(4, 1, -10));
+        int root = scene.Add("Jobs", Vector3.Zero);
+        scene.AddScript(root, script, "_useLibrary: 0");
+        AddAll(scene, BuiltInScenes.Spheres(), root, SceneWriter.BuiltInMesh.Sphere);
         return scene.ToString();
     }
 

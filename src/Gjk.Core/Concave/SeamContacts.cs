@@ -27,14 +27,16 @@ internal static class SeamContacts
         found = default;
         if (manifold.Count == 0) return false;
         RotationD toA = new(a.Pose.Rotation), toB = new(b.Pose.Rotation);
-        Double3 normal = plane.Normal.LengthSquared > 0 ? toA.Rotate(plane.Normal) : (Double3)result.Normal;
+        Double3 normal = plane.Normal.LengthSquared > 0
+            ? plane.Frame.RotationA.Rotate(plane.Normal)
+            : (Double3)result.Normal;
         ContactFit fitA = Judge(a, partA, toA.InverseRotate(normal), out Double3 faceA);
         ContactFit fitB = Judge(b, partB, toB.InverseRotate(-normal), out Double3 faceB);
         if (fitA == ContactFit.Ghost || fitB == ContactFit.Ghost) return false;
         if (fitA == ContactFit.Leans || fitB == ContactFit.Leans)
         {
             if (plane.Normal.LengthSquared == 0) return false;
-            Double3 along = fitA == ContactFit.Leans ? faceA : toA.InverseRotate(toB.Rotate(-faceB));
+            Double3 along = fitA == ContactFit.Leans ? toA.Rotate(faceA) : toB.Rotate(-faceB);
             ConvexQuery.ContactsAlong(shapeA, a.Pose, shapeB, along, maxGap, ref plane, out manifold);
             if (manifold.Count == 0) return false;
             result = Deepest(manifold, result);

@@ -109,6 +109,12 @@ internal static unsafe class ContactBuilder
         double gap = candidate.Gap * frame.Unit;
         Double3 worldA = frame.RotationA.Rotate(localA) + poseA.Position;
         Double3 worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
+        if (frame.IsPlaced)
+        {
+            localA = frame.OutOfA(localA.ToXyz()).ToVector3D();
+            localB = frame.OutOfB(localB.ToXyz()).ToVector3D();
+        }
+
         return new ManifoldPoint(
             (Vector3)worldA, (Vector3)worldB, (Vector3)localA, (Vector3)localB, Math.Max((float)gap, distance),
             candidate.Id);

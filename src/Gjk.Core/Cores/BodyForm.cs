@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 
 namespace Gjk.Core;
 
@@ -28,7 +27,7 @@ internal struct BodyForm
     public Double3 Radii;
 
     /// <summary>The rotation of the ellipsoid in the shape's local frame.</summary>
-    public Quaternion Turn;
+    public QuaternionD Turn;
 
     /// <summary>The hull of a solid mesh that is not placed; else null.</summary>
     public ConvexHull? Hull;
@@ -67,7 +66,7 @@ internal struct BodyForm
 
     private void Set(in RayTarget body, double unit)
     {
-        Turn = body.IsPlaced ? body.Turn : Quaternion.Identity;
+        Turn = body.IsPlaced ? body.Turn : QuaternionD.Identity;
         switch (body.Form)
         {
             case RayForm.Hull:

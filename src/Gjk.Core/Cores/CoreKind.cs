@@ -17,4 +17,7 @@ internal enum CoreKind : byte
 
     /// <summary><see cref="TriangleCore"/>.</summary>
     Triangle,
+
+    /// <summary>Added to one of the others: the core is placed in the shape's frame.</summary>
+    Moved = 8,
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 
 namespace Gjk.Core;
 
@@ -31,7 +30,7 @@ internal struct RayTarget
     public Double3 Factors;
 
     /// <summary>The rotation of the scaled body in the shape's local frame.</summary>
-    public Quaternion Turn;
+    public QuaternionD Turn;
 
     /// <summary>The hull of a body that is one.</summary>
     public ConvexHull? Hull;
@@ -155,7 +154,7 @@ internal struct RayTarget
 
     /// <summary>Turns the body; the centre is the caller's to place.</summary>
     /// <returns>False where it is turned already.</returns>
-    public bool Place(Quaternion turn)
+    public bool Place(in QuaternionD turn)
     {
         bool wasPlaced = IsPlaced;
         Turn = turn;

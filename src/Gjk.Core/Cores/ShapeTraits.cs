@@ -23,8 +23,26 @@ internal class ShapeTraits<T>
     /// </summary>
     public static readonly bool AreTight = Of.IsTight;
 
+    /// <summary>Whether a shape of the type may be placed, so that its core has axes of its own.</summary>
+    public static readonly bool CanBePlaced = Of.MayBePlaced;
+
     /// <inheritdoc cref="AreTight"/>
     protected virtual bool IsTight => false;
+
+    /// <inheritdoc cref="CanBePlaced"/>
+    protected virtual bool MayBePlaced => false;
+
+    /// <summary>Whether a shape is placed.</summary>
+    public virtual bool IsPlaced(in T shape) => false;
+
+    /// <summary>The shape in the axes of its core; itself where it is not placed.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="placement">Where its core is; null where it is not placed.</param>
+    public virtual T InCoreAxes(in T shape, out Placement? placement)
+    {
+        placement = null;
+        return shape;
+    }
 
     /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
     public virtual bool TryGetTarget(ref T shape, out RayTarget target)
@@ -50,6 +68,17 @@ internal interface ILibraryShape
     /// <summary>What a ray sees of it.</summary>
     /// <returns>False where it is none of the bodies that a ray meets in closed form.</returns>
     bool TryGetTarget(out RayTarget target);
+}
+
+/// <summary>A shape that may be placed.</summary>
+/// <typeparam name="T">Its own type.</typeparam>
+internal interface IPlacedShape<T> : ILibraryShape
+{
+    /// <inheritdoc cref="ShapeTraits{T}.IsPlaced"/>
+    bool IsPlaced { get; }
+
+    /// <inheritdoc cref="ShapeTraits{T}.InCoreAxes"/>
+    T InCoreAxes(out Placement? placement);
 }
 
 /// <summary>A shape that may be a ball or a box about its centre, and says so in short.</summary>
@@ -79,4 +108,20 @@ internal sealed class PlainTraits<T> : LibraryTraits<T>
     where T : struct, ISupportMap, IPlainBody
 {
     public override RayForm GetPlain(ref T shape, out Double3 size) => shape.GetPlain(out size);
+}
+
+/// <inheritdoc/>
+internal class PlacedTraits<T> : LibraryTraits<T>
+    where T : struct, ISupportMap, IPlacedShape<T>
+{
+    public PlacedTraits(bool isTight)
+        : base(isTight)
+    {
+    }
+
+    protected override bool MayBePlaced => true;
+
+    public override bool IsPlaced(in T shape) => shape.IsPlaced;
+
+    public override T InCoreAxes(in T shape, out Placement? placement) => shape.InCoreAxes(out placement);
 }

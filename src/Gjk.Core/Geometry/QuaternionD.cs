@@ -3,8 +3,8 @@ using System.Numerics;
 namespace Gjk.Core;
 
 /// <summary>
-/// A quaternion of doubles, of any length: the rotation in the middle of a motion, which a float would round by more
-/// than the motion's tolerance. See <see cref="RotationD"/> for the matrix.
+/// A quaternion of doubles, of any length: the rotation in the middle of a motion, or of a shape inside a shape, which
+/// a float would round by more than the tolerance. See <see cref="RotationD"/> for the matrix.
 /// </summary>
 internal readonly struct QuaternionD
 {
@@ -18,11 +18,17 @@ internal readonly struct QuaternionD
         W = w;
     }
 
+    /// <summary>No rotation.</summary>
+    public static QuaternionD Identity => new(0, 0, 0, 1);
+
     public static implicit operator QuaternionD(Quaternion q) => new(q.X, q.Y, q.Z, q.W);
 
     public double LengthSquared => X * X + Y * Y + Z * Z + W * W;
 
     public QuaternionD Conjugate => new(-X, -Y, -Z, W);
+
+    public static QuaternionD operator *(in QuaternionD q, double scale) =>
+        new(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale);
 
     /// <summary>The turn by an angle in radians about an axis of unit length.</summary>
     public static QuaternionD About(in Double3 axis, double angle)

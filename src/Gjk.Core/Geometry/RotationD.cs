@@ -1,4 +1,3 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
 #if NET
 using System.Runtime.Intrinsics;
@@ -7,8 +6,8 @@ using System.Runtime.Intrinsics;
 namespace Gjk.Core;
 
 /// <summary>
-/// A rotation matrix in double, from a float quaternion that is divided by its own squared length, so that a quaternion
-/// a few units in the last place off unit length still gives a rotation to 1e-16.
+/// A rotation matrix in double, from a quaternion that is divided by its own squared length, so that one of floats, a
+/// few units in the last place off unit length, still gives a rotation to 1e-16.
 /// </summary>
 internal struct RotationD
 {
@@ -17,10 +16,7 @@ internal struct RotationD
     /// </summary>
     public double M00, M10, M20, _end0, M01, M11, M21, _end1, M02, M12, M22, _end2;
 
-    public RotationD(Quaternion q) =>
-        Set(
-            out this, q.X, q.Y, q.Z, q.W,
-            2 / ((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W));
+    public RotationD(in QuaternionD q) => Set(out this, q.X, q.Y, q.Z, q.W, 2 / q.LengthSquared);
 
     /// <summary>
     /// The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985), written where it is to be,

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>A vector of three <see cref="DoubleDouble"/>.</summary>
@@ -37,14 +35,14 @@ internal readonly struct VectorDD
     }
 
     /// <summary>A local point in the world.</summary>
-    public static VectorDD Place(in RigidPose pose, in Double3 v) =>
+    public static VectorDD Place(in RigidPose pose, in VectorDD v) =>
         (VectorDD)(Double3)pose.Position + Rotate(pose.Rotation, v);
 
     /// <summary>v + 2 u × (u × v + w v) / |q|², the rotation by q = (u, w) without a matrix.</summary>
-    public static VectorDD Rotate(in Quaternion q, in VectorDD v)
+    public static VectorDD Rotate(in QuaternionD q, in VectorDD v)
     {
         VectorDD u = new Double3(q.X, q.Y, q.Z);
-        DoubleDouble w = (double)q.W;
+        DoubleDouble w = q.W;
         DoubleDouble norm = Dot(u, u) + w * w;
         return v + Cross(u, Cross(u, v) + v * w) * (2.0 / norm);
     }

@@ -48,6 +48,22 @@ internal static class XyzExtensions
         matrix.Column0 * Vector256.Shuffle(v, Vector256.Create(0L))
             + matrix.Column1 * Vector256.Shuffle(v, Vector256.Create(1L))
             + matrix.Column2 * Vector256.Shuffle(v, Vector256.Create(2L));
+
+    /// <summary><see cref="QuaternionD.Rotate"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Xyz Rotate(this in QuaternionD q, Xyz v)
+    {
+        Xyz u = Vector256.LoadUnsafe(in q.X);
+        return v + Cross(u, Cross(u, v) + v * Vector256.Shuffle(u, Vector256.Create(3L))) * 2;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Xyz Cross(Xyz a, Xyz b)
+    {
+        Vector256<long> yzx = Vector256.Create(1L, 2, 0, 3), zxy = Vector256.Create(2L, 0, 1, 3);
+        return Vector256.Shuffle(a, yzx) * Vector256.Shuffle(b, zxy)
+            - Vector256.Shuffle(a, zxy) * Vector256.Shuffle(b, yzx);
+    }
 #else
     public static Double3 ToVector3D(this Double3 v) => v;
 

@@ -18,7 +18,7 @@ namespace Gjk.Core;
 /// (<see cref="IsOrdinary"/>); the others are brought to unit size by a power of two, which rounds nothing
 /// (<see cref="UnitSized{T}"/>).
 /// </remarks>
-internal struct PairFrame
+internal partial struct PairFrame
 {
     /// <summary>
     /// Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised 1e-14 of
@@ -94,6 +94,12 @@ internal struct PairFrame
     /// <summary>Whether both poses are rotations.</summary>
     private bool _areRotations;
 
+    /// <summary>Whether a core has axes of its own in its shape's frame: those of A and B are the cores'.</summary>
+    public bool IsPlaced;
+
+    /// <summary>The rotations of the cores in the shapes' frames, if one is placed.</summary>
+    private QuaternionD _turnA, _turnB;
+
     /// <summary>
     /// Whether both poses are rotations, and every length is finite, not negative and below the largest magnitude.
     /// </summary>
@@ -153,12 +159,17 @@ internal struct PairFrame
         frame.MarginB = b.Margin;
         frame.Unit = 1;
         frame.End = 0;
+        frame.IsPlaced = false;
+#if NET
+        Unsafe.SkipInit(out frame._turnA);
+        Unsafe.SkipInit(out frame._turnB);
+#else
+        frame._turnA = frame._turnB = default;
+#endif
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
-        double tightRadius =
-            (ShapeTraits<TA>.AreTight ? frame.RadiusA : 0) + (ShapeTraits<TB>.AreTight ? frame.RadiusB : 0);
-        Double3 between = (Double3)poseB.Position - poseA.Position;
-        if (!(offset > FarCenter * tightRadius))
+        if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
+            Double3 between = (Double3)poseB.Position - poseA.Position;
             frame.Translation = frame.RotationA.InverseRotate(between);
             if (offset != 0) frame.Translation += frame.Rotation.Rotate(centerB) - centerA;
         }
@@ -169,6 +180,13 @@ internal struct PairFrame
 
         frame.Magnitude = radius + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
     }
+
+    /// <summary>The radii that are no larger than they need be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double TightRadius<TA, TB>(double radiusA, double radiusB)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        (ShapeTraits<TA>.AreTight ? radiusA : 0) + (ShapeTraits<TB>.AreTight ? radiusB : 0);
 
     /// <summary>The power of two that brings the magnitude to between 1 and 2.</summary>
     public readonly double UnitFactor => Magnitude > 0 ? 1 / PowerOfTwo.AtMost(Magnitude) : 1;
@@ -215,12 +233,12 @@ internal struct PairFrame
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Double3 BetweenFarCenters(
-        in RigidPose poseA, in RigidPose poseB, in Double3 centerA, in Double3 centerB)
+        in RigidPose poseA, in RigidPose poseB, in VectorDD centerA, in VectorDD centerB)
     {
         VectorDD between = (VectorDD)(Double3)poseB.Position - (Double3)poseA.Position;
         between += VectorDD.Rotate(poseB.Rotation, centerB) - VectorDD.Rotate(poseA.Rotation, centerA);
         var rounded = (Double3)between;
-        double error = ExtendedError * (centerA.SumOfMagnitudes + centerB.SumOfMagnitudes);
+        double error = ExtendedError * (((Double3)centerA).SumOfMagnitudes + ((Double3)centerB).SumOfMagnitudes);
         return rounded.SumOfMagnitudes > error ? rounded : default;
     }
 }

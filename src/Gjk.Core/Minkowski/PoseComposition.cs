@@ -1,4 +1,3 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
 #if NET
 using System.Runtime.Intrinsics;
@@ -18,13 +17,45 @@ internal static class PoseComposition
 #if NET
         if (Avx2.IsSupported)
         {
-            ComposeLanes(poseA, poseB, out rotationA, out rotation, out inverse, out areRotations);
+            Vector256<double> a = Lanes(poseA), b = Lanes(poseB);
+            ComposeLanes(a, b, NormsOf(a, b), out rotationA, out rotation, out inverse, out areRotations);
             return;
         }
 #endif
-        Quaternion qa = poseA.Rotation, qb = poseB.Rotation;
+        QuaternionD qa = poseA.Rotation, qb = poseB.Rotation;
+        Compose(
+            qa, qb, qa.LengthSquared, qb.LengthSquared, out rotationA, out rotation, out inverse, out areRotations);
+    }
+
+    /// <summary>The same for axes that are turned inside the poses.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Compose(
+        in RigidPose poseA, in QuaternionD turnA, in RigidPose poseB, in QuaternionD turnB, out RotationD rotationA,
+        out RotationD rotation, out RotationD inverse, out bool areRotations)
+    {
+#if NET
+        if (Avx2.IsSupported)
+        {
+            Vector256<double> a = Lanes(poseA), b = Lanes(poseB);
+            ComposeLanes(
+                ConjugateTimes(a ^ XyzSigns, Vector256.LoadUnsafe(in turnA.X)),
+                ConjugateTimes(b ^ XyzSigns, Vector256.LoadUnsafe(in turnB.X)), NormsOf(a, b),
+                out rotationA, out rotation, out inverse, out areRotations);
+            return;
+        }
+#endif
+        QuaternionD qa = poseA.Rotation, qb = poseB.Rotation;
+        Compose(
+            qa * turnA, qb * turnB, qa.LengthSquared, qb.LengthSquared, out rotationA, out rotation, out inverse,
+            out areRotations);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Compose(
+        in QuaternionD qa, in QuaternionD qb, double normA, double normB, out RotationD rotationA,
+        out RotationD rotation, out RotationD inverse, out bool areRotations)
+    {
         double ax = qa.X, ay = qa.Y, az = qa.Z, aw = qa.W, bx = qb.X, by = qb.Y, bz = qb.Z, bw = qb.W;
-        double normA = ax * ax + ay * ay + az * az + aw * aw, normB = bx * bx + by * by + bz * bz + bw * bw;
         double one = 1 / (normA * normB);
         RotationD.Set(out rotationA, ax, ay, az, aw, 2 * normB * one);
         RotationD.Set(
@@ -44,25 +75,14 @@ internal static class PoseComposition
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ComposeLanes(
-        in RigidPose poseA, in RigidPose poseB, out RotationD rotationA, out RotationD rotation, out RotationD inverse,
-        out bool areRotations)
+        Vector256<double> a, Vector256<double> b, Vector128<double> norms, out RotationD rotationA,
+        out RotationD rotation, out RotationD inverse, out bool areRotations)
     {
-        Vector256<double> a = Avx.ConvertToVector256Double(Vector128.LoadUnsafe(in poseA.Rotation.X));
-        Vector256<double> b = Avx.ConvertToVector256Double(Vector128.LoadUnsafe(in poseB.Rotation.X));
-
-        // The squared lengths, ((x² + y²) + z²) + w².
-        Vector256<double> aa = a * a, bb = b * b, even = Avx.UnpackLow(aa, bb), odd = Avx.UnpackHigh(aa, bb);
-        Vector128<double> norms = even.GetLower() + odd.GetLower() + even.GetUpper() + odd.GetUpper();
         double normA = norms.ToScalar(), normB = norms.GetElement(1), one = 1 / (normA * normB);
 
-        // The product of A's conjugate and B.
-        Vector256<double> signs = Vector256.Create(-0.0, -0.0, -0.0, 0), aw = Avx2.Permute4x64(a, AllW);
-        Vector256<double> q = aw * b
-            + (Avx2.Permute4x64(a, 0b00_10_01_00) ^ signs) * Avx2.Permute4x64(b, 0b00_11_11_11)
-            + (Avx2.Permute4x64(a, 0b01_00_10_01) ^ signs) * Avx2.Permute4x64(b, 0b01_01_00_10)
-            + Avx2.Permute4x64(a, 0b10_01_00_10) * Avx2.Permute4x64(b, 0b10_00_10_01);
+        Vector256<double> q = ConjugateTimes(a, b);
         Diagonals(
-            a, aw, 2 * normB * one, out Vector256<double> main, out Vector256<double> below,
+            a, Avx2.Permute4x64(a, AllW), 2 * normB * one, out Vector256<double> main, out Vector256<double> below,
             out Vector256<double> above);
         Unsafe.SkipInit(out rotationA);
         SetColumns(ref rotationA, main, below, above);
@@ -73,6 +93,33 @@ internal static class PoseComposition
         SetColumns(ref inverse, main, above, below);
         areRotations = RigidPose.IsUnit(normA) & RigidPose.IsUnit(normB);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Lanes(in RigidPose pose) =>
+        Avx.ConvertToVector256Double(Vector128.LoadUnsafe(in pose.Rotation.X));
+
+    /// <summary>The squared lengths, ((x² + y²) + z²) + w².</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector128<double> NormsOf(Vector256<double> a, Vector256<double> b)
+    {
+        Vector256<double> aa = a * a, bb = b * b;
+        Vector256<double> even = Avx.UnpackLow(aa, bb), odd = Avx.UnpackHigh(aa, bb);
+        return even.GetLower() + odd.GetLower() + even.GetUpper() + odd.GetUpper();
+    }
+
+    private static Vector256<double> XyzSigns
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.Create(-0.0, -0.0, -0.0, 0);
+    }
+
+    /// <summary>The product of A's conjugate and B.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> ConjugateTimes(Vector256<double> a, Vector256<double> b) =>
+        Avx2.Permute4x64(a, AllW) * b
+            + (Avx2.Permute4x64(a, 0b00_10_01_00) ^ XyzSigns) * Avx2.Permute4x64(b, 0b00_11_11_11)
+            + (Avx2.Permute4x64(a, 0b01_00_10_01) ^ XyzSigns) * Avx2.Permute4x64(b, 0b01_01_00_10)
+            + Avx2.Permute4x64(a, 0b10_01_00_10) * Avx2.Permute4x64(b, 0b10_00_10_01);
 
     /// <summary>
     /// A rotation matrix by its diagonals (00 11 22), (10 21 02) and (01 12 20), which is how it comes out of the

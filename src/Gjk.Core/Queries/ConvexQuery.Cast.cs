@@ -119,10 +119,12 @@ public static unsafe partial class ConvexQuery
         public readonly CastResult Refuse() => CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public CastResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public CastResult Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap =>
-            PairProblem.Answer<TA, TB, CastQuestion, CastFinding, CastResult>(ref a, poseA, ref b, poseB, ref this);
+            PairProblem.Answer<TA, TB, CastQuestion, CastFinding, CastResult>(
+                ref a, poseA, ref b, poseB, placement, ref this);
 
         public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
             where TA : struct, ISupportMap

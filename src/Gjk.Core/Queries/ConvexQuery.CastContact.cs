@@ -125,11 +125,12 @@ public static unsafe partial class ConvexQuery
         public readonly MotionVerdict Refuse() => MotionVerdict.Undecided;
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public MotionVerdict Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public MotionVerdict Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap =>
             PairProblem.Answer<TA, TB, DeepeningQuestion, MotionVerdict, MotionVerdict>(
-                ref a, poseA, ref b, poseB, ref this);
+                ref a, poseA, ref b, poseB, placement, ref this);
 
         public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out MotionVerdict verdict)
             where TA : struct, ISupportMap

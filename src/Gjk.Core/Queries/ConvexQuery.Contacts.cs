@@ -83,7 +83,7 @@ public static unsafe partial class ConvexQuery
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Its pose.</param>
     /// <param name="b">The second shape.</param>
-    /// <param name="normal">From A to B, of unit length, in A's frame.</param>
+    /// <param name="normal">From A to B, of unit length, in the world.</param>
     /// <param name="maxGap">Points further apart along it are left out.</param>
     /// <param name="plane">Where the contact is; its normal becomes the other one.</param>
     /// <param name="manifold">Gets the points; none where the two show no more than a corner.</param>
@@ -92,11 +92,12 @@ public static unsafe partial class ConvexQuery
         ref ContactPlane plane, out ContactManifold manifold)
     {
         manifold = default;
-        manifold.Begin((Vector3)plane.Frame.RotationA.Rotate(normal));
-        plane.SetAlong(normal);
+        manifold.Begin((Vector3)normal);
+        plane.SetAlong(plane.Frame.RotationA.InverseRotate(normal));
+        ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(a, out _) : a;
+        ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(b, out _) : b;
         TryAddFaces(
-            ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), ref plane, float.NegativeInfinity, maxGap,
-            ref manifold, out _);
+            ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
         if (manifold.Count == 0) manifold.Clear();
     }
 
@@ -124,6 +125,14 @@ public static unsafe partial class ConvexQuery
         if (result.Distance <= mostGap)
         {
             manifold.Begin(result.Normal);
+            if (plane->Normal.LengthSquared > 0 && plane->Frame.IsPlaced)
+            {
+                TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
+                TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
+                AddPoints(ref coreA, poseA, ref coreB, ref *plane, result, mostGap, ref manifold);
+                return result;
+            }
+
             AddPoints(
                 ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), ref *plane, result, mostGap, ref manifold);
         }

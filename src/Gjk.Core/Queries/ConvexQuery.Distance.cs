@@ -95,7 +95,7 @@ public static unsafe partial class ConvexQuery
         ref TB shapeB = ref PairProblem.Inward(b);
         if (AreBalls(ref shapeA, ref shapeB))
         {
-            if (question.WantsPoints) question.Ask(ref shapeA, poseA, ref shapeB, poseB);
+            if (question.WantsPoints) question.Ask(ref shapeA, poseA, ref shapeB, poseB, PairPlacement.None);
             return DistanceOfBalls(ref shapeA, poseA, ref shapeB, poseB, question.MaxDistance);
         }
 
@@ -132,11 +132,12 @@ public static unsafe partial class ConvexQuery
         public readonly DistanceResult Refuse() => DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public DistanceResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public DistanceResult Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap =>
             PairProblem.Answer<TA, TB, DistanceQuestion<TTrace>, SolverState, DistanceResult>(
-                ref a, poseA, ref b, poseB, ref this);
+                ref a, poseA, ref b, poseB, placement, ref this);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
@@ -165,7 +166,7 @@ public static unsafe partial class ConvexQuery
             if (!Trace.IsOn) return;
             Trace.OnSupport(
                 new TracedSupport(frame, frame.FirstNormal, state.Simplex, state.Simplex.A, isExtended: false));
-            Trace.OnReduced(new TracedSimplex(state.Simplex, frame.Unit, isExtended: false));
+            Trace.OnReduced(new TracedSimplex(state.Simplex, frame, isExtended: false));
         }
     }
 

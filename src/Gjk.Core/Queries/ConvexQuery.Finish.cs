@@ -59,6 +59,12 @@ public static partial class ConvexQuery
         Xyz normal = -frame.RotationA.Rotate(toA);
         Xyz worldA = frame.RotationA.Rotate(localA) + ((Double3)poseA.Position).ToXyz();
         Xyz worldB = worldA + normal * distance;
+        if (frame.IsPlaced)
+        {
+            localA = frame.OutOfA(localA);
+            localB = frame.OutOfB(localB);
+        }
+
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
         {
             worldB = ToWorld(poseB, localB.ToVector3D()).ToXyz();
@@ -107,11 +113,13 @@ public static partial class ConvexQuery
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, Xyz onA, Xyz onB)
     {
         Xyz localA = (onA + frame.CenterA.ToXyz()) * frame.Unit, localB = (onB + frame.CenterB.ToXyz()) * frame.Unit;
+        Xyz outerA = localA, outerB = localB;
+        if (frame.IsPlaced) (outerA, outerB) = (frame.OutOfA(localA), frame.OutOfB(localB));
         var world = (Vector3)(IsMuchSmallerB(state, frame)
-            ? ToWorld(poseB, localB.ToVector3D())
+            ? ToWorld(poseB, outerB.ToVector3D())
             : frame.RotationA.Rotate(localA.ToVector3D()) + poseA.Position);
         return new DistanceResult(
-            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, localA.ToSingle(), localB.ToSingle(),
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, outerA.ToSingle(), outerB.ToSingle(),
             state.Iterations);
     }
 

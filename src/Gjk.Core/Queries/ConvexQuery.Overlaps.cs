@@ -74,10 +74,12 @@ public static partial class ConvexQuery
         public readonly GjkStatus Refuse() => GjkStatus.InvalidInput;
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public GjkStatus Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public GjkStatus Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap =>
-            PairProblem.Answer<TA, TB, OverlapQuestion, GjkStatus, GjkStatus>(ref a, poseA, ref b, poseB, ref this);
+            PairProblem.Answer<TA, TB, OverlapQuestion, GjkStatus, GjkStatus>(
+                ref a, poseA, ref b, poseB, placement, ref this);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out GjkStatus status)

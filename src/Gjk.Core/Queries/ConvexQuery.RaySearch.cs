@@ -52,16 +52,18 @@ public static partial class ConvexQuery
         public readonly RayMeeting Refuse() => new() { Status = CastStatus.InvalidInput };
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public RayMeeting Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public RayMeeting Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+            PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
             if (!frame.IsValid) return Refuse();
             if (frame.Translation.LengthSquared > FarOrigin * FarOrigin * frame.RadiusA * frame.RadiusA
                 && frame.RadiusA > 0)
             {
-                LocalRay.MakeFar(poseA, frame.CenterA, _line, out LocalRay ray);
+                VectorDD center = placement.A is null ? a.Center : placement.A.ExactCenter;
+                LocalRay.MakeFar(poseA, center, _line, out LocalRay ray);
                 _begin = ray.Shift - Anew * frame.RadiusA;
                 if (_begin < 0 || _begin > _line.Reach || ray.Foot.Length > Anew * frame.RadiusA)
                     return new RayMeeting { Status = CastStatus.Miss };

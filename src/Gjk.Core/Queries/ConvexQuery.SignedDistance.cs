@@ -91,9 +91,20 @@ public static unsafe partial class ConvexQuery
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref SignedQuestion<TTrace> question)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
-        where TTrace : struct, IPolytopeTrace =>
-        CoreDispatch.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
-            ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), poseB, ref question);
+        where TTrace : struct, IPolytopeTrace
+    {
+        ref TA shapeA = ref PairProblem.Inward(a);
+        ref TB shapeB = ref PairProblem.Inward(b);
+        if (question.Plane != null) question.Plane->Normal = default;
+        if (AreBalls(ref shapeA, ref shapeB))
+        {
+            if (question.Simplex != null) question.Ask(ref shapeA, poseA, ref shapeB, poseB, PairPlacement.None);
+            return DistanceOfBalls(ref shapeA, poseA, ref shapeB, poseB, float.PositiveInfinity, isSigned: true);
+        }
+
+        return CoreDispatch.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
+            ref shapeA, poseA, ref shapeB, poseB, ref question);
+    }
 
     /// <summary>The signed distance of two cores.</summary>
     private struct SignedQuestion<TTrace> : IPairProblem<SolverState, DistanceResult>
@@ -121,20 +132,12 @@ public static unsafe partial class ConvexQuery
         public readonly DistanceResult Refuse() => DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public DistanceResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public DistanceResult Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            if (Plane != null) Plane->Normal = default;
-            if (AreBalls(ref a, ref b) && Simplex == null)
-                return DistanceOfBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true);
-            DistanceResult result =
-                PairProblem.Answer<TA, TB, SignedQuestion<TTrace>, SolverState, DistanceResult>(
-                    ref a, poseA, ref b, poseB, ref this);
-            return AreBalls(ref a, ref b)
-                ? DistanceOfBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true)
-                : result;
-        }
+            where TB : struct, ISupportMap =>
+            PairProblem.Answer<TA, TB, SignedQuestion<TTrace>, SolverState, DistanceResult>(
+                ref a, poseA, ref b, poseB, placement, ref this);
 
         public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
             where TA : struct, ISupportMap

@@ -160,11 +160,12 @@ public static unsafe partial class ConvexQuery
                 ref a, _motionA.Pose, ref b, _motionB.Pose, ref this);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public CastResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public CastResult Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+            PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
             if (!frame.IsValid || !IsValid) return Refuse();
             if (!(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight)) frame.TightenRadii(ref a, ref b);
             PairMotion.Begin(_motionA, _motionB, frame, out _motion);

@@ -1,6 +1,4 @@
-#if NET
 using System.Runtime.CompilerServices;
-#endif
 
 namespace Gjk.Core;
 
@@ -26,42 +24,58 @@ internal static class CoreDispatch
     {
         // Two capsules of that type have a cheaper support than segments: a sign.
         if (typeof(TA) == typeof(CapsuleShape) && typeof(TB) == typeof(CapsuleShape))
-            return question.Ask(ref a, poseA, ref b, poseB);
-        return KindOf(ref a) switch
-        {
-            CoreKind.Box => Ask<TA, TB, BoxCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
-            CoreKind.Hull => Ask<TA, TB, HullCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
-            CoreKind.Segment => Ask<TA, TB, SegmentCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
-            CoreKind.Triangle =>
-                Ask<TA, TB, TriangleCore, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
-            _ => question.Ask(ref a, poseA, ref b, poseB),
-        };
+            return question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None);
+        return Ask<TA, TB, TQuestion, TResult>(
+            KindOf(ref a), ref a, poseA, KindOf(ref b), ref b, poseB, PairPlacement.None, ref question);
     }
+
+    /// <summary>The same where the cores' kinds are known.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static TResult Ask<TA, TB, TQuestion, TResult>(
+        CoreKind kindA, ref TA a, in RigidPose poseA, CoreKind kindB, ref TB b, in RigidPose poseB,
+        in PairPlacement placement, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult> =>
+        kindA switch
+        {
+            CoreKind.Box => Ask<TA, TB, BoxCore, TQuestion, TResult>(
+                ref a, poseA, kindB, ref b, poseB, placement, ref question),
+            CoreKind.Hull => Ask<TA, TB, HullCore, TQuestion, TResult>(
+                ref a, poseA, kindB, ref b, poseB, placement, ref question),
+            CoreKind.Segment => Ask<TA, TB, SegmentCore, TQuestion, TResult>(
+                ref a, poseA, kindB, ref b, poseB, placement, ref question),
+            CoreKind.Triangle => Ask<TA, TB, TriangleCore, TQuestion, TResult>(
+                ref a, poseA, kindB, ref b, poseB, placement, ref question),
+            _ => AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
+        };
 
     /// <summary>The same where the first core is known.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static TResult Ask<TA, TB, TCoreA, TQuestion, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        ref TA a, in RigidPose poseA, CoreKind kindB, ref TB b, in RigidPose poseB,
+        in PairPlacement placement, ref TQuestion question)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TCoreA : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult> =>
-        KindOf(ref b) switch
+        kindB switch
         {
             CoreKind.Box => AskCores<TA, TB, TCoreA, BoxCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, ref question),
+                ref a, poseA, ref b, poseB, placement, ref question),
             CoreKind.Hull => AskCores<TA, TB, TCoreA, HullCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, ref question),
+                ref a, poseA, ref b, poseB, placement, ref question),
             CoreKind.Segment => AskCores<TA, TB, TCoreA, SegmentCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, ref question),
+                ref a, poseA, ref b, poseB, placement, ref question),
             CoreKind.Triangle => AskCores<TA, TB, TCoreA, TriangleCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, ref question),
-            _ => question.Ask(ref a, poseA, ref b, poseB),
+                ref a, poseA, ref b, poseB, placement, ref question),
+            _ => AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
         };
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static TResult AskCores<TA, TB, TCoreA, TCoreB, TQuestion, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
+        ref TQuestion question)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TCoreA : struct, ISupportMap
@@ -70,7 +84,7 @@ internal static class CoreDispatch
     {
         Get(ref a, out TCoreA coreA);
         Get(ref b, out TCoreB coreB);
-        return question.Ask(ref coreA, poseA, ref coreB, poseB);
+        return question.Ask(ref coreA, poseA, ref coreB, poseB, placement);
     }
 
     /// <summary>What a shape can be unwrapped to.</summary>
@@ -87,6 +101,10 @@ internal static class CoreDispatch
             ? CoreKind.Segment
             : CoreKind.Other;
     }
+
+    /// <summary>Where the core of a shape that has one is in the shape's frame.</summary>
+    private static Placement? PlacementOf<T>(ref T shape) =>
+        typeof(T) == typeof(ConvexShape) ? Unsafe.As<T, ConvexShape>(ref shape).Placement : null;
 
     /// <summary>The core of a shape that is known to have it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -140,6 +158,54 @@ internal static class CoreDispatch
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult> =>
-        question.Ask(ref a, poseA, ref b, poseB);
+        AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question);
 #endif
+
+    /// <summary>Asks about shapes of which one has no core, or is placed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static TResult AskShapes<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult>
+    {
+        if (ShapeTraits<TA>.CanBePlaced || ShapeTraits<TB>.CanBePlaced)
+            return AskInCoreAxes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question);
+        return question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None);
+    }
+
+    /// <summary>Asks about what was placed, if anything was.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static TResult AskInCoreAxes<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult>
+    {
+        if (!ShapeTraits<TA>.Of.IsPlaced(a) && !ShapeTraits<TB>.Of.IsPlaced(b))
+            return question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None);
+#if NET
+        CoreKind kindA = KindOf(ref a) & ~CoreKind.Moved, kindB = KindOf(ref b) & ~CoreKind.Moved;
+        if (kindA != CoreKind.Other && kindB != CoreKind.Other)
+        {
+            var placement = new PairPlacement(PlacementOf(ref a), PlacementOf(ref b));
+            return Ask<TA, TB, TQuestion, TResult>(
+                kindA, ref a, poseA, kindB, ref b, poseB, placement, ref question);
+        }
+#endif
+        return AskCopies<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question);
+    }
+
+    /// <summary>Asks about the shapes without their placements.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static TResult AskCopies<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult>
+    {
+        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out Placement? placementA);
+        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out Placement? placementB);
+        return question.Ask(ref coreA, poseA, ref coreB, poseB, new PairPlacement(placementA, placementB));
+    }
 }

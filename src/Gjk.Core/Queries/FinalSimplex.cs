@@ -20,6 +20,16 @@ public readonly struct FinalSimplex
         _centerA = frame.CenterA;
         _centerB = frame.CenterB;
         _unit = frame.Unit;
+        if (!frame.IsPlaced) return;
+        _centerA = frame.OutOfA(_centerA.ToXyz()).ToVector3D();
+        _centerB = frame.OutOfB(_centerB.ToXyz()).ToVector3D();
+        for (int i = 0; i < simplex.Count; i++)
+        {
+            int slot = simplex[i];
+            _simplex.Fill(
+                slot, simplex.W(slot), frame.OutOfA(simplex.OnA(slot).ToXyz()).ToVector3D(),
+                frame.OutOfB(simplex.OnB(slot).ToXyz()).ToVector3D(), simplex.IdA(slot), simplex.IdB(slot));
+        }
     }
 
     /// <summary>How many pairs of support points there are, 1 to 4; 0 when the query had no answer.</summary>

@@ -7,7 +7,13 @@ namespace Gjk.Core;
 internal interface IPairQuestion<TResult>
 {
     /// <summary>Asks about the cores.</summary>
-    TResult Ask<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+    /// <param name="a">The first core.</param>
+    /// <param name="poseA">Pose of its shape in the world.</param>
+    /// <param name="b">The second core.</param>
+    /// <param name="poseB">Pose of its shape.</param>
+    /// <param name="placement">Where the cores are in the frames of the shapes.</param>
+    TResult Ask<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap;
 }
@@ -60,12 +66,12 @@ internal static class PairProblem
     /// <summary>Composes, refuses, solves and finishes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static TResult Answer<TA, TB, TProblem, TFinding, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TProblem problem)
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, ref TProblem problem)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TProblem : struct, IPairProblem<TFinding, TResult>
     {
-        PairFrame.Compose(ref a, poseA, ref b, poseB, out PairFrame frame);
+        PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
         if (!frame.IsValid || !problem.IsValid) return problem.Refuse();
         Solve<TA, TB, TProblem, TFinding, TResult>(ref a, ref b, ref frame, ref problem, out TFinding finding);
         return problem.Finish(finding, frame, poseA, poseB);

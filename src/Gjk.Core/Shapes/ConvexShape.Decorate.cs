@@ -20,7 +20,7 @@ public readonly partial struct ConvexShape
         Double3 factors = scale;
         var change = new AxisScale(factors);
         ShapeParts parts = _parts;
-        if (parts.Layer is not null || (parts.Rounding > 0 && !change.KeepsBalls))
+        if (parts.Layer is not null || parts.Placement is not null || (parts.Rounding > 0 && !change.KeepsBalls))
         {
             var layer = new ScaledLayer(new Scaled<ConvexShape>(this, scale));
             return new(new ShapeParts { Kind = Kind, Layer = layer });
@@ -61,7 +61,7 @@ public readonly partial struct ConvexShape
         Guard.NonNegative(radius, nameof(radius));
         CheckIsShape();
         ShapeParts parts = _parts;
-        if (parts.Layer is null && _isPlain && TryRoundedKind(parts.Kind, out ShapeKind rounded))
+        if (parts.Layer is null && parts.Scaling is null && TryRoundedKind(parts.Kind, out ShapeKind rounded))
         {
             parts.Kind = rounded;
             parts.InnerMargin += radius;
@@ -83,8 +83,7 @@ public readonly partial struct ConvexShape
         Guard.Pose(pose, nameof(pose));
         CheckIsShape();
         if (pose == RigidPose.Identity) return this;
-        var layer = new PlacedLayer(new Placed<ConvexShape>(this, pose));
-        return new(new ShapeParts { Kind = Kind, Layer = layer });
+        return new(this, new Placement(pose, _parts.Placement, _center));
     }
 
     private void CheckIsShape()

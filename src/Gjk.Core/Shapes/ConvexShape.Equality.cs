@@ -11,7 +11,7 @@ public readonly partial struct ConvexShape
         ref readonly ShapeParts a = ref _parts, b = ref other._parts;
         return a.Kind == b.Kind && a.A == b.A && a.B == b.B && a.C == b.C && a.Scale == b.Scale
             && a.InnerMargin == b.InnerMargin && a.Rounding == b.Rounding && ReferenceEquals(a.Hull, b.Hull)
-            && ShapeLayer.AreEqual(a.Layer, b.Layer);
+            && ScaledLayer.AreEqual(a.Layer, b.Layer) && Placement.AreEqual(a.Placement, b.Placement);
     }
 
     /// <inheritdoc/>
@@ -33,13 +33,20 @@ public readonly partial struct ConvexShape
     public override string ToString()
     {
         ref readonly ShapeParts p = ref _parts;
-        var text = new StringBuilder(p.Layer is null ? CoreText(p) : p.Layer.Inner.ToString());
-        if (p.Layer is PlacedLayer placed) text.Append(" placed at ").Append(placed.Shape.Pose);
-        if (p.Layer is ScaledLayer scaled) text.Append(" scaled by ").Append(Text(scaled.Shape.Factors));
+        var text = new StringBuilder(
+            p.Layer is ScaledLayer scaled ? scaled.Inner + " scaled by " + Text(scaled.Factors) : CoreText(p));
         if (p.Scaling is not null)
             text.Append(" scaled by ").Append(Text(p.Scale));
         if (p.Rounding > 0) text.Append(" rounded by ").Append(Text(p.Rounding));
+        AppendPoses(text, p.Placement);
         return text.ToString();
+    }
+
+    private static void AppendPoses(StringBuilder text, Placement? placement)
+    {
+        if (placement is null) return;
+        AppendPoses(text, placement.Before);
+        text.Append(" placed at ").Append(placement.Pose);
     }
 
     private static string CoreText(in ShapeParts p) => p.Kind switch
@@ -55,6 +62,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Mesh => $"mesh of {p.Hull!.VertexCount} vertices",
         ShapeKind.Cylinder => $"cylinder, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
         ShapeKind.Cone => $"cone, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
+        ShapeKind.Custom => $"custom shape, {p.Layer}",
         _ => p.Kind.ToString(),
     };
 

@@ -5,6 +5,12 @@ public readonly partial struct ConvexShape
     /// <inheritdoc/>
     public unsafe void GetFace(in Double3 direction, ref FaceCorners corners)
     {
+        if (_parts.Placement is not null)
+        {
+            _parts.Placement.GetFace(InCoreAxes(out _), direction, ref corners);
+            return;
+        }
+
         if (_parts.Layer is not null)
         {
             _parts.Layer.GetFace(direction, ref corners);

@@ -4,20 +4,32 @@ namespace Gjk.Core;
 
 public readonly partial struct ConvexShape
 {
-    object ILibraryShape.MakeTraits() => new PlainTraits<ConvexShape>();
+    object ILibraryShape.MakeTraits() => new Traits();
 
     bool ILibraryShape.TryGetTarget(out RayTarget target) => TryGetTarget(out target);
 
     /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
     internal bool TryGetTarget(out RayTarget target)
     {
-        bool found = _parts.Layer is null ? TryGetCore(out target) : _parts.Layer.TryGetTarget(out target);
+        bool found = _parts.Layer is ScaledLayer scaled
+            ? scaled.Shape.TryGetTarget(out target)
+            : TryGetCore(out target);
         target.Round(_parts.Rounding);
-        return found;
+        return found && (_parts.Placement is null || _parts.Placement.TryPlace(ref target));
+    }
+
+    private sealed class Traits : PlacedTraits<ConvexShape>
+    {
+        public Traits()
+            : base(isTight: true)
+        {
+        }
+
+        public override RayForm GetPlain(ref ConvexShape shape, out Double3 size) => shape.GetPlain(out size);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    RayForm IPlainBody.GetPlain(out Double3 size)
+    private RayForm GetPlain(out Double3 size)
     {
         bool isBall = _isPlain & _parts.Kind == ShapeKind.Sphere, isBox = _core == CoreKind.Box;
         size = isBall ? new Double3(1, 1, 1) * _margin

@@ -13,12 +13,18 @@ namespace Gjk.Core;
 /// mesh, cylinder or cone, and a capsule scaled unevenly, keep their factors and apply them to each support.
 /// </remarks>
 public readonly partial struct ConvexShape
-    : ISupportMap, IPlainBody, IEquatable<ConvexShape>
+    : ISupportMap, IPlacedShape<ConvexShape>, IEquatable<ConvexShape>
 {
     private readonly ShapeParts _parts;
     private readonly double _margin;
+
+    /// <summary>Those of the core, in its own axes.</summary>
     private readonly Double3 _center;
+
+    /// <inheritdoc cref="_center"/>
     private readonly double _boundingRadius;
+
+    /// <summary>Whether the core's support is the shape's: not scaled, not placed.</summary>
     private readonly bool _isPlain;
     private readonly CoreKind _core;
 
@@ -27,15 +33,23 @@ public readonly partial struct ConvexShape
         _parts = parts;
         if (parts.Layer is not null)
         {
-            _isPlain = false;
             _center = parts.Layer.Center;
             _margin = parts.Layer.Margin + parts.Rounding;
             _boundingRadius = parts.Layer.BoundingRadius + parts.Rounding;
+            if (parts.Layer is not ScaledLayer)
+            {
+                // A user's radius may be generous, and tolerances follow that of this type.
+                _parts.Placement = null;
+                _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this) + _margin);
+                _parts.Placement = parts.Placement;
+            }
+
+            _core = parts.Placement is null ? CoreKind.Other : CoreKind.Moved;
             return;
         }
 
-        _isPlain = parts.Scaling is null;
-        _core = !_isPlain ? CoreKind.Other
+        _isPlain = parts.Scaling is null && parts.Placement is null;
+        _core = parts.Scaling is not null ? CoreKind.Other
             : parts.Kind == ShapeKind.Box ? CoreKind.Box
             : parts.Kind is ShapeKind.Segment or ShapeKind.Capsule or ShapeKind.Point or ShapeKind.Sphere
                 ? CoreKind.Segment
@@ -52,10 +66,25 @@ public readonly partial struct ConvexShape
             _center = scaling.Center;
             _margin = scaling.Axes.Margin(parts.InnerMargin) + parts.Rounding;
             _boundingRadius = _boundingRadius * scaling.Axes.Largest + scaling.CenterError.Length;
-            if (!scaling.Axes.KeepsBalls) _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this));
+            if (!scaling.Axes.KeepsBalls)
+            {
+                _parts.Placement = null;
+                _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this));
+                _parts.Placement = parts.Placement;
+            }
         }
 
         _boundingRadius += parts.Rounding;
+        if (parts.Placement is not null) _core |= CoreKind.Moved;
+    }
+
+    /// <summary>The same core, elsewhere.</summary>
+    private ConvexShape(in ConvexShape core, Placement? placement)
+    {
+        this = core;
+        _parts.Placement = placement;
+        _isPlain = _parts.Layer is null && _parts.Scaling is null && placement is null;
+        _core = core._core & ~CoreKind.Moved | (placement is null ? CoreKind.Other : CoreKind.Moved);
     }
 
     /// <summary>What the constructor was given.</summary>
@@ -65,7 +94,7 @@ public readonly partial struct ConvexShape
     public ShapeKind Kind => _parts.Kind;
 
     /// <summary>The hull of a mesh, else null.</summary>
-    public ConvexHull? Hull => _parts.Layer is null ? _parts.Hull : _parts.Layer.Inner.Hull;
+    public ConvexHull? Hull => _parts.Layer is null ? _parts.Hull : (_parts.Layer as ScaledLayer)?.Inner.Hull;
 
     /// <summary>The factors that are still applied to each support; 1 where the scale was multiplied in.</summary>
     public Vector3 Scale => (Vector3)_parts.Scale;
@@ -74,10 +103,10 @@ public readonly partial struct ConvexShape
     /// True when the shape is rounded or placed, or was before it was scaled, so that <see cref="Kind"/>,
     /// <see cref="Hull"/> and <see cref="Scale"/> do not say all about it.
     /// </summary>
-    public bool IsDecorated => _parts.Layer is not null || _parts.Rounding > 0;
+    public bool IsDecorated => _parts.Layer is not null || _parts.Placement is not null || _parts.Rounding > 0;
 
     /// <inheritdoc/>
-    public Double3 Center => _center;
+    public Double3 Center => _parts.Placement is null ? _center : _parts.Placement.Center;
 
     /// <inheritdoc/>
     public double Margin => _margin;
@@ -85,7 +114,9 @@ public readonly partial struct ConvexShape
     /// <summary>
     /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
     /// </summary>
-    public double BoundingRadius => _parts.Kind == ShapeKind.None ? double.NaN : _boundingRadius;
+    public double BoundingRadius => _parts.Kind == ShapeKind.None ? double.NaN
+        : _parts.Placement is null ? _boundingRadius
+        : _parts.Placement.Radius(_boundingRadius, _margin);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)
@@ -95,6 +126,13 @@ public readonly partial struct ConvexShape
         {
             id = CoreSupport(direction, out point);
             point -= _center;
+            return id;
+        }
+
+        if (_parts.Placement is not null)
+        {
+            id = InCoreAxes(out Placement? placement).Support(placement!.Inward(direction), out point);
+            point = placement.Outward(point);
             return id;
         }
 
@@ -111,6 +149,14 @@ public readonly partial struct ConvexShape
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point)
     {
+        bool found;
+        if (_parts.Placement is not null)
+        {
+            found = InCoreAxes(out Placement? placement).TryGetVertex(id, out point);
+            point = placement!.Outward(point);
+            return found;
+        }
+
         if (_parts.Layer is not null) return _parts.Layer.TryGetVertex(id, out point);
         ShapeScale? scaling = _parts.Scaling;
         if (scaling is not null && _parts.InnerMargin > 0 && !scaling.Axes.KeepsBalls)
@@ -119,7 +165,7 @@ public readonly partial struct ConvexShape
             return false;
         }
 
-        bool found = CoreVertex(id, out point);
+        found = CoreVertex(id, out point);
         point = scaling is null
             ? point - _center
             : Double3.Multiply(scaling.Axes.Factors, point - CoreCenter(_parts)) + scaling.CenterError;
@@ -128,6 +174,27 @@ public readonly partial struct ConvexShape
 
     /// <summary>What a query may unwrap this to.</summary>
     internal CoreKind Core => _core;
+
+    /// <summary>The core's centre, in the core's axes.</summary>
+    internal Double3 CenterInCore =>
+        _parts.Placement is null ? _center : _parts.Placement.CenterInCore;
+
+    /// <summary>The bounding radius about it.</summary>
+    internal double RadiusOfCore => _boundingRadius;
+
+    /// <summary>Where the core is in the shape's frame; null where the shape is not placed.</summary>
+    internal Placement? Placement => _parts.Placement;
+
+    bool IPlacedShape<ConvexShape>.IsPlaced => _parts.Placement is not null;
+
+    ConvexShape IPlacedShape<ConvexShape>.InCoreAxes(out Placement? placement) => InCoreAxes(out placement);
+
+    /// <inheritdoc cref="IPlacedShape{T}.InCoreAxes"/>
+    private ConvexShape InCoreAxes(out Placement? placement)
+    {
+        placement = _parts.Placement;
+        return placement is null ? this : new ConvexShape(this, null);
+    }
 
     /// <summary>This, known to be a box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

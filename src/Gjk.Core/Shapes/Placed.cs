@@ -7,22 +7,16 @@ namespace Gjk.Core;
 /// </summary>
 /// <remarks>
 /// The shape's centre is placed in double-double and its rounding error is kept, so a shape placed far from the local
-/// origin loses no accuracy.
+/// origin loses no accuracy. Queries ask the shape inside in its own axes, so they stay as fast.
 /// </remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Placed<T> : ISupportMap, ILibraryShape
+public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     where T : struct, ISupportMap
 {
-    /// <summary>
-    /// Ratio: 32 u, more than a rotation in double can lengthen a vector by: 26 u at most (proofs/placed.g).
-    /// </summary>
-    private const double RoundingUp = 1 + 32 * RoundOff.Unit;
-
     private readonly T _inner;
-    private readonly RigidPose _pose;
-    private readonly RotationD _rotation;
-    private readonly Double3 _center, _centerError;
-    private readonly double _boundingRadius;
+
+    /// <summary>Null in a <c>default</c> struct.</summary>
+    private readonly Placement? _placement;
 
     /// <summary>Places a shape.</summary>
     /// <param name="inner">The shape.</param>
@@ -30,23 +24,26 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
     /// <exception cref="ArgumentOutOfRangeException">The pose is a <c>default</c> struct.</exception>
     public Placed(in T inner, in RigidPose pose)
     {
+        Guard.Pose(pose, nameof(pose));
         _inner = inner;
-        _pose = Guard.Pose(pose, nameof(pose));
-        _rotation = new RotationD(pose.Rotation);
-        VectorDD center = VectorDD.Place(pose, inner.Center);
-        _center = (Double3)center;
-        _centerError = (Double3)(center - _center);
-        _boundingRadius = inner.BoundingRadius * RoundingUp + _centerError.Length;
+        Double3 center = ShapeTraits<T>.Of.InCoreAxes(inner, out Placement? before).Center;
+        _placement = new Placement(pose, before, center);
+    }
+
+    private Placed(in T core)
+    {
+        _inner = core;
+        _placement = Placement.None;
     }
 
     /// <summary>The shape inside.</summary>
     public T Inner => _inner;
 
     /// <summary>Pose of the inner shape in this one's frame.</summary>
-    public RigidPose Pose => _pose;
+    public RigidPose Pose => _placement is null ? default : _placement.Pose;
 
     /// <inheritdoc/>
-    public Double3 Center => _center;
+    public Double3 Center => IsPlaced ? _placement!.Center : _inner.Center;
 
     /// <inheritdoc/>
     public double Margin => _inner.Margin;
@@ -54,54 +51,54 @@ public readonly struct Placed<T> : ISupportMap, ILibraryShape
     /// <summary>
     /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
     /// </summary>
-    public double BoundingRadius => _pose.IsValid ? _boundingRadius : double.NaN;
+    public double BoundingRadius => _placement is null ? double.NaN
+        : IsPlaced ? _placement.Radius(Core.BoundingRadius, Margin) : _inner.BoundingRadius;
 
-    object ILibraryShape.MakeTraits() => new LibraryTraits<Placed<T>>(ShapeTraits<T>.AreTight);
+    private bool IsPlaced => _placement is not null && _placement != Placement.None;
+
+    /// <summary>The shape inside, without the poses that it was placed at before.</summary>
+    private T Core => ShapeTraits<T>.Of.InCoreAxes(_inner, out _);
+
+    object ILibraryShape.MakeTraits() => new PlacedTraits<Placed<T>>(ShapeTraits<T>.AreTight);
+
+    bool IPlacedShape<Placed<T>>.IsPlaced => IsPlaced;
+
+    Placed<T> IPlacedShape<Placed<T>>.InCoreAxes(out Placement? placement)
+    {
+        placement = _placement;
+        return _placement is null ? this : new(Core);
+    }
 
     bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
-        T inner = _inner;
-        if (!_pose.IsValid || !ShapeTraits<T>.Of.TryGetTarget(ref inner, out target))
-        {
-            target = default;
-            return false;
-        }
-
-        target.Center = _center;
-        target.CenterError = _rotation.Rotate(target.CenterError) + _centerError;
-        return target.Place(_pose.Rotation);
+        T core = Core;
+        if (_placement is not null && ShapeTraits<T>.Of.TryGetTarget(ref core, out target))
+            return !IsPlaced || _placement.TryPlace(ref target);
+        target = default;
+        return false;
     }
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)
     {
-        Double3 inward = _rotation.InverseRotate(DirectionRange.ToSafe(direction));
-        int id = _inner.Support(inward, out point);
-        point = _rotation.Rotate(point) + _centerError;
+        if (!IsPlaced) return _inner.Support(direction, out point);
+        int id = Core.Support(_placement!.Inward(direction), out point);
+        point = _placement.Outward(point);
         return id;
     }
 
     /// <inheritdoc/>
-    public unsafe void GetFace(in Double3 direction, ref FaceCorners corners)
+    public void GetFace(in Double3 direction, ref FaceCorners corners)
     {
-        OuterFrame turned = default;
-        OuterFrame* around = corners.Outer;
-        if (around != null)
-        {
-            turned = around->Turned(_rotation);
-            corners.Outer = &turned;
-        }
-
-        _inner.GetFace(_rotation.InverseRotate(DirectionRange.ToSafe(direction)), ref corners);
-        corners.Outer = around;
-        for (int i = 0; i < corners.Count; i++) corners[i] = _rotation.Rotate(corners[i]) + _centerError;
+        if (IsPlaced) _placement!.GetFace(Core, direction, ref corners);
+        else _inner.GetFace(direction, ref corners);
     }
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point)
     {
-        bool found = _inner.TryGetVertex(id, out point);
-        point = _rotation.Rotate(point) + _centerError;
+        bool found = Core.TryGetVertex(id, out point);
+        if (IsPlaced) point = _placement!.Outward(point);
         return found;
     }
 }

@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// fast.
 /// </summary>
 /// <typeparam name="T">The shape inside.</typeparam>
-public readonly struct Rounded<T> : ISupportMap, ILibraryShape
+public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
     where T : struct, ISupportMap
 {
     private readonly T _inner;
@@ -34,7 +34,12 @@ public readonly struct Rounded<T> : ISupportMap, ILibraryShape
     /// <inheritdoc/>
     public double BoundingRadius => _inner.BoundingRadius + _radius;
 
-    object ILibraryShape.MakeTraits() => new LibraryTraits<Rounded<T>>(ShapeTraits<T>.AreTight);
+    object ILibraryShape.MakeTraits() => new PlacedTraits<Rounded<T>>(ShapeTraits<T>.AreTight);
+
+    bool IPlacedShape<Rounded<T>>.IsPlaced => ShapeTraits<T>.Of.IsPlaced(_inner);
+
+    Rounded<T> IPlacedShape<Rounded<T>>.InCoreAxes(out Placement? placement) =>
+        new(ShapeTraits<T>.Of.InCoreAxes(_inner, out placement), _radius);
 
     bool ILibraryShape.TryGetTarget(out RayTarget target)
     {

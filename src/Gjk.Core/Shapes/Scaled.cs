@@ -59,7 +59,10 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<Scaled<T>>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
+    bool ILibraryShape.TryGetTarget(out RayTarget target) => TryGetTarget(out target);
+
+    /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
+    internal bool TryGetTarget(out RayTarget target)
     {
         T inner = _inner;
         if (!(_scale.Largest > 0) || !ShapeTraits<T>.Of.TryGetTarget(ref inner, out target) || !target.Scale(_scale))

@@ -32,7 +32,11 @@ internal struct ShapeParts
     public ConvexHull? Hull;
 
     /// <summary>
-    /// The decorator that holds the shape, if there is one; then only the kind and the rounding are used.
+    /// A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind, the
+    /// rounding and the placement are used.
     /// </summary>
-    public ShapeLayer? Layer;
+    public ISupportMap? Layer;
+
+    /// <summary>Where all that is in the shape's frame; null where it is not placed.</summary>
+    public Placement? Placement;
 }

@@ -113,11 +113,11 @@ internal static class GjkDistance
             {
                 state.Iterations += rounds;
                 Surround(ref state, vertices, slot, separated, touchSquared);
-                if (trace.IsOn) trace.OnReduced(new TracedSimplex(state.Simplex, frame.Unit, isExtended: false));
+                if (trace.IsOn) trace.OnReduced(new TracedSimplex(state.Simplex, frame, isExtended: false));
                 return;
             }
 
-            if (trace.IsOn) Tell(state, vertices, frame.Unit, ref trace);
+            if (trace.IsOn) Tell(state, vertices, frame, ref trace);
             double before = distanceSquared;
             distanceSquared = feature.DistanceSquared;
             if (distanceSquared > touchSquared & distanceSquared < before & rounds < GjkTolerances.MaxIterations)
@@ -232,12 +232,13 @@ internal static class GjkDistance
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Tell<TTrace>(in SolverState state, FeatureVertices vertices, double unit, ref TTrace trace)
+    private static void Tell<TTrace>(
+        in SolverState state, FeatureVertices vertices, in PairFrame frame, ref TTrace trace)
         where TTrace : struct, IGjkTrace
     {
         SolverState copy = state;
         Store(ref copy, vertices, default);
-        trace.OnReduced(new TracedSimplex(copy.Simplex, unit, isExtended: false));
+        trace.OnReduced(new TracedSimplex(copy.Simplex, frame, isExtended: false));
     }
 
     /// <summary>

@@ -52,7 +52,7 @@ internal static class GjkExtendedPrecision
             simplex.Push(slot);
             bool outside = ExtendedFeatureStep.TryReduce(
                 ref simplex, out ClosestFeature next, out DoubleDouble nextSquared);
-            if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, frame.Unit, isExtended: true));
+            if (trace.IsOn) trace.OnReduced(new TracedSimplex(simplex, frame, isExtended: true));
             if (!outside || !((double)nextSquared > state.TouchSquared))
             {
                 bool isNumber = !outside || (double)nextSquared >= 0;

@@ -94,7 +94,8 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
             return WideRoute.Answered;
         }
 
-        bool isWide = a.Margin + b.Margin > 0 || (a.Core != CoreKind.Hull && b.Core != CoreKind.Hull);
+        bool isWide = a.Margin + b.Margin > 0 || (((a.Core ^ CoreKind.Hull) & ~CoreKind.Moved) != 0
+            && ((b.Core ^ CoreKind.Hull) & ~CoreKind.Moved) != 0);
         return isWide ? WideRoute.Cold : WideRoute.Alone;
     }
 

@@ -61,6 +61,28 @@ internal readonly unsafe ref struct WideBatch
         ReadSizes(b0, b1, b2, b3, out s.CenterB, out s.MarginB, out s.RadiusB);
     }
 
+    /// <summary>The lanes of the pairs of which one shape is placed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector256<double> ArePlaced(int* index)
+    {
+        CoreKind any = (ShapeA(index[0]).Core | ShapeB(index[0]).Core | ShapeA(index[1]).Core | ShapeB(index[1]).Core
+            | ShapeA(index[2]).Core | ShapeB(index[2]).Core | ShapeA(index[3]).Core | ShapeB(index[3]).Core)
+            & CoreKind.Moved;
+        return any == 0 ? Vector256<double>.Zero : Vector256.Create(
+            IsPlaced(index[0]), IsPlaced(index[1]), IsPlaced(index[2]), IsPlaced(index[3])).AsDouble();
+    }
+
+    private long IsPlaced(int pair) =>
+        ((ShapeA(pair).Core | ShapeB(pair).Core) & CoreKind.Moved) == 0 ? 0 : -1;
+
+    /// <summary>Where the cores are in the frames of four first shapes.</summary>
+    public WideTurn TurnsOfA(int* index) =>
+        WideTurn.Of(ShapeA(index[0]), ShapeA(index[1]), ShapeA(index[2]), ShapeA(index[3]));
+
+    /// <summary>Where the cores are in the frames of four second shapes.</summary>
+    public WideTurn TurnsOfB(int* index) =>
+        WideTurn.Of(ShapeB(index[0]), ShapeB(index[1]), ShapeB(index[2]), ShapeB(index[3]));
+
     /// <summary>Asks about the part's pairs.</summary>
     /// <param name="count">How many there are.</param>
     /// <param name="question">What to ask, and where the answers go.</param>
@@ -192,7 +214,8 @@ internal readonly unsafe ref struct WideBatch
         if (route == WideRoute.Answered) return Answered;
         ref ConvexShape a = ref ShapeA(pair), b = ref ShapeB(pair);
         if (route == WideRoute.Alone || ConvexQuery.AreBalls(ref a, ref b)) return 0;
-        return OneKinds * (int)a.Core + (int)b.Core + CoreKinds * (route - WideRoute.Cold);
+        CoreKind kindA = a.Core & ~CoreKind.Moved, kindB = b.Core & ~CoreKind.Moved;
+        return OneKinds * (int)kindA + (int)kindB + CoreKinds * (route - WideRoute.Cold);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -200,12 +223,12 @@ internal readonly unsafe ref struct WideBatch
         in ConvexShape a, in ConvexShape b, in ConvexShape c, in ConvexShape d, out WideVector centers,
         out Vector256<double> margins, out Vector256<double> radii)
     {
-        Double3 ca = a.Center, cb = b.Center, cc = c.Center, cd = d.Center;
+        Double3 ca = a.CenterInCore, cb = b.CenterInCore, cc = c.CenterInCore, cd = d.CenterInCore;
         centers = new WideVector(
             Vector256.Create(ca.X, cb.X, cc.X, cd.X), Vector256.Create(ca.Y, cb.Y, cc.Y, cd.Y),
             Vector256.Create(ca.Z, cb.Z, cc.Z, cd.Z));
         margins = Vector256.Create(a.Margin, b.Margin, c.Margin, d.Margin);
-        radii = Vector256.Create(a.BoundingRadius, b.BoundingRadius, c.BoundingRadius, d.BoundingRadius);
+        radii = Vector256.Create(a.RadiusOfCore, b.RadiusOfCore, c.RadiusOfCore, d.RadiusOfCore);
     }
 }
 #endif

@@ -148,6 +148,12 @@ internal static unsafe class WideFinish
         WideVector localB = WideVector.Select(inside, onB, onB + toAInB * reachB) + s.CenterB;
         WideVector normal = -s.RotationA.Rotate(toA), worldA = s.RotationA.Rotate(localA) + s.PositionA;
         WideVector way = normal * distance, worldB = worldA + way;
+        if (s.ArePlaced != zero)
+        {
+            localA = WideVector.Select(s.ArePlaced, batch.TurnsOfA(index).Rotate(localA), localA);
+            localB = WideVector.Select(s.ArePlaced, batch.TurnsOfB(index).Rotate(localB), localB);
+        }
+
         if (smaller != zero)
         {
             worldB = WideVector.Select(smaller, WideFrame.PlaceB(batch, index, localB), worldB);

@@ -7,7 +7,7 @@ using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 namespace Gjk.Core;
 
 /// <summary>
-/// Composes the frames of four pairs, as <see cref="PairFrame.Compose"/> and <see cref="PoseComposition"/> do one.
+/// Composes the frames of four pairs, as <see cref="PairFrame"/> and <see cref="PoseComposition"/> do one.
 /// </summary>
 internal static unsafe class WideFrame
 {
@@ -28,6 +28,13 @@ internal static unsafe class WideFrame
         Read(b0, b1, b2, b3, out Lanes bx, out Lanes by, out Lanes bz, out Lanes bw, out WideVector positionB);
         Lanes normA = ax * ax + ay * ay + az * az + aw * aw, normB = bx * bx + by * by + bz * bz + bw * bw;
         Lanes one = Lanes.One / (normA * normB), two = Vector256.Create(2.0);
+        s.ArePlaced = batch.ArePlaced(index);
+        if (s.ArePlaced != Lanes.Zero)
+        {
+            batch.TurnsOfA(index).Turn(s.ArePlaced, ref ax, ref ay, ref az, ref aw);
+            batch.TurnsOfB(index).Turn(s.ArePlaced, ref bx, ref by, ref bz, ref bw);
+        }
+
         s.RotationA.Set(ax, ay, az, aw, two * normB * one);
         s.Rotation.Set(
             aw * bx - ax * bw - ay * bz + az * by,

@@ -20,6 +20,9 @@ internal struct WidePairs
     /// <inheritdoc cref="Rotation"/>
     public Lanes MarginA, MarginB, RadiusA, RadiusB;
 
+    /// <summary>Mask: the pair has a placed shape, and its axes are those of the cores.</summary>
+    public Lanes ArePlaced;
+
     /// <summary>As in <see cref="FeatureVertices"/>, and the newest vertex.</summary>
     public WideVector A, B, C, W;
 

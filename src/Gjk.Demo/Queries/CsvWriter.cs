@@ -43,14 +43,15 @@ internal sealed class CsvWriter
     private int _used;
 
     /// <param name="stream">Where to write.</param>
-    /// <param name="columns">The columns: <see cref="Distances"/> or <see cref="Casts"/>.</param>
+    /// <param name="columns">The columns, <see cref="Distances"/> or <see cref="Casts"/>; null for no heading.</param>
     /// <param name="names">The name of each object as a field of CSV, or null for a table without names.</param>
     /// <param name="isChecked">Whether the rows end with a verdict.</param>
-    public CsvWriter(Stream stream, string columns, string[]? names = null, bool isChecked = false)
+    public CsvWriter(Stream stream, string? columns, string[]? names = null, bool isChecked = false)
     {
         _stream = stream;
         _names = names;
         _isChecked = isChecked;
+        if (columns is null) return;
         Add(columns + (names is null ? "" : NameColumns) + (isChecked ? CheckColumn : ""));
         EndRow();
     }

@@ -39,12 +39,15 @@ internal sealed class PairInput
             + "answer is refuted.",
     };
 
+    private readonly Option<Shard> _shard = Shard.Option();
+
     /// <summary>Adds the argument and the options to a command.</summary>
     public PairInput(Command command)
     {
         command.Add(_output);
         command.Add(_names);
         command.Add(_check);
+        command.Add(_shard);
         command.Add(_scene.File);
         command.Add(_scene.BuiltIn);
         _scene.Validate(command, _record);
@@ -62,7 +65,9 @@ internal sealed class PairInput
         Scene scene = Load(parsed, output, cancel, out string name);
         bool hasNames = parsed.GetValue(_names);
         if (hasNames) ObjectNames.WarnOfRepeats(scene, name);
-        return (scene, new PairTable(scene, output, hasNames, parsed.GetValue(_check)));
+        Shard shard = parsed.GetValue(_shard);
+        scene = shard.Cut(scene);
+        return (scene, new PairTable(scene, output, hasNames, parsed.GetValue(_check), hasHeading: shard.Number == 1));
     }
 
     private Scene Load(ParseResult parsed, string? output, CancellationToken cancel, out string name)

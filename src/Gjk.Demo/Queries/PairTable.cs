@@ -15,13 +15,16 @@ internal sealed class PairTable
     private readonly Scene _scene;
     private readonly string? _output;
     private readonly string[]? _names;
+    private readonly bool _hasHeading;
 
     /// <param name="scene">The scene.</param>
     /// <param name="output">The file to write, or null for standard output.</param>
     /// <param name="hasNames">Whether two columns with the names of the objects follow the others.</param>
     /// <param name="isChecked">Whether a column with the verdict of the check follows these.</param>
-    public PairTable(Scene scene, string? output, bool hasNames, bool isChecked)
+    /// <param name="hasHeading">Whether the columns are named, as they are in the first of several parts.</param>
+    public PairTable(Scene scene, string? output, bool hasNames, bool isChecked, bool hasHeading = true)
     {
+        _hasHeading = hasHeading;
         IsChecked = isChecked;
         _scene = scene;
         _output = output;
@@ -59,7 +62,7 @@ internal sealed class PairTable
     /// <returns>How many answers are refuted.</returns>
     private int Write(Stream stream, string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
     {
-        var rows = new CsvWriter(stream, columns, _names, IsChecked);
+        var rows = new CsvWriter(stream, _hasHeading ? columns : null, _names, IsChecked);
         int untilLook = 0;
         foreach ((int a, int b) in _scene.Pairs)
         {

@@ -10,19 +10,35 @@ namespace Gjk.Demo.Replay;
 /// <summary>Repeats the report's experiment on this machine, or replays a whole world of its objects.</summary>
 internal static class ReplayCommand
 {
-    /// <summary>Replays the report's scenes. Each frame asks for the closest points of all pairs.</summary>
-    /// <param name="mesh">The mesh of the spheres.</param>
+    /// <summary>
+    /// Replays the report's scenes, or those of files. Each frame asks for the closest points of all pairs.
+    /// </summary>
+    /// <param name="files">Scene files; none for the report's scenes.</param>
+    /// <param name="mesh">The mesh of the report's spheres.</param>
     /// <param name="length">How long to measure each scene.</param>
     /// <param name="jsonFile">Where to write figures and results, or null.</param>
     /// <param name="cancel">Ends the work. Completed scenes are still printed. They are also written, unless that would
     /// replace a file.</param>
     public static int Run(
-        SphereMesh mesh, ReplayLength length, string? jsonFile, CancellationToken cancel) => Run(
-        [BuiltInScenes.Cubes, () => BuiltInScenes.Spheres(mesh)],
-        (scene, progress) => SceneReplay.Run(scene, length, progress, cancel),
-        jsonFile,
-        ReplayJson.Write,
-        ReplayTable.Print);
+        string[] files, SphereMesh mesh, ReplayLength length, string? jsonFile, CancellationToken cancel)
+    {
+        foreach (string file in files) TargetFiles.Check(file, ("--json", jsonFile));
+
+        // A scene is refused before another one is measured.
+        ReplayScene[] given = Array.ConvertAll(files, file => ReplayScene.Load(file, cancel));
+        return Run(
+            given.Length > 0
+                ? Array.ConvertAll(given, scene => (Func<ReplayScene>)(() => scene))
+                : [
+                    () => ReplayScene.Of(BuiltInScenes.Cubes()),
+                    () => ReplayScene.Of(BuiltInScenes.Spheres(mesh)),
+                ],
+            scene => scene.Scene.Name,
+            (scene, progress) => SceneReplay.Run(scene, length, progress, cancel),
+            jsonFile,
+            ReplayJson.Write,
+            ReplayTable.Print);
+    }
 
     /// <summary>
     /// Replays the same scenes, or larger ones of their kind. The objects may move, and each frame finds the
@@ -42,15 +58,17 @@ internal static class ReplayCommand
             : [BuiltInScenes.Cubes, () => BuiltInScenes.Spheres(mesh)];
         return Run(
             scenes,
+            scene => scene.Name,
             (scene, progress) => WorldReplay.Run(scene, settings, length, progress, cancel),
             jsonFile,
             ReplayJson.Write,
             WorldTable.Print);
     }
 
-    private static int Run<TReport>(
-        Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, string? jsonFile,
-        Action<Stream, IReadOnlyList<TReport>> writeJson, Action<IAnsiConsole, IReadOnlyList<TReport>, bool> print)
+    private static int Run<TScene, TReport>(
+        Func<TScene>[] scenes, Func<TScene, string> nameOf, Func<TScene, Action<double>, TReport> replay,
+        string? jsonFile, Action<Stream, IReadOnlyList<TReport>> writeJson,
+        Action<IAnsiConsole, IReadOnlyList<TReport>, bool> print)
     {
         TargetFiles.Check(null, ("--json", jsonFile));
         if (jsonFile is not null) AtomicFile.Check(jsonFile);
@@ -58,7 +76,7 @@ internal static class ReplayCommand
         bool isWritten = false;
         var reports = new List<TReport>();
         bool cancelled = false;
-        ProgressBar.Show(bar => cancelled = !RunScenes(scenes, replay, bar, reports));
+        ProgressBar.Show(bar => cancelled = !RunScenes(scenes, nameOf, replay, bar, reports));
         if (jsonFile is not null && reports.Count > 0)
             isWritten = WriteJson(jsonFile, !cancelled, stream => writeJson(stream, reports));
         print(console, reports, OutputConsole.IsPlain);
@@ -67,16 +85,16 @@ internal static class ReplayCommand
     }
 
     /// <summary>False if it was cancelled before the last scene was complete.</summary>
-    private static bool RunScenes<TReport>(
-        Func<BuiltInScene>[] scenes, Func<BuiltInScene, Action<double>, TReport> replay, ProgressBar bar,
-        List<TReport> reports)
+    private static bool RunScenes<TScene, TReport>(
+        Func<TScene>[] scenes, Func<TScene, string> nameOf, Func<TScene, Action<double>, TReport> replay,
+        ProgressBar bar, List<TReport> reports)
     {
         try
         {
-            foreach (Func<BuiltInScene> make in scenes)
+            foreach (Func<TScene> make in scenes)
             {
-                BuiltInScene scene = make();
-                reports.Add(replay(scene, bar.Add(scene.Name)));
+                TScene scene = make();
+                reports.Add(replay(scene, bar.Add(nameOf(scene))));
             }
 
             return true;

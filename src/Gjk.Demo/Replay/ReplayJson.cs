@@ -8,7 +8,7 @@ namespace Gjk.Demo.Replay;
 
 /// <summary>
 /// Writes the replay's figures and results as JSON. Numbers that are not finite become null, because JSON cannot
-/// express them.
+/// express them, and so do figures that do not apply to a scene.
 /// </summary>
 internal static class ReplayJson
 {
@@ -37,15 +37,15 @@ internal static class ReplayJson
         json.WriteStartObject();
         json.WriteString("name", report.Name);
         json.WriteNumber("objects", report.ObjectNames.Length);
-        json.WriteNumber("vertices_per_object", report.VerticesPerObject);
-        json.WriteNumber("hull_vertices", report.HullVertices);
+        Write(json, "vertices_per_object", report.VerticesPerObject);
+        Write(json, "hull_vertices", report.HullVertices);
         json.WriteNumber("calls_per_frame", report.Results.Length);
         json.WriteNumber("intersecting_pairs", report.IntersectingPairs);
         json.WriteNumber("loops_per_call", report.LoopsPerCall);
         json.WriteNumber("frames", report.Frames);
         json.WriteNumber("ms_per_frame_median", report.MedianMs);
         json.WriteNumber("ms_per_frame_p99", report.P99Ms);
-        json.WriteNumber("support_share", report.SupportShare);
+        Write(json, "support_share", report.SupportShare);
         json.WriteNumber("bytes_per_call", report.BytesPerCall);
         json.WriteNumber("iteration_limits", report.IterationLimits);
         json.WriteString("hash", report.Hash);
@@ -111,6 +111,12 @@ internal static class ReplayJson
         Write(json, "nz", result.Normal.Z);
         json.WriteNumber("iterations", result.Iterations);
         json.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter json, string name, double? value)
+    {
+        if (value is { } number) json.WriteNumber(name, number);
+        else json.WriteNull(name);
     }
 
     /// <summary>Adding 0 turns -0 into 0.</summary>

@@ -2,12 +2,11 @@ using System;
 using System.Diagnostics;
 using System.Threading;
 using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>Runs one of the built-in scenes frame by frame. Each frame asks for all pairs, as the report did.</summary>
+/// <summary>Runs a scene frame by frame. Each frame asks for all pairs, as the report did.</summary>
 internal static class SceneReplay
 {
     private const double NsPerMs = 1e6;
@@ -17,15 +16,21 @@ internal static class SceneReplay
     /// <param name="progress">Receives the completed share, from 0 to 1, between the frames.</param>
     /// <param name="cancel">Ends the work. The scene's results are thrown away.</param>
     public static SceneReport Run(
-        BuiltInScene scene, ReplayLength length, Action<double> progress, CancellationToken cancel)
+        ReplayScene scene, ReplayLength length, Action<double> progress, CancellationToken cancel)
     {
-        Scene objects = Scene.From(scene);
-        var pairs = new PairLoop(objects, cancel);
+        var pairs = new PairLoop(scene.Scene, cancel);
         var results = new DistanceResult[pairs.Count];
-        WarmUp.Run(() => pairs.Distances(results), length.Frames is null ? WarmUp.Usual : WarmUp.Short, cancel);
-        Samples frames = Measure(pairs, results, length, progress, cancel, out long bytes);
-        double supportShare = new SupportReplay(objects, cancel).Share();
-        return new SceneReport(scene, objects.Objects[0].Shape.Hull!.VertexCount, pairs.A, pairs.B, results)
+        Action ask = () => pairs.Distances(results);
+        if (!scene.Scene.IsConvex)
+        {
+            var concave = new ConcaveLoop(scene.Scene, cancel);
+            ask = () => concave.Distances(null, results);
+        }
+
+        WarmUp.Run(ask, length.Frames is null ? WarmUp.Usual : WarmUp.Short, cancel);
+        Samples frames = Measure(ask, length, progress, cancel, out long bytes);
+        double? supportShare = scene.HasPlainMeshes ? new SupportReplay(scene.Scene, cancel).Share() : null;
+        return new SceneReport(scene, pairs.A, pairs.B, results)
         {
             Frames = frames.Count,
             MedianMs = frames.MedianNs / NsPerMs,
@@ -37,8 +42,7 @@ internal static class SceneReplay
 
     /// <summary>Times the frames. Work between the frames counts neither in the times nor in the bytes.</summary>
     private static Samples Measure(
-        PairLoop pairs, DistanceResult[] results, ReplayLength length, Action<double> progress,
-        CancellationToken cancel, out long bytes)
+        Action ask, ReplayLength length, Action<double> progress, CancellationToken cancel, out long bytes)
     {
         var frames = new Samples();
         bytes = 0;
@@ -48,7 +52,7 @@ internal static class SceneReplay
             cancel.ThrowIfCancellationRequested();
             long bytesBefore = GC.GetAllocatedBytesForCurrentThread();
             long before = Stopwatch.GetTimestamp();
-            pairs.Distances(results);
+            ask();
             long after = Stopwatch.GetTimestamp();
             bytes += GC.GetAllocatedBytesForCurrentThread() - bytesBefore;
             frames.Add(after - before);

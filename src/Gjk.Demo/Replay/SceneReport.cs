@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
@@ -7,12 +8,13 @@ namespace Gjk.Demo.Replay;
 internal sealed class SceneReport
 {
     public SceneReport(
-        BuiltInScene scene, int hullVertices, ReadOnlySpan<int> a, ReadOnlySpan<int> b, DistanceResult[] results)
+        ReplayScene scene, ReadOnlySpan<int> a, ReadOnlySpan<int> b, DistanceResult[] results)
     {
-        Name = scene.Name;
-        ObjectNames = [.. scene.ObjectNames];
-        VerticesPerObject = scene.Vertices.Count;
-        HullVertices = hullVertices;
+        Name = scene.Scene.Name;
+        ObjectNames = [.. scene.Scene.Objects.Select((o, i) => o.Name ?? $"object {i}")];
+        VerticesPerObject = scene.Vertices;
+        HullVertices = scene.HullVertices;
+        Published = scene.Published;
         A = a.ToArray();
         B = b.ToArray();
         Results = results;
@@ -35,11 +37,14 @@ internal sealed class SceneReport
 
     public string[] ObjectNames { get; }
 
-    /// <summary>Vertices in the mesh as given.</summary>
-    public int VerticesPerObject { get; }
+    /// <summary>Vertices in each mesh as given, if that is known and the same for all.</summary>
+    public int? VerticesPerObject { get; }
 
-    /// <summary>Vertices after deduplication.</summary>
-    public int HullVertices { get; }
+    /// <summary>Vertices after deduplication, if each object is a mesh with as many.</summary>
+    public int? HullVertices { get; }
+
+    /// <summary>What the report says of this scene, or null.</summary>
+    public PublishedFigures? Published { get; }
 
     /// <summary>The first member of each pair.</summary>
     public int[] A { get; }
@@ -64,8 +69,11 @@ internal sealed class SceneReport
     /// <summary>The 99th percentile of the frame times.</summary>
     public double P99Ms { get; init; }
 
-    /// <summary>Which part of the queries is the search for support points: <see cref="SupportReplay"/>.</summary>
-    public double SupportShare { get; init; }
+    /// <summary>
+    /// Which part of the queries is the search for support points: <see cref="SupportReplay"/>. Null if not all shapes
+    /// are meshes.
+    /// </summary>
+    public double? SupportShare { get; init; }
 
     public double BytesPerCall { get; init; }
 }

@@ -39,7 +39,12 @@ internal sealed class ConcaveLoop
 
     /// <summary>The distances of all pairs.</summary>
     /// <param name="poses">The poses in this frame. Null means the poses of the scene.</param>
-    public void Distances(RigidPose[]? poses = null)
+    public void Distances(RigidPose[]? poses = null) => Distances(poses, null);
+
+    /// <inheritdoc cref="Distances(RigidPose[])"/>
+    /// <param name="poses">The poses in this frame. Null means the poses of the scene.</param>
+    /// <param name="results">Gets the results, or null.</param>
+    public void Distances(RigidPose[]? poses, DistanceResult[]? results)
     {
         poses ??= _poses;
         long iterations = 0;
@@ -49,6 +54,7 @@ internal sealed class ConcaveLoop
             _cancel.ThrowIfCancellationRequested();
             int a = _a[i], b = _b[i];
             DistanceResult result = ConcaveQuery.Distance(_shapes[a], poses[a], _shapes[b], poses[b], _scratch).Result;
+            if (results is not null) results[i] = result;
             iterations += result.Iterations;
             if (result.IsOverlapping) overlapping++;
         }

@@ -17,8 +17,8 @@ public static class GoldenHashes
         ["casts"] = "a41d9714908af600",
         ["impacts"] = "97fefd12e0317273",
         ["rays"] = "f97003a7a9720186",
-        ["shapes"] = "96a24b3abc401d7e",
-        ["batches"] = "336cedcd3511715d",
-        ["scenes"] = "efaa09444f5672c6",
+        ["shapes"] = "0665a2ef1e62c5c4",
+        ["batches"] = "02cb1d8ad93d25b4",
+        ["scenes"] = "0a3e697b10e6f945",
     };
 }

@@ -24,7 +24,7 @@ public class FolderTests(ITestOutputHelper output)
         ("Hulls/Lookup", ["Arithmetic", "Geometry"]),
         ("Hulls", ["Arithmetic", "Geometry", "Hulls/Building", "Hulls/Lookup"]),
         ("Cores", ["Arithmetic", "Geometry", "Hulls", "Hulls/Lookup"]),
-        ("Shapes", ["Arithmetic", "Geometry", "Hulls", "Hulls/Lookup", "Cores"]),
+        ("Shapes", ["Geometry", "Hulls", "Hulls/Lookup", "Cores"]),
         ("Simplex", ["Arithmetic", "Geometry"]),
         ("Minkowski", ["Arithmetic", "Geometry", "Cores", "Simplex"]),
         ("Solvers/Trace", ["Geometry", "Minkowski", "Simplex"]),

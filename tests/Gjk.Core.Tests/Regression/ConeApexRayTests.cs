@@ -2,13 +2,18 @@ using System.Numerics;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>Rays at a cone's apex had the normal NaN, as those at bodies thinner than rounding.</summary>
+/// <summary>
+/// Rays at a cone's apex had the normal NaN, as those at bodies thinner than rounding; one that came from below had the
+/// axis for a normal, and so left the cone where it met it.
+/// </summary>
 public class ConeApexRayTests
 {
     [Theory]
     [InlineData(0, 5, 0, 0, -1, 0)]
     [InlineData(5, 1, 0, -1, 0, 0)]
     [InlineData(3, 4, 0, -1, -1, 0)]
+    [InlineData(3, -1, 0, -1, 1, 0)]
+    [InlineData(3, 2, 0, -1, 0, 0)]
     public void TheNormalAtTheApexIsOneOfACone(float x, float y, float z, float dx, float dy, float dz)
     {
         var direction = new Vector3(dx, dy, dz);

@@ -158,6 +158,81 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.Contains(_replay.Scene("spheres").GetProperty("hash").GetString()!, again.Out);
     }
 
+    /// <summary>The experiment's own scene as a file gives the same answers; a file has no column of the report.</summary>
+    [Fact]
+    public void ASceneFileIsReplayedAsTheExperiment()
+    {
+        using var directory = new TempDirectory();
+        BuiltInScene cubes = BuiltInScenes.Cubes();
+        string Text(params float[] numbers) => $"[{string.Join(", ", numbers.Select(x => x.ToString("R")))}]";
+        IEnumerable<string> objects = cubes.Poses.Select((pose, i) => $$"""
+            { "name": "{{cubes.ObjectNames[i]}}", "shape": { "type": "mesh", "mesh": "cube" },
+              "position": {{Text(pose.Position.X, pose.Position.Y, pose.Position.Z)}},
+              "rotation": {{Text(pose.Rotation.X, pose.Rotation.Y, pose.Rotation.Z, pose.Rotation.W)}} }
+            """);
+        string mesh = string.Join(", ", cubes.Vertices.Select(v => Text(v.X, v.Y, v.Z)));
+        string scene = directory.Write(
+            "cubes.json",
+            $$"""{ "version": 1, "name": "cubes", "meshes": { "cube": [{{mesh}}] }, "objects": [ """
+            + string.Join(",\n", objects) + " ] }\n");
+        DemoRun run = DemoRun.Of("replay", scene, "--frames", "2", "--json", directory.File("replay.json"));
+        run.AssertDone();
+        Assert.Contains($"hash:   cubes {_replay.Scene("cubes").GetProperty("hash").GetString()}", run.Out);
+        Assert.Contains("Cube (11) - Cube (12)", run.Out);
+        Assert.DoesNotContain("report", run.Out);
+        using var json = JsonDocument.Parse(File.ReadAllText(directory.File("replay.json")));
+        JsonElement figures = Assert.Single(json.RootElement.GetProperty("scenes").EnumerateArray());
+        Assert.Equal(Fields, figures.EnumerateObject().Select(p => p.Name));
+        Assert.Equal(JsonValueKind.Null, figures.GetProperty("vertices_per_object").ValueKind);
+        Assert.Equal(8, figures.GetProperty("hull_vertices").GetInt32());
+        Assert.Equal(0, figures.GetProperty("bytes_per_call").GetDouble());
+        Assert.InRange(figures.GetProperty("support_share").GetDouble(), 0, 1);
+    }
+
+    /// <summary>Shapes of all kinds, surfaces among them; the answers are those of query.</summary>
+    [Fact]
+    public void AnySceneFileCanBeReplayed()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("mixed.json", """
+            { "version": 1, "name": "mixed", "meshes": { "tent":
+                { "vertices": [[0,0,0],[2,0,0],[2,1,1],[0,1,1]], "triangles": [[0,1,2],[0,2,3]] } },
+              "objects": [ { "shape": { "type": "surface", "mesh": "tent" } },
+                { "name": "ball", "shape": { "type": "sphere", "radius": 0.5 }, "position": [1, 3, 0.5] },
+                { "shape": { "type": "box", "halfExtents": [1, 1, 1] }, "position": [1, 3, 1] } ] }
+            """);
+        string file = directory.File("replay.json");
+        DemoRun.Of("replay", scene, "--frames", "2", "--json", file).AssertDone();
+        using var json = JsonDocument.Parse(File.ReadAllText(file));
+        JsonElement figures = json.RootElement.GetProperty("scenes")[0];
+        foreach (string field in new[] { "vertices_per_object", "hull_vertices", "support_share" })
+            Assert.Equal(JsonValueKind.Null, figures.GetProperty(field).ValueKind);
+        Assert.Equal(0, figures.GetProperty("bytes_per_call").GetDouble());
+        Assert.Equal(1, figures.GetProperty("intersecting_pairs").GetInt32());
+        string[] rows = DemoRun.Of("query", scene).Out.TrimEnd('\n').Split('\n')[1..];
+        Assert.Equal(
+            rows.Select(r => float.Parse(r.Split(',')[4], CultureInfo.InvariantCulture)),
+            figures.GetProperty("pairs").EnumerateArray().Select(p => p.GetProperty("distance").GetSingle()));
+    }
+
+    [Theory]
+    [InlineData("replay none.json", "none.json: cannot be read")]
+    [InlineData("replay - -", "standard input can be read only once")]
+    [InlineData("replay a.json --objects 9", "--objects is for the report's scenes")]
+    [InlineData("replay a.json --mesh unity", "--mesh is for the report's scenes")]
+    [InlineData("replay a.json --json a.json", "would overwrite the scene")]
+    public void WrongArgumentsAreOneLine(string args, string part) =>
+        DemoRun.Of(args.Split(' ')).AssertRefused(part);
+
+    [Fact]
+    public void ASceneWithoutPairsIsRefused()
+    {
+        using var directory = new TempDirectory();
+        string file = directory.Write(
+            "one.json", """{ "version": 1, "name": "one", "objects": [ { "shape": { "type": "point" } } ] }""");
+        DemoRun.Of("replay", file).AssertRefused($"{file}: $.pairs: 0 pairs, but 1 to 1000000 can be replayed");
+    }
+
     private static bool Overlaps(JsonElement pair) => pair.GetProperty("overlap").GetBoolean();
 
     private static int Int(JsonElement pair, string field) => pair.GetProperty(field).GetInt32();

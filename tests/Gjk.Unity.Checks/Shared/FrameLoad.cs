@@ -86,7 +86,8 @@ internal sealed class FrameLoad : IDisposable
                 var skewed = new GameObject("skewed");
                 skewed.transform.SetParent(owner.transform, false);
                 skewed.transform.localRotation = Quaternion.AngleAxis(i, Vector3.right);
-                skewed.AddComponent<MeshCollider>().sharedMesh = Tests.TestMeshes.Block();
+                skewed.AddComponent<MeshCollider>().sharedMesh =
+                    i % 8 == 3 ? Tests.TestMeshes.Block() : Tests.TestMeshes.Roof(-0.25f);
                 break;
         }
     }

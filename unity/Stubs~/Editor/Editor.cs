@@ -2,13 +2,6 @@ using System;
 using System.Collections.Generic;
 using UnityEngine;
 
-namespace UnityEngine
-{
-    public class ScriptableObject : Object
-    {
-    }
-}
-
 namespace UnityEditor
 {
     public enum MessageType
@@ -27,6 +20,15 @@ namespace UnityEditor
         internal Type InspectedType { get; }
     }
 
+    [AttributeUsage(AttributeTargets.Class, Inherited = false)]
+    public sealed class CanEditMultipleObjects : Attribute
+    {
+    }
+
+    public class AssetPostprocessor
+    {
+    }
+
     [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
     public sealed class MenuItem : Attribute
     {
@@ -37,7 +39,14 @@ namespace UnityEditor
 
     public class Editor : ScriptableObject
     {
-        public UnityEngine.Object target { get; set; }
+        public UnityEngine.Object target
+        {
+            get => targets.Length > 0 ? targets[0] : null;
+            set => targets = new[] { value };
+        }
+
+        /// <summary>The engine's has no setter.</summary>
+        public UnityEngine.Object[] targets { get; set; } = new UnityEngine.Object[0];
 
         public virtual void OnInspectorGUI() => DrawDefaultInspector();
 

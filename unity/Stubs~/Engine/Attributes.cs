@@ -53,6 +53,14 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Class)]
+    public class DefaultExecutionOrder : Attribute
+    {
+        public DefaultExecutionOrder(int order) => this.order = order;
+
+        public int order { get; }
+    }
+
+    [AttributeUsage(AttributeTargets.Class)]
     public sealed class HelpURLAttribute : Attribute
     {
         public HelpURLAttribute(string url) => URL = url;

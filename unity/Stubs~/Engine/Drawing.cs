@@ -60,14 +60,32 @@ namespace UnityEngine
         public Vector3 direction { get; set; }
     }
 
+    public class Shader : Object
+    {
+    }
+
     public class Material : Object
     {
+        public Material()
+        {
+        }
+
+        public Material(Shader shader) => this.shader = shader;
+
         public Color color { get; set; }
+
+        public Shader shader { get; set; }
     }
 
     public class Renderer : Component
     {
-        public Material material { get; set; } = new Material();
+        public Material sharedMaterial { get; set; } = new Material();
+
+        public Material material
+        {
+            get => sharedMaterial;
+            set => sharedMaterial = value;
+        }
     }
 
     public class Camera : Behaviour
@@ -101,6 +119,11 @@ namespace UnityEngine
             WarningCount++;
         }
 
+        /// <summary>How many exceptions were logged, for tests.</summary>
+        public static int ExceptionCount { get; private set; }
+
+        public static void LogException(System.Exception exception, Object context) => ExceptionCount++;
+
         /// <summary>How many lines were drawn, for tests.</summary>
         public static int LineCount { get; set; }
 
@@ -110,6 +133,17 @@ namespace UnityEngine
     public class Application
     {
         public static bool isPlaying { get; set; }
+    }
+
+    public class Time
+    {
+        /// <summary>The engine's has no setter; tests make frames with it.</summary>
+        public static int frameCount { get; set; }
+    }
+
+    public struct Mathf
+    {
+        public const float Infinity = float.PositiveInfinity;
     }
 
     public struct LayerMask
@@ -137,5 +171,21 @@ namespace UnityEngine
         public static int width { get; set; } = 1280;
 
         public static int height { get; set; } = 800;
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    public class RenderPipelineAsset : ScriptableObject
+    {
+        public virtual Material defaultMaterial { get; set; }
+
+        public virtual Shader defaultShader { get; set; }
+    }
+
+    public sealed class GraphicsSettings : Object
+    {
+        /// <summary>The engine's has no setter.</summary>
+        public static RenderPipelineAsset currentRenderPipeline { get; set; }
     }
 }

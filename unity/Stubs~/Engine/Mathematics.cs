@@ -22,6 +22,18 @@ namespace Unity.Mathematics
         public float w;
     }
 
+    public struct RigidTransform
+    {
+        public quaternion rot;
+        public float3 pos;
+
+        public RigidTransform(quaternion rotation, float3 translation)
+        {
+            rot = rotation;
+            pos = translation;
+        }
+    }
+
     public struct quaternion
     {
         public float4 value;

@@ -4,6 +4,12 @@ using System.Reflection;
 
 namespace UnityEngine
 {
+    public enum FindObjectsSortMode
+    {
+        None = 0,
+        InstanceID = 1,
+    }
+
     /// <summary>As in the engine, a destroyed object equals null while the reference lives on.</summary>
     public class Object
     {
@@ -38,6 +44,9 @@ namespace UnityEngine
 
         public static T[] FindObjectsOfType<T>() where T : Object => UnityStubs.World.All<T>();
 
+        public static T[] FindObjectsByType<T>(FindObjectsSortMode sortMode) where T : Object =>
+            UnityStubs.World.All<T>();
+
         public override bool Equals(object other) => other is Object o ? this == o : other is null && this == null;
 
         public override int GetHashCode() => System.Runtime.CompilerServices.RuntimeHelpers.GetHashCode(this);
@@ -45,6 +54,10 @@ namespace UnityEngine
         public override string ToString() => name;
 
         internal void Destroyed() => _isDestroyed = true;
+    }
+
+    public class ScriptableObject : Object
+    {
     }
 
     public class Component : Object
@@ -58,6 +71,11 @@ namespace UnityEngine
         public bool TryGetComponent<T>(out T component) => gameObject.TryGetComponent(out component);
 
         public T[] GetComponentsInChildren<T>() => gameObject.GetComponentsInChildren<T>();
+
+        public T[] GetComponentsInChildren<T>(bool includeInactive) =>
+            gameObject.GetComponentsInChildren<T>(includeInactive);
+
+        public void GetComponents<T>(List<T> results) => gameObject.GetComponents(results);
     }
 
     public class Behaviour : Component
@@ -135,15 +153,37 @@ namespace UnityEngine
             return found.ToArray();
         }
 
-        private static void Collect<T>(GameObject owner, List<T> found)
+        public T[] GetComponentsInChildren<T>(bool includeInactive)
         {
-            if (!owner.activeInHierarchy) return;
+            var found = new List<T>();
+            Collect(this, found, includeInactive);
+            return found.ToArray();
+        }
+
+        public void GetComponentsInChildren<T>(List<T> results)
+        {
+            results.Clear();
+            Collect(this, results);
+        }
+
+        public void GetComponents<T>(List<T> results)
+        {
+            results.Clear();
+            foreach (Component component in Components)
+            {
+                if (component is T hit) results.Add(hit);
+            }
+        }
+
+        private static void Collect<T>(GameObject owner, List<T> found, bool includeInactive = false)
+        {
+            if (!includeInactive && !owner.activeInHierarchy) return;
             foreach (Component component in owner.Components)
             {
                 if (component is T hit) found.Add(hit);
             }
 
-            foreach (Transform child in owner.transform.Children) Collect(child.gameObject, found);
+            foreach (Transform child in owner.transform.Children) Collect(child.gameObject, found, includeInactive);
         }
 
         private Component Add(Component component)

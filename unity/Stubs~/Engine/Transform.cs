@@ -19,6 +19,13 @@ namespace UnityEngine
 
         public Transform parent => _parent;
 
+        public bool IsChildOf(Transform parent)
+        {
+            Transform t = this;
+            while (!(t is null) && !ReferenceEquals(t, parent)) t = t._parent;
+            return !(t is null);
+        }
+
         public Vector3 position
         {
             get => _parent is null ? localPosition : _parent.localToWorldMatrix.MultiplyPoint3x4(localPosition);

@@ -35,8 +35,8 @@ namespace Gjk.Unity.Editor
 
             EditorGUILayout.LabelField("A", selected[0].name);
             EditorGUILayout.LabelField("B", selected[1].name);
-            bool isReady = _first.Read(selected[0], out PosedShape a) & _second.Read(selected[1], out PosedShape b);
-            if (isReady) _result = GjkPhysics.Distance(a, b);
+            bool isReady = _first.Read(selected[0], false, false) & _second.Read(selected[1], false, false);
+            if (isReady) _result = _first.DistanceTo(_second);
             ResultFields.Draw(_result, _first.Problem ?? _second.Problem);
         }
 

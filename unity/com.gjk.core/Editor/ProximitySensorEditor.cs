@@ -5,12 +5,14 @@ namespace Gjk.Unity.Editor
 {
     /// <summary>Lists what a <see cref="ProximitySensor"/> finds while the game plays.</summary>
     [CustomEditor(typeof(ProximitySensor))]
+    [CanEditMultipleObjects]
     public sealed class ProximitySensorEditor : UnityEditor.Editor
     {
         /// <inheritdoc/>
         public override void OnInspectorGUI()
         {
             DrawDefaultInspector();
+            if (targets.Length > 1) return;
             var sensor = (ProximitySensor)target;
             EditorGUILayout.Space();
             if (!Application.isPlaying)
@@ -23,7 +25,11 @@ namespace Gjk.Unity.Editor
             EditorGUILayout.LabelField("Watched", sensor.WatchedCount.ToString());
             EditorGUILayout.LabelField("Near", sensor.Near.Count.ToString());
             foreach (ProximityHit hit in sensor.Near)
-                EditorGUILayout.LabelField(hit.Source.name, hit.Distance.distance.ToString("G6"));
+            {
+                // The list is that of the last frame; what was near may have been destroyed since.
+                string name = hit.Source != null ? hit.Source.name : "destroyed";
+                EditorGUILayout.LabelField(name, hit.Distance.distance.ToString("G6"));
+            }
         }
 
         /// <inheritdoc/>

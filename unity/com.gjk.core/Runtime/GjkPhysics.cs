@@ -1,6 +1,7 @@
 using System;
 using Gjk.Core;
 using UnityEngine;
+using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
@@ -14,6 +15,8 @@ namespace Gjk.Unity
     /// </remarks>
     public static class GjkPhysics
     {
+        private static readonly ShapeSource First = new ShapeSource(), Second = new ShapeSource();
+
         /// <summary>
         /// How far two colliders are apart, or how deep they overlap, with the closest or deepest points.
         /// </summary>
@@ -39,7 +42,71 @@ namespace Gjk.Unity
 
         /// <summary>How far two shapes are apart, or how deep they overlap.</summary>
         public static ColliderDistance3D Distance(in PosedShape a, in PosedShape b) =>
-            new ColliderDistance3D(ConvexQuery.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose));
+            new ColliderDistance3D(PairQueries.Signed(a, b));
+
+        /// <summary>
+        /// How far two objects are apart, each with all its colliders: the least over them. Of objects that overlap, it
+        /// is the depth of the two colliders that overlap deepest.
+        /// </summary>
+        /// <param name="a">
+        /// The first: with a Rigidbody its colliders and those of its children, without one its own; where there are
+        /// none, its MeshFilter. Colliders that are switched off are left out where others are on.
+        /// </param>
+        /// <param name="b">The second.</param>
+        /// <param name="isSolid">Whether closed meshes are meant with what they enclose.</param>
+        /// <param name="withTriggers">Whether triggers are colliders here.</param>
+        /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
+        /// <exception cref="ArgumentException">One has no shape; the message says which and why.</exception>
+        public static ColliderDistance3D Distance(
+            GameObject a, GameObject b, bool isSolid = false, bool withTriggers = false)
+        {
+            if (a == null) throw new ArgumentNullException(nameof(a));
+            if (b == null) throw new ArgumentNullException(nameof(b));
+            if (!First.Read(a, isSolid, withTriggers)) throw new ArgumentException(First.Problem, nameof(a));
+            if (!Second.Read(b, isSolid, withTriggers)) throw new ArgumentException(Second.Problem, nameof(b));
+            return First.DistanceTo(Second);
+        }
+
+        /// <summary>How far a collider is from each of a list.</summary>
+        /// <param name="collider">A of the results.</param>
+        /// <param name="others">B of the results, in this order.</param>
+        /// <param name="results">Gets the results; where it is shorter than the list, those of the first.</param>
+        /// <returns>How many results there are.</returns>
+        public static int Distances(Collider collider, Collider[] others, ColliderDistance3D[] results)
+        {
+            if (others == null) throw new ArgumentNullException(nameof(others));
+            if (results == null) throw new ArgumentNullException(nameof(results));
+            PosedShape a = GjkShapes.From(collider);
+            int count = Math.Min(others.Length, results.Length);
+            for (int i = 0; i < count; i++) results[i] = Distance(a, GjkShapes.From(others[i]));
+            return count;
+        }
+
+        /// <summary>Where two colliders touch or nearly do: up to four points for convex ones, else the nearest one.
+        /// </summary>
+        /// <param name="colliderA">The first.</param>
+        /// <param name="colliderB">The second.</param>
+        /// <param name="results">Gets the points; those that do not fit are left out.</param>
+        /// <param name="maxGap">World units: points further apart are left out; at least 0.</param>
+        /// <returns>How many points there are.</returns>
+        public static int Contacts(
+            Collider colliderA, Collider colliderB, ColliderContact[] results, float maxGap = 0)
+        {
+            if (results == null) throw new ArgumentNullException(nameof(results));
+            PosedShape a = GjkShapes.From(colliderA), b = GjkShapes.From(colliderB);
+            if (!a.IsConvex || !b.IsConvex)
+            {
+                ColliderDistance3D nearest = Distance(a, b);
+                bool isNear = nearest.isValid && nearest.distance <= maxGap && results.Length > 0;
+                if (isNear) results[0] = new ColliderContact(nearest);
+                return isNear ? 1 : 0;
+            }
+
+            ConvexQuery.Contacts(a.Shape, a.Pose, b.Shape, b.Pose, maxGap, out ContactManifold found);
+            int count = Math.Min(found.Count, results.Length);
+            for (int i = 0; i < count; i++) results[i] = new ColliderContact(found[i], found.Normal);
+            return count;
+        }
 
         /// <summary>Whether two colliders share a point, touching included.</summary>
         public static bool Overlaps(Collider colliderA, Collider colliderB) =>
@@ -47,7 +114,7 @@ namespace Gjk.Unity
 
         /// <summary>Whether two shapes share a point, touching included.</summary>
         public static bool Overlaps(in PosedShape a, in PosedShape b) =>
-            ConvexQuery.Overlaps(a.Shape, a.Pose, b.Shape, b.Pose);
+            PairQueries.Overlaps(a, b);
 
         /// <summary>
         /// The point of a collider closest to a point, with the arguments of <c>Physics.ClosestPoint</c>; the point
@@ -69,7 +136,7 @@ namespace Gjk.Unity
         /// </summary>
         /// <param name="colliderA">The one that moves, from where its transform is.</param>
         /// <param name="direction">Any vector but zero; its length does not matter.</param>
-        /// <param name="maxDistance">World units: how far it moves; finite.</param>
+        /// <param name="maxDistance">World units: how far it moves; Mathf.Infinity for all the way.</param>
         /// <param name="colliderB">The one that rests.</param>
         /// <param name="hit">Where they touch; <c>default</c> where they do not.</param>
         /// <returns>
@@ -77,28 +144,38 @@ namespace Gjk.Unity
         /// goes in, not if they slide or part.
         /// </returns>
         /// <exception cref="ArgumentOutOfRangeException">
-        /// The direction has no length, or the distance is negative or not finite.
+        /// The direction has no length, or the distance is negative or NaN.
         /// </exception>
         public static bool Cast(
             Collider colliderA, Vector3 direction, float maxDistance, Collider colliderB, out ColliderCastHit hit)
         {
-            double length = new Double3(direction.x, direction.y, direction.z).Length;
-            if (!(length > 0) || double.IsInfinity(length))
-                throw new ArgumentOutOfRangeException(nameof(direction), direction, "The direction has no length.");
-            if (!(maxDistance >= 0) || float.IsInfinity(maxDistance))
-                throw new ArgumentOutOfRangeException(nameof(maxDistance), maxDistance, "Must be finite, from 0 on.");
-            PosedShape a = GjkShapes.From(colliderA), b = GjkShapes.From(colliderB);
-            var way = (System.Numerics.Vector3)(
-                new Double3(direction.x, direction.y, direction.z) * (maxDistance / length));
-            CastResult result = ConvexQuery.Cast(a.Shape, a.Pose, way, b.Shape, b.Pose, default);
+            Numerics.Vector3 way = PairQueries.Way(direction, maxDistance, out float maxFraction);
+            CastResult result = PairQueries.Cast(
+                GjkShapes.From(colliderA), way, maxFraction, GjkShapes.From(colliderB));
             bool mayHit = result.IsHit || result.Status == CastStatus.IterationLimit;
-            hit = mayHit ? new ColliderCastHit(result, maxDistance) : default;
+            hit = mayHit ? new ColliderCastHit(result, maxDistance, colliderB) : default;
+            return mayHit;
+        }
+
+        /// <summary>Where a ray first meets a collider, with the arguments of <c>Collider.Raycast</c>.</summary>
+        /// <param name="collider">The collider.</param>
+        /// <param name="ray">Its direction may have any length but 0.</param>
+        /// <param name="hit">Where they meet; <c>default</c> where they do not.</param>
+        /// <param name="maxDistance">World units; Mathf.Infinity for all the way.</param>
+        public static bool Raycast(Collider collider, Ray ray, out ColliderRayHit hit, float maxDistance)
+        {
+            PairQueries.Way(ray.direction, maxDistance, out float _);
+            var query = new RayQuery(ray.origin.ToNumerics(), ray.direction.ToNumerics(), maxDistance);
+            RayCastResult result = PairQueries.RayCast(GjkShapes.From(collider), query, out int triangle);
+            bool mayHit = result.IsHit || result.Status == CastStatus.IterationLimit;
+            hit = mayHit ? new ColliderRayHit(result, triangle, collider) : default;
             return mayHit;
         }
 
         /// <summary>
         /// How to move the first collider out of the second, with the arguments of <c>Physics.ComputePenetration</c>;
-        /// the shortest way there is.
+        /// the shortest way there is. Where one is not convex, it is the way out of the part that is deepest inside,
+        /// and another call may find the next.
         /// </summary>
         /// <param name="colliderA">The one to move.</param>
         /// <param name="positionA">Where its transform is taken to be.</param>
@@ -121,8 +198,8 @@ namespace Gjk.Unity
 
         private static Vector3 ClosestPoint(Vector3 point, in PosedShape shape)
         {
-            var pose = new RigidPose(point.ToNumerics());
-            DistanceResult result = ConvexQuery.Distance(ConvexShape.Point(), pose, shape.Shape, shape.Pose);
+            var posed = new PosedShape(ConvexShape.Point(), new RigidPose(point.ToNumerics()));
+            DistanceResult result = PairQueries.Distance(posed, shape, float.PositiveInfinity);
             return result.Status == GjkStatus.Overlapping ? point : result.PointB.ToUnity();
         }
     }

@@ -166,16 +166,15 @@ namespace Gjk.Unity.Tests
         }
 
         [Test]
-        public void AConcaveMeshIsLeftOutUntilItIsSwitchedOffAndOn()
+        public void WhatIsRefusedIsLeftOutUntilItIsSwitchedOffAndOn()
         {
             GameObject root = Make("root", Vector3.zero), own = Box("sensor", Vector3.zero);
             GameObject other = Make("other", Vector3.zero, root);
             var collider = other.AddComponent<MeshCollider>();
-            collider.sharedMesh = TestMeshes.Roof(-0.25f);
             ProximitySensor sensor = Sensor(own, root);
             sensor.Sense();
             Assert.AreEqual(0, sensor.Near.Count);
-            collider.convex = true;
+            collider.sharedMesh = TestMeshes.Roof(-0.25f);
             sensor.Sense();
             Assert.AreEqual(0, sensor.Near.Count);
             collider.enabled = false;
@@ -183,6 +182,95 @@ namespace Gjk.Unity.Tests
             collider.enabled = true;
             sensor.Sense();
             Assert.AreEqual(1, sensor.Near.Count);
+        }
+
+        [Test]
+        public void ADisabledDistanceHasNoResult()
+        {
+            GameObject box = Box("box", Vector3.zero), other = Box("other", new Vector3(3, 0, 0));
+            var component = box.AddComponent<ConvexDistance>();
+            component.Target = other;
+            Assert.IsTrue(component.Measure().isValid);
+            UnityEngine.Object.DestroyImmediate(component);
+            Assert.IsFalse(component.Result.isValid);
+        }
+
+        /// <summary>An object is all its colliders, and a Rigidbody those of its children, too.</summary>
+        [Test]
+        public void AllCollidersOfAnObjectAreMeasured()
+        {
+            GameObject far = Box("far", new Vector3(10, 0, 0)), two = Box("two", Vector3.zero);
+            two.AddComponent<SphereCollider>().center = new Vector3(3, 0, 0);
+            Assert.AreEqual(6, GjkPhysics.Distance(two, far).distance, 1e-6);
+            GameObject child = Box("child", new Vector3(5, 0, 0), two);
+            Assert.AreEqual(6, GjkPhysics.Distance(two, far).distance, 1e-6);
+            two.AddComponent<Rigidbody>();
+            Assert.AreEqual(4, GjkPhysics.Distance(two, far).distance, 1e-6);
+            Assert.AreEqual(4, GjkPhysics.Distance(far, two).distance, 1e-6);
+            child.GetComponent<BoxCollider>().isTrigger = true;
+            Assert.AreEqual(6, GjkPhysics.Distance(two, far).distance, 1e-6);
+            Assert.AreEqual(4, GjkPhysics.Distance(two, far, withTriggers: true).distance, 1e-6);
+            child.GetComponent<BoxCollider>().isTrigger = false;
+            child.AddComponent<Rigidbody>();
+            Assert.AreEqual(6, GjkPhysics.Distance(two, far).distance, 1e-6);
+            two.GetComponent<SphereCollider>().enabled = false;
+            Assert.AreEqual(9, GjkPhysics.Distance(two, far).distance, 1e-6);
+            far.transform.localPosition = new Vector3(0.75f, 0, 0);
+            ColliderDistance3D deep = GjkPhysics.Distance(two, far);
+            Assert.IsTrue(deep.isOverlapped);
+            Assert.AreEqual(-0.25, deep.distance, 1e-6);
+        }
+
+        /// <summary>A wheel has no shape; the car has. The wheel is told of once.</summary>
+        [Test]
+        public void WhatNeverHasAShapeIsLeftOutBesideOthers()
+        {
+            GameObject car = Box("car", Vector3.zero), other = Box("other", new Vector3(3, 0, 0));
+            car.AddComponent<WheelCollider>();
+            car.AddComponent<WheelCollider>();
+            var component = car.AddComponent<ConvexDistance>();
+            component.Target = other;
+            for (int i = 0; i < 3; i++)
+            {
+                Assert.AreEqual(2, component.Measure().distance, 1e-6);
+                Assert.IsTrue(component.Problem == null);
+            }
+
+            GameObject wheel = Make("wheel", Vector3.zero);
+            wheel.AddComponent<WheelCollider>();
+            string message = Assert.Throws<ArgumentException>(() => GjkPhysics.Distance(wheel, other)).Message;
+            StringAssert.Contains("'wheel' (WheelCollider) is a WheelCollider, which has no shape", message);
+        }
+
+        [Test]
+        public void ASensorLeavesItsOwnChildrenOutAndTriggersUnlessAsked()
+        {
+            GameObject root = Make("root", Vector3.zero), own = Box("sensor", Vector3.zero, root);
+            Box("hand", new Vector3(1, 0, 0), own);
+            GameObject trigger = Box("trigger", new Vector3(1, 0, 0), root);
+            trigger.GetComponent<BoxCollider>().isTrigger = true;
+            ProximitySensor sensor = Sensor(own, root);
+            Assert.AreEqual(1, sensor.WatchedCount);
+            sensor.Sense();
+            Assert.AreEqual(0, sensor.Near.Count);
+            sensor.IncludeTriggers = true;
+            sensor.Sense();
+            Assert.AreEqual(1, sensor.Near.Count);
+        }
+
+        /// <summary>Two shapes of the sensor find one collider: once, at the nearer distance.</summary>
+        [Test]
+        public void ASensorOfTwoShapesFindsAColliderOnce()
+        {
+            GameObject root = Make("root", Vector3.zero), own = Box("sensor", Vector3.zero);
+            own.AddComponent<SphereCollider>().center = new Vector3(1, 0, 0);
+            Box("one", new Vector3(2.25f, 0, 0), root);
+            Box("two", new Vector3(0, 1.25f, 0), root);
+            ProximitySensor sensor = Sensor(own, root);
+            sensor.Radius = 2;
+            sensor.Sense();
+            Assert.AreEqual(2, sensor.Near.Count);
+            foreach (ProximityHit hit in sensor.Near) Assert.AreEqual(0.25, hit.Distance.distance, 1e-6);
         }
 
         private GameObject Make(string name, Vector3 position, GameObject parent = null)

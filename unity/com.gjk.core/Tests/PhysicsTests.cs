@@ -135,6 +135,99 @@ namespace Gjk.Unity.Tests
             Assert.IsTrue(hit.depth > 0);
         }
 
+        /// <summary>As the engine's casts, whose distance is Mathf.Infinity where none is given.</summary>
+        [Test]
+        public void ACastMayBeEndless()
+        {
+            Place(4);
+            Assert.IsTrue(GjkPhysics.Cast(_box, Vector3.right * 7, Mathf.Infinity, _sphere, out ColliderCastHit hit));
+            Assert.AreEqual(3, hit.distance, 1e-5);
+            Same(new Vector3(3.5f, 0, 0), hit.point);
+            Assert.AreEqual(0, hit.fraction, 0);
+            Assert.AreSame(_sphere, hit.collider);
+            Assert.IsFalse(GjkPhysics.Cast(_box, -Vector3.right, Mathf.Infinity, _sphere, out _));
+            _second.transform.localPosition = new Vector3(1e6f, 0, 0);
+            Assert.IsTrue(GjkPhysics.Cast(_box, Vector3.right, Mathf.Infinity, _sphere, out hit));
+            Assert.AreEqual(1e6, hit.distance, 1.5);
+        }
+
+        [Test]
+        public void ARayMeetsACollider()
+        {
+            Place(4);
+            var ray = new Ray(Vector3.zero, Vector3.right * 2);
+            Assert.IsTrue(GjkPhysics.Raycast(_sphere, ray, out ColliderRayHit hit, Mathf.Infinity));
+            Assert.AreEqual(3.5, hit.distance, 1e-6);
+            Same(new Vector3(3.5f, 0, 0), hit.point);
+            Same(-Vector3.right, hit.normal);
+            Assert.AreEqual(-1, hit.triangleIndex);
+            Assert.IsFalse(GjkPhysics.Raycast(_sphere, ray, out _, 3));
+            Assert.IsTrue(GjkPhysics.Raycast(_box, ray, out hit, 3));
+            Assert.IsTrue(hit.isOverlappedAtStart);
+        }
+
+        [Test]
+        public void ListsAreFilledWithoutMemoryOfTheirOwn()
+        {
+            Place(3);
+            var results = new ColliderDistance3D[3];
+            Assert.AreEqual(2, GjkPhysics.Distances(_box, new Collider[] { _sphere, _box }, results));
+            Assert.AreEqual(2, results[0].distance, 1e-6);
+            Assert.AreEqual(-1, results[1].distance, 1e-6);
+            Assert.AreEqual(1, GjkPhysics.Distances(_box, new Collider[] { _sphere, _box }, new ColliderDistance3D[1]));
+            var contacts = new ColliderContact[8];
+            Assert.AreEqual(0, GjkPhysics.Contacts(_box, _sphere, contacts));
+            Assert.AreEqual(1, GjkPhysics.Contacts(_box, _sphere, contacts, 3));
+            Assert.AreEqual(2, contacts[0].separation, 1e-6);
+            var other = _second.AddComponent<BoxCollider>();
+            _second.transform.localPosition = new Vector3(0, 0.75f, 0);
+            Assert.AreEqual(4, GjkPhysics.Contacts(_box, other, contacts));
+            Assert.AreEqual(-0.25, contacts[3].separation, 1e-6);
+            Same(Vector3.up, contacts[3].normal);
+            Assert.AreEqual(3, GjkPhysics.Contacts(_box, other, new ColliderContact[3]));
+        }
+
+        /// <summary>A body that stands in a surface is lifted out of the triangle that is deepest in it.</summary>
+        [Test]
+        public void PenetrationOfASurfaceIsTheWayOutOfItsDeepestPart()
+        {
+            Place(0);
+            Mesh mesh = TestMeshes.Roof(-0.25f);
+            var surface = _first.AddComponent<MeshCollider>();
+            surface.sharedMesh = mesh;
+            bool isFound = GjkPhysics.ComputePenetration(
+                _sphere, new Vector3(0.9f, 0, 0), Quaternion.identity, surface, Vector3.zero, Quaternion.identity,
+                out Vector3 direction, out float distance);
+            Assert.IsTrue(isFound);
+            Assert.AreEqual(0.1, distance, 1e-6);
+            Same(Vector3.right, direction);
+        }
+
+        /// <summary>Touching shares a point, which the engine's overlap queries count, too.</summary>
+        [Test]
+        public void TouchingIsOverlappedAtDistanceZero()
+        {
+            Place(1);
+            ColliderDistance3D d = GjkPhysics.Distance(_box, _sphere);
+            Assert.IsTrue(d.isOverlapped);
+            Assert.AreEqual(0, d.distance, 0);
+        }
+
+        [Test]
+        public void ResultsTellWhatTheyAre()
+        {
+            Place(3);
+            StringAssert.Contains("apart, distance 2, (0.50, ", GjkPhysics.Distance(_box, _sphere).ToString());
+            Assert.AreEqual("not valid", default(ColliderDistance3D).ToString());
+            GjkPhysics.Cast(_box, Vector3.right, 9, _sphere, out ColliderCastHit cast);
+            StringAssert.Contains("hit at 2, point (2.50, ", cast.ToString());
+            GjkPhysics.Raycast(_sphere, new Ray(Vector3.zero, Vector3.right), out ColliderRayHit ray, 9);
+            StringAssert.Contains("hit at 2.5, point (2.50, ", ray.ToString());
+            var contacts = new ColliderContact[1];
+            GjkPhysics.Contacts(_box, _sphere, contacts, 3);
+            StringAssert.Contains("separation 2, (0.50, ", contacts[0].ToString());
+        }
+
         [Test]
         public void ACastWithoutAWayIsRefused()
         {
@@ -142,7 +235,7 @@ namespace Gjk.Unity.Tests
             Assert.AreEqual("direction", Refused(Vector3.zero, 1));
             Assert.AreEqual("direction", Refused(new Vector3(float.NaN, 0, 0), 1));
             Assert.AreEqual("maxDistance", Refused(Vector3.right, -1));
-            Assert.AreEqual("maxDistance", Refused(Vector3.right, float.PositiveInfinity));
+            Assert.AreEqual("maxDistance", Refused(Vector3.right, float.NaN));
         }
 
         private string Refused(Vector3 direction, float distance) =>

@@ -40,8 +40,23 @@ namespace Gjk.Unity.Tests
             }
 
             mesh.vertices = vertices;
-            mesh.triangles = triangles;
+            mesh.triangles = Outward(vertices, triangles, Vector3.zero);
             return mesh;
+        }
+
+        /// <summary>All wound so that their normals lead away from a point inside, as modelling programs do.</summary>
+        private static int[] Outward(Vector3[] vertices, int[] triangles, Vector3 inside)
+        {
+            for (int i = 0; i < triangles.Length; i += 3)
+            {
+                Vector3 a = vertices[triangles[i]];
+                Vector3 u = vertices[triangles[i + 1]] - a, v = vertices[triangles[i + 2]] - a;
+                var normal = new Vector3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+                if (Vector3.Dot(normal, a - inside) < 0)
+                    (triangles[i], triangles[i + 1]) = (triangles[i + 1], triangles[i]);
+            }
+
+            return triangles;
         }
 
         private static Vector3 Corner(int side)
@@ -70,6 +85,7 @@ namespace Gjk.Unity.Tests
                 for (int k = 0; k < 6; k++) triangles[6 * face + k] = 4 * face + Quad[k];
             }
 
+            triangles = Outward(vertices, triangles, center);
             return new Mesh { name = "test mesh", vertices = vertices, triangles = triangles };
         }
     }

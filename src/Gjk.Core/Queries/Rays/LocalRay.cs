@@ -70,10 +70,10 @@ internal struct LocalRay
     /// <param name="line">The ray in the world.</param>
     /// <param name="ray">The ray.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void MakeFar(in RigidPose pose, in Double3 center, in WorldRay line, out LocalRay ray)
+    public static void MakeFar(in RigidPose pose, in VectorDD center, in WorldRay line, out LocalRay ray)
     {
         VectorDD between = (VectorDD)(Double3)line.Origin - (Double3)pose.Position;
-        if (center.SumOfMagnitudes > 0) between -= VectorDD.Rotate(pose.Rotation, center);
+        if (((Double3)center).SumOfMagnitudes > 0) between -= VectorDD.Rotate(pose.Rotation, center);
         Double3 direction = line.Direction;
         double inverse = 1 / line.Length;
         var cross = (Double3)VectorDD.Cross(between, direction);
@@ -99,9 +99,8 @@ internal struct LocalRay
         between = between - target.Center - target.CenterError;
         if (target.IsPlaced)
         {
-            back = Quaternion.Conjugate(target.Turn);
-            between = VectorDD.Rotate(back, between);
-            direction = VectorDD.Rotate(back, direction);
+            between = VectorDD.Rotate(target.Turn.Conjugate, between);
+            direction = VectorDD.Rotate(target.Turn.Conjugate, direction);
         }
 
         DoubleDouble shift = -VectorDD.Dot(between, direction) / VectorDD.Dot(direction, direction);

@@ -62,14 +62,25 @@ internal static class RayCone
 
         span.Normal = new Double3(f.X + d.X * span.Enter, k * (f.Y + d.Y * span.Enter), f.Z + d.Z * span.Enter);
 
-        // At the apex, where all directions of a cone are normals, one that is.
         double apex = RoundOff.Unit * radius;
-        if (!(span.Normal.LengthSquared > apex * apex)) span.Normal = new Double3(0, 1, 0);
+        if (!(span.Normal.LengthSquared > apex * apex)) span.Normal = ApexNormal(d, k);
         double middle = radius * 0.5;
         bool isLeft = span.Clip(middle, middle - f.Y, -d.Y, new Double3(0, 1, 0));
         span.Enter += shift;
         span.Exit += shift;
         return isLeft;
+    }
+
+    /// <summary>
+    /// Of all directions that are normals at the apex, one that the line comes against: from above the axis, from below
+    /// that of the side it comes from.
+    /// </summary>
+    private static Double3 ApexNormal(in Double3 d, double k)
+    {
+        double across = Math.Sqrt(d.X * d.X + d.Z * d.Z);
+        return d.Y > 0 || across == 0
+            ? new Double3(0, 1, 0)
+            : new Double3(-d.X / across, k, -d.Z / across);
     }
 
     /// <summary>Whether the line runs along a side: such a line passes the apex closely.</summary>

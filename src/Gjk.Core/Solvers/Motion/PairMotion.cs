@@ -38,8 +38,8 @@ internal struct PairMotion
     public static void Begin(
         in RigidMotion motionA, in RigidMotion motionB, in PairFrame frame, out PairMotion motion)
     {
-        TurningBody.Begin(motionA, frame.CenterA, frame.RadiusA - frame.MarginA, out motion.A);
-        TurningBody.Begin(motionB, frame.CenterB, frame.RadiusB - frame.MarginB, out motion.B);
+        TurningBody.Begin(motionA, frame.TurnOfA, frame.CenterA, frame.RadiusA - frame.MarginA, out motion.A);
+        TurningBody.Begin(motionB, frame.TurnOfB, frame.CenterB, frame.RadiusB - frame.MarginB, out motion.B);
         motion.Start = frame.RotationA.Rotate(
             frame.Translation + motion.A.Offset - frame.Rotation.Rotate(motion.B.Offset));
         motion.Velocity = (Double3)motionB.Velocity - motionA.Velocity;

@@ -41,9 +41,9 @@ internal struct TurningBody
     public readonly double Rate => _rate;
 
     public static void Begin(
-        in RigidMotion motion, in Double3 center, double coreRadius, out TurningBody body)
+        in RigidMotion motion, in QuaternionD? core, in Double3 center, double coreRadius, out TurningBody body)
     {
-        body._start = motion.Pose.Rotation;
+        body._start = core is null ? motion.Pose.Rotation : motion.Pose.Rotation * core.Value;
         body.Scale = 2 / body._start.LengthSquared;
         body.Turn = motion.AngularVelocity;
         body._rate = body.Turn.Length;

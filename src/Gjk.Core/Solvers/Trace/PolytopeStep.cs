@@ -13,13 +13,13 @@ namespace Gjk.Core;
 public readonly ref struct PolytopeStep
 {
     private readonly Polytope _polytope;
-    private readonly double _unit;
+    private readonly TraceAxes _axes;
 
     internal PolytopeStep(
         in PairFrame frame, in Polytope polytope, int lowest, PolytopeOutcome outcome, double below, double above)
     {
         _polytope = polytope;
-        _unit = frame.Unit;
+        _axes = new TraceAxes(frame);
         Outcome = outcome;
         LowestFace = lowest;
         Below = below * frame.Unit;
@@ -93,13 +93,13 @@ public readonly ref struct PolytopeStep
     /// <exception cref="ArgumentOutOfRangeException">The surface has no such face.</exception>
     public TracedFace Face(int face) =>
         face >= 0 && LowestFace >= 0 && face < _polytope.FaceCount && _polytope.IsThere(face)
-            ? new TracedFace(_polytope.Face(face), _unit)
+            ? new TracedFace(_polytope.Face(face), _axes)
             : throw new ArgumentOutOfRangeException(nameof(face), face, "There is no such face.");
 
     /// <summary>A point of A - B, in A's axes.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="VertexCount"/>.</exception>
     public Double3 Vertex(int index) =>
         index >= 0 && index < VertexCount
-            ? _polytope.Vertex(index).W * _unit
+            ? _axes.Vector(_polytope.Vertex(index).W)
             : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
 }

@@ -5,13 +5,13 @@ namespace Gjk.Core;
 /// </summary>
 public readonly struct TracedFace
 {
-    internal unsafe TracedFace(in PolytopeFace face, double unit)
+    internal unsafe TracedFace(in PolytopeFace face, in TraceAxes axes)
     {
         A = face.Vertices[0];
         B = face.Vertices[1];
         C = face.Vertices[2];
-        Normal = face.UnitNormal;
-        Height = face.Height * unit;
+        Normal = axes.Direction(face.UnitNormal);
+        Height = axes.Length(face.Height);
     }
 
     /// <summary>The first corner: the number of a vertex.</summary>

@@ -10,12 +10,12 @@ public readonly struct TracedSimplex
 {
     private readonly Simplex _simplex;
     private readonly Weights _weights;
-    private readonly double _unit;
+    private readonly TraceAxes _axes;
 
-    internal TracedSimplex(in Simplex simplex, double unit, bool isExtended)
+    internal TracedSimplex(in Simplex simplex, in PairFrame frame, bool isExtended)
     {
         _simplex = simplex;
-        _unit = unit;
+        _axes = new TraceAxes(frame);
         _weights = ClosestPointWeights.Of(simplex);
         IsExtended = isExtended;
     }
@@ -48,5 +48,5 @@ public readonly struct TracedSimplex
             ? _weights[index]
             : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
 
-    private Double3 Vector(int index) => index < Count ? _simplex.W(_simplex[index]) * _unit : default;
+    private Double3 Vector(int index) => index < Count ? _axes.Vector(_simplex.W(_simplex[index])) : default;
 }

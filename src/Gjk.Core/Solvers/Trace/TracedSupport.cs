@@ -6,9 +6,10 @@ public readonly struct TracedSupport
     internal TracedSupport(
         in PairFrame frame, in Double3 normal, in Simplex simplex, int slot, bool isExtended)
     {
-        Normal = normal;
-        PointOnA = (simplex.OnA(slot) + frame.CenterA) * frame.Unit;
-        Vertex = simplex.W(slot) * frame.Unit;
+        var axes = new TraceAxes(frame);
+        Normal = axes.Direction(normal);
+        PointOnA = axes.Vector(simplex.OnA(slot) + frame.CenterA);
+        Vertex = axes.Vector(simplex.W(slot));
         IdA = simplex.IdA(slot);
         IdB = simplex.IdB(slot);
         IsExtended = isExtended;
@@ -16,9 +17,10 @@ public readonly struct TracedSupport
 
     internal TracedSupport(in PairFrame frame, in Double3 normal, in PolytopeVertex vertex)
     {
-        Normal = normal;
-        PointOnA = (vertex.OnA + frame.CenterA) * frame.Unit;
-        Vertex = vertex.W * frame.Unit;
+        var axes = new TraceAxes(frame);
+        Normal = axes.Direction(normal);
+        PointOnA = axes.Vector(vertex.OnA + frame.CenterA);
+        Vertex = axes.Vector(vertex.W);
         IdA = vertex.IdA;
         IdB = vertex.IdB;
         IsExtended = false;

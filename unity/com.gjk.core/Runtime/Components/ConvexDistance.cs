@@ -8,16 +8,24 @@ namespace Gjk.Unity
     /// overlap. In the scene view a line joins the closest points: white when apart, red when overlapping.
     /// </summary>
     /// <remarks>
-    /// Each of the two needs a collider or, where it has none, a mesh filter. Nothing is allocated per frame as long as
-    /// both can be measured.
+    /// Each of the two is all its colliders, those of its children among them where it is a Rigidbody, or its mesh
+    /// filter where it has none. Nothing is allocated per frame as long as both can be measured.
     /// </remarks>
     [AddComponentMenu("Gjk/Convex Distance")]
     [DisallowMultipleComponent]
     public sealed class ConvexDistance : MonoBehaviour
     {
         [SerializeField]
-        [Tooltip("The other object: with a box, sphere, capsule or convex mesh collider, or a mesh filter.")]
+        [Tooltip("The other object: with colliders, or a mesh filter.")]
         private GameObject _target;
+
+        [SerializeField]
+        [Tooltip("Count triggers to the shapes of both objects.")]
+        private bool _includeTriggers;
+
+        [SerializeField]
+        [Tooltip("Take closed meshes that are not convex with what they enclose, not as surfaces.")]
+        private bool _solidMeshes;
 
         [SerializeField]
         [Tooltip("Called in the frame in which the two begin to overlap.")]
@@ -38,6 +46,20 @@ namespace Gjk.Unity
             set => _target = value;
         }
 
+        /// <summary>Whether triggers belong to the shapes of both objects.</summary>
+        public bool IncludeTriggers
+        {
+            get => _includeTriggers;
+            set => _includeTriggers = value;
+        }
+
+        /// <summary>Whether closed meshes that are not convex count with what they enclose.</summary>
+        public bool SolidMeshes
+        {
+            get => _solidMeshes;
+            set => _solidMeshes = value;
+        }
+
         /// <summary>Called in the frame in which the two begin to overlap.</summary>
         public UnityEvent Entered
         {
@@ -53,7 +75,8 @@ namespace Gjk.Unity
         }
 
         /// <summary>
-        /// What the last frame found; A is this object, B the other. Not valid while one of them cannot be measured.
+        /// What the last frame found; A is this object, B the other. Not valid while one of them cannot be measured,
+        /// nor while the component is disabled.
         /// </summary>
         public ColliderDistance3D Result => _result;
 
@@ -63,12 +86,17 @@ namespace Gjk.Unity
         /// <summary>Measures now instead of at the end of the frame.</summary>
         public ColliderDistance3D Measure()
         {
-            bool isReady = _own.Read(gameObject, out PosedShape a) & _other.Read(_target, out PosedShape b);
-            _result = isReady ? GjkPhysics.Distance(a, b) : default;
+            bool isReady = _own.Read(gameObject, _solidMeshes, _includeTriggers)
+                & _other.Read(_target, _solidMeshes, _includeTriggers);
+            _result = isReady ? _own.DistanceTo(_other) : default;
             return _result;
         }
 
-        private void OnDisable() => Tell(false);
+        private void OnDisable()
+        {
+            _result = default;
+            Tell(false);
+        }
 
         private void LateUpdate()
         {

@@ -16,5 +16,8 @@ namespace Gjk.Unity
 
         /// <summary>How far it is; A is the sensor. The distance is 0, not a depth, when the two overlap.</summary>
         public ColliderDistance3D Distance { get; }
+
+        /// <summary>For people to read.</summary>
+        public override string ToString() => (Source == null ? "destroyed" : Source.name) + ": " + Distance;
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Gjk.Core;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -11,10 +10,12 @@ namespace Gjk.Unity
     /// and when it leaves.
     /// </summary>
     /// <remarks>
-    /// The colliders are collected when the sensor is enabled, and by <see cref="Rescan"/> and <see cref="Watch"/>;
-    /// moving ones are read in every frame, static ones once. Nothing is allocated per frame once the lists have their
-    /// size. Destroyed colliders leave by themselves. One that has no convex shape is reported once, and left out until
-    /// it is switched off and on.
+    /// The colliders are those of a <see cref="GjkWorld"/>, or else the sensor's own, which it collects when it is
+    /// enabled, and by <see cref="Rescan"/> and <see cref="Watch"/>; moving ones are read in every frame, static ones
+    /// once. The colliders of this object and of its children are left out. Nothing is allocated per frame once the
+    /// lists have their size. Destroyed colliders leave by themselves. One that has no shape is reported once, and left
+    /// out until it is switched off and on. Each <see cref="Entered"/> has one <see cref="Exited"/>, whatever a
+    /// listener does: it may disable the sensor, call <see cref="Sense"/> or throw, which is logged.
     /// </remarks>
     [AddComponentMenu("Gjk/Proximity Sensor")]
     [DisallowMultipleComponent]
@@ -30,8 +31,20 @@ namespace Gjk.Unity
         private LayerMask _layers = ~0;
 
         [SerializeField]
-        [Tooltip("Only colliders of this object and its children; the whole scene when empty.")]
+        [Tooltip("The colliders to look among, shared with other sensors; the sensor's own when empty.")]
+        private GjkWorld _world;
+
+        [SerializeField]
+        [Tooltip("Without a world: only colliders of this object and its children; the whole scene when empty.")]
         private GameObject _root;
+
+        [SerializeField]
+        [Tooltip("Find triggers, too, and count those of this object to its shape.")]
+        private bool _includeTriggers;
+
+        [SerializeField]
+        [Tooltip("Take closed meshes that are not convex with what they enclose, not as surfaces.")]
+        private bool _solidMeshes;
 
         [SerializeField]
         [Tooltip("Called with the collider that has come near.")]
@@ -42,15 +55,17 @@ namespace Gjk.Unity
         private UnityEvent<Component> _exited = new UnityEvent<Component>();
 
         private readonly ShapeSource _own = new ShapeSource();
-        private readonly List<Watched> _watched = new List<Watched>();
-        private readonly List<Watched> _changed = new List<Watched>();
-        private readonly Dictionary<int, Watched> _byId = new Dictionary<int, Watched>();
-        private readonly List<PairDistance> _pairs = new List<PairDistance>();
+        private readonly ColliderScene _scene = new ColliderScene();
         private readonly List<ProximityHit> _near = new List<ProximityHit>();
-        private readonly CollisionScene _scene = new CollisionScene();
-        private ConvexShape _shape;
-        private LayerMask _sceneLayers;
-        private int _id = -1;
+
+        /// <summary>Those of which it was told that they came near, and not yet that they left.</summary>
+        private readonly HashSet<Component> _told = new HashSet<Component>(ColliderScene.ByReference.Comparer);
+
+        private readonly HashSet<Component> _now = new HashSet<Component>(ColliderScene.ByReference.Comparer);
+        private readonly List<Component> _changed = new List<Component>();
+
+        /// <summary>Counts the lists of changes: the older one is dropped where a listener made another.</summary>
+        private int _changes;
 
         /// <summary>World units from surface to surface, at least 0.</summary>
         public float Radius
@@ -67,11 +82,35 @@ namespace Gjk.Unity
             set => _layers = value;
         }
 
+        /// <summary>The colliders to look among; null for the sensor's own.</summary>
+        public GjkWorld World
+        {
+            get => _world;
+            set => _world = value;
+        }
+
         /// <summary>Where <see cref="Rescan"/> looks; everywhere when null.</summary>
         public GameObject Root
         {
             get => _root;
             set => _root = value;
+        }
+
+        /// <summary>Whether triggers are found, and those of this object belong to its shape.</summary>
+        public bool IncludeTriggers
+        {
+            get => _includeTriggers;
+            set => _includeTriggers = value;
+        }
+
+        /// <summary>
+        /// Whether closed meshes that are not convex count with what they enclose. A mesh that is known already keeps
+        /// what it was taken for until it is switched off and on.
+        /// </summary>
+        public bool SolidMeshes
+        {
+            get => _solidMeshes;
+            set => _solidMeshes = value;
         }
 
         /// <summary>Called with the collider that has come near.</summary>
@@ -94,7 +133,7 @@ namespace Gjk.Unity
         public IReadOnlyList<ProximityHit> Near => _near;
 
         /// <summary>How many colliders are watched.</summary>
-        public int WatchedCount => _watched.Count;
+        public int WatchedCount => _world != null ? _world.Count : _scene.Count;
 
         /// <summary>Null, or why the sensor itself has no shape.</summary>
         public string Problem => _own.Problem;
@@ -115,50 +154,61 @@ namespace Gjk.Unity
         /// <summary>Collects all colliders anew: below the root, or in the whole scene. This allocates.</summary>
         public void Rescan()
         {
-            Collider[] all = _root != null ? _root.GetComponentsInChildren<Collider>() : FindObjectsOfType<Collider>();
-            foreach (Collider collider in all) Watch(collider);
+            foreach (Collider collider in SceneColliders.Below(_root)) Watch(collider);
         }
 
         /// <summary>Also watches one collider or mesh filter, such as one that was made later.</summary>
-        /// <returns>False when it is watched already, or is part of the sensor's own object.</returns>
+        /// <returns>False when it is watched already, or is part of the sensor's own object or its children.</returns>
         /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
         public bool Watch(Component source)
         {
             if (source == null) throw new ArgumentNullException(nameof(source));
-            if (source.gameObject == gameObject || IndexOf(source) >= 0) return false;
-            _watched.Add(new Watched(source));
-            return true;
+            return !source.transform.IsChildOf(transform) && _scene.Add(source);
         }
 
         /// <summary>Watches something no longer, without telling that it leaves.</summary>
         /// <returns>False when it is not watched.</returns>
         public bool Unwatch(Component source)
         {
-            int index = IndexOf(source);
-            if (index < 0) return false;
-            Drop(index);
+            if (!_scene.Remove(source)) return false;
+            _told.Remove(source);
             return true;
         }
 
         /// <summary>Looks now instead of at the end of the frame.</summary>
         public void Sense()
         {
-            for (int i = _watched.Count - 1; i >= 0; i--) Update(_watched[i]);
-            _near.Clear();
-            if (PlaceSensor())
+            ColliderScene scene = _scene;
+            if (_world != null)
             {
-                _scene.FindPairsWithin(_radius, _pairs);
-                for (int i = 0; i < _pairs.Count; i++) Note(_pairs[i]);
+                scene = _world.Fresh();
+            }
+            else
+            {
+                scene.IsSolid = _solidMeshes;
+                scene.Refresh();
+            }
+
+            _near.Clear();
+            bool isRead = _own.Read(gameObject, _solidMeshes, _includeTriggers);
+            _own.Report(this);
+            var filter = new SceneFilter(_layers.value, transform, _includeTriggers);
+            for (int i = 0; isRead && i < _own.Shapes.Count; i++)
+            {
+                scene.CollectWithin(_own.Shapes[i], _radius, filter, _near);
+                if (i > 0) KeepNearest();
             }
 
             Tell();
         }
 
-        private void OnEnable() => Rescan();
+        private void OnEnable()
+        {
+            if (_world == null) Rescan();
+        }
 
         private void OnDisable()
         {
-            for (int i = 0; i < _watched.Count; i++) _watched[i].IsNear = false;
             _near.Clear();
             Tell();
         }
@@ -175,82 +225,56 @@ namespace Gjk.Unity
             }
         }
 
-        private int IndexOf(Component source)
+        /// <summary>Of what two of the sensor's own shapes have found, the nearer.</summary>
+        private void KeepNearest()
         {
-            for (int i = 0; i < _watched.Count; i++)
+            for (int i = _near.Count - 1; i > 0; i--)
             {
-                if (ReferenceEquals(_watched[i].Source, source)) return i;
+                int first = i;
+                while (--first >= 0 && !ReferenceEquals(_near[first].Source, _near[i].Source))
+                {
+                }
+
+                if (first < 0) continue;
+                if (_near[i].Distance.distance < _near[first].Distance.distance) _near[first] = _near[i];
+                _near.RemoveAt(i);
             }
-
-            return -1;
-        }
-
-        private void Drop(int index)
-        {
-            Watched watched = _watched[index];
-            _byId.Remove(watched.Id);
-            watched.Leave(_scene);
-            _watched.RemoveAt(index);
-        }
-
-        private void Update(Watched watched)
-        {
-            int before = watched.Id;
-            watched.IsNear = false;
-            watched.Update(_scene);
-            if (watched.Id == before) return;
-            _byId.Remove(before);
-            if (watched.Id >= 0) _byId.Add(watched.Id, watched);
-        }
-
-        private bool PlaceSensor()
-        {
-            bool isRead = _own.Read(gameObject, out PosedShape posed);
-            _own.Report(this);
-            bool isSame = isRead && posed.Shape == _shape && _sceneLayers.value == _layers.value;
-            if (_id >= 0 && isSame)
-            {
-                _scene.Move(_id, posed.Pose);
-                return true;
-            }
-
-            if (_id >= 0) _scene.Remove(_id);
-            _id = -1;
-            if (!isRead) return false;
-
-            // In all groups, so that nothing's mask refuses it; its own mask is the filter.
-            var settings = new ObjectSettings(groups: uint.MaxValue, mask: (uint)_layers.value);
-            _id = _scene.Add(posed.Shape, posed.Pose, settings);
-            _shape = posed.Shape;
-            _sceneLayers = _layers;
-            return true;
-        }
-
-        private void Note(in PairDistance found)
-        {
-            bool isFirst = found.Pair.A == _id;
-            Watched watched = _byId[isFirst ? found.Pair.B : found.Pair.A];
-            watched.IsNear = true;
-            _near.Add(new ProximityHit(
-                watched.Source, new ColliderDistance3D(isFirst ? found.Result : found.Result.Swapped)));
         }
 
         /// <summary>
-        /// Calls the events after all is up to date, since a listener may do anything, and drops what is destroyed.
+        /// Calls the events, leaving before entering. What a listener is told is noted before it is called; and where
+        /// it makes the sensor look again or switches it off, that has told the rest.
         /// </summary>
         private void Tell()
         {
+            int own = ++_changes;
+            _now.Clear();
             _changed.Clear();
-            for (int i = _watched.Count - 1; i >= 0; i--)
+            for (int i = 0; i < _near.Count; i++) _now.Add(_near[i].Source);
+            foreach (Component source in _told)
             {
-                Watched watched = _watched[i];
-                if (watched.IsNear != watched.WasNear) _changed.Add(watched);
-                watched.WasNear = watched.IsNear;
-                if (watched.IsGone) Drop(i);
+                if (!_now.Contains(source)) _changed.Add(source);
             }
 
-            for (int i = 0; i < _changed.Count; i++)
-                (_changed[i].IsNear ? _entered : _exited).Invoke(_changed[i].Source);
+            for (int i = 0; i < _near.Count; i++)
+            {
+                if (!_told.Contains(_near[i].Source)) _changed.Add(_near[i].Source);
+            }
+
+            for (int i = 0; i < _changed.Count && own == _changes; i++)
+            {
+                Component source = _changed[i];
+                bool hasEntered = !_told.Remove(source);
+                if (hasEntered) _told.Add(source);
+                try
+                {
+                    (hasEntered ? _entered : _exited).Invoke(source);
+                }
+                catch (Exception exception)
+                {
+                    Debug.LogException(exception, this);
+                }
+            }
         }
     }
 }

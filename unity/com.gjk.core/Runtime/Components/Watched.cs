@@ -3,80 +3,82 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>One object of a sensor's scene.</summary>
+    /// <summary>One collider or mesh filter of a <see cref="ColliderScene"/>.</summary>
     internal sealed class Watched
     {
         private const int Absent = -1;
 
-        private readonly Component _source;
         private readonly Collider _collider;
         private readonly GameObject _owner;
         private readonly bool _isStatic;
-        private ConvexShape _shape;
-        private int _layer;
+        private string _problem;
 
         public Watched(Component source)
         {
-            _source = source;
+            Source = source;
             _collider = source as Collider;
             _owner = source.gameObject;
             _isStatic = _owner.isStatic;
         }
 
-        public Component Source => _source;
+        public Component Source { get; }
 
-        /// <summary>Its id in the scene, or a negative number.</summary>
+        /// <summary>Its id in the library's scene; a negative number while it is none of that.</summary>
         public int Id { get; private set; } = Absent;
 
-        /// <summary>Whether it was within the radius in the last frame.</summary>
-        public bool WasNear { get; set; }
+        /// <summary>Whether it has a shape now and is switched on.</summary>
+        public bool IsPresent { get; private set; }
 
-        /// <summary>Whether it is within the radius in this one.</summary>
-        public bool IsNear { get; set; }
+        /// <summary>Where it is, and what.</summary>
+        public PosedShape Posed { get; private set; }
 
-        /// <summary>Null, or why it has no shape.</summary>
-        public string Problem { get; private set; }
+        public int Layer { get; private set; }
+
+        public bool IsTrigger { get; private set; }
 
         /// <summary>Whether the engine has destroyed it.</summary>
-        public bool IsGone => _source == null;
+        public bool IsGone => Source == null;
 
         /// <summary>Brings the scene up to date. What does not move is read once.</summary>
-        public void Update(CollisionScene scene)
+        public void Update(CollisionScene scene, bool isSolid)
         {
             if (IsGone || !_owner.activeInHierarchy || (_collider is Collider && !_collider.enabled))
             {
-                Problem = null;
+                _problem = null;
                 Leave(scene);
                 return;
             }
 
             // What was refused is not tried again before it was switched off and on: a refusal makes a text.
-            if (Problem != null || (Id >= 0 && _isStatic)) return;
-            if (!GjkShapes.TryFrom(_source, out PosedShape posed, out string reason))
+            if (_problem != null || (IsPresent && _isStatic)) return;
+            if (!GjkShapes.TryFrom(Source, out PosedShape posed, out string reason, isSolid))
             {
-                Debug.LogWarning(reason, _source);
-                Problem = reason;
+                Debug.LogWarning(reason, Source);
+                _problem = reason;
                 Leave(scene);
                 return;
             }
 
-            if (Id >= 0 && posed.Shape != _shape) Leave(scene);
-            if (Id >= 0) scene.Move(Id, posed.Pose);
             int layer = _owner.layer;
-            if (Id >= 0 && layer == _layer) return;
+            bool isSame = Id >= 0 && posed.HasShapeOf(Posed);
+            if (Id >= 0 && !isSame) Leave(scene);
+            if (isSame) scene.Move(Id, posed.Pose);
 
-            // Static in the scene's sense: nothing is tested against these but the sensor, which is not static.
+            // Static in the scene's sense: these are never tested against each other.
             var settings = new ObjectSettings(isStatic: true, groups: 1u << layer);
-            if (Id >= 0) scene.SetSettings(Id, settings);
-            else Id = scene.Add(posed.Shape, posed.Pose, settings);
-            _layer = layer;
-            _shape = posed.Shape;
+            if (!isSame && posed.IsConvex) Id = scene.Add(posed.Shape, posed.Pose, settings);
+            else if (isSame && layer != Layer) scene.SetSettings(Id, settings);
+            IsPresent = true;
+            IsTrigger = _collider is Collider && _collider.isTrigger;
+            Posed = posed;
+            Layer = layer;
         }
 
         public void Leave(CollisionScene scene)
         {
             if (Id >= 0) scene.Remove(Id);
             Id = Absent;
+            IsPresent = false;
         }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using Gjk.Core;
 using UnityEngine;
 
@@ -8,20 +9,26 @@ namespace Gjk.Unity
     /// </summary>
     public readonly struct ColliderCastHit
     {
-        internal ColliderCastHit(in CastResult result, float reach)
+        internal ColliderCastHit(in CastResult result, float reach, Collider met)
         {
-            fraction = result.Fraction;
-            distance = result.Fraction * reach;
+            // Of an endless way the fraction is the distance itself.
+            bool isEndless = float.IsInfinity(reach);
+            fraction = isEndless ? 0 : result.Fraction;
+            distance = isEndless ? result.Fraction : result.Fraction * reach;
+            collider = met;
             point = result.Point.ToUnity();
             normal = result.IsHit ? (-result.Normal).ToUnity() : Vector3.zero;
             depth = result.Depth;
             isOverlappedAtStart = result.Status == CastStatus.OverlappingAtStart;
         }
 
+        /// <summary>The collider that was met.</summary>
+        public Collider collider { get; }
+
         /// <summary>How far the collider moved until it touched; 0 where the two overlapped before.</summary>
         public float distance { get; }
 
-        /// <summary>The same as a part of the longest way, 0 to 1.</summary>
+        /// <summary>The same as a part of the longest way, 0 to 1; 0 where that is endless.</summary>
         public float fraction { get; }
 
         /// <summary>A point that the two share then.</summary>
@@ -39,5 +46,11 @@ namespace Gjk.Unity
 
         /// <summary>Whether they overlapped before anything moved.</summary>
         public bool isOverlappedAtStart { get; }
+
+        /// <summary>For people to read.</summary>
+        public override string ToString() =>
+            isOverlappedAtStart
+                ? FormattableString.Invariant($"overlapped at the start, depth {depth:G6}")
+                : FormattableString.Invariant($"hit at {distance:G6}, point {point}, normal {normal}");
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using Gjk.Core;
 using UnityEngine;
 
@@ -9,7 +10,10 @@ namespace Gjk.Unity
     /// </summary>
     /// <remarks>
     /// Always pointB = pointA + normal * distance. Moving collider A by normal * distance makes the two touch, from
-    /// either side.
+    /// either side; of shapes that are not convex, the two parts that overlap deepest, or that are nearest. Those that
+    /// touch count as overlapped, at distance 0: they share a point, as <c>Physics.OverlapBox</c> and the engine's
+    /// triggers see it, while <c>ColliderDistance2D.isOverlapped</c> asks for <c>distance &lt; 0</c>. Ask for that
+    /// yourself where touching is to count as apart.
     /// </remarks>
     public readonly struct ColliderDistance3D
     {
@@ -24,7 +28,9 @@ namespace Gjk.Unity
             iterations = result.Iterations;
         }
 
-        /// <summary>The distance; minus the depth when they overlap; NaN when not valid.</summary>
+        /// <summary>
+        /// The distance; minus the depth when they overlap, 0 where no parts of two surfaces do; NaN when not valid.
+        /// </summary>
         public float distance { get; }
 
         /// <summary>
@@ -60,5 +66,11 @@ namespace Gjk.Unity
             isValid = other.isValid;
             iterations = other.iterations;
         }
+
+        /// <summary>For people to read.</summary>
+        public override string ToString() =>
+            !isValid ? "not valid"
+                : FormattableString.Invariant($"{(isOverlapped ? "overlapped" : "apart")}, distance {distance:G6}, ")
+                    + FormattableString.Invariant($"{pointA} to {pointB}");
     }
 }

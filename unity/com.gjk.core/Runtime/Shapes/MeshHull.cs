@@ -6,7 +6,7 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>What is kept of a mesh: its hull, the hulls of its skewed copies, and whether it is convex.</summary>
+    /// <summary>What is kept of a mesh: its hull, whether that is the mesh, its triangles, each stretched.</summary>
     internal sealed class MeshHull
     {
         /// <summary>
@@ -24,24 +24,49 @@ namespace Gjk.Unity
 
         private readonly ConvexHull _hull;
         private readonly Dictionary<Stretch, ConvexHull> _copies = new Dictionary<Stretch, ConvexHull>();
-        private string _whyConcave;
+        private readonly Dictionary<Stretch, TriangleMesh> _surfaces = new Dictionary<Stretch, TriangleMesh>();
+        private bool _isConvexityKnown, _isConvex;
 
-        public MeshHull(ConvexHull hull, int vertexCount)
+        public MeshHull(ConvexHull hull, in MeshPrint print)
         {
             _hull = hull;
-            VertexCount = vertexCount;
+            Print = print;
         }
 
         public ConvexHull Hull => _hull;
 
-        /// <summary>How many vertices the mesh had.</summary>
-        public int VertexCount { get; }
+        /// <summary>What the mesh was like when the hull was made.</summary>
+        public MeshPrint Print { get; }
 
-        /// <summary>Null, or that the hull is not the mesh, as the end of a sentence.</summary>
-        public string WhyConcave(Mesh mesh)
+        /// <summary>Whether the mesh is its hull.</summary>
+        public bool IsConvex(Mesh mesh)
         {
-            if (_whyConcave == null) _whyConcave = DescribeDent(mesh);
-            return _whyConcave.Length == 0 ? null : _whyConcave;
+            if (!_isConvexityKnown) _isConvex = DeepestDent(mesh) <= DentTolerance * _hull.Bounds.LongestSide;
+            _isConvexityKnown = true;
+            return _isConvex;
+        }
+
+        /// <summary>The triangles under a stretch; false where it leaves float's range.</summary>
+        public bool TryStretch(Mesh mesh, in Stretch stretch, out TriangleMesh surface)
+        {
+            if (_surfaces.TryGetValue(stretch, out surface)) return true;
+            var scale = (Numerics.Vector3)stretch.Scale;
+            if (TryScale(stretch, out ConvexShape _) && scale != Numerics.Vector3.One)
+            {
+                if (!TryStretch(mesh, Stretch.None, out surface)) return false;
+                surface = surface.Scaled(scale);
+            }
+            else
+            {
+                Vector3[] vertices = mesh.vertices;
+                var points = new Numerics.Vector3[vertices.Length];
+                for (int i = 0; i < points.Length; i++) points[i] = stretch.Apply(vertices[i].ToNumerics());
+                if (!TriangleMesh.TryCreate(points, mesh.triangles, out surface, out _)) return false;
+            }
+
+            if (_surfaces.Count >= MostCopies) _surfaces.Clear();
+            _surfaces.Add(stretch, surface);
+            return true;
         }
 
         /// <summary>The hull under a stretch; false where it leaves float's range.</summary>
@@ -79,7 +104,7 @@ namespace Gjk.Unity
         /// A mesh is its hull where all its faces are the hull's: on one side of a face's plane there is nothing. The
         /// face that has most on both sides decides. Faces may be wound either way.
         /// </summary>
-        private string DescribeDent(Mesh mesh)
+        private double DeepestDent(Mesh mesh)
         {
             Vector3[] vertices = mesh.vertices;
             int[] triangles = mesh.triangles;
@@ -96,10 +121,7 @@ namespace Gjk.Unity
                 deepest = Math.Max(deepest, inside);
             }
 
-            if (deepest <= DentTolerance * _hull.Bounds.LongestSide) return "";
-            return FormattableString.Invariant(
-                $"is concave: its convex hull reaches {deepest:G3} beyond a face of it. Split the mesh, or use a ")
-                + "MeshCollider with Convex ticked to take the hull.";
+            return deepest;
         }
 
         /// <summary>How far the hull reaches beyond a plane through a point.</summary>

@@ -6,7 +6,8 @@ using Numerics = System.Numerics;
 namespace Gjk.Unity
 {
     /// <summary>
-    /// The hulls of meshes, made once for each mesh. A mesh that is not used any more takes its hull with it.
+    /// The hulls of meshes, made once for each mesh, and again after it has changed. A mesh that is not used any more
+    /// takes its hull with it.
     /// </summary>
     internal static class MeshHulls
     {
@@ -17,7 +18,8 @@ namespace Gjk.Unity
         {
             if (_known.TryGetValue(mesh, out entry))
             {
-                if (entry.VertexCount == mesh.vertexCount) return null;
+                // What cannot be read any more cannot change either.
+                if (!mesh.isReadable || MeshPrint.Of(mesh).Equals(entry.Print)) return null;
                 _known.Remove(mesh);
             }
 
@@ -27,7 +29,7 @@ namespace Gjk.Unity
             for (int i = 0; i < points.Length; i++) points[i] = vertices[i].ToNumerics();
             if (points.Length == 0) return "has no vertices.";
             if (!ConvexHull.TryCreate(points, out ConvexHull hull, out string reason)) return "is refused: " + reason;
-            entry = new MeshHull(hull, points.Length);
+            entry = new MeshHull(hull, MeshPrint.Of(mesh));
             _known.Add(mesh, entry);
             return null;
         }
@@ -36,6 +38,6 @@ namespace Gjk.Unity
 
         /// <summary>A project can keep the domain when play begins; then statics must begin anew themselves.</summary>
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        private static void Reset() => _known = new ConditionalWeakTable<Mesh, MeshHull>();
+        internal static void Reset() => _known = new ConditionalWeakTable<Mesh, MeshHull>();
     }
 }

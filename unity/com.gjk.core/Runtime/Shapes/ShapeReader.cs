@@ -12,14 +12,25 @@ namespace Gjk.Unity
     /// Box: the size times the absolute lossyScale. Sphere: the radius times the largest absolute scale. Capsule: the
     /// radius times the larger of the two absolute scales across, the height times the one along; a height below two
     /// radii is a sphere. Mesh: every vertex through the whole matrix, skew included. Centres go through the whole
-    /// matrix. A scale of 0 flattens; the shape may become a polygon, a segment or a point.
+    /// matrix. A scale of 0 flattens; the shape may become a polygon, a segment or a point. CharacterController: a
+    /// capsule along the world's y, its radius times the larger of the absolute scales along x and z, its height times
+    /// that along y; its skin is no part of it. Terrain: its heights, where they are in the world; it neither turns nor
+    /// scales.
     /// </remarks>
     internal static class ShapeReader
     {
         private static readonly double HalfRoot = Math.Sqrt(0.5);
 
+        /// <summary>Whether components of its kind can have a shape.</summary>
+        public static bool IsKnown(Component source) =>
+            source is BoxCollider || source is SphereCollider || source is CapsuleCollider || source is MeshCollider
+#if GJK_TERRAIN
+            || source is TerrainCollider
+#endif
+            || source is CharacterController || source is MeshFilter;
+
         /// <summary>Null, or why there is no shape, in one sentence that names the object.</summary>
-        public static string Read(Component source, in Stretch stretch, out LocalShape local)
+        public static string Read(Component source, in Stretch stretch, bool isSolid, out LocalShape local)
         {
             local = default;
             local.Turn = Turn.None;
@@ -31,13 +42,19 @@ namespace Gjk.Unity
                     return Read(sphere, stretch, ref local);
                 case CapsuleCollider capsule:
                     return Read(capsule, stretch, ref local);
+                case CharacterController character:
+                    return Read(character, stretch, ref local);
                 case MeshCollider collider:
-                    return Read(collider, collider.sharedMesh, collider.convex, stretch, ref local);
+                    return Read(collider, collider.sharedMesh, collider.convex, isSolid, stretch, ref local);
                 case MeshFilter filter:
-                    return Read(filter, filter.sharedMesh, false, stretch, ref local);
+                    return Read(filter, filter.sharedMesh, false, isSolid, stretch, ref local);
+#if GJK_TERRAIN
+                case TerrainCollider terrain:
+                    return Read(terrain, ref local);
+#endif
                 default:
-                    return Text(source, "is a " + source.GetType().Name + ", which has no convex shape; box, sphere, "
-                        + "capsule and mesh colliders have one.");
+                    return Text(source, "is a " + source.GetType().Name + ", which has no shape here; box, sphere, "
+                        + "capsule, mesh and terrain colliders and character controllers have one.");
             }
         }
 
@@ -84,15 +101,39 @@ namespace Gjk.Unity
             return Place(capsule, capsule.center, stretch, ref local);
         }
 
+        private static string Read(CharacterController character, in Stretch stretch, ref LocalShape local)
+        {
+            double radius = Math.Abs(character.radius) * Math.Max(stretch.Along(0), stretch.Along(2));
+            double half = Math.Max(Math.Abs(character.height) * stretch.Along(1) * 0.5 - radius, 0);
+            if (!IsFinite((float)radius) || !IsFinite((float)half)) return NotFinite(character);
+            local.Shape = (float)half > 0
+                ? ConvexShape.Capsule((float)radius, (float)half) : ConvexShape.Sphere((float)radius);
+            local.IsUpright = true;
+            return Place(character, character.center, stretch, ref local);
+        }
+
         private static string Read(
-            Component source, Mesh mesh, bool isHullMeant, in Stretch stretch, ref LocalShape local)
+            Component source, Mesh mesh, bool isHullMeant, bool isSolid, in Stretch stretch, ref LocalShape local)
         {
             if (mesh == null) return Text(source, "has no mesh.");
             string reason = MeshHulls.Find(mesh, out MeshHull entry);
-            if (reason == null && !isHullMeant) reason = entry.WhyConcave(mesh);
-            if (reason == null) reason = entry.TryStretch(stretch, out local.Shape) ? null : "is scaled beyond float.";
+            if (reason == null && (isHullMeant || entry.IsConvex(mesh)))
+                reason = entry.TryStretch(stretch, out local.Shape) ? null : "is scaled beyond float.";
+            else if (reason == null)
+                reason = entry.TryStretch(mesh, stretch, out local.Mesh) ? null : "is scaled beyond float.";
+            local.IsSolid = isSolid && local.Mesh != null && local.Mesh.HasInside;
             return reason == null ? null : Text(source, "cannot be used: the mesh '" + mesh.name + "' " + reason);
         }
+
+#if GJK_TERRAIN
+        private static string Read(TerrainCollider terrain, ref LocalShape local)
+        {
+            if (terrain.terrainData == null) return Text(terrain, "has no terrain data.");
+            local.Mesh = TerrainSurfaces.Find(terrain.terrainData);
+            local.IsUpright = true;
+            return local.Mesh != null ? null : Text(terrain, "has no heights, or only holes.");
+        }
+#endif
 
         private static string Place(Component source, Vector3 center, in Stretch stretch, ref LocalShape local)
         {

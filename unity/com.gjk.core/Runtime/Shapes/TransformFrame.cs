@@ -48,10 +48,10 @@ namespace Gjk.Unity
         }
 
         /// <summary>The world pose of something placed in the rigid frame; false where it is not finite.</summary>
-        public readonly bool TryPose(in Double3 offset, in Turn turn, out RigidPose pose)
+        public readonly bool TryPose(in LocalShape local, out RigidPose pose)
         {
-            var position = (Numerics.Vector3)(Position + Turn.Rotate(offset));
-            Numerics.Quaternion rotation = Turn.Times(turn).Rounded;
+            var position = (Numerics.Vector3)(Position + Turn.Rotate(local.Offset));
+            Numerics.Quaternion rotation = (local.IsUpright ? local.Turn : Turn.Times(local.Turn)).Rounded;
             float check = position.X - position.X + (position.Y - position.Y) + (position.Z - position.Z)
                 + (rotation.X - rotation.X);
             bool isFinite = check == 0;

@@ -5,27 +5,30 @@ using UnityEngine;
 namespace Gjk.Samples
 {
     /// <summary>
-    /// Moves the object under the mouse in the plane of the screen. Uses the library's own rays and the events of
-    /// OnGUI, so that it needs neither colliders nor a certain input package.
+    /// Moves the object under the mouse in the plane of the screen. Uses the library's own rays, so that it needs no
+    /// colliders.
     /// </summary>
     internal sealed class Dragging
     {
         private int _dragged = -1;
+        private bool _wasHeld;
         private float _depth;
         private Vector3 _grip;
 
-        public void OnGUI(PosedShape[] shapes, MeshFilter[] filters)
+        public void Update(PosedShape[] shapes, MeshFilter[] filters)
         {
             Camera camera = Camera.main;
-            Event now = Event.current;
             if (camera == null) return;
-            if (now.type == EventType.MouseUp) _dragged = -1;
-            if (now.type != EventType.MouseDown && now.type != EventType.MouseDrag) return;
+            bool isGrabbing = Controls.IsHeld && !_wasHeld;
+            _wasHeld = Controls.IsHeld;
+            if (!_wasHeld)
+            {
+                _dragged = -1;
+                return;
+            }
 
-            // OnGUI counts from the top, the camera from the bottom.
-            var pixel = new Vector3(now.mousePosition.x, Screen.height - now.mousePosition.y, 0);
-            Ray ray = camera.ScreenPointToRay(pixel);
-            if (now.type == EventType.MouseDown) Grab(ray, camera, shapes, filters);
+            Ray ray = camera.ScreenPointToRay(Controls.Pointer);
+            if (isGrabbing) Grab(ray, camera, shapes, filters);
             else if (_dragged >= 0) filters[_dragged].transform.position = At(ray, camera) + _grip;
         }
 
