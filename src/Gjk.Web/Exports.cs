@@ -40,7 +40,7 @@ internal static partial class Exports
     [JSExport]
     internal static void Answer(int question, int count) => Answering.Run(Bodies, (Question)question, count);
 
-    /// <summary>Answers the pairs of the first bodies that are this near each other, without asking every pair.</summary>
+    /// <summary>Answers the pairs of the first bodies that are this near, without asking every pair.</summary>
     /// <returns>Body A, body B and the numbers of an answer, pair after pair.</returns>
     [JSExport]
     internal static double[] PairsWithin(int bodies, double distance) =>

@@ -44,7 +44,7 @@ class Gjk {
   mesh = (points) => this.#shape(`mesh ${points.length} ${points.flat().map(Math.fround).join(' ')}`);
 
   #ask(question, a, motionA, b, motionB) {
-    this.#engine.reserve(2, 1);
+    if (this.#engine.bodies !== 2) this.#engine.reserve(2, 1);
     this.#engine.set(0, a.id, motionA);
     this.#engine.set(1, b.id, motionB);
     return this.#engine.ask(question, [[0, 1]])[0];
