@@ -33,4 +33,5 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 bash unity/pack.sh "${unity[@]}" --export "$work" > /dev/null
 cp "$work"/*.tgz "$target"
+if command -v npm > /dev/null; then bash src/Gjk.Web/pack-npm.sh "$target"; else echo "no npm: gjk-core is left out" >&2; fi
 ls "$target"

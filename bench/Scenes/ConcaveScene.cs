@@ -25,7 +25,9 @@ public sealed class ConcaveScene
         Size = size;
     }
 
-    /// <summary>The sets: two meshes, their triangles, how near they are; plates; and convex shapes near a mesh.</summary>
+    /// <summary>
+    /// The sets: two meshes, their triangles, how near they are; plates; and convex shapes near a mesh.
+    /// </summary>
     public static IEnumerable<string> Names =>
     [
         .. from mesh in (string[])["torus 10k", "bumpy 10k", "torus 100k", "bumpy 100k"]

@@ -34,6 +34,8 @@ const tasks = [
   { text: 'Real meshes', link: '/tasks/meshes' },
   { text: 'A scene of 100,000', link: '/tasks/large-scene' },
   { text: 'More than one machine', link: '/tasks/many-machines' },
+  { text: 'CAD and robotics', link: '/tasks/cad-robotics' },
+  { text: 'Coming from another engine', link: '/tasks/coming-from' },
   { text: 'A perceptual study', link: '/study' },
   { text: 'Unity', link: '/tasks/unity' },
 ]

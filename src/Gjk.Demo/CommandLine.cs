@@ -38,8 +38,8 @@ internal static class CommandLine
     public static int Run(string[] args, CancellationToken cancel)
     {
         var root = new RootCommand(
-            "Answers exact GJK queries on convex shapes: do they intersect, how far apart are they, and where are the "
-            + "closest points? Without a command it runs replay.")
+            "Give it a scene of shapes: it tells you which of them intersect, how far apart or how deep they are, "
+            + "where, and when they will touch. Without a command it runs replay.")
         {
             BuildReplay(cancel),
             BuildQuery(cancel),
@@ -188,7 +188,7 @@ internal static class CommandLine
         });
         var depth = new Option<bool>("--depth")
         {
-            Description = "Answer overlapping pairs with minus their depth, the deepest points and the way out.",
+            Description = "For pairs that overlap, write minus the depth, the deepest points and the shortest way out.",
         };
         var parts = new Option<bool>("--parts")
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 
@@ -26,6 +27,26 @@ internal static class Answering
         return isSigned
             ? ConvexQuery.SignedDistance(shapeA, poseA, shapeB, poseB)
             : ConvexQuery.Distance(shapeA, poseA, shapeB, poseB);
+    }
+
+    /// <summary>Each pair within the distance: its bodies, then the numbers of its answer.</summary>
+    public static double[] PairsWithin(Bodies bodies, int count, float distance)
+    {
+        var scene = new CollisionScene();
+        var bodyOf = new Dictionary<int, int>();
+        for (int i = 0; i < count; i++) bodyOf.Add(scene.Add(bodies.ShapeAt(i), bodies.PoseAt(i)), i);
+        var pairs = new List<PairDistance>();
+        scene.FindPairsWithin(distance, pairs);
+        var numbers = new List<double>();
+        Span<float> answer = stackalloc float[Bodies.AnswerSize];
+        foreach (PairDistance pair in pairs)
+        {
+            Write(answer, pair.Result);
+            numbers.AddRange([bodyOf[pair.Pair.A], bodyOf[pair.Pair.B]]);
+            foreach (float number in answer) numbers.Add(number);
+        }
+
+        return numbers.ToArray();
     }
 
     /// <summary>A pair that does not turn is answered to the last bit, one that does to a tolerance.</summary>

@@ -40,6 +40,12 @@ internal static partial class Exports
     [JSExport]
     internal static void Answer(int question, int count) => Answering.Run(Bodies, (Question)question, count);
 
+    /// <summary>Answers the pairs of the first bodies that are this near each other, without asking every pair.</summary>
+    /// <returns>Body A, body B and the numbers of an answer, pair after pair.</returns>
+    [JSExport]
+    internal static double[] PairsWithin(int bodies, double distance) =>
+        Answering.PairsWithin(Bodies, bodies, (float)distance);
+
     /// <summary>Two bodies as a record.</summary>
     [JSExport]
     internal static string Record(int a, int b) =>

@@ -4,6 +4,7 @@
 # installed and used. --no-build packs the Release build of the solution that is there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+root=$PWD
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -119,4 +120,17 @@ has_line "$work/Gjk.Import.app/run.log" 'left, right: 2'
   [[ "$(./gjk-demo --version)" = "$version"* ]] || fail "the tool's version is $(./gjk-demo --version)"
   ./gjk-demo play --out play.html 2> /dev/null || fail "the tool lacks the library for browsers"
 )
-echo "package: $(cd "$work/feed" && ls -- *.nupkg | xargs) are complete, and their READMEs' snippets run"
+
+# The package for npm in Node.js, where that is there.
+if command -v npm > /dev/null; then
+  (
+    mkdir "$work/npm" && cd "$work/npm"
+    echo '{ "type": "module" }' > package.json
+    npm install --silent --offline --no-audit --no-fund "$work/feed/gjk-core-$version.tgz" || fail "npm install failed"
+    cp "$root/tests/Gjk.Package/npm.mjs" .
+    node npm.mjs || fail "the package for npm does not work"
+  )
+else
+  echo "package: no npm, so gjk-core was not tried"
+fi
+echo "package: $(cd "$work/feed" && ls -- *.nupkg *.tgz | xargs) are complete and work"

@@ -218,7 +218,8 @@ internal struct PartPairSearch
     /// <summary>Takes the plane of two leaves' first parts, if these are too far apart.</summary>
     private readonly void AimBeyond(ConcaveScratch scratch, int leafA, int leafB)
     {
-        int partA = scratch.A.Tree.Order[PartTree.FirstOf(leafA)], partB = scratch.B.Tree.Order[PartTree.FirstOf(leafB)];
+        int partA = scratch.A.Tree.Order[PartTree.FirstOf(leafA)];
+        int partB = scratch.B.Tree.Order[PartTree.FirstOf(leafB)];
         DistanceResult found = PartQuery.Distance(scratch.A, partA, scratch.B, partB, Limit);
         if (found.Status == GjkStatus.BeyondMaxDistance)
             scratch.Plane.SetBeyond(scratch.A, partA, scratch.B, partB, found.Normal, Limit);

@@ -63,7 +63,9 @@ internal sealed class PlaneProof
         _limit = 0.5 * ((double)best.Distance + RoundOff.Down(best.Distance * (1 - 1.0 / (1 << 26))));
     }
 
-    /// <summary>Takes the plane of two parts that are further apart than the limit: so are those that are dropped.</summary>
+    /// <summary>
+    /// Takes the plane of two parts that are further apart than the limit: so are those that are dropped.
+    /// </summary>
     public void SetBeyond(PartSide a, int partA, PartSide b, int partB, Vector3 normal, float limit)
     {
         double lengths = Aim(a, partA, b, partB, normal, 0);

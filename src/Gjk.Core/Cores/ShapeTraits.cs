@@ -32,6 +32,9 @@ internal class ShapeTraits<T>
     /// <inheritdoc cref="CanBePlaced"/>
     protected virtual bool MayBePlaced => false;
 
+    /// <summary>Whether a shape is placed.</summary>
+    public virtual bool IsPlaced(in T shape) => false;
+
     /// <summary>The shape in the axes of its core; itself where it is not placed.</summary>
     /// <param name="shape">The shape.</param>
     /// <param name="placement">Where its core is; null where it is not placed.</param>
@@ -71,6 +74,9 @@ internal interface ILibraryShape
 /// <typeparam name="T">Its own type.</typeparam>
 internal interface IPlacedShape<T> : ILibraryShape
 {
+    /// <inheritdoc cref="ShapeTraits{T}.IsPlaced"/>
+    bool IsPlaced { get; }
+
     /// <inheritdoc cref="ShapeTraits{T}.InCoreAxes"/>
     T InCoreAxes(out Placement? placement);
 }
@@ -114,6 +120,8 @@ internal class PlacedTraits<T> : LibraryTraits<T>
     }
 
     protected override bool MayBePlaced => true;
+
+    public override bool IsPlaced(in T shape) => shape.IsPlaced;
 
     public override T InCoreAxes(in T shape, out Placement? placement) => shape.InCoreAxes(out placement);
 }

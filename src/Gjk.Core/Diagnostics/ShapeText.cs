@@ -15,9 +15,16 @@ internal static class ShapeText
     public static void Write(StringBuilder text, in ConvexShape shape)
     {
         ShapeParts p = shape.Parts;
-        if (p.Layer is null) WriteCore(text, p);
-        else Write(text, p.Layer.Shape.Inner);
-        if (p.Layer is not null) Add(text.Append(" *"), p.Layer.Shape.Factors);
+        if (p.Layer is ScaledLayer scaled)
+        {
+            Write(text, scaled.Inner);
+            Add(text.Append(" *"), scaled.Factors);
+        }
+        else
+        {
+            WriteCore(text, p);
+        }
+
         if (p.Scaling is not null) Add(text.Append(" *"), p.Scale);
         if (p.Rounding > 0) Add(text.Append(" +"), p.Rounding);
         WritePoses(text, p.Placement);
@@ -110,6 +117,8 @@ internal static class ShapeText
             case ShapeKind.Mesh:
                 WriteCorners(text, p.Hull!);
                 break;
+            case ShapeKind.Custom:
+                throw new NotSupportedException("A shape of your own cannot be written as text.");
             default:
                 Add(text, p.A);
                 break;
@@ -160,7 +169,7 @@ internal static class ShapeText
     private static ShapeKind ReadKind(RecordReader words)
     {
         string name = words.Word("a shape");
-        for (ShapeKind kind = ShapeKind.Point; Enum.IsDefined(typeof(ShapeKind), kind); kind++)
+        for (ShapeKind kind = ShapeKind.Point; kind < ShapeKind.Custom; kind++)
         {
             if (Name(kind) == name) return kind;
         }

@@ -182,6 +182,8 @@ internal static class CoreDispatch
         where TB : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult>
     {
+        if (!ShapeTraits<TA>.Of.IsPlaced(a) && !ShapeTraits<TB>.Of.IsPlaced(b))
+            return question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None);
 #if NET
         CoreKind kindA = KindOf(ref a) & ~CoreKind.Moved, kindB = KindOf(ref b) & ~CoreKind.Moved;
         if (kindA != CoreKind.Other && kindB != CoreKind.Other)

@@ -63,6 +63,27 @@ public readonly partial struct ConvexShape
     /// <exception cref="ArgumentException">The list is empty, or a coordinate is NaN or infinite.</exception>
     public static ConvexShape Mesh(IReadOnlyList<Vector3> vertices) => Mesh(new ConvexHull(vertices));
 
+    /// <summary>A shape of your own, for scenes, batches and compounds. Each support costs an interface call.</summary>
+    /// <param name="shape">
+    /// It must not change; a struct is boxed once. Two such shapes are equal when they are made of the same object.
+    /// </param>
+    /// <exception cref="ArgumentNullException">There is no shape.</exception>
+    /// <exception cref="ArgumentException">
+    /// Its centre, margin or bounding radius is NaN or infinite, or one of the two is negative.
+    /// </exception>
+    public static ConvexShape Custom(ISupportMap shape)
+    {
+        if (Guard.NotNull(shape, nameof(shape)) is ConvexShape known) return known;
+        double radius = shape.BoundingRadius, margin = shape.Margin;
+        bool isValid = shape.Center.IsFinite && margin >= 0 && radius >= 0 && radius <= double.MaxValue
+            && margin <= double.MaxValue;
+        return isValid
+            ? new(new ShapeParts { Kind = ShapeKind.Custom, Layer = shape })
+            : throw new ArgumentException(
+                "The centre, the margin and the bounding radius must be finite, and the two not negative.",
+                nameof(shape));
+    }
+
     private static ConvexShape Make(
         ShapeKind kind, in Double3 a, in Double3 b = default, in Double3 c = default, double margin = 0) =>
         new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin });

@@ -33,8 +33,8 @@ public readonly partial struct ConvexShape
     public override string ToString()
     {
         ref readonly ShapeParts p = ref _parts;
-        var text = new StringBuilder(p.Layer is null ? CoreText(p) : p.Layer.Shape.Inner.ToString());
-        if (p.Layer is not null) text.Append(" scaled by ").Append(Text(p.Layer.Shape.Factors));
+        var text = new StringBuilder(
+            p.Layer is ScaledLayer scaled ? scaled.Inner + " scaled by " + Text(scaled.Factors) : CoreText(p));
         if (p.Scaling is not null)
             text.Append(" scaled by ").Append(Text(p.Scale));
         if (p.Rounding > 0) text.Append(" rounded by ").Append(Text(p.Rounding));
@@ -62,6 +62,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Mesh => $"mesh of {p.Hull!.VertexCount} vertices",
         ShapeKind.Cylinder => $"cylinder, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
         ShapeKind.Cone => $"cone, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
+        ShapeKind.Custom => $"custom shape, {p.Layer}",
         _ => p.Kind.ToString(),
     };
 

@@ -13,7 +13,7 @@ public readonly partial struct ConvexShape
 
         if (_parts.Layer is not null)
         {
-            _parts.Layer.Shape.GetFace(direction, ref corners);
+            _parts.Layer.GetFace(direction, ref corners);
             return;
         }
 

@@ -11,7 +11,9 @@ public readonly partial struct ConvexShape
     /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
     internal bool TryGetTarget(out RayTarget target)
     {
-        bool found = _parts.Layer is null ? TryGetCore(out target) : _parts.Layer.Shape.TryGetTarget(out target);
+        bool found = _parts.Layer is ScaledLayer scaled
+            ? scaled.Shape.TryGetTarget(out target)
+            : TryGetCore(out target);
         target.Round(_parts.Rounding);
         return found && (_parts.Placement is null || _parts.Placement.TryPlace(ref target));
     }

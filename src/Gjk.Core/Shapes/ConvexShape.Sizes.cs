@@ -35,7 +35,7 @@ public readonly partial struct ConvexShape
     private ShapeKind Innermost(out ShapeParts parts)
     {
         parts = _parts;
-        while (parts.Layer is not null) parts = parts.Layer.Shape.Inner._parts;
+        while (parts.Layer is ScaledLayer scaled) parts = scaled.Inner._parts;
         return parts.Kind;
     }
 }

@@ -33,9 +33,17 @@ public readonly partial struct ConvexShape
         _parts = parts;
         if (parts.Layer is not null)
         {
-            _center = parts.Layer.Shape.Center;
-            _margin = parts.Layer.Shape.Margin + parts.Rounding;
-            _boundingRadius = parts.Layer.Shape.BoundingRadius + parts.Rounding;
+            _center = parts.Layer.Center;
+            _margin = parts.Layer.Margin + parts.Rounding;
+            _boundingRadius = parts.Layer.BoundingRadius + parts.Rounding;
+            if (parts.Layer is not ScaledLayer)
+            {
+                // A user's radius may be generous, and tolerances follow that of this type.
+                _parts.Placement = null;
+                _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this) + _margin);
+                _parts.Placement = parts.Placement;
+            }
+
             _core = parts.Placement is null ? CoreKind.Other : CoreKind.Moved;
             return;
         }
@@ -86,7 +94,7 @@ public readonly partial struct ConvexShape
     public ShapeKind Kind => _parts.Kind;
 
     /// <summary>The hull of a mesh, else null.</summary>
-    public ConvexHull? Hull => _parts.Layer is null ? _parts.Hull : _parts.Layer.Shape.Inner.Hull;
+    public ConvexHull? Hull => _parts.Layer is null ? _parts.Hull : (_parts.Layer as ScaledLayer)?.Inner.Hull;
 
     /// <summary>The factors that are still applied to each support; 1 where the scale was multiplied in.</summary>
     public Vector3 Scale => (Vector3)_parts.Scale;
@@ -128,7 +136,7 @@ public readonly partial struct ConvexShape
             return id;
         }
 
-        if (_parts.Layer is not null) return _parts.Layer.Shape.Support(direction, out point);
+        if (_parts.Layer is not null) return _parts.Layer.Support(direction, out point);
         ShapeScale scaling = _parts.Scaling!;
         Double3 inward = scaling.Axes.Inward(direction);
         id = CoreSupport(inward, out point);
@@ -149,7 +157,7 @@ public readonly partial struct ConvexShape
             return found;
         }
 
-        if (_parts.Layer is not null) return _parts.Layer.Shape.TryGetVertex(id, out point);
+        if (_parts.Layer is not null) return _parts.Layer.TryGetVertex(id, out point);
         ShapeScale? scaling = _parts.Scaling;
         if (scaling is not null && _parts.InnerMargin > 0 && !scaling.Axes.KeepsBalls)
         {
@@ -176,6 +184,8 @@ public readonly partial struct ConvexShape
 
     /// <summary>Where the core is in the shape's frame; null where the shape is not placed.</summary>
     internal Placement? Placement => _parts.Placement;
+
+    bool IPlacedShape<ConvexShape>.IsPlaced => _parts.Placement is not null;
 
     ConvexShape IPlacedShape<ConvexShape>.InCoreAxes(out Placement? placement) => InCoreAxes(out placement);
 

@@ -61,6 +61,8 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
 
     object ILibraryShape.MakeTraits() => new PlacedTraits<Placed<T>>(ShapeTraits<T>.AreTight);
 
+    bool IPlacedShape<Placed<T>>.IsPlaced => IsPlaced;
+
     Placed<T> IPlacedShape<Placed<T>>.InCoreAxes(out Placement? placement)
     {
         placement = _placement;

@@ -35,4 +35,7 @@ public enum ShapeKind : byte
 
     /// <summary>A capsule: a segment with a margin.</summary>
     Capsule = 10,
+
+    /// <summary>A shape of the caller's own; no file holds it.</summary>
+    Custom = 11,
 }

@@ -32,10 +32,10 @@ internal struct ShapeParts
     public ConvexHull? Hull;
 
     /// <summary>
-    /// The shape that was rounded or placed before it was scaled, if there is one; then of the rest only the kind, the
+    /// A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind, the
     /// rounding and the placement are used.
     /// </summary>
-    public ScaledLayer? Layer;
+    public ISupportMap? Layer;
 
     /// <summary>Where all that is in the shape's frame; null where it is not placed.</summary>
     public Placement? Placement;

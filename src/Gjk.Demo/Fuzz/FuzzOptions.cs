@@ -36,7 +36,8 @@ internal static class FuzzOptions
         };
         var seed = new Option<ulong?>("--seed")
         {
-            Description = "Which sequence of pairs; a seed always gives the same. Without it: another one each time.",
+            Description = "The seed of the random pairs: the same seed gives the same pairs. Without it, every "
+                + "run takes another.",
             HelpName = "S",
             CustomParser = r => OptionValue.Parse<ulong>(
                 r, NumberStyles.None, _ => true, "must be a whole number, at least 0"),
@@ -45,8 +46,8 @@ internal static class FuzzOptions
         Option<string?> resume = Resume();
         Option<int?> threads = Threads();
         const string Purpose =
-            "Search at random for a pair of shapes whose distance, depth or cast breaks a promise of the library, and "
-            + "shrink what is found.";
+            "Ask random pairs of shapes until a distance, depth or cast breaks a promise of the library. Then "
+            + "shrink that pair to a short record.";
         var command = new Command("fuzz", Purpose) { seconds, seed, count, certificate, resume, threads };
         command.Validators.Add(result => Validate(result, seconds, count, certificate, resume, threads));
         command.SetAction(r =>

@@ -25,13 +25,14 @@ internal static class PlayOptions
         };
         var scene = new Option<string?>("--scene")
         {
-            Description = "Offer the objects of this scene, too. Use - to read it from standard input.",
+            Description = "Add the objects of this scene to the shapes to choose from. Use - to read it from "
+                + "standard input.",
             HelpName = "SCENE.json",
         };
         var mesh = new Option<string?>("--obj")
         {
-            Description = "Offer the parts of this mesh file, too, each as its convex hull. Its name must end in .obj, "
-                + ".stl or .ply.",
+            Description = "Add the parts of this mesh file to the shapes to choose from, each as its convex "
+                + "hull. Its name must end in .obj, .stl or .ply.",
             HelpName = "FILE.obj",
         };
         var command = new Command(

@@ -34,8 +34,8 @@ internal sealed class PairInput
 
     private readonly Option<bool> _check = new("--check")
     {
-        Description = "Add the column check: whether the answer is proved, without a solver, from the shapes' supports "
-            + "alone. A depth is proved-at-most: the way out is one, a shorter one is not ruled out. Exit code 1 if an "
+        Description = "Add the column check. It says whether the supports of the shapes alone prove the answer. "
+            + "A depth is proved-at-most: there is such a way out, but there may be a shorter one. Exit code 1 if an "
             + "answer is refuted.",
     };
 

@@ -28,9 +28,9 @@ internal sealed class BuiltInOptions
     /// <summary>The mesh of the spheres, for a command that has spheres anyway.</summary>
     public static Option<SphereMesh> MeshOption() => new("--mesh")
     {
-        Description = "The mesh of the built-in spheres: 515 distinct corners (even, the default), or as many as the "
-            + "sphere of Unity has (unity): 515 vertices with 386 distinct corners, as far as known those of a cube's "
-            + "faces in 8 x 8 squares, brought to the sphere.",
+        Description = "The mesh of the built-in spheres. even, the default: 515 distinct corners. unity: as "
+            + "Unity's own sphere, 515 vertices with 386 distinct corners, as far as is known those of a cube's faces "
+            + "in 8 x 8 squares, pushed out to a sphere.",
         HelpName = "even|unity",
         CustomParser = result =>
         {

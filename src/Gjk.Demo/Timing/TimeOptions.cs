@@ -23,7 +23,8 @@ internal static class TimeOptions
         var builtIn = new BuiltInOptions();
         var command = new Command(
             "time",
-            "Print nanoseconds per pair of each scene as one line of JSON: cold, warm, moving, boolean, depths, casts.")
+            "Measure each scene and print nanoseconds per pair as one line of JSON: cold, warm, moving, boolean, "
+            + "depths, casts.")
         {
             files, seconds,
         };

@@ -34,8 +34,8 @@ internal static class TraceOptions
         });
         var command = new Command(
             "trace",
-            "Show one query step by step, with supports, simplex and bounds, the textbook's GJK beside it, and where "
-            + "the shapes overlap the search for the depth. The page needs no network.")
+            "Write a page that shows one query step by step, with the textbook's GJK beside it. If the shapes overlap, "
+            + "it shows the search for the depth, too. The page needs no network.")
         {
             source.File, source.BuiltIn, pair, example.Option, page,
         };

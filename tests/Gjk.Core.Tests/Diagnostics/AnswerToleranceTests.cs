@@ -96,7 +96,9 @@ public class AnswerToleranceTests
         Assert.True(check.Status == status, check.ToString());
     }
 
-    /// <summary>Balls of some 1e-40 whose depth is less than half the least float: they touch, and a rest misses.</summary>
+    /// <summary>
+    /// Balls of some 1e-40 whose depth is less than half the least float: they touch, and a rest misses.
+    /// </summary>
     [Fact]
     public void ADepthThatNoFloatHolds()
     {

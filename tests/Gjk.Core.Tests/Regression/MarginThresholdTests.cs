@@ -30,7 +30,8 @@ public class MarginThresholdTests
             ConvexShape a = rng.Below(2) == 0 ? ConvexShape.Sphere(r) : ConvexShape.Capsule(r, rng.Float(0, 1));
             ConvexShape b = rng.Below(2) == 0 ? ConvexShape.Sphere(s) : ConvexShape.Capsule(s, rng.Float(0, 1));
             double apart = (double)r + s;
-            var left = new RigidPose(new Vector3((float)((float)apart - apart - rng.Float(0, 2) * apart * 2e-15), 0, 0));
+            double offset = (float)apart - apart - rng.Float(0, 2) * apart * 2e-15;
+            var left = new RigidPose(new Vector3((float)offset, 0, 0));
             var right = new RigidPose(new Vector3((float)apart, 0, 0));
             bool overlaps = ConvexQuery.Overlaps(a, left, b, right);
             DistanceResult d = ConvexQuery.Distance(a, left, b, right);
@@ -48,8 +49,8 @@ public class MarginThresholdTests
     {
         QueryRecord q = QueryRecord.Parse(
             "gjk1 segment 0 0.10000000000000001 0 0 -0.11153502017259598 0 0.43502902984619141 @ 0 0 0 1 0 "
-            + "1.11385852E-08 0 segment -0 -0.90000000000000002 -0 -0 0.932399844318752 -0 0.49341031762196508 @ 0 0 0 1 "
-            + "0 -1.9723742 0 ~ 0 2 0 0 0 0");
+            + "1.11385852E-08 0 segment -0 -0.90000000000000002 -0 -0 0.932399844318752 -0 0.49341031762196508 @ 0 0 0 "
+            + "1 0 -1.9723742 0 ~ 0 2 0 0 0 0");
         AssertBeginsAlike(q.A, q.MotionA, q.B, q.MotionB);
     }
 
@@ -63,7 +64,8 @@ public class MarginThresholdTests
             float r = rng.Float(0.1, 2), s = rng.Float(0.1, 2), x = rng.Float(0.01, 1), y = rng.Float(0.01, 1);
             ConvexShape a = ConvexShape.Capsule(r, x), b = ConvexShape.Capsule(s, y);
             double apart = (double)r + s + x + y;
-            var left = new RigidPose(new Vector3(0, (float)((float)apart - apart - rng.Float(0, 2) * apart * 2e-15), 0));
+            double offset = (float)apart - apart - rng.Float(0, 2) * apart * 2e-15;
+            var left = new RigidPose(new Vector3(0, (float)offset, 0));
             var right = new RigidPose(new Vector3(0, (float)apart, 0));
             overlapping += AssertBeginsAlike(
                 a, new RigidMotion(left, default), b, new RigidMotion(right, new Vector3(0, -1, 0))) ? 1 : 0;

@@ -40,17 +40,20 @@ export class Engine {
       .map(([name]) => ({ virtualPath: name, name, resolvedUrl: `x:${name}`, buffer: bytes[name] }));
     const wasm = 'dotnet.native.wasm';
     const response = new Response(bytes[wasm], { headers: { 'Content-Type': 'application/wasm' } });
-    const api = await loader.dotnet.withRuntimeOptions(OPTIONS).withConfig({
-      mainAssemblyName: 'Gjk.Web',
-      globalizationMode: 'invariant',
-      resources: {
-        assembly,
-        jsModuleNative: [{ name: 'dotnet.native.js', resolvedUrl: 'x', moduleExports: native }],
-        jsModuleRuntime: [{ name: 'dotnet.runtime.js', resolvedUrl: 'x', moduleExports: runtime }],
-        wasmNative: [{
-          name: wasm, resolvedUrl: 'x', pendingDownload: { name: wasm, url: 'x', response: Promise.resolve(response) },
-        }],
-      },
+    return Engine.over(loader.dotnet, {
+      assembly,
+      jsModuleNative: [{ name: 'dotnet.native.js', resolvedUrl: 'x', moduleExports: native }],
+      jsModuleRuntime: [{ name: 'dotnet.runtime.js', resolvedUrl: 'x', moduleExports: runtime }],
+      wasmNative: [{
+        name: wasm, resolvedUrl: 'x', pendingDownload: { name: wasm, url: 'x', response: Promise.resolve(response) },
+      }],
+    });
+  }
+
+  /** Starts the runtime of a loader, with what its files are. */
+  static async over(dotnet, resources) {
+    const api = await dotnet.withRuntimeOptions(OPTIONS).withConfig({
+      mainAssemblyName: 'Gjk.Web', globalizationMode: 'invariant', resources,
     }).create();
     const exports = await api.getAssemblyExports('Gjk.Web.dll');
     return new Engine(api, exports.Gjk.Web.Exports);
@@ -92,6 +95,16 @@ export class Engine {
     this.calls.Answer(QUESTIONS[question], pairs.length);
     const heap = this.api.localHeapViewF32();
     return pairs.map((_, i) => answer(question, heap.slice(answersAt + ANSWER * i, answersAt + ANSWER * (i + 1))));
+  }
+
+  /** The pairs of the first bodies that are this near each other. */
+  pairsWithin(bodies, distance) {
+    const numbers = this.calls.PairsWithin(bodies, distance), pairs = [];
+    for (let i = 0; i < numbers.length; i += 2 + ANSWER) {
+      const [a, b] = numbers.slice(i, i + 2);
+      pairs.push({ a, b, ...answer('distance', Float32Array.from(numbers.slice(i + 2, i + 2 + ANSWER))) });
+    }
+    return pairs;
   }
 
   record(a, b) {

@@ -1,0 +1,68 @@
+export type Vector = readonly [number, number, number];
+
+/** Where a shape is; left out, it is at the origin, not turned. The quaternion is x, y, z, w. */
+export interface Pose {
+  position?: Vector;
+  rotation?: readonly [number, number, number, number];
+}
+
+/** A shape about its own origin. Axes of capsules, cylinders and cones are y. */
+export interface Shape {
+  readonly words: string;
+}
+
+export interface Distance {
+  status: 'Separated' | 'Overlapping' | 'IterationLimit' | 'InvalidInput' | 'InvalidShape' | 'BeyondMaxDistance';
+  /** 0 when overlapping; from depth, minus the depth. */
+  distance: number;
+  /** Never above the true distance. */
+  lowerBound: number;
+  pointA: number[];
+  pointB: number[];
+  /** A unit vector from A to B; from depth, the direction in which B leaves A. */
+  normal: number[];
+  iterations: number;
+}
+
+export interface Cast {
+  status: 'Hit' | 'Miss' | 'OverlappingAtStart' | 'IterationLimit' | 'InvalidInput' | 'InvalidShape';
+  /** Of the way: 0 to 1. */
+  fraction: number;
+  point: number[];
+  normal: number[];
+  iterations: number;
+}
+
+export interface Contacts {
+  normal: number[];
+  points: { point: number[]; gap: number }[];
+}
+
+export interface Scene {
+  /** Adds a body and returns its number, from 0. */
+  add(shape: Shape, pose?: Pose): number;
+  setPose(body: number, pose: Pose): void;
+  /** Every pair of bodies at most this far apart, without asking all pairs. */
+  pairsWithin(distance: number): (Distance & { a: number; b: number })[];
+}
+
+export interface Gjk {
+  point(): Shape;
+  sphere(radius: number): Shape;
+  capsule(radius: number, halfHeight: number): Shape;
+  box(halfExtents: Vector): Shape;
+  cylinder(radius: number, halfHeight: number): Shape;
+  cone(radius: number, halfHeight: number): Shape;
+  ellipsoid(radii: Vector): Shape;
+  /** The convex hull of the points. */
+  mesh(points: readonly Vector[]): Shape;
+  distance(a: Shape, poseA: Pose, b: Shape, poseB: Pose): Distance;
+  depth(a: Shape, poseA: Pose, b: Shape, poseB: Pose): Distance;
+  /** When two shapes that move by their velocities over one frame first touch. */
+  cast(a: Shape, poseA: Pose, velocityA: Vector, b: Shape, poseB: Pose, velocityB: Vector): Cast;
+  contacts(a: Shape, poseA: Pose, b: Shape, poseB: Pose, maxGap?: number): Contacts;
+  scene(): Scene;
+}
+
+/** Starts the runtime, once for all callers. */
+export function load(): Promise<Gjk>;

@@ -1,0 +1,34 @@
+// A program that has only the package for npm: every kind of shape, every query, a scene.
+import assert from 'node:assert/strict';
+import { load } from 'gjk-core';
+
+const gjk = await load();
+assert.equal(await load(), gjk);
+const box = gjk.box([0.5, 0.5, 0.5]), ball = gjk.sphere(1);
+
+const apart = gjk.distance(box, {}, ball, { position: [3, 0, 0] });
+assert.equal(apart.status, 'Separated');
+assert.equal(apart.distance, 1.5);
+assert.deepEqual(apart.pointB, [2, 0, 0]);
+
+const turned = { position: [2, 0, 0], rotation: [0, 0, Math.SQRT1_2, Math.SQRT1_2] };
+assert.ok(Math.abs(gjk.distance(box, {}, gjk.capsule(0.25, 1), turned).distance - 0.25) < 1e-6);
+
+const deep = gjk.depth(box, {}, ball, { position: [1, 0, 0] });
+assert.deepEqual([deep.status, deep.distance], ['Overlapping', -0.5]);
+
+const hit = gjk.cast(box, {}, [0, 0, 0], ball, { position: [3, 0, 0] }, [-4, 0, 0]);
+assert.deepEqual([hit.status, hit.fraction], ['Hit', 0.375]);
+
+const touching = gjk.contacts(box, {}, box, { position: [0.75, 0, 0] });
+assert.equal(touching.points.length, 4);
+assert.ok(touching.points.every((p) => p.gap === -0.25 && Array.isArray(p.point)));
+
+const tetrahedron = gjk.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]);
+const scene = gjk.scene();
+const shapes = [box, tetrahedron, gjk.cone(1, 1), gjk.cylinder(1, 1), gjk.ellipsoid([1, 2, 3]), gjk.point()];
+shapes.forEach((shape, i) => assert.equal(scene.add(shape, { position: [20 * i, 0, 0] }), i));
+assert.deepEqual(scene.pairsWithin(1), []);
+scene.setPose(1, { position: [0, 1, 0] });
+assert.deepEqual(scene.pairsWithin(1).map((p) => [p.a, p.b, p.distance]), [[0, 1, 0.5]]);
+assert.throws(() => gjk.sphere(-1));
