@@ -137,8 +137,8 @@ internal static class CommandLine
         };
         var files = new Argument<string[]>("SCENE.json")
         {
-            Description = "Scenes to replay instead of the report's, such as import makes. Their objects rest. Use - to "
-                + "read one from standard input.",
+            Description = "Scenes to replay instead of the report's, such as import makes. Their objects rest. Use - "
+                + "to read one from standard input.",
             Arity = ArgumentArity.ZeroOrMore,
         };
         var command = new Command(

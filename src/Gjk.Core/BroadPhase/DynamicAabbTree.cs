@@ -93,7 +93,7 @@ public sealed class DynamicAabbTree : IBroadPhase
         for (int i = 0; i < ids.Count; i++)
             if (_table.Boxes[ids[i]].Overlaps(box)) ids[kept++] = ids[i];
         ids.RemoveRange(kept, ids.Count - kept);
-        ids.Sort();
+        InPlaceSort.Sort(ids);
     }
 
     /// <inheritdoc/>

@@ -26,7 +26,7 @@ public static partial class ConcaveQuery
         scratch.Search.All = pairs;
         PartPairSearch.Run(scratch, distance);
         scratch.Search.All = null;
-        pairs.Sort();
+        InPlaceSort.Sort(pairs);
         return true;
     }
 

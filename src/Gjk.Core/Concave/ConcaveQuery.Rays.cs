@@ -102,7 +102,7 @@ public static partial class ConcaveQuery
         scratch.CastSearch.All = hits;
         PartCastSearch.Run(scratch);
         scratch.CastSearch.All = null;
-        hits.Sort();
+        InPlaceSort.Sort(hits);
         return true;
     }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Gjk.Core;
 
@@ -23,7 +24,40 @@ internal static class InPlaceSort
 #endif
     }
 
+    /// <summary>Sorts a list whose order leaves no two elements equal.</summary>
+    public static void Sort<T>(List<T> items)
+        where T : IComparable<T>
+    {
+#if NET
+        items.Sort();
+#else
+        for (int root = items.Count / 2 - 1; root >= 0; root--) SiftDown(items, root, items.Count);
+        for (int last = items.Count - 1; last > 0; last--)
+        {
+            (items[0], items[last]) = (items[last], items[0]);
+            SiftDown(items, 0, last);
+        }
+#endif
+    }
+
 #if !NET
+    private static void SiftDown<T>(List<T> items, int root, int count)
+        where T : IComparable<T>
+    {
+        T item = items[root];
+        while (true)
+        {
+            int child = 2 * root + 1;
+            if (child >= count) break;
+            if (child + 1 < count && items[child + 1].CompareTo(items[child]) > 0) child++;
+            if (items[child].CompareTo(item) <= 0) break;
+            items[root] = items[child];
+            root = child;
+        }
+
+        items[root] = item;
+    }
+
     /// <summary>Lets a key sink until no child is larger.</summary>
     private static void SiftDown(ulong[] keys, int start, int root, int count)
     {

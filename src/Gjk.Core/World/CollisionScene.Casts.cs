@@ -92,7 +92,7 @@ public sealed partial class CollisionScene
         var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
         var all = new AllCastHits(_objects, moving, results);
         _phase.Sweep(moving.Path(), ref all);
-        results.Sort();
+        InPlaceSort.Sort(results);
     }
 
     /// <summary>

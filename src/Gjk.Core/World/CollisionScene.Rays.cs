@@ -68,7 +68,7 @@ public sealed partial class CollisionScene
         Guard.NotNull(results, nameof(results)).Clear();
         var all = new AllRayHits(_objects, ray, filter, options, results);
         _phase.Sweep(ray.Path(), ref all);
-        results.Sort();
+        InPlaceSort.Sort(results);
     }
 
     /// <summary>Shows all objects that a ray meets to a visitor; in the same order.</summary>

@@ -46,7 +46,9 @@ internal static class ReplayTable
         Add("loops per call", p => Text(p.LoopsPerCall, "F2"), r => Text(r.LoopsPerCall, "F2"));
         Add("ms/frame, median", p => Text(p.MsPerFrame, "F0"), r => Text(r.MedianMs, "F4"));
         Add("ms/frame, 99 %", _ => None, r => Text(r.P99Ms, "F4"));
-        Add("time in support", p => p.SupportShare, r => r.SupportShare is { } share ? Text(share * 100, "F0") + " %" : None);
+        Add(
+            "time in support", p => p.SupportShare,
+            r => r.SupportShare is { } share ? Text(share * 100, "F0") + " %" : None);
         Add("factor", _ => "1", r => r.Published is { } p ? Text(p.MsPerFrame / r.MedianMs, "F0") : None);
         Add("bytes per call", _ => None, r => Text(r.BytesPerCall, "0.##"));
         Add("iteration limits", _ => None, r => Text(r.IterationLimits));

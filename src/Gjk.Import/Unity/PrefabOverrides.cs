@@ -36,8 +36,8 @@ internal sealed class PrefabOverrides
     }
 
     /// <summary>
-    /// Changes the elements of a prefab in place. Overrides without a target are problems; of a prefab that lacks objects
-    /// anyway there is no list for them.
+    /// Changes the elements of a prefab in place. Overrides without a target are problems; of a prefab that lacks
+    /// objects anyway there is no list for them.
     /// </summary>
     public static void Apply(
         UnityDocument instance, UnityNode changes, List<UnityElement> elements, List<UnityProblem>? problems)

@@ -50,7 +50,7 @@ public class FolderTests(ITestOutputHelper output)
             "Concave",
             [
                 "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Solvers", "Solvers/Motion",
-                "Contacts", "Queries", "Queries/Rays", "Concave/Trees",
+                "Contacts", "Queries", "Queries/Rays", "Concave/Trees", "Sorting",
             ]),
         (
             "Diagnostics",
@@ -67,7 +67,7 @@ public class FolderTests(ITestOutputHelper output)
             "World",
             [
                 "Geometry", "Cores", "Shapes", "Solvers", "Contacts", "Queries", "Queries/Rays", "Concave",
-                "Concave/Trees", "Threading", "BroadPhase", "Wide", "Batch",
+                "Concave/Trees", "Threading", "Sorting", "BroadPhase", "Wide", "Batch",
             ]),
     ];
 

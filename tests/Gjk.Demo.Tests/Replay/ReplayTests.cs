@@ -158,7 +158,7 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.Contains(_replay.Scene("spheres").GetProperty("hash").GetString()!, again.Out);
     }
 
-    /// <summary>The experiment's own scene as a file gives the same answers; a file has no column of the report.</summary>
+    /// <summary>The experiment's own scene as a file gives the same answers, without the report's column.</summary>
     [Fact]
     public void ASceneFileIsReplayedAsTheExperiment()
     {

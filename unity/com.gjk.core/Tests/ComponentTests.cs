@@ -230,15 +230,12 @@ namespace Gjk.Unity.Tests
             car.AddComponent<WheelCollider>();
             var component = car.AddComponent<ConvexDistance>();
             component.Target = other;
-            for (int i = 0; i < 3; i++)
-            {
-                Assert.AreEqual(2, component.Measure().distance, 1e-6);
-                Assert.IsTrue(component.Problem == null);
-            }
+            for (int i = 0; i < 3; i++) Assert.AreEqual(2, component.Measure().distance, 1e-6);
+            Assert.IsTrue(component.Problem == null);
 
-            GameObject wheel = Make("wheel", Vector3.zero);
-            wheel.AddComponent<WheelCollider>();
-            string message = Assert.Throws<ArgumentException>(() => GjkPhysics.Distance(wheel, other)).Message;
+            var wheel = Make("wheel", Vector3.zero).AddComponent<WheelCollider>();
+            string message = Assert.Throws<ArgumentException>(
+                () => GjkPhysics.Distance(wheel.gameObject, other)).Message;
             StringAssert.Contains("'wheel' (WheelCollider) is a WheelCollider, which has no shape", message);
         }
 

@@ -11,8 +11,8 @@ namespace Gjk.Unity
     /// near, what a ray meets, what a moving collider meets.
     /// </summary>
     /// <remarks>
-    /// It collects the colliders once, when it is enabled. Those that are made later belong to it by a
-    /// <see cref="GjkMember"/> on their object, or by <see cref="Add(GameObject)"/>; destroyed ones leave by themselves.
+    /// It collects the colliders once, when it is enabled. Those that are made later belong to it by a <see
+    /// cref="GjkMember"/> on their object, or by <see cref="Add(GameObject)"/>; destroyed ones leave by themselves.
     /// Before the first question of a frame all that is not static is read again; after moving things in the same
     /// frame, call <see cref="Refresh"/>. For the main thread. Questions allocate nothing once lists have their size.
     /// </remarks>
