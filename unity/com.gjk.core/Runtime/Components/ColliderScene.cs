@@ -6,7 +6,7 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>Colliders that are kept to be asked together. Convex ones are in a scene of the library.</summary>
+    /// <summary>Colliders that are kept to be asked together, in a scene of the library.</summary>
     internal sealed class ColliderScene
     {
         /// <summary>
@@ -22,7 +22,6 @@ namespace Gjk.Unity
         private readonly List<int> _found = new List<int>();
         private readonly System.Predicate<int> _sees;
         private SceneFilter _filter;
-        private int _concave;
 
         public ColliderScene() => _sees = id => _filter.Sees(_byId[id]);
 
@@ -51,7 +50,6 @@ namespace Gjk.Unity
         /// <summary>Reads all again, and drops what is destroyed.</summary>
         public void Refresh()
         {
-            _concave = 0;
             for (int i = 0; i < _all.Count;)
             {
                 Watched watched = _all[i];
@@ -63,7 +61,6 @@ namespace Gjk.Unity
                     if (watched.Id >= 0) _byId.Add(watched.Id, watched);
                 }
 
-                if (watched.IsPresent && watched.Id < 0) _concave++;
                 if (watched.IsGone) RemoveAt(i);
                 else i++;
             }
@@ -80,9 +77,9 @@ namespace Gjk.Unity
                 for (int i = 0; i < _found.Count; i++) Note(_byId[_found[i]], shape, radius, hits);
             }
 
-            for (int i = 0; (isAll || _concave > 0) && i < _all.Count; i++)
+            for (int i = 0; isAll && i < _all.Count; i++)
             {
-                if ((isAll || _all[i].Id < 0) && filter.Sees(_all[i])) Note(_all[i], shape, radius, hits);
+                if (filter.Sees(_all[i])) Note(_all[i], shape, radius, hits);
             }
         }
 
@@ -93,12 +90,17 @@ namespace Gjk.Unity
         {
             result = default;
             met = null;
-            if (shape.IsConvex && _scene.TryFindCastHit(
-                shape.Shape, shape.Pose, way, out int id, out result, maxFraction, Sees(filter)))
-                met = _byId[id].Source;
+            if (shape.IsConvex)
+            {
+                bool isHit = _scene.TryFindCastHit(
+                    shape.Shape, shape.Pose, way, out int id, out result, maxFraction, Sees(filter));
+                if (isHit) met = _byId[id].Source;
+                return isHit;
+            }
+
             for (int i = 0; i < _all.Count; i++)
             {
-                if ((shape.IsConvex && _all[i].Id >= 0) || !filter.Sees(_all[i])) continue;
+                if (!filter.Sees(_all[i])) continue;
                 float most = met is null ? maxFraction : result.Fraction;
                 CastResult found = PairQueries.Cast(shape, way, most, _all[i].Posed);
                 bool mayHit = found.IsHit || found.Status == CastStatus.IterationLimit;
@@ -114,21 +116,11 @@ namespace Gjk.Unity
         public bool TryRayCast(
             in RayQuery ray, in SceneFilter filter, out RayCastResult result, out int triangle, out Component met)
         {
-            met = null;
-            triangle = -1;
-            if (_scene.TryFindRayHit(ray, out int id, out result, Sees(filter))) met = _byId[id].Source;
-            for (int i = 0; _concave > 0 && i < _all.Count; i++)
-            {
-                if (_all[i].Id >= 0 || !filter.Sees(_all[i])) continue;
-                RayCastResult found = PairQueries.RayCast(_all[i].Posed, ray, out int part);
-                bool mayHit = found.IsHit || found.Status == CastStatus.IterationLimit;
-                if (!mayHit || (!(met is null) && found.Distance >= result.Distance)) continue;
-                result = found;
-                triangle = part;
-                met = _all[i].Source;
-            }
-
-            return !(met is null);
+            bool isHit = _scene.TryFindRayHit(ray, out RayHit hit, Sees(filter));
+            result = hit.Result;
+            triangle = hit.Part;
+            met = isHit ? _byId[hit.Id].Source : null;
+            return isHit;
         }
 
         private QueryFilter Sees(in SceneFilter filter)

@@ -23,11 +23,11 @@ namespace Gjk.Unity
 
         public Component Source { get; }
 
-        /// <summary>Its id in the library's scene; a negative number while it is none of that.</summary>
+        /// <summary>Its id in the library's scene; a negative number while it is not in it.</summary>
         public int Id { get; private set; } = Absent;
 
         /// <summary>Whether it has a shape now and is switched on.</summary>
-        public bool IsPresent { get; private set; }
+        public bool IsPresent => Id >= 0;
 
         /// <summary>Where it is, and what.</summary>
         public PosedShape Posed { get; private set; }
@@ -66,9 +66,8 @@ namespace Gjk.Unity
 
             // Static in the scene's sense: these are never tested against each other.
             var settings = new ObjectSettings(isStatic: true, groups: 1u << layer);
-            if (!isSame && posed.IsConvex) Id = scene.Add(posed.Shape, posed.Pose, settings);
+            if (!isSame) Id = scene.Add(posed.Any, posed.Pose, settings);
             else if (isSame && layer != Layer) scene.SetSettings(Id, settings);
-            IsPresent = true;
             IsTrigger = _collider is Collider && _collider.isTrigger;
             Posed = posed;
             Layer = layer;
@@ -78,7 +77,6 @@ namespace Gjk.Unity
         {
             if (Id >= 0) scene.Remove(Id);
             Id = Absent;
-            IsPresent = false;
         }
     }
 }
