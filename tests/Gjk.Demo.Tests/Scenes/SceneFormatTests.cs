@@ -18,7 +18,11 @@ public sealed class SceneFormatTests
         new(File.ReadAllText(Repository.File("docs/scene.schema.json")));
 
     private static readonly string[] ConvexTypes =
-        [.. Enum.GetNames<ShapeKind>().Except([nameof(ShapeKind.None)]).Select(kind => kind.ToLowerInvariant())];
+    [
+        .. Enum.GetNames<ShapeKind>()
+            .Except([nameof(ShapeKind.None), nameof(ShapeKind.Custom)])
+            .Select(kind => kind.ToLowerInvariant()),
+    ];
 
     private static readonly string[] ShapeTypes = [.. ConvexTypes, "surface", "compound"];
 
