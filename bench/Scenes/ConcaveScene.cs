@@ -33,7 +33,7 @@ public sealed class ConcaveScene
         .. from mesh in (string[])["torus 10k", "bumpy 10k", "torus 100k", "bumpy 100k"]
            from gap in s_gaps
            select $"{mesh} {gap.Name}",
-        "plates 100k", "sphere, bumpy 100k", "box, bumpy 100k",
+        "plates 100k", "sphere by bumpy 100k", "box by bumpy 100k",
     ];
 
     public AnyShape A { get; }
@@ -50,11 +50,10 @@ public sealed class ConcaveScene
     {
         string[] words = name.Split(' ');
         if (words[0] == "plates") return Plates();
-        int triangles = words[^1].StartsWith("100k", StringComparison.Ordinal)
-            || words[1].StartsWith("100k", StringComparison.Ordinal) ? 100_000 : 10_000;
-        if (words[0].EndsWith(','))
+        int triangles = name.Contains("100k", StringComparison.Ordinal) ? 100_000 : 10_000;
+        if (words[1] == "by")
         {
-            ConvexShape convex = words[0] == "box," ? ConvexShape.Box(new Vector3(0.3f)) : ConvexShape.Sphere(0.3f);
+            ConvexShape convex = words[0] == "box" ? ConvexShape.Box(new Vector3(0.3f)) : ConvexShape.Sphere(0.3f);
             return Placed(AnyShape.Of(convex), AnyShape.Surface(Bumpy(triangles)), 0.01f);
         }
 

@@ -52,6 +52,25 @@ public class ResultFigureTests
     }
 
     [Fact]
+    public void TheTableOfSurfaces()
+    {
+        string[][] rows = [.. Rows(Performance).Where(r => r.Length == 7 && r[0].Contains("100k"))];
+        Assert.Equal(13, rows.Length);
+        foreach (string[] row in rows)
+        {
+            string[] questions = ["distance", "boolean"];
+            for (int i = 0; i < questions.Length; i++)
+            {
+                double library = Peer(row[0], questions[i], "gjk", "ns") / 1000;
+                double other = Peer(row[0], questions[i], "fcl", "ns") / 1000;
+                AssertShows(row[3 * i + 1], library);
+                AssertShows(row[3 * i + 2], other);
+                AssertShows(row[3 * i + 3], library / other);
+            }
+        }
+    }
+
+    [Fact]
     public void TheTableOfTheReadme()
     {
         string[] sets = ["cubes", "spheres", "box", "hull32", "hull512", "hull2048"];
