@@ -21,9 +21,6 @@ public sealed partial class CollisionScene
     /// <summary>The balls' centres by slot, where balls are the bound.</summary>
     private Double3[] _centers = [];
 
-    /// <summary>Whether a visitor is being called, which may not use the scene.</summary>
-    private bool _visiting;
-
     /// <summary>Counts up when the scene changes after a question about a single pair.</summary>
     private int _frame;
 
@@ -102,7 +99,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public void SetSettings(int id, in ObjectSettings settings)
     {
-        CheckNotVisiting();
         _objects.SetSettings(_objects.Checked(id, nameof(id)), settings);
     }
 
@@ -117,7 +113,6 @@ public sealed partial class CollisionScene
     /// </exception>
     public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
-        CheckNotVisiting();
         return Add(shape, new ShapeBounds(shape), pose, settings);
     }
 
@@ -135,7 +130,6 @@ public sealed partial class CollisionScene
     public int Add(in AnyShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
         if (shape.Kind == AnyShapeKind.Convex) return Add(AnyShape.ConvexOf(shape), pose, settings);
-        CheckNotVisiting();
         int id = Add(default, new ShapeBounds(shape), pose, settings);
         _objects.Parts.Set(_objects.SlotOf(id), shape);
         return id;
@@ -161,7 +155,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The pose is a <c>default</c> struct.</exception>
     public void Move(int id, in RigidPose pose)
     {
-        CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
         CheckPose(pose);
         NoteChange();
@@ -176,7 +169,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public void Remove(int id)
     {
-        CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
         _phase.Remove(slot);
         _objects.Remove(slot);
@@ -196,12 +188,6 @@ public sealed partial class CollisionScene
         const string message = "The pose is no rotation with a finite position. A default RigidPose has no rotation; "
             + "RigidPose.Identity has.";
         throw new ArgumentException(message, nameof(pose));
-    }
-
-    private void CheckNotVisiting()
-    {
-        if (_visiting)
-            throw new InvalidOperationException("The scene cannot be used before its visitor has seen all pairs.");
     }
 
     private Aabb PlaceBound(int slot, in ShapeBounds bounds, in RigidPose pose)

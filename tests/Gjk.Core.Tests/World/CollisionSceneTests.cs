@@ -46,43 +46,6 @@ public class CollisionSceneTests
         Assert.Equal((At(10), 1.0), (scene.GetPose(2).Position, scene.GetShape(2).Margin));
     }
 
-    [Fact]
-    public void VisitorsSeeWhatListsGet()
-    {
-        CollisionScene scene = Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1, 2, 5);
-        var visitor = new Recorder { Pairs = [], Distances = [] };
-        scene.FindOverlaps(ref visitor);
-        scene.FindPairsWithin(1, ref visitor);
-        List<PairDistance> within = [];
-        scene.FindPairsWithin(1, within);
-        Assert.Equal(Overlaps(scene), visitor.Pairs);
-        Assert.Equal([new(0, 1), new(0, 2), new(1, 2), new(2, 3)], within.Select(p => p.Pair));
-        Assert.Equal(within.Select(p => (p.Pair, p.Result.Distance)), visitor.Distances);
-    }
-
-    [Fact]
-    public void AVisitorCannotUseTheScene()
-    {
-        CollisionScene scene = Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1);
-        Action[] uses =
-        [
-            () => scene.Add(Ball, RigidPose.Identity), () => scene.Move(0, RigidPose.Identity), () => scene.Remove(0),
-            () => Overlaps(scene),
-            () => scene.TryFindNearest(0, out _, out _), () => scene.Distance(0, 1), () => scene.CollectCandidates([]),
-            () => scene.FindOverlapsAmong([], []),
-            () => scene.FindPairsWithin(1, []),
-        ];
-        foreach (Action use in uses)
-        {
-            var visitor = new User { Use = use };
-            Assert.Throws<InvalidOperationException>(() => scene.FindOverlaps(ref visitor));
-            Assert.Throws<InvalidOperationException>(() => scene.FindPairsWithin(1, ref visitor));
-        }
-
-        // The visitor's exception ended the visit; the scene is as it was.
-        Assert.Equal([new(0, 1)], Overlaps(scene));
-    }
-
     [Theory]
     [MemberData(nameof(Scenes))]
     public void IdsAreNeverGivenTwiceAndKeepTheirObjects(BroadPhaseKind kind, BoundKind bound)
@@ -229,23 +192,4 @@ public class CollisionSceneTests
     }
 
     private static Vector3 At(float x) => new(x, 0, 0);
-
-    internal struct Recorder : IPairVisitor, IPairDistanceVisitor
-    {
-        public List<ObjectPair> Pairs;
-        public List<(ObjectPair, float)> Distances;
-
-        public readonly void Visit(ObjectPair pair) => Pairs.Add(pair);
-
-        public readonly void Visit(in PairDistance pair) => Distances.Add((pair.Pair, pair.Result.Distance));
-    }
-
-    private struct User : IPairVisitor, IPairDistanceVisitor
-    {
-        public Action Use;
-
-        public readonly void Visit(ObjectPair pair) => Use();
-
-        public readonly void Visit(in PairDistance pair) => Use();
-    }
 }

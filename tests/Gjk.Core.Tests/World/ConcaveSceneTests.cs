@@ -48,12 +48,6 @@ public class ConcaveSceneTests
                         Assert.Equal(
                             contacts,
                             Texts<PairContacts>(found => scene.FindContacts(Reach, found, threads), Crowd.Text));
-                        var recorder = new Recorder { Seen = [] };
-                        scene.FindContacts(Reach, ref recorder, threads);
-                        Assert.Equal(contacts, recorder.Seen);
-                        recorder.Seen.Clear();
-                        scene.FindDepths(ref recorder, threads);
-                        Assert.Equal(depths, recorder.Seen);
                     }
                 }
             }
@@ -182,15 +176,6 @@ public class ConcaveSceneTests
         List<T> found = [];
         find(found);
         return [.. found.Select(one => text is null ? one!.ToString()! : text(one))];
-    }
-
-    private struct Recorder : IPairDistanceVisitor, IPairContactsVisitor
-    {
-        public List<string> Seen;
-
-        public readonly void Visit(in PairDistance pair) => Seen.Add(Crowd.Text(pair));
-
-        public readonly void Visit(in PairContacts pair) => Seen.Add(Crowd.Text(pair));
     }
 
     /// <summary>Shapes of all kinds, and what single queries say of their pairs.</summary>

@@ -31,9 +31,6 @@ public class SceneContactTests
             {
                 scene.FindContacts(maxGap, found, threads);
                 Assert.Equal(expected, found.Select(c => Text(c.Pair, c.Result, c.Manifold)));
-                var visitor = new Recorder { Seen = [] };
-                scene.FindContacts(maxGap, ref visitor, threads);
-                Assert.Equal(expected, visitor.Seen);
             }
         }
     }
@@ -56,9 +53,6 @@ public class SceneContactTests
             Assert.Equal(expected, found.Select(d => Text(d.Pair, d.Result)));
             scene.FindDepths(found, workers);
             Assert.Equal(expected, found.Select(d => Text(d.Pair, d.Result)));
-            var visitor = new Recorder { Seen = [] };
-            scene.FindDepths(ref visitor, workers);
-            Assert.Equal(expected, visitor.Seen);
         }
     }
 
@@ -87,20 +81,11 @@ public class SceneContactTests
         CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1, 2);
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindDepths(null!)).ParamName);
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindContacts(0, null!)).ParamName);
-        var visitor = new Recorder { Seen = [] };
         foreach (float gap in new[] { -1, float.NaN, -float.Epsilon })
         {
             Assert.Equal(
                 "maxGap", Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindContacts(gap, [])).ParamName);
-            Assert.Equal(
-                "maxGap",
-                Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindContacts(gap, ref visitor)).ParamName);
         }
-
-        var user = new Recorder { Seen = [], Use = () => scene.FindOverlaps([]) };
-        Assert.Throws<InvalidOperationException>(() => scene.FindContacts(0, ref user));
-        Assert.Throws<InvalidOperationException>(() => scene.FindDepths(ref user));
-        scene.FindOverlaps([]);
     }
 
     private static MovingWorld Moving(float seed)
@@ -142,23 +127,5 @@ public class SceneContactTests
         var hash = new BitHash();
         hash.Add(manifold);
         return $"{Text(pair, result)} {hash}";
-    }
-
-    private struct Recorder : IPairDistanceVisitor, IPairContactsVisitor
-    {
-        public List<string> Seen;
-        public Action? Use;
-
-        public readonly void Visit(in PairDistance pair)
-        {
-            Use?.Invoke();
-            Seen.Add(Text(pair.Pair, pair.Result));
-        }
-
-        public readonly void Visit(in PairContacts pair)
-        {
-            Use?.Invoke();
-            Seen.Add(Text(pair.Pair, pair.Result, pair.Manifold));
-        }
     }
 }

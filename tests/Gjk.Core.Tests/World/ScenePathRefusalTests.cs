@@ -45,23 +45,6 @@ public class ScenePathRefusalTests
         Assert.False(scene.TryFindNearest(Ball, start, out id, out _, 4.99f) || id >= 0);
     }
 
-    [Fact]
-    public void VisitorsSeeWhatListsGetAndMayNotUseTheScene()
-    {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 9, 2, 5, 2);
-        var seen = new List<int>();
-        var visitor = new Visitor { Use = seen.Add };
-        scene.FindRayHits(AlongX, ref visitor);
-        scene.FindCastHits(Ball, Here, Vector3.UnitX * 10, ref visitor);
-        scene.FindObjectsOverlapping(Ball, Here, ref visitor);
-        Assert.Equal([1, 3, 2, 0, 1, 3, 2, 0, 1, 3], seen);
-        visitor.Use = _ => scene.TryFindRayHit(AlongX, out int _, out RayCastResult _);
-        Assert.Throws<InvalidOperationException>(() => scene.FindRayHits(AlongX, ref visitor));
-        Assert.Throws<InvalidOperationException>(() => scene.FindCastHits(Ball, Here, Vector3.UnitX, ref visitor, 9));
-        Assert.Throws<InvalidOperationException>(() => scene.FindObjectsOverlapping(Ball, Here, ref visitor));
-        Assert.True(scene.TryFindRayHit(AlongX, out int _, out RayCastResult _));
-    }
-
     [Theory]
     [MemberData(nameof(Scenes))]
     public void AnEmptySceneHasNoHits(BroadPhaseKind kind, BoundKind bound)
@@ -99,11 +82,9 @@ public class ScenePathRefusalTests
         Refused<ArgumentOutOfRangeException>("maxDistance", () => new RayQuery(default, Vector3.UnitX, -1));
 
         CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0);
-        var visitor = new Visitor { Use = _ => { } };
         List<RayHit> hits = [default];
         Refused<ArgumentException>("ray", () => scene.TryFindRayHit(default, out int _, out RayCastResult _));
         Refused<ArgumentException>("ray", () => scene.FindRayHits(default, hits));
-        Refused<ArgumentException>("ray", () => scene.FindRayHits(default, ref visitor));
         Refused<ArgumentNullException>("results", () => scene.FindRayHits(AlongX, null!));
         Assert.Single(hits);
 
@@ -126,15 +107,12 @@ public class ScenePathRefusalTests
         Vector3 x = Vector3.UnitX, bad = new(0, float.NaN, 0), far = new(float.NegativeInfinity, 0, 0);
         List<CastHit> hits = [default];
         List<int> ids = [7];
-        var visitor = new Visitor { Use = _ => { } };
         foreach ((string name, ConvexShape shape, RigidPose pose) in
                  new[] { ("shape", default, Here), ("pose", Ball, default(RigidPose)) })
         {
             Refused<ArgumentException>(name, () => scene.TryFindCastHit(shape, pose, x, out int _, out CastResult _));
             Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, hits));
-            Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, ref visitor));
             Refused<ArgumentException>(name, () => scene.FindObjectsOverlapping(shape, pose, ids));
-            Refused<ArgumentException>(name, () => scene.FindObjectsOverlapping(shape, pose, ref visitor));
             Refused<ArgumentException>(name, () => scene.TryFindNearest(shape, pose, out int _, out _));
         }
 
@@ -168,16 +146,5 @@ public class ScenePathRefusalTests
         T refusal = Assert.Throws<T>(call);
         Assert.Equal(name, refusal.ParamName);
         return refusal;
-    }
-
-    private struct Visitor : IRayHitVisitor, ICastHitVisitor, IObjectVisitor
-    {
-        public Action<int> Use;
-
-        public readonly void Visit(in RayHit hit) => Use(hit.Id);
-
-        public readonly void Visit(in CastHit hit) => Use(hit.Id);
-
-        public readonly void Visit(int id) => Use(id);
     }
 }

@@ -53,14 +53,14 @@ public class SceneRefusalTests
                 _ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box))
         ];
         List<PairDistance> one = [], other = [];
+        List<ObjectPair> overlaps = [];
         for (int frame = 0; frame < 4; frame++)
         {
-            var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
             Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(0.5f, one, workers));
-            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(10, ref visitor, workers));
-            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindOverlaps(ref visitor, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(10, one, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindOverlaps(overlaps, workers));
             Assert.Equal(other.Count, one.Count);
-            Assert.Empty(visitor.Pairs);
+            Assert.Empty(overlaps);
             scenes[0].FindPairsWithin(0.5f, one);
             scenes[1].FindPairsWithin(0.5f, other);
             Assert.True(one.Count > 20 && Hashes(other).SequenceEqual(Hashes(one)));
@@ -125,16 +125,11 @@ public class SceneRefusalTests
             "candidates", Assert.Throws<ArgumentNullException>(() => scene.CollectCandidates(null!)).ParamName);
         Assert.Equal(
             "results", Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong(pairs, pairs)).ParamName);
-        var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
         foreach (float distance in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
         {
             Assert.Equal(
                 "distance",
                 Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindPairsWithin(distance, [])).ParamName);
-            Assert.Equal(
-                "distance",
-                Assert.Throws<ArgumentOutOfRangeException>(
-                    () => scene.FindPairsWithin(distance, ref visitor)).ParamName);
             Assert.Equal(
                 "distance",
                 Assert.Throws<ArgumentOutOfRangeException>(() => scene.CollectCandidates(pairs, distance)).ParamName);
