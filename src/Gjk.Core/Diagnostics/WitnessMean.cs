@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// A weighted mean of up to four points that is near the origin: the witness of an upper bound. Whatever the weights
