@@ -17,9 +17,6 @@ public sealed partial class CollisionScene
     private readonly WarmStartTable _singleWarmStarts = new();
     private bool[] _overlaps = [];
 
-    /// <summary>How many warm starts are kept, for the tests.</summary>
-    internal int WarmStartCount => _pairWarmStarts.Count + _singleWarmStarts.Count;
-
     /// <summary>The broad phase alone: the pairs whose bounds overlap, or are within a distance.</summary>
     /// <param name="candidates">Emptied first; then the pairs of ids, sorted.</param>
     /// <param name="distance">At least 0; may be infinite.</param>

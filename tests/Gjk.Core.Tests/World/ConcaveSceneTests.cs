@@ -8,7 +8,7 @@ namespace Gjk.Core.Tests.World;
 
 /// <summary>
 /// A scene that holds surfaces, solids and compounds says what <see cref="ConcaveQuery"/> says of each pair, with the
-/// same bits for every broad phase, bound and number of threads.
+/// same bits for every broad phase and number of threads.
 /// </summary>
 public class ConcaveSceneTests
 {
@@ -23,12 +23,7 @@ public class ConcaveSceneTests
         for (int seed = 0; seed < 3; seed++)
         {
             var world = new Crowd((ulong)seed, 24);
-            CollisionScene[] scenes =
-            [
-                .. from bound in new[] { BoundKind.Box, BoundKind.Ball }
-                   from kind in Enum.GetValues<BroadPhaseKind>()
-                   select world.Scene(kind, bound),
-            ];
+            CollisionScene[] scenes = [.. Enum.GetValues<BroadPhaseKind>().Select(world.Scene)];
             for (int frame = 0; frame < 4; frame++)
             {
                 if (frame > 0) world.Move(scenes);
@@ -60,7 +55,7 @@ public class ConcaveSceneTests
     public void RaysCastsAndTheNearestNameTheParts()
     {
         var world = new Crowd(9, 30);
-        CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree, BoundKind.Box);
+        CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree);
         var random = new FuzzRandom(5);
         int hits = 0, parts = 0;
         for (int i = 0; i < 60; i++)
@@ -115,7 +110,7 @@ public class ConcaveSceneTests
     public void AWarmFrameAllocatesNothing()
     {
         var world = new Crowd(2, 20);
-        CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree, BoundKind.Box);
+        CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree);
         List<PairContacts> contacts = [];
         List<PairDistance> distances = [];
         List<ObjectPair> overlaps = [];
@@ -202,9 +197,9 @@ public class ConcaveSceneTests
 
         public int Count => Shapes.Count;
 
-        public CollisionScene Scene(BroadPhaseKind kind, BoundKind bound)
+        public CollisionScene Scene(BroadPhaseKind kind)
         {
-            var scene = new CollisionScene(kind, bound);
+            var scene = new CollisionScene(kind);
             for (int i = 0; i < Count; i++) Assert.Equal(i, scene.Add(Shapes[i], Poses[i]));
             return scene;
         }

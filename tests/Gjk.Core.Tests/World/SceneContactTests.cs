@@ -6,7 +6,7 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.World;
 
 /// <summary>
-/// A scene's depths and contacts are those of asking every pair, and the same bits for every broad phase, bound and
+/// A scene's depths and contacts are those of asking every pair, and the same bits for every broad phase and
 /// number of threads.
 /// </summary>
 public class SceneContactTests
@@ -78,7 +78,7 @@ public class SceneContactTests
     [Fact]
     public void BadCallsAreRefused()
     {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1, 2);
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0, 1, 2);
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindDepths(null!)).ParamName);
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindContacts(0, null!)).ParamName);
         foreach (float gap in new[] { -1, float.NaN, -float.Epsilon })
@@ -96,9 +96,8 @@ public class SceneContactTests
     }
 
     private static IEnumerable<CollisionScene> Scenes(MovingWorld world) =>
-        from bound in new[] { BoundKind.Box, BoundKind.Ball }
         from kind in Enum.GetValues<BroadPhaseKind>()
-        select world.Scene(kind, bound);
+        select world.Scene(kind);
 
     private static IEnumerable<ObjectPair> Pairs(MovingWorld world) =>
         from a in Enumerable.Range(0, world.Count)

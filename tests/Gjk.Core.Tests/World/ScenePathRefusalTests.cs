@@ -14,13 +14,13 @@ public class ScenePathRefusalTests
     private static readonly RigidPose Here = RigidPose.Identity;
     private static readonly RayQuery AlongX = new(new Vector3(-5, 0, 0), Vector3.UnitX);
 
-    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+    public static TheoryData<BroadPhaseKind> Scenes => CollisionSceneTests.Scenes;
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void ARowOfBallsIsMetInOrder(BroadPhaseKind kind, BoundKind bound)
+    public void ARowOfBallsIsMetInOrder(BroadPhaseKind kind)
     {
-        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 9, 2, 5, 2);
+        CollisionScene scene = CollisionSceneTests.Row(kind, 9, 2, 5, 2);
         List<RayHit> hits = [];
         scene.FindRayHits(AlongX, hits);
         Assert.Equal([(1, 6f), (3, 6f), (2, 9f), (0, 13f)], hits.Select(h => (h.Id, h.Result.Distance)));
@@ -47,9 +47,9 @@ public class ScenePathRefusalTests
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void AnEmptySceneHasNoHits(BroadPhaseKind kind, BoundKind bound)
+    public void AnEmptySceneHasNoHits(BroadPhaseKind kind)
     {
-        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 1);
+        CollisionScene scene = CollisionSceneTests.Row(kind, 1);
         scene.Remove(0);
         List<RayHit> rays = [default];
         List<CastHit> casts = [default];
@@ -81,7 +81,7 @@ public class ScenePathRefusalTests
         Refused<ArgumentOutOfRangeException>("maxDistance", () => new RayQuery(default, Vector3.UnitX, float.NaN));
         Refused<ArgumentOutOfRangeException>("maxDistance", () => new RayQuery(default, Vector3.UnitX, -1));
 
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0);
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0);
         List<RayHit> hits = [default];
         Refused<ArgumentException>("ray", () => scene.TryFindRayHit(default, out int _, out RayCastResult _));
         Refused<ArgumentException>("ray", () => scene.FindRayHits(default, hits));
@@ -103,7 +103,7 @@ public class ScenePathRefusalTests
     [Fact]
     public void BadShapesAndMotionsAreRefused()
     {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0);
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0);
         Vector3 x = Vector3.UnitX, bad = new(0, float.NaN, 0), far = new(float.NegativeInfinity, 0, 0);
         List<CastHit> hits = [default];
         List<int> ids = [7];

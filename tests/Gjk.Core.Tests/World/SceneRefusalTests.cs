@@ -10,13 +10,13 @@ namespace Gjk.Core.Tests.World;
 /// <summary>What a scene refuses, without a trace.</summary>
 public class SceneRefusalTests
 {
-    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+    public static TheoryData<BroadPhaseKind> Scenes => CollisionSceneTests.Scenes;
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void BadCallsAreRefusedAndTheSceneIsUnchanged(BroadPhaseKind kind, BoundKind bound)
+    public void BadCallsAreRefusedAndTheSceneIsUnchanged(BroadPhaseKind kind)
     {
-        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 0, 1, 2, 3);
+        CollisionScene scene = CollisionSceneTests.Row(kind, 0, 1, 2, 3);
         scene.Remove(2);
         RigidPose[] noPoses =
         [
@@ -50,7 +50,7 @@ public class SceneRefusalTests
         CollisionScene[] scenes =
         [
             .. Enumerable.Range(0, 2).Select(
-                _ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box))
+                _ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree))
         ];
         List<PairDistance> one = [], other = [];
         List<ObjectPair> overlaps = [];
@@ -73,10 +73,6 @@ public class SceneRefusalTests
         Assert.Equal(
             "broadPhase",
             Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene((BroadPhaseKind)4)).ParamName);
-        Assert.Equal(
-            "bound",
-            Assert.Throws<ArgumentOutOfRangeException>(
-                () => new CollisionScene(BroadPhaseKind.SortAndSweep, (BoundKind)2)).ParamName);
     }
 
     private static void RefusesIds(CollisionScene scene)

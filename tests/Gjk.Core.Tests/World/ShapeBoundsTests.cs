@@ -23,24 +23,15 @@ public class ShapeBoundsTests
             RigidPose pose = Generators.Pose(rng, rng.Vector(-spread, spread));
             var bounds = new ShapeBounds(shape.Shape);
             var body = new Body<ConvexShape>(shape.Shape, pose);
-            foreach (Aabb box in new[] { bounds.BoxAt(pose), bounds.BallBoxAt(pose) })
+            Aabb box = bounds.BoxAt(pose);
+            for (int axis = 0; axis < 3; axis++)
             {
-                for (int axis = 0; axis < 3; axis++)
-                {
-                    double at = Double3.Dot(pose.Position, Axes[axis]), high = at + body.Height(Axes[axis]);
-                    double low = at - body.Height(-Axes[axis]);
-                    Assert.True(
-                        Component(box.Min, axis) <= low && high <= Component(box.Max, axis),
-                        $"seed {seed}, axis {axis}: {shape} at {TestShape.T(pose)}, {low:R} to {high:R}");
-                }
+                double at = Double3.Dot(pose.Position, Axes[axis]), high = at + body.Height(Axes[axis]);
+                double low = at - body.Height(-Axes[axis]);
+                Assert.True(
+                    Component(box.Min, axis) <= low && high <= Component(box.Max, axis),
+                    $"seed {seed}, axis {axis}: {shape} at {TestShape.T(pose)}, {low:R} to {high:R}");
             }
-
-            Double3 n = rng.Direction();
-            n *= 1 / n.Length;
-            Double3 centre = bounds.CenterAt(pose);
-            Assert.True(
-                body.Height(n) - Double3.Dot(centre - pose.Position, n) <= bounds.Radius + 1e-13 * (spread + 1),
-                $"seed {seed}: {shape} at {TestShape.T(pose)}, ball");
         }
     }
 
@@ -79,16 +70,6 @@ public class ShapeBoundsTests
         Aabb ball = new ShapeBounds(ConvexShape.Sphere(2)).BoxAt(pose);
         Near(new Double3(-1, 0, 1), ball.Min);
         Near(new Double3(3, 4, 5), ball.Max);
-    }
-
-    [Fact]
-    public void TurningABallWhoseCentreIsTheOriginLeavesItAsItIs()
-    {
-        var bounds = new ShapeBounds(ConvexShape.Box(new Vector3(1, 2, 3)));
-        var rng = new Rng(3);
-        Assert.Equal(
-            bounds.BallBoxAt(new RigidPose(rng.Rotation(), Vector3.One)),
-            bounds.BallBoxAt(new RigidPose(rng.Rotation(), Vector3.One)));
     }
 
     [Fact]

@@ -13,13 +13,13 @@ public class WorldAllocationTests
     private const int WarmUpFrames = 30;
     private const int Frames = 30;
 
-    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+    public static TheoryData<BroadPhaseKind> Scenes => CollisionSceneTests.Scenes;
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void NothingIsAllocatedOnOneThread(BroadPhaseKind kind, BoundKind bound)
+    public void NothingIsAllocatedOnOneThread(BroadPhaseKind kind)
     {
-        Action frame = Frame(kind, bound, null);
+        Action frame = Frame(kind, null);
         for (int i = 0; i < WarmUpFrames; i++) frame();
         Assert.Equal(0, Allocation.Least(() =>
         {
@@ -35,7 +35,7 @@ public class WorldAllocationTests
         public void NothingIsAllocatedInTotal()
         {
             using var workers = new Workers(2);
-            Action frame = Frame(BroadPhaseKind.DynamicTree, BoundKind.Box, workers, FewObjects);
+            Action frame = Frame(BroadPhaseKind.DynamicTree, workers, FewObjects);
             for (int i = 0; i < WarmUpFrames; i++) frame();
 
             Assert.True(Least(() => GC.KeepAlive(new byte[64])) >= 64, "the measure does not see an allocation");
@@ -61,14 +61,14 @@ public class WorldAllocationTests
     }
 
     /// <summary>Every object moves to and fro; all questions are asked.</summary>
-    internal static Action Frame(BroadPhaseKind kind, BoundKind bound, Workers? workers, int count = Objects)
+    internal static Action Frame(BroadPhaseKind kind, Workers? workers, int count = Objects)
     {
         var world = new MovingWorld(21, count, ["box", "hull", "sphere", "cylinder"]);
         var there = new RigidPose[count];
         for (int i = 0; i < count; i++)
             there[i] = new RigidPose(world.Rng.Rotation(), world.Poses[i].Position + world.Rng.Vector(-0.1, 0.1));
         RigidPose[] here = [.. world.Poses];
-        CollisionScene scene = world.Scene(kind, bound);
+        CollisionScene scene = world.Scene(kind);
         List<ObjectPair> overlaps = [], candidates = [];
         List<PairDistance> within = [];
         List<PairContacts> contacts = [];
