@@ -72,6 +72,16 @@ public class ShapeBoundsTests
         Near(new Double3(3, 4, 5), ball.Max);
     }
 
+    /// <summary>Wide enough for a margin and for touching, and no wider than is of use.</summary>
+    [Fact]
+    public void TheSlackIsAFewRoundingsOfFloatAndAFewTouches()
+    {
+        Aabb far = new ShapeBounds(ConvexShape.Sphere(1)).BoxAt(new RigidPose(new Vector3(1000, 0, 0)));
+        Assert.InRange((far.Max.X - 1001.0) / 1001 * (1 << 24), 2, 8);
+        Aabb disc = new ShapeBounds(ConvexShape.Cylinder(1, 0)).BoxAt(RigidPose.Identity);
+        Assert.InRange(disc.Max.Y / GjkTolerances.TouchCurved, 3, 12);
+    }
+
     [Fact]
     public void PositionsAtTheEndOfTheRangeGiveFiniteBoxes()
     {
