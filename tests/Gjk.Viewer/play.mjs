@@ -162,6 +162,19 @@ await check('play: the end of a velocity can be dragged, and the impact follows'
   await keep(page, 'play-impact');
   await press(page, 'depth');
 });
+await check('play: the edges of a body have its own colour, also when keys move it', async () => {
+  for (const theme of ['dark', 'light']) {
+    const [edge, a, b] = await page.evaluate((name) => {
+      document.documentElement.dataset.theme = name;
+      const style = getComputedStyle(document.documentElement);
+      const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.trim().slice(i, i + 2), 16));
+      return [`#${window.__gjk.view.edge('a', true).getHexString()}`, ...['--a', '--b'].map((c) => style.getPropertyValue(c))]
+        .map(rgb);
+    }, theme);
+    const hue = (p, q) => p.reduce((sum, x, i) => sum + (x - p[2] - q[i] + q[2]) ** 2, 0);
+    assert.ok(hue(edge, a) < hue(edge, b), `${theme}: ${edge} is like ${b}`);
+  }
+});
 await check('play: sizes change the shape, and what is no size is refused', async () => {
   const field = page.locator('.body.a input').first();
   await field.fill('0.25');
