@@ -29,7 +29,7 @@ try {
   const parameters = new URLSearchParams(location.hash.slice(1));
   const page = parameters.has('plane')
     ? planePage(engine, parameters)
-    : worldPage(engine, bodies.length ? [{ label: data.name, bodies }] : []);
+    : worldPage(engine, bodies.length ? [{ label: data.name, bodies }] : [], parameters.has('embed'));
   // The other mode, or another figure, is another page.
   window.addEventListener('hashchange', () => location.reload());
   // What a test or a developer can query about the page.
