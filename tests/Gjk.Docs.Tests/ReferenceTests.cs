@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Xml.Linq;
+using Gjk.Core;
 using Gjk.Pages;
 
 namespace Gjk.Docs.Tests;
@@ -22,6 +24,30 @@ public class ReferenceTests
         string[] written = [.. Directory.EnumerateFiles(folder).Select(f => Path.GetFileName(f)!)];
         Assert.Equal(pages.Keys.Order(StringComparer.Ordinal), written.Order(StringComparer.Ordinal));
         Assert.All(pages, page => Assert.Equal(page.Value, Page.Read($"docs/api/{page.Key}")));
+    }
+
+    /// <summary>
+    /// A comment of one file of a partial type reaches every reader of the type, so only one file has one.
+    /// </summary>
+    [Fact]
+    public void ATypeIsDescribedInOnePlace()
+    {
+        Dictionary<string, XElement> comments = ReferencePages.Comments();
+        Assert.All(typeof(ConvexQuery).Assembly.GetExportedTypes(), type =>
+        {
+            foreach (string part in new[] { "summary", "remarks" })
+                Assert.True(comments[$"T:{type.FullName}"].Elements(part).Count() <= 1, $"{type} has more than one {part}");
+        });
+    }
+
+    [Fact]
+    public void MembersAreHeadingsAndTypesAreLinks()
+    {
+        string queries = ReferencePages.Make(Page.PathOf("src/Gjk.Core"))["queries.md"];
+        Assert.Single(queries.Split('\n'), "### SignedDistance");
+        Assert.Contains("- `poseA` ([`RigidPose`](geometry.md#rigidpose)): ", queries);
+        Assert.Contains("Returns ([`CastResult`](queries.md#castresult)): ", queries);
+        Assert.DoesNotContain("Two balls", queries);
     }
 
     /// <summary>A member without a comment would be an empty entry.</summary>

@@ -7,12 +7,13 @@ using System.Xml.Linq;
 namespace Gjk.Pages;
 
 /// <summary>Turns the text of a documentation comment into Markdown.</summary>
-internal static partial class XmlText
+/// <param name="linkOf">Where a type of the library is described, by its name; null for all others.</param>
+internal sealed partial class XmlText(Func<string, string?> linkOf)
 {
-    public static string ToMarkdown(XElement? element) =>
+    public string ToMarkdown(XElement? element) =>
         element is null ? "" : Spaces().Replace(Nodes(element), " ").Replace("\n ", "\n").Trim();
 
-    private static string Nodes(XElement element)
+    private string Nodes(XElement element)
     {
         var text = new StringBuilder();
         foreach (XNode node in element.Nodes())
@@ -28,7 +29,7 @@ internal static partial class XmlText
         return text.ToString();
     }
 
-    private static string Element(XElement element) => element.Name.LocalName switch
+    private string Element(XElement element) => element.Name.LocalName switch
     {
         "see" or "seealso" => Reference(element),
         "paramref" or "typeparamref" => $"`{element.Attribute("name")!.Value}`",
@@ -38,8 +39,8 @@ internal static partial class XmlText
         _ => Nodes(element),
     };
 
-    /// <summary>The name of what is referred to, without its namespace and parameters.</summary>
-    private static string Reference(XElement element)
+    /// <summary>The name of what is referred to, without its namespace and parameters, with a link to its type.</summary>
+    private string Reference(XElement element)
     {
         string? word = element.Attribute("langword")?.Value ?? element.Attribute("href")?.Value;
         if (word is not null) return word.StartsWith("http", StringComparison.Ordinal) ? $"<{word}>" : $"`{word}`";
@@ -47,8 +48,12 @@ internal static partial class XmlText
         string path = id[2..].Split('(')[0];
         string[] names = path.Split('.');
         string name = id[0] == 'T' ? names[^1] : string.Join('.', names[^2..]);
-        return $"`{Arity().Replace(name.Replace("Gjk.Core.", "").Replace("Core.", ""), "")}`";
+        string type = Arity().Replace(id[0] == 'T' ? names[^1] : names[^2], "");
+        return Linked(Arity().Replace(name.Replace("Gjk.Core.", "").Replace("Core.", ""), ""), type);
     }
+
+    /// <summary>Code that leads to where a type is described, if that is in the reference.</summary>
+    public string Linked(string code, string type) => linkOf(type) is { } link ? $"[`{code}`]({link})" : $"`{code}`";
 
     private static string Escape(string text) => text.Replace("<", "&lt;").Replace("*", "\\*").Replace("|", "\\|");
 

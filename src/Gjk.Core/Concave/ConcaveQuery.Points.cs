@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace Gjk.Core;
 
-/// <remarks>A point is a convex shape, too, so these ask the pair queries.</remarks>
+// A point is a convex shape, too, so these ask the pair queries.
 public static partial class ConcaveQuery
 {
     /// <summary>Whether a point is in a shape, its surface included.</summary>

@@ -4,11 +4,9 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// Two balls (or points), in closed form: the line through their centres gives the distance and all points. It is done
-/// in the world's axes, so no rotation stands between the positions and the answer. Any pair of shapes of which the
-/// margins leave nothing comes here, whatever its types, so all of them have the same bits.
-/// </remarks>
+// Two balls (or points), in closed form: the line through their centres gives the distance and all points. It is done
+// in the world's axes, so no rotation stands between the positions and the answer. Any pair of shapes of which the
+// margins leave nothing comes here, whatever its types, so all of them have the same bits.
 public static partial class ConvexQuery
 {
     /// <summary>Nothing is left of either shape without its margin.</summary>

@@ -4,11 +4,9 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// Two balls (or points) that move: a line against a ball about A's centre with both radii, measured from the point of
-/// the line that is nearest to the centre (Ericson, Real-Time Collision Detection, 2005, section 5.3.2). Whether they
-/// touch at the start is what the distance says.
-/// </remarks>
+// Two balls (or points) that move: a line against a ball about A's centre with both radii, measured from the point of
+// the line that is nearest to the centre (Ericson, Real-Time Collision Detection, 2005, section 5.3.2). Whether they
+// touch at the start is what the distance says.
 public static partial class ConvexQuery
 {
     /// <summary>

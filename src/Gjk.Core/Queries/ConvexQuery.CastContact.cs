@@ -4,10 +4,8 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// What a contact means for a cast: one at the start, which may be touching, overlapping or on its way apart, and one
-/// on the way that may be passed. A cast that starts apart and passes nothing does not come here.
-/// </remarks>
+// What a contact means for a cast: one at the start, which may be touching, overlapping or on its way apart, and one
+// on the way that may be passed. A cast that starts apart and passes nothing does not come here.
 public static unsafe partial class ConvexQuery
 {
     /// <summary>

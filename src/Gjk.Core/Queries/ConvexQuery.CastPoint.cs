@@ -4,10 +4,8 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// A cast in which one of the shapes is a point is a ray, and has its closed forms. Any type that is a point comes
-/// here, so all of them have the same bits.
-/// </remarks>
+// A cast in which one of the shapes is a point is a ray, and has its closed forms. Any type that is a point comes
+// here, so all of them have the same bits.
 public static partial class ConvexQuery
 {
     /// <summary>Casts a pair of which one shape is a point that moves, seen from the other.</summary>

@@ -3,10 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// What a contact means for a time of impact. Bodies that turn may leave a contact and come back, so it is followed
-/// until it gets too deep, ends, or the motion does; from its end on the next one is looked for.
-/// </remarks>
+// What a contact means for a time of impact. Bodies that turn may leave a contact and come back, so it is followed
+// until it gets too deep, ends, or the motion does; from its end on the next one is looked for.
 public static unsafe partial class ConvexQuery
 {
     /// <summary>What becomes of the contact that the question has found.</summary>

@@ -2,10 +2,8 @@ using System.Numerics;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// A point is a shape, too, the least of all, so these ask the pair queries: contains is overlaps, and both speak of
-/// the same point.
-/// </remarks>
+// A point is a shape, too, the least of all, so these ask the pair queries: contains is overlaps, and both speak of
+// the same point.
 public static partial class ConvexQuery
 {
     /// <summary>Whether a point is in a shape, its surface included.</summary>

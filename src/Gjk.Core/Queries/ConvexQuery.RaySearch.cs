@@ -3,10 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// Rays without a closed form: a point is cast along the ray. A ray that begins far away begins anew where it is about
-/// to reach the ball around the shape, so that the steps of the cast are of the shape's size.
-/// </remarks>
+// Rays without a closed form: a point is cast along the ray. A ray that begins far away begins anew where it is about
+// to reach the ball around the shape, so that the steps of the cast are of the shape's size.
 public static partial class ConvexQuery
 {
     [MethodImpl(MethodImplOptions.NoInlining)]

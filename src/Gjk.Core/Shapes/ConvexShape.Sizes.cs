@@ -2,10 +2,8 @@ using System.Numerics;
 
 namespace Gjk.Core;
 
-/// <remarks>
-/// The numbers that it was made from, in world units; of a decorated shape (<see cref="IsDecorated"/>) those of what is
-/// inside, before <see cref="Scale"/>. What a kind does not have is 0.
-/// </remarks>
+// The numbers that it was made from, in world units; of a decorated shape (IsDecorated) those of what is
+// inside, before Scale. What a kind does not have is 0.
 public readonly partial struct ConvexShape
 {
     /// <summary>The radius of a sphere, capsule, cylinder or cone.</summary>

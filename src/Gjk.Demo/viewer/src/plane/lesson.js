@@ -96,7 +96,7 @@ export class Lesson {
       picture.text(middle(outline), name, 'name');
       if (!this.turns) continue;
       picture.line(model.bodies[i].at, this.turnedBy(i), 'handle');
-      picture.dot(this.turnedBy(i), 'handle', '', 8);
+      picture.handle(this.turnedBy(i));
     }
   }
 

@@ -6,11 +6,8 @@ import { KINDS } from './kinds.js';
 import { ROOM } from './lesson.js';
 import { PlaneModel } from './plane-model.js';
 import { walker } from './walker.js';
-import { Picture } from './svg.js';
+import { Picture, REACH } from './svg.js';
 import { lights, marked } from './lights.js';
-
-/** In CSS pixels: how near a finger or the mouse must come to a handle. */
-const REACH = 24;
 
 /** How far a key moves a polygon, and how far it turns it, in radians. */
 const STEP = 0.1, KEY_TURN = Math.PI / 36;

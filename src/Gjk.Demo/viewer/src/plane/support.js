@@ -59,7 +59,7 @@ export class Support extends Lesson {
     }
     const tip = plus(DIAL, times(d, SIZE));
     picture.arrow(DIAL, tip, 'search', 'd');
-    picture.dot(tip, 'handle', 'd', 7);
+    picture.handle(tip, 'd');
     picture.text(plus(tip, times(d, 0.1)), 'd');
     picture.end();
   }

@@ -7,6 +7,9 @@ const SVG = 'http://www.w3.org/2000/svg';
 /** The size of labels and the height of their lines, in pixels. */
 const LETTERS = 13, LINE = 17;
 
+/** In pixels: how near a finger or the mouse must come to a handle. */
+export const REACH = 24;
+
 const pen = document.createElement('canvas').getContext('2d');
 
 export function shape(tag, attributes = {}, ...children) {
@@ -81,6 +84,12 @@ export class Picture {
 
   dot([x, y], className, name, pixels = 5) {
     return this.add('circle', { cx: x, cy: -y, r: pixels * this.unit }, className, name);
+  }
+
+  /** A handle, with room for a finger around it. */
+  handle(at, name) {
+    this.dot(at, 'reach', name, REACH);
+    this.dot(at, 'handle', name, 8);
   }
 
   square([x, y], className, name, pixels = 5) {

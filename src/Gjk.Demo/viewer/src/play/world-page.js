@@ -51,6 +51,8 @@ export function worldPage(engine, given, isEmbedded) {
   });
 
   document.body.className = isEmbedded ? 'world embed' : 'world';
+  // A page around the figure is scrolled over it.
+  if (isEmbedded && view.stage.controls) view.stage.controls.enableZoom = false;
   document.body.append(
     element('main', {},
       element('div', { className: 'view' }, view.stage.root, head, legend(LEGEND)),
