@@ -1,5 +1,6 @@
 import { defineConfig } from 'vitepress'
 import { sourceLinks } from './source-links.mjs'
+import { wideTables } from './wide-tables.mjs'
 
 const base = process.env.GJK_SITE_BASE ?? '/'
 
@@ -16,6 +17,7 @@ const questions = [
   { text: 'Why are vertices dropped?', link: '/book/dropping' },
   { text: 'Why may regions be skipped?', link: '/book/regions' },
   { text: 'How far apart?', link: '/book/distance' },
+  { text: 'When will they touch?', link: '/book/casting' },
   { text: 'Where are the closest points?', link: '/book/closest-points' },
   { text: 'Why does my GJK loop for ever?', link: '/book/looping' },
   { text: 'Is touching a hit?', link: '/book/touching' },
@@ -59,7 +61,12 @@ export default defineConfig({
   srcExclude: ['node_modules/**', 'Gjk.Pages/**', 'site/**'],
   head: [['link', { rel: 'icon', type: 'image/svg+xml', href: `${base}icon.svg` }]],
   lastUpdated: false,
-  markdown: { config: sourceLinks },
+  markdown: {
+    config(markdown) {
+      sourceLinks(markdown)
+      wideTables(markdown)
+    },
+  },
   vue: { template: { compilerOptions: { whitespace: 'preserve' } } },
   themeConfig: {
     search: { provider: 'local' },

@@ -162,6 +162,19 @@ await check('play: the end of a velocity can be dragged, and the impact follows'
   await keep(page, 'play-impact');
   await press(page, 'depth');
 });
+await check('play: the edges of a body have its own colour, also when keys move it', async () => {
+  for (const theme of ['dark', 'light']) {
+    const [edge, a, b] = await page.evaluate((name) => {
+      document.documentElement.dataset.theme = name;
+      const style = getComputedStyle(document.documentElement);
+      const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.trim().slice(i, i + 2), 16));
+      return [`#${window.__gjk.view.edge('a', true).getHexString()}`, ...['--a', '--b'].map((c) => style.getPropertyValue(c))]
+        .map(rgb);
+    }, theme);
+    const hue = (p, q) => p.reduce((sum, x, i) => sum + (x - p[2] - q[i] + q[2]) ** 2, 0);
+    assert.ok(hue(edge, a) < hue(edge, b), `${theme}: ${edge} is like ${b}`);
+  }
+});
 await check('play: sizes change the shape, and what is no size is refused', async () => {
   const field = page.locator('.body.a input').first();
   await field.fill('0.25');
@@ -191,6 +204,35 @@ await check('play: the parts of an OBJ file are offered', async () => {
   assert.match((await state()).record, /^gjk1 mesh 8 /);
   await page.locator('input[type=file]').setInputFiles({ name: 'bad.obj', mimeType: '', buffer: Buffer.from('v 1 2') });
   await until(page, () => /bad\.obj: line 1: a vertex needs/.test(document.body.innerText));
+});
+await check('play: the parts of a GLB are offered, in their places', async () => {
+  const points = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
+  const json = JSON.stringify({
+    scenes: [{ nodes: [0] }], nodes: [{ name: 'frame', translation: [5, 0, 0], children: [1] }, { name: 'wedge', mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }], buffers: [{ byteLength: 48 }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 4, type: 'VEC3' }], bufferViews: [{ buffer: 0, byteLength: 48 }],
+  });
+  const text = Buffer.from(json.padEnd(Math.ceil(json.length / 4) * 4));
+  const words = (...numbers) => Buffer.from(Uint32Array.from(numbers).buffer);
+  const buffer = Buffer.concat([words(0x46546c67, 2, 28 + text.length + 48, text.length, 0x4e4f534a), text,
+    words(48, 0x004e4942), Buffer.from(points.buffer)]);
+  await page.locator('input[type=file]').setInputFiles({ name: 'part.glb', mimeType: '', buffer });
+  await page.locator('select').first().selectOption({ label: 'wedge' });
+  assert.match((await state()).record, /^gjk1 mesh 4 5 0 0 6 0 0 5 1 0 5 0 1 @/);
+  await page.locator('input[type=file]').setInputFiles({ name: 'bad.glb', mimeType: '', buffer: Buffer.from('glTF') });
+  await until(page, () => /bad\.glb: it is no binary glTF/.test(document.body.innerText));
+});
+await check('play: a small part comes near the other body, and is not a dot', async () => {
+  const small = [0, 1, 2, 3].map((i) => `v ${i & 1 ? 0.004 : 0} ${i & 2 ? 0.004 : 0} ${i === 3 ? 0.004 : 0}`);
+  const buffer = Buffer.from([...small, 'f 1 2 3 4'].join('\n'));
+  await page.locator('input[type=file]').setInputFiles({ name: 'small.obj', mimeType: '', buffer });
+  for (const select of [0, 1]) await page.locator('select').nth(select).selectOption({ label: 'default' });
+  const { apart, radius } = await page.evaluate(() => {
+    const [a, b] = window.__gjk.model.bodies;
+    return { apart: Math.hypot(...[4, 5, 6].map((i) => a.motion[i] - b.motion[i])), radius: a.radius };
+  });
+  assert.ok(apart > 0 && apart < 10 * radius, `${apart} apart, ${radius} in radius`);
+  assert.match(await page.locator('.legend').innerText(), /way out[\s\S]*zoom/);
 });
 await check('play: no error, nothing fetched', () => assert.deepEqual(page.complaints, []));
 await page.close();

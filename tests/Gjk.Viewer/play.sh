@@ -7,7 +7,7 @@ demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 node play-scenes.mjs TestResults
 demo play --out TestResults/play.html
 demo play --scene TestResults/shapes.json --out TestResults/play-shapes.html
-demo play --obj TestResults/parts.obj --out TestResults/play-parts.html
+demo play --mesh TestResults/parts.obj --out TestResults/play-parts.html
 demo view TestResults/moving.json --live --out TestResults/live.html
 demo query TestResults/shapes.json --out TestResults/shapes.csv
 demo query TestResults/shapes.json --depth --out TestResults/shapes-depth.csv

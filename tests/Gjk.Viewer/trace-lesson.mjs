@@ -100,6 +100,11 @@ async function checkTextbook({ open, keep }) {
   ]) {
     const page = await open(name);
     await check(`${name}: the textbook's steps are walked beside the exact ones`, async () => {
+      // An example opens on the failure.
+      const { tab, step: first, textbookSteps: last } = await counts(page);
+      const isExample = ['loop', 'wrong'].includes(name);
+      assert.deepEqual([tab, first], isExample ? ['textbook', last - 1] : ['steps', 0]);
+      if (isExample) assert.match(await text(page, '.textbook .story'), answer);
       await choose(page, 'textbook');
       const { textbookSteps, textbookEnding } = await counts(page);
       assert.equal(textbookEnding, ending);

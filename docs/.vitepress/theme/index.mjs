@@ -1,4 +1,5 @@
 import DefaultTheme from 'vitepress/theme'
+import FigurePart from './FigurePart.vue'
 import PlaneFigure from './PlaneFigure.vue'
 import PlayPage from './PlayPage.vue'
 import './style.css'
@@ -6,7 +7,6 @@ import './style.css'
 export default {
   extends: DefaultTheme,
   enhanceApp({ app }) {
-    app.component('PlaneFigure', PlaneFigure)
-    app.component('PlayPage', PlayPage)
+    for (const [name, part] of Object.entries({ FigurePart, PlaneFigure, PlayPage })) app.component(name, part)
   },
 }

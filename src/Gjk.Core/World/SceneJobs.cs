@@ -68,7 +68,7 @@ internal readonly struct SceneDistanceJob(
     /// <summary>
     /// Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much leaves no
     /// doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. Pinned by
-    /// BoundKindBitsTests.
+    /// CandidateBitsTests.
     /// </summary>
     private const double ClearlyBeyond = 1e-6;
 

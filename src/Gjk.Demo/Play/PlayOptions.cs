@@ -15,6 +15,8 @@ namespace Gjk.Demo.Play;
 /// <summary>The command line of <c>play</c>, and the command itself.</summary>
 internal static class PlayOptions
 {
+    private const string PartsFiles = ".obj, .stl, .ply, .glb or .gltf";
+
     public static Command Build(CancellationToken cancel)
     {
         var page = new Option<string>("--out")
@@ -29,11 +31,11 @@ internal static class PlayOptions
                 + "standard input.",
             HelpName = "SCENE.json",
         };
-        var mesh = new Option<string?>("--obj")
+        var mesh = new Option<string?>("--mesh", "--obj")
         {
             Description = "Add the parts of this mesh file to the shapes to choose from, each as its convex "
-                + "hull. Its name must end in .obj, .stl or .ply.",
-            HelpName = "FILE.obj",
+                + $"hull. Its name must end in {PartsFiles}.",
+            HelpName = "FILE.glb",
         };
         var command = new Command(
             "play",
@@ -44,37 +46,46 @@ internal static class PlayOptions
         };
         command.Validators.Add(result =>
         {
-            bool hasScene = result.GetResult(scene) is not null, hasMesh = result.GetResult(mesh) is not null;
-            if (hasScene && hasMesh) result.AddError("--scene and --obj exclude each other.");
-            if (hasMesh && result.GetValue(mesh) is { } name && !IsPartsFile(name))
-                result.AddError($"--obj {name}: its name must end in .obj, .stl or .ply.");
+            if (result.GetValue(mesh) is { } name && !IsPartsFile(name))
+                result.AddError($"--mesh {name}: its name must end in {PartsFiles}.");
         });
         command.SetAction(r =>
         {
             string html = r.GetValue(page)!;
             string? sceneFile = r.GetValue(scene), meshFile = r.GetValue(mesh);
-            TargetFiles.Check(sceneFile ?? meshFile, ("--out", html));
+            TargetFiles.Check(sceneFile, ("--out", html));
+            TargetFiles.Check(meshFile, "the mesh", ("--out", html));
             ImportResult? parts = meshFile is null ? null : Importer.Read(meshFile, null, cancel);
-            Scene? bodies = sceneFile is not null
-                ? SceneFile.Load(sceneFile, cancel).Convex(InputFile.NameOf(sceneFile))
-                : parts is not null ? Parts(meshFile!, parts.Objects)
-                : null;
+            Scene? given = sceneFile is null
+                ? null
+                : SceneFile.Load(sceneFile, cancel).Convex(InputFile.NameOf(sceneFile));
+            Scene? bodies = parts is null ? given : WithParts(given, meshFile!, parts.Objects);
             Write(bodies, sceneFile ?? meshFile, html, cancel);
             ImportCommand.Print(parts?.Problems ?? []);
+            StandardError.Line(bodies is null
+                ? $"wrote the playground to {html}"
+                : $"wrote the playground with {Bodies(bodies.Objects.Length)} to {html}");
             return ExitCode.Done;
         });
         return command;
     }
 
     private static bool IsPartsFile(string file) =>
-        Path.GetExtension(file).ToLowerInvariant() is ".obj" or ".stl" or ".ply";
+        Path.GetExtension(file).ToLowerInvariant() is ".obj" or ".stl" or ".ply" or ".glb" or ".gltf";
 
-    private static Scene Parts(string file, IEnumerable<ImportedObject> parts)
+    /// <summary>The bodies of a scene, if there is one, and behind them the parts of a file.</summary>
+    private static Scene WithParts(Scene? scene, string file, IEnumerable<ImportedObject> parts)
     {
         SceneObject[] objects =
-            [.. parts.Select(o => new SceneObject(o.Name, o.ToConvexShape(), o.Pose, Vector3.Zero, Vector3.Zero))];
-        return new Scene(Path.GetFileNameWithoutExtension(file), objects, ScenePairs.All(objects.Length), 1);
+        [
+            .. scene?.Objects ?? [],
+            .. parts.Select(o => new SceneObject(o.Name, o.ToConvexShape(), o.Pose, Vector3.Zero, Vector3.Zero)),
+        ];
+        string name = scene?.Name ?? Path.GetFileNameWithoutExtension(file);
+        return new Scene(name, objects, ScenePairs.All(objects.Length), 1);
     }
+
+    private static string Bodies(int count) => count == 1 ? "1 body" : $"{count} bodies";
 
     private static void Write(Scene? scene, string? name, string target, CancellationToken cancel)
     {

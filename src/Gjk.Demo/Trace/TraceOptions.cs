@@ -47,7 +47,7 @@ internal static class TraceOptions
             TargetFiles.Check(r.GetValue(source.File), ("--out", html));
             if (example.Of(r) is { } pairScene)
             {
-                Write(pairScene, (0, 1), html, cancel);
+                Write(pairScene, (0, 1), isExample: true, html, cancel);
                 return ExitCode.Done;
             }
 
@@ -55,13 +55,14 @@ internal static class TraceOptions
             (int a, int b) = NamedPair.Find(scene, name, r.GetValue(pair)!);
             ShapeRange.Check(scene, name, a);
             ShapeRange.Check(scene, name, b);
-            Write(scene, (a, b), html, cancel);
+            Write(scene, (a, b), isExample: false, html, cancel);
             return ExitCode.Done;
         });
         return command;
     }
 
-    private static void Write(Scene scene, (int A, int B) pair, string target, CancellationToken cancel)
+    private static void Write(
+        Scene scene, (int A, int B) pair, bool isExample, string target, CancellationToken cancel)
     {
         SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
         using var file = new AtomicFile(target, cancel);
@@ -69,7 +70,7 @@ internal static class TraceOptions
         var recorder = new TraceRecorder(steps);
         DistanceResult result = ConvexQuery.Explain(a.Shape, a.Pose, b.Shape, b.Pose, ref recorder);
         DepthAnswer? depth = result.IsOverlapping ? DepthAnswer.Of(a, b) : null;
-        TracePage.Write(file.Stream, scene, pair, steps, result, depth);
+        TracePage.Write(file.Stream, scene, pair, steps, result, depth, isExample);
         file.Commit();
         StandardError.Wrote(steps.Count + (depth?.Search.Steps.Count ?? 0), "step", target);
     }

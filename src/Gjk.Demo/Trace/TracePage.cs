@@ -25,9 +25,10 @@ internal static class TracePage
     /// <param name="steps">The recorded steps of the query.</param>
     /// <param name="result">The answer of the query.</param>
     /// <param name="depth">The search for the depth, where the shapes overlap.</param>
+    /// <param name="isExample">The textbook fails on the pair: the page opens where it does.</param>
     public static void Write(
         Stream stream, Scene scene, (int A, int B) pair, List<TraceStep> steps, in DistanceResult result,
-        DepthAnswer? depth)
+        DepthAnswer? depth, bool isExample)
     {
         SceneObject a = scene.Objects[pair.A], b = scene.Objects[pair.B];
         var bInA = new RelativeFrame(a.Pose, b.Pose);
@@ -39,6 +40,7 @@ internal static class TracePage
         Utf8JsonWriter json = data.Json;
         json.WriteStartObject();
         json.WriteString("kind", "trace");
+        json.WriteBoolean("isExample", isExample);
         json.WriteString("name", scene.Name);
         json.WriteString("nameA", nameA);
         json.WriteString("nameB", nameB);

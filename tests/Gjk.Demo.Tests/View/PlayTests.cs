@@ -25,9 +25,9 @@ public sealed class PlayTests
     [InlineData("play", "--out")]
     [InlineData("play scene.json --out a.html", "scene.json")]
     [InlineData("play --scene none.json --out a.html", "no such file")]
-    [InlineData("play --obj none.obj --out a.html", "no such file")]
-    [InlineData("play --obj part.glb --out a.html", "--obj part.glb")]
-    [InlineData("play --obj a.obj --scene a.json --out a.html", "exclude")]
+    [InlineData("play --mesh none.obj --out a.html", "no such file")]
+    [InlineData("play --mesh part.blend --out a.html", "--mesh part.blend")]
+    [InlineData("play --mesh a.obj --out a.obj", "overwrite the mesh")]
     [InlineData("play --scene a.json --out a.json", "overwrite the scene")]
     [InlineData("play --nope --out a.html", "--nope")]
     public void WrongArgumentsAreOneLine(string args, string part) =>
@@ -42,7 +42,7 @@ public sealed class PlayTests
         string many = directory.Write("many.json", Many(5_001));
         string page = directory.File("a.html");
         DemoRun.Of("play", "--scene", scene, "--out", page).AssertRefused(scene, "$.objects[0].shape.type");
-        DemoRun.Of("play", "--obj", mesh, "--out", page).AssertRefused(mesh, "three coordinates");
+        DemoRun.Of("play", "--mesh", mesh, "--out", page).AssertRefused(mesh, "three coordinates");
         DemoRun.Of("play", "--scene", many, "--out", page).AssertRefused(many, "5001 objects", "5000");
         Assert.False(File.Exists(page));
         Assert.Equal(3, directory.Files.Count());
@@ -120,12 +120,51 @@ public sealed class PlayTests
         Assert.DoesNotContain("wasm", File.ReadAllText(page));
     }
 
+    /// <summary>What a page offers comes from a scene and a file of meshes together, and how much it is, is said.</summary>
+    [Fact]
+    public void ASceneAndTheMeshesOfAGlbAreOfferedTogether()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", TwoSpheres), page = directory.File("a.html");
+        string mesh = directory.File("part.glb");
+        File.WriteAllBytes(mesh, Glb());
+        DemoRun run = DemoProcess.Run("play", "--scene", scene, "--mesh", mesh, "--out", page);
+        Assert.Equal(0, run.ExitCode);
+        Assert.Contains($"wrote the playground with 3 bodies to {page}", run.Error);
+        Assert.Contains("\"names\":[\"one\",", File.ReadAllText(page));
+        Assert.Contains(",\"wedge\"]", File.ReadAllText(page));
+        DemoRun plain = DemoProcess.Run("play", "--out", page);
+        Assert.Contains($"wrote the playground to {page}", plain.Error);
+    }
+
+    /// <summary>A binary glTF of one triangle.</summary>
+    private static byte[] Glb()
+    {
+        string json = """
+            {"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"wedge","mesh":0}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+            "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+            "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36}]}
+            """;
+        byte[] text = Encoding.ASCII.GetBytes(json.PadRight((json.Length + 3) / 4 * 4));
+        using var file = new MemoryStream();
+        using var writer = new BinaryWriter(file);
+        uint[] head = [0x46546C67, 2, (uint)(12 + 8 + text.Length + 8 + 36), (uint)text.Length, 0x4E4F534A];
+        foreach (uint word in head) writer.Write(word);
+        writer.Write(text);
+        writer.Write(36u);
+        writer.Write(0x004E4942u);
+        foreach (float x in new[] { 0f, 0, 0, 1, 0, 0, 0, 1, 0 }) writer.Write(x);
+        writer.Flush();
+        return file.ToArray();
+    }
+
     [Fact]
     public void PartsThatAreNotConvexGetAWarning()
     {
         using var directory = new TempDirectory();
         string mesh = directory.Write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
-        DemoRun run = DemoProcess.Run("play", "--obj", mesh, "--out", directory.File("a.html"));
+        DemoRun run = DemoProcess.Run("play", "--mesh", mesh, "--out", directory.File("a.html"));
         Assert.Equal(0, run.ExitCode);
         Assert.Contains("has no faces", run.Error);
         Assert.True(File.Exists(directory.File("a.html")));

@@ -1,7 +1,7 @@
 import { element } from './dom.js';
 
 /** Where a label may stand beside its point, in pixels: to the right first, then around it, then further away. */
-const PLACES = [12, 26, 44].flatMap((away) =>
+const PLACES = [12, 26, 44, 66].flatMap((away) =>
   [
     [1, 0],
     [-1, 0],
@@ -42,22 +42,34 @@ export class Labels {
 
   place() {
     const stage = this.stage.root.getBoundingClientRect();
-    const points = this.items.map(({ point }) => this.stage.project(point));
-    // A label may stand beside every point, and on none.
-    const taken = points.map(({ x, y }) => around(x - stage.left, y - stage.top));
-    this.items.forEach(({ label, width, height }, i) => {
-      const { x, y, depth } = points[i];
-      const at = (place) => box(x - stage.left, y - stage.top, place, width, height);
-      const isFree = (b) => isInside(b, stage) && !taken.some((other) => overlap(b, other));
-      const found = PLACES.map(at).find(isFree) ?? (this.mayHide ? null : at(PLACES[0]));
-      const isShown = depth < 1 && found !== null;
-      label.style.visibility = isShown ? 'visible' : 'hidden';
-      if (!isShown) return;
-      taken.push(found);
-      label.style.left = `${found.left}px`;
-      label.style.top = `${found.top}px`;
+    const items = this.items.map(({ point, width, height }) => {
+      const { x, y, depth } = this.stage.project(point);
+      return { x: x - stage.left, y: y - stage.top, width, height, isShown: depth < 1 };
+    });
+    spread(items, stage, this.mayHide).forEach((found, i) => {
+      const { style } = this.items[i].label;
+      style.visibility = found ? 'visible' : 'hidden';
+      if (!found) return;
+      style.left = `${found.left}px`;
+      style.top = `${found.top}px`;
     });
   }
+}
+
+/**
+ * A box for each label {x, y, width, height}, beside its point: none overlaps another, or a point. A label that has no
+ * free place, or is not shown, gets null, or the first place where it must not hide.
+ */
+export function spread(items, bounds, mayHide) {
+  const taken = items.map(({ x, y }) => around(x, y));
+  return items.map(({ x, y, width, height, isShown = true }) => {
+    if (!isShown) return null;
+    const at = (place) => box(x, y, place, width, height);
+    const isFree = (b) => isInside(b, bounds) && !taken.some((other) => overlap(b, other));
+    const found = PLACES.map(at).find(isFree) ?? (mayHide ? null : at(PLACES[0]));
+    if (found) taken.push(found);
+    return found;
+  });
 }
 
 const around = (x, y) => ({ left: x - POINT, top: y - POINT, right: x + POINT, bottom: y + POINT });

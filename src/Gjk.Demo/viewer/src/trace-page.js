@@ -122,7 +122,11 @@ export function tracePage(json) {
     t: () => theme.toggle(),
   });
   theme.onChange(() => draw(places[run()]));
-  show(0);
+  if (json.isExample) {
+    // On the failure, which is the textbook's last step.
+    places.textbook = textbook.count - 1;
+    chosen.show('textbook');
+  } else show(0);
   const now = () => ({ step: places[run()], tab, line: tab === 'code' ? model.lines(places.exact)[line] : null });
   return handle(model, { main, small, difference, show, now });
 }

@@ -1,4 +1,4 @@
-// The figures that the plane begins with. A corner is (x, y) in the polygon's own frame.
+// The polygons that the figures begin with. A corner is (x, y) in the polygon's own frame.
 
 const square = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
 const first = [[-1.1, -0.9], [1.1, -0.5], [0.3, 1.2]];
@@ -8,21 +8,16 @@ const pentagon = [0, 1, 2, 3, 4].map((i) => {
   return [1.3 * Math.cos(angle), 1.3 * Math.sin(angle)];
 });
 
-export const PRESETS = {
-  triangles: {
-    name: 'two triangles', a: { corners: first, at: [-1.8, -0.3] }, b: { corners: second, at: [1.7, 0.5] },
-  },
-  touching: {
-    name: 'touching', a: { corners: square, at: [-1, 0] },
-    b: { corners: [[0, 0], [1.5, -1.2], [1.5, 1]], at: [0, 0.25] },
-  },
-  overlap: {
-    name: 'overlapping', a: { corners: pentagon, at: [-0.6, 0.1] }, b: { corners: second, at: [0.7, 0] },
-  },
-  parallel: {
-    name: 'parallel sides', a: { corners: square, at: [-1.75, 0] }, b: { corners: square, at: [1.75, 0.5] },
-  },
-  origin: {
-    name: 'a polygon and the origin', a: { corners: pentagon, at: [1.6, 0.9] }, b: { corners: [[0, 0]], at: [0, 0] },
-  },
+/** The shapes of the book's programs, each about a point within it. */
+const A = { corners: [[-1, -0.8], [0.6, -1], [1.2, 0.3], [0.1, 1.1], [-1.1, 0.6]], at: [-1.2, 0] };
+const B = { corners: [[-0.8, -0.33], [0.6, -0.73], [0.2, 1.07]], at: [1.5, -0.17] };
+
+export const SHAPES = {
+  book: [A, B],
+  loop: [A, { ...B, at: [1.49, -0.18] }],
+  triangles: [{ corners: first, at: [-1.8, -0.3] }, { corners: second, at: [1.7, 0.5] }],
+  touching: [{ corners: square, at: [-1, 0] }, { corners: [[0, 0], [1.5, -1.2], [1.5, 1]], at: [0, 0.25] }],
+  overlap: [{ corners: pentagon, at: [-0.6, 0.1] }, { corners: second, at: [0.7, 0] }],
+  parallel: [{ corners: square, at: [-1.75, 0] }, { corners: square, at: [1.75, 0.5] }],
+  deep: [{ corners: pentagon, at: [-0.3, 0] }, { corners: A.corners, at: [0.4, 0.3] }],
 };

@@ -1,5 +1,13 @@
-// Pictures of the plane: x to the right, y up, in units of the plane.
+// Pictures of the plane: x to the right, y up, in units of the plane. A part of a picture can have a name, by which the
+// words beside it find it.
+import { spread } from '../labels.js';
+
 const SVG = 'http://www.w3.org/2000/svg';
+
+/** The size of labels and the height of their lines, in pixels. */
+const LETTERS = 13, LINE = 17;
+
+const pen = document.createElement('canvas').getContext('2d');
 
 export function shape(tag, attributes = {}, ...children) {
   const result = document.createElementNS(SVG, tag);
@@ -22,10 +30,21 @@ export class Picture {
     [this.wide, this.tall] = [w, h].map((x) => (x * this.unit) / 2);
     this.root.setAttribute('viewBox', `${-this.wide} ${-this.tall} ${2 * this.wide} ${2 * this.tall}`);
     this.parts = [];
+    this.labels = [];
   }
 
+  /** Shows what was drawn, with each label at a free place beside its point. */
   end() {
-    this.root.replaceChildren(...this.parts);
+    const { wide, tall, unit } = this;
+    const items = this.labels.map(({ at: [x, y], width }) => (
+      { x: (x + wide) / unit, y: (tall - y) / unit, width, height: LINE }));
+    spread(items, { width: (2 * wide) / unit, height: (2 * tall) / unit }, false).forEach((box, i) => {
+      const { part, content } = this.labels[i];
+      part.setAttribute('x', box.left * unit - wide);
+      part.setAttribute('y', (box.top + 0.77 * LINE) * unit - tall);
+      part.textContent = content;
+    });
+    this.root.replaceChildren(...this.parts, ...this.labels.map(({ part }) => part));
   }
 
   /** The corners of what is visible. */
@@ -46,42 +65,43 @@ export class Picture {
     return { x: box.left + (x + this.wide) / this.unit, y: box.top + (this.tall - y) / this.unit };
   }
 
-  add(part) {
+  add(tag, attributes, className, name) {
+    const part = shape(tag, { ...attributes, class: className, ...(name ? { 'data-part': name } : {}) });
     this.parts.push(part);
     return part;
   }
 
-  polygon(points, className) {
-    return this.add(shape('polygon', { points: points.map(([x, y]) => `${x},${-y}`).join(' '), class: className }));
+  polygon(points, className, name) {
+    return this.add('polygon', { points: points.map(([x, y]) => `${x},${-y}`).join(' ') }, className, name);
   }
 
-  line([x, y], [z, w], className) {
-    return this.add(shape('line', { x1: x, y1: -y, x2: z, y2: -w, class: className }));
+  line([x, y], [z, w], className, name) {
+    return this.add('line', { x1: x, y1: -y, x2: z, y2: -w }, className, name);
   }
 
-  dot([x, y], className, pixels = 5) {
-    return this.add(shape('circle', { cx: x, cy: -y, r: pixels * this.unit, class: className }));
+  dot([x, y], className, name, pixels = 5) {
+    return this.add('circle', { cx: x, cy: -y, r: pixels * this.unit }, className, name);
   }
 
-  square([x, y], className, pixels = 5) {
+  square([x, y], className, name, pixels = 5) {
     const r = pixels * this.unit;
-    return this.add(shape('rect', { x: x - r, y: -y - r, width: 2 * r, height: 2 * r, class: className }));
+    return this.add('rect', { x: x - r, y: -y - r, width: 2 * r, height: 2 * r }, className, name);
   }
 
-  arrow(from, to, className) {
+  arrow(from, to, className, name) {
     const along = [to[0] - from[0], to[1] - from[1]], whole = Math.hypot(...along);
     if (whole === 0) return;
     const [x, y] = along.map((d) => d / whole), size = Math.min(12 * this.unit, whole);
     const neck = [to[0] - x * size, to[1] - y * size], wide = size * 0.4;
-    this.line(from, neck, className);
+    this.line(from, neck, className, name);
     const [left, right] = [1, -1].map((side) => [neck[0] - side * y * wide, neck[1] + side * x * wide]);
-    this.polygon([to, left, right], `${className} head`);
+    this.polygon([to, left, right], `${className} head`, name);
   }
 
-  text([x, y], content, className = '', dx = 9, dy = -9) {
-    const place = { x: x + dx * this.unit, y: -y + dy * this.unit };
-    const part = shape('text', { ...place, class: className, 'font-size': 13 * this.unit });
-    part.textContent = content;
-    this.add(part);
+  /** A label beside a point. */
+  text(at, content, className = '', name = content) {
+    const part = shape('text', { class: className, 'font-size': LETTERS * this.unit, 'data-part': name });
+    pen.font = `750 ${LETTERS}px system-ui, "DejaVu Sans", sans-serif`;
+    this.labels.push({ at, content, part, width: pen.measureText(content).width + 2 });
   }
 }

@@ -27,6 +27,7 @@ export function bodyFields(index, model, given, changed) {
   function choose({ name, kind = null, words, motion }) {
     const own = kind ? sizesOf(kind) : undefined;
     set({ name, kind, sizes: own, words: words ?? wordsFor(kind, own), ...(motion ? { motion: [...motion] } : {}) });
+    if (!motion) model.settle(index);
     model.measure();
     show();
     changed();

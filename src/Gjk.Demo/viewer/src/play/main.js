@@ -29,11 +29,13 @@ try {
   const parameters = new URLSearchParams(location.hash.slice(1));
   const page = parameters.has('plane')
     ? planePage(engine, parameters)
-    : worldPage(engine, bodies.length ? [{ label: data.name, bodies }] : []);
+    : worldPage(engine, bodies.length ? [{ label: data.name, bodies }] : [], parameters.has('embed'));
   // The other mode, or another figure, is another page.
   window.addEventListener('hashchange', () => location.reload());
   // What a test or a developer can query about the page.
-  window.__gjk = { ...page, engine, bodies, answers: (question, pairs) => answers(engine, question, pairs) };
+  window.__gjk = Object.assign(page, {
+    engine, bodies, answers: (question, pairs) => answers(engine, question, pairs),
+  });
 } catch (error) {
   wait.textContent = `The library does not start in this browser: ${error.message}`;
   throw error;

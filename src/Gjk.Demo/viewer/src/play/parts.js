@@ -33,6 +33,16 @@ export function themeButton() {
   return root;
 }
 
+/** What the colours mean, and how to come nearer: entries of a colour of the style sheet and its words. */
+export function legend(entries) {
+  const keys = entries.map(([color, words]) => {
+    const mark = element('i');
+    mark.style.background = `var(--${color})`;
+    return element('span', {}, mark, words);
+  });
+  return element('p', { className: 'legend' }, ...keys, element('span', { className: 'hint' }, 'scroll or pinch: zoom'));
+}
+
 /** The licences, which are many, are shown on request. */
 export function notices() {
   const root = element('details', { className: 'notices' },

@@ -11,8 +11,11 @@ export function onTheme(listener) {
   listener();
 }
 
-export function toggleTheme() {
-  chosen = isLight() ? 'dark' : 'light';
+export const toggleTheme = () => setTheme(isLight() ? 'dark' : 'light');
+
+/** Chooses 'light' or 'dark'. */
+export function setTheme(name) {
+  chosen = name;
   apply();
 }
 

@@ -5,6 +5,9 @@ import { sizesOf, wordsFor } from './catalog.js';
 /** The distance from the middle of both bodies to their ends as they are drawn, in units. */
 const DRAWN_RADIUS = 4;
 
+/** How far a body is put from another, in radii of both; and how many times further it may already be. */
+const NEAR = 1.25, MOST_APART = 2.5;
+
 /** Points of contact are shown up to a gap of this share of the bodies' size. */
 const CONTACT_GAP = 0.01;
 
@@ -29,6 +32,15 @@ export class WorldModel {
     const next = { ...this.bodies[index], ...body };
     this.refresh(next);
     this.bodies[index] = next;
+  }
+
+  /** Brings a body that is many times its size from the other one near it, so that both can be seen. */
+  settle(index) {
+    const { motion, radius } = this.bodies[index], other = this.bodies[1 - index];
+    const way = [4, 5, 6].map((i) => motion[i] - other.motion[i]), apart = Math.hypot(...way);
+    const near = NEAR * (radius + other.radius);
+    if (apart <= MOST_APART * near || near === 0) return;
+    way.forEach((x, axis) => { motion[4 + axis] = Math.fround(other.motion[4 + axis] + (x * near) / apart); });
   }
 
   refresh(body) {

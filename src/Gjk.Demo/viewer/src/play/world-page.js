@@ -4,24 +4,30 @@ import { factsOf, headline } from './answer.js';
 import { bodyFields } from './body-fields.js';
 import { queryCode } from './code.js';
 import { DifferenceView, turnTogether } from './difference-view.js';
+import { partsOfGlb } from './glb.js';
 import { giveHands } from './hands.js';
 import { motionFields } from './motion-fields.js';
 import { partsOf } from './obj.js';
-import { button, copyButton, notices, section, themeButton } from './parts.js';
+import { button, copyButton, legend, notices, section, themeButton } from './parts.js';
+import { setTheme } from './theme.js';
 import { WorldModel } from './world-model.js';
 import { WorldView } from './world-view.js';
 
 /** The query is written out when the bodies rest for so long, in milliseconds: a mesh is a long text. */
 const REST = 80;
 
-const HELP = 'Drag a body to move or turn it, the background to look around. Keys: A, B choose the body, '
-  + 'arrows and page keys move it, with Shift they do the other.';
+const HELP = 'Drag a body to move or turn it, the background to look around; scroll or pinch to zoom. '
+  + 'Keys: A, B choose the body, arrows and page keys move it, with Shift they do the other.';
 
 /** How far the first body goes towards the second one when impacts are asked for: so much of the way. */
 const FIRST_WAY = 1.2;
 
+const LEGEND = [
+  ['a', 'A'], ['b', 'B'], ['line', 'shortest way'], ['out', 'way out of the overlap'], ['motion', 'motion'],
+];
+
 /** The page of two bodies in space. */
-export function worldPage(engine, given) {
+export function worldPage(engine, given, isEmbedded) {
   const model = new WorldModel(engine);
   const view = new WorldView(model), difference = new DifferenceView(model);
   turnTogether(view.stage, difference.stage);
@@ -44,10 +50,10 @@ export function worldPage(engine, given) {
     showText();
   });
 
-  document.body.className = 'world';
+  document.body.className = isEmbedded ? 'world embed' : 'world';
   document.body.append(
     element('main', {},
-      element('div', { className: 'view' }, view.stage.root, head),
+      element('div', { className: 'view' }, view.stage.root, head, legend(LEGEND)),
       element('div', { className: 'view' }, difference.stage.root,
         element('p', { className: 'caption', textContent: 'A − B and the origin' }))),
     element('aside', { className: 'panel' },
@@ -107,9 +113,10 @@ export function worldPage(engine, given) {
   function fileField() {
     const message = element('p', { className: 'quiet', role: 'status' });
     const input = element('input', {
-      type: 'file', accept: '.obj', onchange: async () => {
+      type: 'file', accept: '.obj,.glb', onchange: async () => {
         try {
-          const parts = partsOf(await input.files[0].text());
+          const [file] = input.files, isGlb = file.name.toLowerCase().endsWith('.glb');
+          const parts = isGlb ? partsOfGlb(await file.arrayBuffer()) : partsOf(await file.text());
           for (const part of parts) model.engine.shape(part.words);
           for (const body of bodies) body.offer(input.files[0].name, parts);
           message.textContent = `${parts.length} part${parts.length === 1 ? '' : 's'}: choose them above.`;
@@ -118,7 +125,7 @@ export function worldPage(engine, given) {
         }
       },
     });
-    return element('div', {}, element('label', { className: 'file' }, 'parts of an OBJ file', input), message);
+    return element('div', {}, element('label', { className: 'file' }, 'parts of an OBJ or GLB file', input), message);
   }
 
   function recordField() {
@@ -144,6 +151,7 @@ export function worldPage(engine, given) {
     mode: () => hand, taken: choose,
     moved: () => { for (const fields of motions) fields.read(); changed(); },
   });
+  window.addEventListener('message', ({ data }) => { if (typeof data?.theme === 'string') setTheme(data.theme); });
   view.fit();
   show();
   return {

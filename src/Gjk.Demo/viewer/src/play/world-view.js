@@ -56,12 +56,18 @@ export class WorldView {
     const isHit = model.answer.status === 'Overlapping';
     body.mesh.material.opacity = isHit ? SEEN_THROUGH : SOLID;
     body.mesh.material.depthWrite = !isHit;
-    if (body.lines) body.lines.material.color.set(index === this.active ? colorOf('accent') : colorOf('edge'));
+    if (body.lines) body.lines.material.color.copy(this.edge(body.name, index === this.active));
     const { impact } = model, ghost = this.ghosts[index];
     ghost.visible = impact?.status === 'Hit' && model.velocity(index).length() > 0;
     if (!ghost.visible) return;
     ghost.position.copy(body.group.position).addScaledVector(model.velocity(index), impact.fraction);
     ghost.quaternion.copy(turnedBy(model, index, impact.fraction));
+  }
+
+  /** The colour of a body's edges: dark, and the body's own, only brighter, where keys move it. */
+  edge(name, isActive) {
+    const edge = new Color(colorOf('edge'));
+    return isActive ? edge.set(colorOf(name)).lerp(new Color(colorOf('line')), 0.45) : edge;
   }
 
   make(body, shape, ghost) {
@@ -162,12 +168,12 @@ export function through(geometry, color) {
   return mark;
 }
 
-/** Puts parts into a group, and frees the ones before. */
+/**
+ * Puts parts into a group, and frees the geometry of the ones before. Disposing of their materials would free the
+ * shader with the last of them, and the next part would have it compiled again.
+ */
 export function replaceAll(group, parts) {
-  for (const old of group.children) {
-    old.geometry.dispose();
-    old.material.dispose();
-  }
+  for (const old of group.children) old.geometry.dispose();
   group.clear();
   group.add(...parts.filter(Boolean));
 }
