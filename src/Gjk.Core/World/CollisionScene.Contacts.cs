@@ -86,12 +86,12 @@ public sealed partial class CollisionScene
         _contacts.Complete();
     }
 
-    /// <summary>The fast queries leave only the pairs that are close enough.</summary>
+    /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>
     private void CollectTouching(float maxGap, Workers? workers)
     {
         CollectSlots(maxGap, _candidates);
         if (maxGap > 0) DecideWithin(maxGap, workers);
-        else DecideOverlaps(workers);
+        else DecideOverlaps(workers, asksParts: false);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
             if (_overlaps[i] || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);

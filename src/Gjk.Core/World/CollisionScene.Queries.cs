@@ -146,11 +146,11 @@ public sealed partial class CollisionScene
         return new PairDistance(ids, _pairWarmStarts.Results[i], parts.A, parts.B);
     }
 
-    private void DecideOverlaps(Workers? workers)
+    private void DecideOverlaps(Workers? workers, bool asksParts = true)
     {
         ReserveOverlaps();
         Workers.Run(
-            workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count,
+            workers, new SceneOverlapJob(_objects, _candidates, _overlaps, asksParts), _candidates.Count,
             _objects.Parts.PartLength, CancellationToken.None);
     }
 
