@@ -67,8 +67,8 @@ internal readonly struct SceneDistanceJob(
 {
     /// <summary>
     /// Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much leaves no
-    /// doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. Pinned by
-    /// CandidateBitsTests.
+    /// doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. More costs time
+    /// only; no pair is known that needs as much (CandidateBitsTests has those that come exactly to the distance).
     /// </summary>
     private const double ClearlyBeyond = 1e-6;
 
