@@ -21,9 +21,9 @@ internal sealed class ReportSceneClock
     private readonly CollisionScene _scene = new(BroadPhaseKind.SortAndSweep);
     private readonly RigidPose[][] _frames;
     private readonly List<ObjectPair> _pairs = [];
+    private readonly List<PairDistance> _distances = [];
     private readonly bool _isMoving;
     private readonly Question _question;
-    private Sum _sum;
     private int _frame;
 
     private ReportSceneClock(BenchScene objects, Question question, bool isMoving)
@@ -60,15 +60,7 @@ internal sealed class ReportSceneClock
     {
         RigidPose[] poses = _frames[_frame++ & 1];
         for (int i = 0; _isMoving && i < poses.Length; i++) _scene.Move(i, poses[i]);
-        if (_question == Question.Distances) _scene.FindPairsWithin(float.PositiveInfinity, ref _sum);
+        if (_question == Question.Distances) _scene.FindPairsWithin(float.PositiveInfinity, _distances);
         else _scene.FindOverlaps(_pairs);
-    }
-
-    /// <summary>Uses the distances, so that the compiler cannot remove them.</summary>
-    private struct Sum : IPairDistanceVisitor
-    {
-        public float Total { get; private set; }
-
-        public void Visit(in PairDistance pair) => Total += pair.Result.Distance;
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Exact.Meshes;
 
 namespace Gjk.Bench.Scenes;
 
@@ -108,54 +109,36 @@ public sealed class ConcaveScene
     /// <summary>Two flat grids, from flush to a millionth apart.</summary>
     private static ConcaveScene Plates()
     {
-        var plate = AnyShape.Surface(Grid(223, 223, (u, v) => new Vector3(2 * u - 1, 0, 2 * v - 1), isRing: false));
+        const int Cells = 223;
+        TriangleSoup grid = Surfaces.Sheet(
+            Cells, Cells, (i, j) => new Vector3(2 * (i / (float)Cells) - 1, 0, 2 * (j / (float)Cells) - 1));
+        var plate = AnyShape.Surface(grid.Build());
         return new ConcaveScene(plate, plate, 2)
         {
             Poses = [.. Enumerable.Range(0, Count).Select(i => new RigidPose(new Vector3(0.01f * i, i * 1e-6f, 0)))],
         };
     }
 
-    private static TriangleMesh Torus(int triangles)
+    private static TriangleMesh Torus(int triangles) => Ring(triangles, (u, v) =>
+    {
+        double a = 2 * Math.PI * u, b = 2 * Math.PI * v, r = 1 + 0.35 * Math.Cos(b);
+        return new Vector3((float)(r * Math.Cos(a)), (float)(0.35 * Math.Sin(b)), (float)(r * Math.Sin(a)));
+    });
+
+    private static TriangleMesh Bumpy(int triangles) => Ring(triangles, (u, v) =>
+    {
+        double a = 2 * Math.PI * u, b = Math.PI * (v * 0.98 + 0.01);
+        double r = 1 + 0.08 * Math.Sin(9 * a) * Math.Sin(11 * b);
+        return new Vector3(
+            (float)(r * Math.Sin(b) * Math.Cos(a)), (float)(r * Math.Cos(b)),
+            (float)(r * Math.Sin(b) * Math.Sin(a)));
+    });
+
+    /// <summary>A grid over the unit square, twice as many cells along u as along v, closed along u.</summary>
+    private static TriangleMesh Ring(int triangles, Func<float, float, Vector3> at)
     {
         int across = (int)Math.Sqrt(triangles / 4.0), around = 2 * across;
-        return Grid(around, across, (u, v) =>
-        {
-            double a = 2 * Math.PI * u, b = 2 * Math.PI * v, r = 1 + 0.35 * Math.Cos(b);
-            return new Vector3((float)(r * Math.Cos(a)), (float)(0.35 * Math.Sin(b)), (float)(r * Math.Sin(a)));
-        });
-    }
-
-    private static TriangleMesh Bumpy(int triangles)
-    {
-        int across = (int)Math.Sqrt(triangles / 4.0), around = 2 * across;
-        return Grid(around, across, (u, v) =>
-        {
-            double a = 2 * Math.PI * u, b = Math.PI * (v * 0.98 + 0.01);
-            double r = 1 + 0.08 * Math.Sin(9 * a) * Math.Sin(11 * b);
-            return new Vector3(
-                (float)(r * Math.Sin(b) * Math.Cos(a)), (float)(r * Math.Cos(b)),
-                (float)(r * Math.Sin(b) * Math.Sin(a)));
-        });
-    }
-
-    /// <summary>A grid of points over the unit square, bent by a function; a ring is closed in u and v.</summary>
-    private static TriangleMesh Grid(int around, int across, Func<float, float, Vector3> at, bool isRing = true)
-    {
-        var points = new List<Vector3>();
-        var indices = new List<int>();
-        int columns = across + 1;
-        for (int i = 0; i <= around; i++)
-            for (int j = 0; j <= across; j++)
-                points.Add(at(isRing ? i % around / (float)around : i / (float)around, j / (float)across));
-        for (int i = 0; i < around; i++)
-        {
-            for (int j = 0; j < across; j++)
-            {
-                int p = i * columns + j;
-                indices.AddRange([p, p + 1, p + columns, p + 1, p + columns + 1, p + columns]);
-            }
-        }
-
-        return new TriangleMesh(points, indices);
+        return Surfaces.Sheet(
+            around, across, (i, j) => at(i / (float)around, j / (float)across), closesAround: true).Build();
     }
 }

@@ -6,7 +6,9 @@ using Gjk.Core;
 
 namespace PartClearance;
 
-/// <summary>Two parts by their places in the list, and their distance, or minus their depth.</summary>
+/// <summary>
+/// Two parts by their places in the list, and their distance, or minus the depth of two convex ones.
+/// </summary>
 internal readonly record struct Gap(ObjectPair Pair, DistanceResult Result);
 
 /// <summary>Finds all pairs of parts that are within a distance of each other.</summary>
@@ -18,7 +20,7 @@ internal static class Clearance
     public static List<Gap> Find(
         IReadOnlyList<Part> parts, float within, Action<int, int> progress, CancellationToken cancel)
     {
-        ConvexShape[] shapes = [.. parts.Select(p => p.Shape)];
+        AnyShape[] shapes = [.. parts.Select(p => p.Shape)];
         RigidPose[] poses = [.. parts.Select(p => p.Pose)];
 
         // The broad phase finds the pairs whose bounding boxes are near enough; few pairs are left of n (n - 1) / 2.
@@ -28,19 +30,21 @@ internal static class Clearance
         scene.CollectCandidates(candidates, within);
 
         var gaps = new List<Gap>();
-        var results = new DistanceResult[ChunkLength];
+        var results = new PartDistance[ChunkLength];
+        var scratch = new ConcaveScratch();
         using var workers = new Workers();
         int done = 0;
         foreach (ObjectPair[] chunk in candidates.Chunk(ChunkLength))
         {
-            PairBatch.Distance(shapes, poses, chunk, results, within, workers, cancel);
+            PairBatch.Distance(
+                shapes, poses, chunk, results, scratch, maxDistance: within, workers: workers, cancellation: cancel);
             for (int i = 0; i < chunk.Length; i++)
             {
                 (int a, int b) = (chunk[i].A, chunk[i].B);
                 if (results[i].Status == GjkStatus.BeyondMaxDistance) continue;
                 gaps.Add(new Gap(chunk[i], results[i].IsOverlapping
-                    ? ConvexQuery.SignedDistance(shapes[a], poses[a], shapes[b], poses[b])
-                    : results[i]));
+                    ? ConcaveQuery.SignedDistance(shapes[a], poses[a], shapes[b], poses[b], scratch).Result
+                    : results[i].Result));
             }
 
             done += chunk.Length;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Numerics;
@@ -21,9 +22,7 @@ internal static class PartMaker
 
     public static void Write(string folder, int count)
     {
-        if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
-            throw new InvalidDataException($"{folder}: the folder is not empty");
-        Directory.CreateDirectory(folder);
+        Create(folder);
         var random = new Random(1);
         for (int i = 0; i < count; i++)
         {
@@ -34,6 +33,43 @@ internal static class PartMaker
             if (i % 2 == 0) WriteObj(Path.Combine(folder, name + ".obj"), name, new ConvexHull(points));
             else WriteStl(Path.Combine(folder, name + ".stl"), new ConvexHull(points));
         }
+    }
+
+    /// <summary>
+    /// Writes ten links of a chain, 10,000 triangles each, in millimetres: half a millimetre is between neighbours, and
+    /// their hulls overlap.
+    /// </summary>
+    public static void WriteChain(string folder)
+    {
+        const int Links = 10, Around = 100, Across = 50;
+        const float Radius = 30, Tube = 4, Gap = 0.5f;
+        Create(folder);
+        for (int link = 0; link < Links; link++)
+        {
+            var points = new Vector3[Around * Across];
+            var corners = new List<int>();
+            for (int i = 0; i < points.Length; i++)
+            {
+                (float sin, float cos) = MathF.SinCos(MathF.Tau * (i / Across) / Around);
+                (float up, float along) = MathF.SinCos(MathF.Tau * (i % Across) / Across);
+                Vector3 p = new((Radius + Tube * along) * cos, Tube * up, (Radius + Tube * along) * sin);
+                if (link % 2 == 1) p = new Vector3(p.X, -p.Z, p.Y);
+                points[i] = p + link * (2 * (Radius - Tube) - Gap) * Vector3.UnitX;
+                int right = i % Across == Across - 1 ? i + 1 - Across : i + 1;
+                int next = (i + Across) % points.Length, both = (right + Across) % points.Length;
+                corners.AddRange([i, right, next, right, both, next]);
+            }
+
+            string name = $"link{link}";
+            WriteObj(Path.Combine(folder, name + ".obj"), name, points, corners);
+        }
+    }
+
+    private static void Create(string folder)
+    {
+        if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
+            throw new InvalidDataException($"{folder}: the folder is not empty");
+        Directory.CreateDirectory(folder);
     }
 
     /// <summary>Two polygons of 3, 4 or more corners, one above the other, or points on a ball.</summary>
@@ -56,19 +92,23 @@ internal static class PartMaker
 
     private static void WriteObj(string file, string name, ConvexHull hull)
     {
-        var text = new StringBuilder($"o {name}\n");
-        for (int i = 0; i < hull.VertexCount; i++)
-        {
-            Vector3 v = hull.GetVertex(i);
-            text.Append(FormattableString.Invariant($"v {v.X} {v.Y} {v.Z}\n"));
-        }
-
+        var corners = new List<int>();
         for (int i = 0; i < hull.TriangleCount; i++)
         {
             hull.GetTriangle(i, out int a, out int b, out int c);
-            text.Append(FormattableString.Invariant($"f {a + 1} {b + 1} {c + 1}\n"));
+            corners.AddRange([a, b, c]);
         }
 
+        WriteObj(file, name, [.. Enumerable.Range(0, hull.VertexCount).Select(hull.GetVertex)], corners);
+    }
+
+    private static void WriteObj(string file, string name, Vector3[] points, List<int> corners)
+    {
+        var text = new StringBuilder($"o {name}\n");
+        foreach (Vector3 v in points) text.Append(FormattableString.Invariant($"v {v.X} {v.Y} {v.Z}\n"));
+        for (int i = 0; i < corners.Count; i += 3)
+            text.Append(
+                FormattableString.Invariant($"f {corners[i] + 1} {corners[i + 1] + 1} {corners[i + 2] + 1}\n"));
         File.WriteAllText(file, text.ToString());
     }
 

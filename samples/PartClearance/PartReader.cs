@@ -2,7 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Numerics;
 using System.Threading;
+using Gjk.Core;
 using Gjk.Import;
 
 namespace PartClearance;
@@ -11,9 +13,14 @@ namespace PartClearance;
 internal static class PartReader
 {
     /// <summary>All parts of a folder, in the order of the files' names.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="isConcave">Whether meshes are what their triangles say, and not their hulls.</param>
+    /// <param name="progress">Told how many parts were read.</param>
+    /// <param name="cancel">Ends it.</param>
     /// <exception cref="ImportException">A file is not as its format says; the message says where.</exception>
     /// <exception cref="InvalidDataException">There is nothing to read, or not all of it can be.</exception>
-    public static List<Part> ReadFolder(string folder, Action<int> progress, CancellationToken cancel)
+    public static List<Part> ReadFolder(
+        string folder, bool isConcave, Action<int> progress, CancellationToken cancel)
     {
         if (!Directory.Exists(folder)) throw new InvalidDataException($"{folder}: there is no such folder");
         var parts = new List<Part>();
@@ -24,12 +31,22 @@ internal static class PartReader
                 throw new InvalidDataException(missing.ToString());
             string name = Path.GetFileName(file);
             foreach (ImportedObject o in read.Objects)
-                parts.Add(new Part(read.Objects.Count == 1 ? name : $"{name}/{o.Name}", o.ToConvexShape(), o.Pose));
+                parts.Add(new Part(read.Objects.Count == 1 ? name : $"{name}/{o.Name}", Shape(o, isConcave), o.Pose));
             progress(parts.Count);
         }
 
         return parts.Count > 0
             ? parts
             : throw new InvalidDataException($"{folder}: it has no {Importer.Endings} file");
+    }
+
+    /// <summary>A closed mesh is solid, another one a surface; what is no mesh is convex.</summary>
+    private static AnyShape Shape(ImportedObject part, bool isConcave)
+    {
+        if (!isConcave || part.Shape is not { Mesh: { Triangles.Count: > 0 } read, IsHull: false })
+            return AnyShape.Of(part.ToConvexShape());
+        var mesh = new TriangleMesh(read.Vertices, read.Triangles);
+        if (part.Scale != Vector3.One) mesh = mesh.Scaled(part.Scale);
+        return mesh.HasInside ? AnyShape.Solid(mesh) : AnyShape.Surface(mesh);
     }
 }

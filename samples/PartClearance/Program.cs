@@ -57,18 +57,25 @@ internal static class Program
         };
         var output = new Option<string?>("--out") { Description = "Write the CSV to this file.", HelpName = "FILE" };
         var make = new Option<bool>("--make") { Description = $"Write {MadeParts} parts to FOLDER instead." };
+        var concave = new Option<bool>("--concave")
+        {
+            Description = "Take meshes as they are, and not as their hulls; with --make, write a chain of 10 links.",
+        };
         folder.Validators.Add(r =>
         {
             if (r.Tokens is [{ Value: ['-', ..] } token]) r.AddError($"{token.Value}: there is no such option.");
         });
         var root = new RootCommand("Writes the pairs of parts that are closer than a clearance as CSV.")
         {
-            folder, within, output, make,
+            folder, within, output, make, concave,
         };
         root.SetAction(r =>
         {
-            if (r.GetValue(make)) PartMaker.Write(r.GetValue(folder)!, MadeParts);
-            else Measure(r.GetValue(folder)!, r.GetValue(within), r.GetValue(output), cancel);
+            bool isConcave = r.GetValue(concave);
+            if (!r.GetValue(make))
+                Measure(r.GetValue(folder)!, isConcave, r.GetValue(within), r.GetValue(output), cancel);
+            else if (isConcave) PartMaker.WriteChain(r.GetValue(folder)!);
+            else PartMaker.Write(r.GetValue(folder)!, MadeParts);
             return Done;
         });
         ParseResult parsed = root.Parse(args);
@@ -85,9 +92,10 @@ internal static class Program
         return default;
     }
 
-    private static void Measure(string folder, float within, string? output, CancellationToken cancel)
+    private static void Measure(
+        string folder, bool isConcave, float within, string? output, CancellationToken cancel)
     {
-        List<Part> parts = PartReader.ReadFolder(folder, n => Progress($"{n} parts read"), cancel);
+        List<Part> parts = PartReader.ReadFolder(folder, isConcave, n => Progress($"{n} parts read"), cancel);
         List<Gap> gaps = Clearance.Find(parts, within, (n, all) => Progress($"{n} of {all} pairs"), cancel);
         string csv = ToCsv(parts, gaps);
         Progress("");

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Gjk.Core;
+using Gjk.Core.Diagnostics;
 
 namespace Gjk.Web;
 

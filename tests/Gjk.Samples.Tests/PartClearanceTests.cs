@@ -40,8 +40,8 @@ public sealed class PartClearanceTests : IDisposable
         Assert.Equal($"500 parts, {rows.Length - 1} pairs within 3\n", run.Error);
         Assert.Equal(Header, rows[0]);
 
-        List<Part> all = PartReader.ReadFolder(parts, _ => { }, CancellationToken.None);
-        ConvexShape[] shapes = [.. all.Select(p => p.Shape)];
+        List<Part> all = PartReader.ReadFolder(parts, false, _ => { }, CancellationToken.None);
+        ConvexShape[] shapes = [.. all.Select(p => p.Shape.Convex)];
         var expected = new List<string>();
         for (int a = 0; a < shapes.Length; a++)
         {
@@ -57,6 +57,29 @@ public sealed class PartClearanceTests : IDisposable
         Assert.InRange(rows.Count(l => l.Contains(",Separated,")), 20, 2000);
         Assert.InRange(rows.Count(l => l.Contains(",Overlapping,-")), 5, 1000);
         Assert.Contains(rows, l => l.Contains(".obj,") && l.Contains(".stl,"));
+    }
+
+    /// <summary>Links of a chain: what their triangles say, pair by pair, and what their hulls would.</summary>
+    [Fact]
+    public void LinksOfAChainAreClearAndTheirHullsAreNot()
+    {
+        string links = Path.Combine(_folder, "links");
+        SampleProcess.Run(Sample, "--make", links, "--concave").AssertDone();
+        List<Part> all = PartReader.ReadFolder(links, true, _ => { }, CancellationToken.None);
+        Assert.Equal(10, all.Count);
+        Assert.All(all, part => Assert.Equal((AnyShapeKind.Solid, 10_000), (part.Shape.Kind, part.Shape.PartCount)));
+        SampleRun run = SampleProcess.Run(Sample, links, "--within", "1", "--concave");
+        run.AssertDone();
+        Assert.Equal("10 parts, 9 pairs within 1\n", run.Error);
+        for (int i = 0; i + 1 < all.Count; i++)
+        {
+            string[] row = run.Lines[i + 1].Split(',');
+            Assert.Equal([$"link{i}.obj", $"link{i + 1}.obj", "Separated"], row[..3]);
+            Assert.InRange(float.Parse(row[3], CultureInfo.InvariantCulture), 0.49f, 0.55f);
+        }
+
+        SampleRun hulls = SampleProcess.Run(Sample, links, "--within", "1");
+        Assert.Equal(9, hulls.Lines.Count(line => line.Contains(",Overlapping,-")));
     }
 
     [Fact]

@@ -1,12 +1,13 @@
-// A minimal test runner. It runs named checks in order and prints a line with their counts.
+// A minimal test runner. It runs named checks in order, says how long each took, and prints a line with their counts.
 let passed = 0,
   failed = 0;
 
 export async function check(name, body) {
+  const start = Date.now();
   try {
     await body();
     passed++;
-    console.log(`ok ${name}`);
+    console.log(`ok ${name}, ${Date.now() - start} ms`);
   } catch (error) {
     failed++;
     console.log(`FAILED ${name}: ${error.message}`);

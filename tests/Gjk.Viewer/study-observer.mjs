@@ -17,6 +17,13 @@ export class Observer {
   }
 
   async begin(code) {
+    await this.reachCalibration(code);
+    await this.page.locator('#card').fill('4');
+    await this.press('Next');
+  }
+
+  /** The screens before the calibration. */
+  async reachCalibration(code = 'scripted') {
     const { page } = this;
     await this.see('consent');
     await page.locator('#agree').check();
@@ -25,8 +32,6 @@ export class Observer {
     await page.locator('#person').fill(code);
     await this.press('Next');
     await this.see('calibration');
-    await page.locator('#card').fill('4');
-    await this.press('Next');
   }
 
   /** Answers until so many trials are stored, or all of them. */

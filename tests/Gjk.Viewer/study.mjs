@@ -28,11 +28,82 @@ await Promise.all(screens.map(async ([name, viewport, hasTouch]) => {
     whole(context, name, hasTouch, viewport.width));
   await context.close();
 }));
+await check('study: a view that turns, with a texture, is drawn, and both change the picture', looks);
+await check('study: the blind spot gives the distance that the dot and the card say', distances);
+await check('study: the button for the full screen fills it', fullScreen);
 await browser.close();
 finish();
 
+async function opened(page = join(folder, 'study-looks.html')) {
+  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
+  context.setDefaultTimeout(60_000);
+  const opened = await openPage(context, page);
+  await ready(opened);
+  return new Observer({ page: opened, isTouch: false, keep: async () => {} });
+}
+
+/** The plan's two views differ in texture alone, and the second one turns. */
+async function looks() {
+  const observer = await opened(), { page } = observer, pictures = new Map();
+  await observer.begin('looks');
+  while (pictures.size < 2) {
+    const state = await observer.state();
+    if (state.screen) {
+      await observer.press('Start');
+      continue;
+    }
+    const { name, texture, turning } = await page.evaluate(() => {
+      const { view } = window.__gjk.app, mesh = view.bodies[0].children[0];
+      return { name: `${view.isTurning}`, texture: Boolean(mesh.material.map), turning: view.isTurning };
+    });
+    assert.equal(texture, turning);
+    const shot = () => page.locator('.canvas canvas').first().screenshot();
+    const first = await shot();
+    await page.waitForTimeout(150);
+    const second = await shot();
+    assert.equal(first.equals(second), !turning, `turning: ${turning}`);
+    writeFileSync(join(folder, `study-looks-${name}.png`), first);
+    pictures.set(name, first);
+    await observer.adjust(state);
+  }
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+}
+
+async function distances() {
+  const observer = await opened(), { page } = observer;
+  await observer.reachCalibration();
+  await page.locator('#card').fill('4');
+  await observer.press('Measure the distance by the blind spot');
+  const gone = [];
+  for (let run = 0; run < 5; run++) {
+    await observer.press('Run');
+    await page.waitForTimeout(1000 + 60 * run);
+    gone.push(await page.evaluate(() => {
+      const [dot, right] = ['.dot', '.square'].map((name) => document.querySelector(name).getBoundingClientRect().right);
+      document.querySelector('.blind ~ .go').click();
+      return right - dot;
+    }));
+  }
+  const measured = Number(await page.locator('#distance').inputValue());
+  const middle = gone.sort((a, b) => a - b)[2] / 4 / Math.tan((13.5 * Math.PI) / 180);
+  // The dot is where its last frame has it: at 30 mm a second a frame of 100 ms is 12 mm of distance.
+  assert.ok(Math.abs(measured - middle) < 15, `${measured} for ${middle}`);
+  await observer.press('Next');
+  const { viewingDistance, viewingDistanceBy } = await page.evaluate(() => window.__gjk.store.state);
+  assert.deepEqual([viewingDistance, viewingDistanceBy], [measured, 'blind spot']);
+  await page.context().close();
+}
+
+async function fullScreen() {
+  const observer = await opened(), { page } = observer;
+  await observer.press('Full screen');
+  await until(page, () => document.fullscreenElement === document.documentElement);
+  await page.context().close();
+}
+
 async function whole(context, name, isTouch, width) {
-  const opened = async () => {
+  const begun = async () => {
     const page = await openPage(context, file);
     await ready(page);
     const keep = async (screen) => {
@@ -41,14 +112,14 @@ async function whole(context, name, isTouch, width) {
     };
     return new Observer({ page, isTouch, keep });
   };
-  const first = await opened();
+  const first = await begun();
   await first.begin('scripted');
   const half = await first.answer(40);
   const before = await first.page.evaluate(() => window.__gjk.store.csv());
   assert.deepEqual(first.page.complaints, []);
   await first.page.close();
 
-  const second = await opened();
+  const second = await begun();
   assert.equal((await second.state()).screen, 'Welcome back');
   assert.equal(await second.page.evaluate(() => window.__gjk.store.csv()), before);
   const { stored } = await second.answer();

@@ -8,4 +8,7 @@ demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 short='s|"cross": 300, "milliseconds": 500, "mask": 300|"cross": 0, "milliseconds": 20, "mask": 0|'
 demo study plan | sed "$short" > TestResults/study-plan.json
 demo study page --plan TestResults/study-plan.json --out TestResults/study.html
+# Two looks that the default plan does not have: its views, one with a texture and a camera that turns.
+node study-looks.mjs < TestResults/study-plan.json > TestResults/study-looks.json
+demo study page --plan TestResults/study-looks.json --out TestResults/study-looks.html
 exec node study.mjs TestResults

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Gjk.Core;
+using Gjk.Core.Diagnostics;
 
 namespace Gjk.Pages;
 

@@ -59,16 +59,6 @@ internal sealed class PairKeys
         else SortByBuckets(end);
     }
 
-    /// <summary>Drops repeats from the sorted keys.</summary>
-    public void DropRepeats()
-    {
-        if (Count == 0) return;
-        int kept = 1;
-        for (int i = 1; i < Count; i++)
-            if (Keys[i] != Keys[i - 1]) Keys[kept++] = Keys[i];
-        Count = kept;
-    }
-
     /// <summary>Merges sorted keys into these sorted ones; none of them may be in both.</summary>
     public void Merge(PairKeys other)
     {

@@ -166,7 +166,8 @@ internal struct PartPairSearch
                     ? plane.IsPartNoNearer(scratch.A, boxA, scratch.B, partB)
                     : plane.IsNoNearerPart(scratch.A, partA, scratch.B, boxB));
                 if (isDropped) LowerBound = Math.Min(LowerBound, plane.LowerBound);
-                else Ask(scratch, partA, partB);
+                else if (All is null || !PlaneProof.IsBeyond(scratch.A, partA, scratch.B, partB, Limit))
+                    Ask(scratch, partA, partB);
             }
         }
     }

@@ -84,6 +84,24 @@ internal sealed class PartSide
         return shape.Center + point;
     }
 
+    /// <summary>The middle of a triangle, or a convex part's centre, in the world; double rounds it.</summary>
+    public Double3 CenterOf(int part)
+    {
+        ConvexShape room = default;
+        Double3 center;
+        if (Mesh is null)
+        {
+            center = Part(part, ref room).Center;
+        }
+        else
+        {
+            Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+            center = TriangleShape.Centroid(a, b, c);
+        }
+
+        return new RotationD(Pose.Rotation).Rotate(center) + Pose.Position;
+    }
+
     /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
     public Double3 MiddleOf(int piece, out int part)
     {

@@ -70,8 +70,23 @@ internal sealed class PlaneProof
     {
         double lengths = Aim(a, partA, b, partB, normal, 0);
         IsSet = true;
-        _limit = limit * (1 + GjkTolerances.FloatBand) + Touching * lengths;
+        _limit = Beyond(limit, lengths);
     }
+
+    /// <summary>
+    /// Whether a plane across the line of two parts' centres shows that they are further apart than the limit: most
+    /// parts that a box lets pass are, and it costs far less than the exact query. The plane that is set stays.
+    /// </summary>
+    public static bool IsBeyond(PartSide a, int partA, PartSide b, int partB, float limit)
+    {
+        Double3 normal = b.CenterOf(partB) - a.CenterOf(partA);
+        normal *= 1 / normal.Length;
+        double lengths = Across(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
+        return between - Reaches.OfPart(a, partA, alongA) - Reaches.OfPart(b, partB, alongB) > Beyond(limit, lengths);
+    }
+
+    private static double Beyond(float limit, double lengths) =>
+        limit * (1 + GjkTolerances.FloatBand) + Touching * lengths;
 
     /// <summary>
     /// Turns the plane, to that of a triangle if that has the cosine; gives the lengths that rounding is measured by.
@@ -81,12 +96,22 @@ internal sealed class PlaneProof
         Double3 normal = direction;
         normal *= 1 / normal.Length;
         if (!TryFace(a, partA, aligned, ref normal)) TryFace(b, partB, aligned, ref normal);
-        _alongA = new RotationD(a.Pose.Rotation).InverseRotate(normal);
-        _alongB = -new RotationD(b.Pose.Rotation).InverseRotate(normal);
-        Double3 between = (Double3)b.Pose.Position - a.Pose.Position;
-        double lengths = between.SumOfMagnitudes + Length(a) + Length(b);
-        _between = Double3.Dot(normal, between) - Error * lengths;
         _version++;
+        return Across(a, b, normal, out _alongA, out _alongB, out _between);
+    }
+
+    /// <summary>
+    /// A normal in both sides' axes, and how far apart the origins are along it, less what rounding may do; gives the
+    /// lengths that this is measured by.
+    /// </summary>
+    private static double Across(
+        PartSide a, PartSide b, in Double3 normal, out Double3 alongA, out Double3 alongB, out double between)
+    {
+        alongA = new RotationD(a.Pose.Rotation).InverseRotate(normal);
+        alongB = -new RotationD(b.Pose.Rotation).InverseRotate(normal);
+        Double3 origins = (Double3)b.Pose.Position - a.Pose.Position;
+        double lengths = origins.SumOfMagnitudes + Length(a) + Length(b);
+        between = Double3.Dot(normal, origins) - Error * lengths;
         return lengths;
     }
 

@@ -21,8 +21,6 @@ internal readonly struct HullCore : ISupportMap, ILibraryShape
         _radius = radius;
     }
 
-    public ConvexHull Hull => _hull;
-
     public Double3 Center => _hull.Center;
 
     public double Margin => _margin;

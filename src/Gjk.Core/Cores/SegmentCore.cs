@@ -79,9 +79,6 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     /// <summary>How many vertices there are, 1 or 2.</summary>
     public readonly int Count => _count;
 
-    /// <summary>From the second end, measured from the centre, to the first; 0 for a point.</summary>
-    public readonly Double3 Along => _first.Xyz - _second.Xyz;
-
     /// <summary>Whether there is a vertex with the id.</summary>
     public readonly bool Has(int id) => (uint)id < (uint)_count;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Numerics;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 public static partial class AnswerCheck
 {

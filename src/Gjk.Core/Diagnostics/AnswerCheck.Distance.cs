@@ -1,6 +1,6 @@
 using System;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 public static partial class AnswerCheck
 {

@@ -1,7 +1,7 @@
 using System;
 using System.Numerics;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// Checks an answer of <see cref="ConvexQuery"/>, without its solvers: proved, refuted or open, with bounds that hold

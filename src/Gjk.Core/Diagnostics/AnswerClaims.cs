@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>What is known of the things that an answer says.</summary>
 internal struct AnswerClaims

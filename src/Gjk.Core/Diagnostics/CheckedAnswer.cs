@@ -1,6 +1,6 @@
 using System;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>What <see cref="AnswerCheck"/> says of an answer.</summary>
 public enum CheckStatus : byte

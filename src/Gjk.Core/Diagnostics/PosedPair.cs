@@ -1,7 +1,7 @@
 using System;
 using System.Numerics;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// Two posed shapes as <see cref="AnswerCheck"/> sees them, with a composition of its own: in the world's axes, B

@@ -2,7 +2,7 @@ using System;
 using System.Numerics;
 using System.Text;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// One query as one line of text, and back, to the last bit: what to paste into a bug report or a test when an answer

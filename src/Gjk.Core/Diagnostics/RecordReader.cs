@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>The words of a record, one after the other; every complaint names the word and its place.</summary>
 internal sealed class RecordReader

@@ -3,7 +3,7 @@ using System.Globalization;
 using System.Numerics;
 using System.Text;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// A <see cref="ConvexShape"/> as words of a record. Numbers that a scale was multiplied into are doubles, and are

@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// A weighted mean of up to four points that is near the origin: the witness of an upper bound. Whatever the weights
@@ -11,7 +11,7 @@ internal struct WitnessMean
     /// </summary>
     private const double Outside = -0.01;
 
-    private Double3 _p0, _p1, _p2, _p3;
+    private Double3 _p0, _p1, _p2;
     private double _squared;
 
     /// <summary>How many points it is made of; 0 before the first.</summary>
@@ -115,6 +115,6 @@ internal struct WitnessMean
         Double3 value = (p * wp + a * wa + b * wb + c * wc) * (1 / (wp + wa + wb + wc));
         double squared = value.LengthSquared;
         if (!(squared < _squared)) return;
-        (_p0, _p1, _p2, _p3, Count, Value, _squared) = (p, a, b, c, count, value, squared);
+        (_p0, _p1, _p2, Count, Value, _squared) = (p, a, b, count, value, squared);
     }
 }

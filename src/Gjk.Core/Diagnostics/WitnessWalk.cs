@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// Looks for the two witnesses of a signed distance: a direction across which planes stand far apart, and two points

@@ -55,7 +55,6 @@ internal unsafe partial struct Polytope
 
     private double _noise, _level;
     private int _vertexCount, _faceCount, _cutCount;
-    private bool _isOpen;
 
     /// <summary>A polytope without vertices.</summary>
     /// <param name="memory">As many doubles as <see cref="Doubles"/> says.</param>
@@ -63,7 +62,6 @@ internal unsafe partial struct Polytope
     {
         _noise = _level = 0;
         _vertexCount = _faceCount = _cutCount = 0;
-        _isOpen = false;
         _faces = (PolytopeFace*)(((ulong)memory + Alignment - 1) / Alignment * Alignment);
         _vertices = (PolytopeVertex*)(_faces + MostFaces);
         _keys = (double*)(_vertices + Room);
@@ -77,9 +75,6 @@ internal unsafe partial struct Polytope
 
     /// <summary>How many vertices were taken; not all need be on the surface.</summary>
     public readonly int VertexCount => _vertexCount;
-
-    /// <summary>False after an expansion that found no room: nothing is proved by the faces then.</summary>
-    public readonly bool IsClosed => !_isOpen;
 
     /// <summary>Whether there is room for another vertex.</summary>
     public readonly bool HasRoom => _vertexCount + _cutCount < Room;
@@ -158,8 +153,7 @@ internal unsafe partial struct Polytope
     public bool TryExpand(int face, int vertex, double lowest)
     {
         int rim = IsDirection(vertex) ? TakeAwayBeyond(face, vertex) : TakeAway(face, _vertices[vertex].W);
-        _isOpen = rim < 3 || (_faceCount + rim + 3 > MostFaces && !TryMakeRoom(rim));
-        if (_isOpen) return false;
+        if (rim < 3 || (_faceCount + rim + 3 > MostFaces && !TryMakeRoom(rim))) return false;
         int first = _faceCount, last = first + rim - 1;
         bool isCycle = true;
         for (int i = 0, made = first; i < rim; i++, made++)
@@ -176,8 +170,7 @@ internal unsafe partial struct Polytope
         }
 
         isCycle &= _faces[last].Vertices[1] == _faces[first].Vertices[0];
-        _isOpen = !isCycle && !TryPair(first, rim);
-        if (_isOpen) return false;
+        if (!isCycle && !TryPair(first, rim)) return false;
         _faceCount += (rim + 3) & ~3;
         TrySetFaces(first, rim, lowest);
         return true;

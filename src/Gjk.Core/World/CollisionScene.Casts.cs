@@ -6,8 +6,6 @@ namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    private readonly List<CastHit> _castHits = [];
-
     /// <summary>
     /// The object that a shape meets first when it is translated; of several at the same fraction, rounded to float,
     /// the one with the least id. The shape is none of the scene's, and the objects rest.
@@ -57,7 +55,6 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, Vector3 translation, out CastHit hit, float maxFraction = 1,
         in QueryFilter filter = default, in CastOptions options = default)
     {
-        CheckNotVisiting();
         CheckCast(shape, pose, translation, maxFraction);
         var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
         var first = new FirstCastHit(_objects, moving, maxFraction);
@@ -86,47 +83,12 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, Vector3 translation, List<CastHit> results, float maxFraction = 1,
         in QueryFilter filter = default, in CastOptions options = default)
     {
-        CheckNotVisiting();
         CheckCast(shape, pose, translation, maxFraction);
         Guard.NotNull(results, nameof(results)).Clear();
         var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
         var all = new AllCastHits(_objects, moving, results);
         _phase.Sweep(moving.Path(), ref all);
         InPlaceSort.Sort(results);
-    }
-
-    /// <summary>
-    /// Shows all objects that a shape meets when it is translated to a visitor; as the other otherwise.
-    /// </summary>
-    /// <typeparam name="TVisitor">A struct.</typeparam>
-    /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
-    /// <param name="pose">Its pose at the start.</param>
-    /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
-    /// <param name="visitor">
-    /// It may not use the scene before it has seen all objects. What it throws passes through.
-    /// </param>
-    /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
-    /// <param name="filter">Which objects are seen; by default all.</param>
-    /// <param name="options">Which contacts are passed; by default none.</param>
-    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The motion is not finite, or the fraction is negative or NaN.
-    /// </exception>
-    public void FindCastHits<TVisitor>(
-        in ConvexShape shape, in RigidPose pose, Vector3 translation, ref TVisitor visitor, float maxFraction = 1,
-        in QueryFilter filter = default, in CastOptions options = default)
-        where TVisitor : struct, ICastHitVisitor
-    {
-        FindCastHits(shape, pose, translation, _castHits, maxFraction, filter, options);
-        _visiting = true;
-        try
-        {
-            for (int i = 0; i < _castHits.Count; i++) visitor.Visit(_castHits[i]);
-        }
-        finally
-        {
-            _visiting = false;
-        }
     }
 
     private static void CheckCast(

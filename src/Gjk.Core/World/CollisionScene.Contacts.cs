@@ -27,7 +27,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindDepths(List<PairDistance> results, Workers? workers = null)
     {
-        CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
         MeasureDepths(workers);
         results.Clear();
@@ -35,43 +34,6 @@ public sealed partial class CollisionScene
         {
             if (_objects.Parts.Has(_touching[i])) results.AddRange(_depths.Parts(i));
             else results.Add(_depths[i]);
-        }
-    }
-
-    /// <summary>
-    /// Shows the pairs that overlap, touching included, and how deep, to a visitor, sorted by id.
-    /// </summary>
-    /// <typeparam name="TVisitor">A struct.</typeparam>
-    /// <param name="visitor">
-    /// It may not use the scene before it has seen all pairs. What it throws passes through.
-    /// </param>
-    /// <param name="workers">
-    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
-    /// </param>
-    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void FindDepths<TVisitor>(ref TVisitor visitor, Workers? workers = null)
-        where TVisitor : struct, IPairDistanceVisitor
-    {
-        CheckNotVisiting();
-        MeasureDepths(workers);
-        _visiting = true;
-        try
-        {
-            for (int i = 0; i < _depths.Count; i++)
-            {
-                if (!_objects.Parts.Has(_touching[i]))
-                {
-                    visitor.Visit(_depths[i]);
-                    continue;
-                }
-
-                List<PairDistance> parts = _depths.Parts(i);
-                for (int k = 0; k < parts.Count; k++) visitor.Visit(parts[k]);
-            }
-        }
-        finally
-        {
-            _visiting = false;
         }
     }
 
@@ -89,7 +51,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindContacts(float maxGap, List<PairContacts> results, Workers? workers = null)
     {
-        CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
         CheckDistance(maxGap, nameof(maxGap));
         MakeContacts(maxGap, workers);
@@ -98,44 +59,6 @@ public sealed partial class CollisionScene
         {
             if (_objects.Parts.Has(_touching[i])) results.AddRange(_contacts.Parts(i));
             else if (_contacts[i].Manifold.Count > 0) results.Add(_contacts[i]);
-        }
-    }
-
-    /// <summary>Shows the contact points to a visitor, pair by pair, sorted by id; as the other otherwise.</summary>
-    /// <typeparam name="TVisitor">A struct.</typeparam>
-    /// <param name="maxGap">At least 0: points, and pairs, further apart are left out.</param>
-    /// <param name="visitor">
-    /// It may not use the scene before it has seen all pairs. What it throws passes through.
-    /// </param>
-    /// <param name="workers">
-    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
-    /// </param>
-    /// <exception cref="ArgumentOutOfRangeException">The gap is negative or NaN.</exception>
-    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void FindContacts<TVisitor>(float maxGap, ref TVisitor visitor, Workers? workers = null)
-        where TVisitor : struct, IPairContactsVisitor
-    {
-        CheckNotVisiting();
-        CheckDistance(maxGap, nameof(maxGap));
-        MakeContacts(maxGap, workers);
-        _visiting = true;
-        try
-        {
-            for (int i = 0; i < _contacts.Count; i++)
-            {
-                if (!_objects.Parts.Has(_touching[i]))
-                {
-                    if (_contacts[i].Manifold.Count > 0) visitor.Visit(_contacts[i]);
-                    continue;
-                }
-
-                List<PairContacts> parts = _contacts.Parts(i);
-                for (int k = 0; k < parts.Count; k++) visitor.Visit(parts[k]);
-            }
-        }
-        finally
-        {
-            _visiting = false;
         }
     }
 
@@ -163,12 +86,12 @@ public sealed partial class CollisionScene
         _contacts.Complete();
     }
 
-    /// <summary>The fast queries leave only the pairs that are close enough.</summary>
+    /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>
     private void CollectTouching(float maxGap, Workers? workers)
     {
         CollectSlots(maxGap, _candidates);
         if (maxGap > 0) DecideWithin(maxGap, workers);
-        else DecideOverlaps(workers);
+        else DecideOverlaps(workers, asksParts: false);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
             if (_overlaps[i] || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);

@@ -38,7 +38,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public bool TryFindNearest(int id, out PairDistance nearest)
     {
-        CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
         var search = new NearestSearch(_objects, slot);
         return TryFindNearest(ref search, _objects.Bounds[slot], id, out nearest);
@@ -81,7 +80,6 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, out PairDistance nearest,
         float maxDistance = float.PositiveInfinity, in QueryFilter filter = default)
     {
-        CheckNotVisiting();
         CheckShape(shape);
         CheckPose(pose);
         CheckDistance(maxDistance, nameof(maxDistance));

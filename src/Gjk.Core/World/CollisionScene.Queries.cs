@@ -17,9 +17,6 @@ public sealed partial class CollisionScene
     private readonly WarmStartTable _singleWarmStarts = new();
     private bool[] _overlaps = [];
 
-    /// <summary>How many warm starts are kept, for the tests.</summary>
-    internal int WarmStartCount => _pairWarmStarts.Count + _singleWarmStarts.Count;
-
     /// <summary>The broad phase alone: the pairs whose bounds overlap, or are within a distance.</summary>
     /// <param name="candidates">Emptied first; then the pairs of ids, sorted.</param>
     /// <param name="distance">At least 0; may be infinite.</param>
@@ -30,7 +27,6 @@ public sealed partial class CollisionScene
     /// </exception>
     public void CollectCandidates(List<ObjectPair> candidates, float distance = 0)
     {
-        CheckNotVisiting();
         Guard.NotNull(candidates, nameof(candidates));
         CheckDistance(distance, nameof(distance));
         CollectSlots(distance, candidates);
@@ -49,7 +45,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindOverlapsAmong(List<ObjectPair> candidates, List<ObjectPair> results, Workers? workers = null)
     {
-        CheckNotVisiting();
         Guard.NotNull(candidates, nameof(candidates));
         Guard.NotNull(results, nameof(results));
         if (ReferenceEquals(candidates, results))
@@ -78,38 +73,10 @@ public sealed partial class CollisionScene
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindOverlaps(List<ObjectPair> results, Workers? workers = null)
     {
-        CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
         CollectSlots(0, _candidates);
         DecideOverlaps(workers);
         CopyOverlaps(results);
-    }
-
-    /// <summary>Shows the pairs that overlap, touching included, to a visitor, sorted by id.</summary>
-    /// <typeparam name="TVisitor">A struct.</typeparam>
-    /// <param name="visitor">
-    /// It may not use the scene before it has seen all pairs. What it throws passes through.
-    /// </param>
-    /// <param name="workers">
-    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
-    /// </param>
-    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void FindOverlaps<TVisitor>(ref TVisitor visitor, Workers? workers = null)
-        where TVisitor : struct, IPairVisitor
-    {
-        CheckNotVisiting();
-        CollectSlots(0, _candidates);
-        DecideOverlaps(workers);
-        _visiting = true;
-        try
-        {
-            for (int i = 0; i < _candidates.Count; i++)
-                if (_overlaps[i]) visitor.Visit(_objects.IdsOf(_candidates[i]));
-        }
-        finally
-        {
-            _visiting = false;
-        }
     }
 
     /// <summary>
@@ -130,7 +97,6 @@ public sealed partial class CollisionScene
     /// </exception>
     public void FindPairsWithin(float distance, List<PairDistance> results, Workers? workers = null)
     {
-        CheckNotVisiting();
         Guard.NotNull(results, nameof(results));
         CheckDistance(distance, nameof(distance));
         FindDistances(distance, workers);
@@ -138,38 +104,6 @@ public sealed partial class CollisionScene
         for (int i = 0; i < _candidates.Count; i++)
             if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
                 results.Add(DistanceOf(i));
-    }
-
-    /// <summary>
-    /// Shows the pairs no further apart than a distance to a visitor, sorted by id; as the other otherwise.
-    /// </summary>
-    /// <typeparam name="TVisitor">A struct.</typeparam>
-    /// <param name="distance">At least 0; infinite for all pairs.</param>
-    /// <param name="visitor">
-    /// It may not use the scene before it has seen all pairs. What it throws passes through.
-    /// </param>
-    /// <param name="workers">
-    /// The threads to use for the queries; null for the caller's own, which makes the visits in either case.
-    /// </param>
-    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
-    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    public void FindPairsWithin<TVisitor>(float distance, ref TVisitor visitor, Workers? workers = null)
-        where TVisitor : struct, IPairDistanceVisitor
-    {
-        CheckNotVisiting();
-        CheckDistance(distance, nameof(distance));
-        FindDistances(distance, workers);
-        _visiting = true;
-        try
-        {
-            for (int i = 0; i < _candidates.Count; i++)
-                if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
-                    visitor.Visit(DistanceOf(i));
-        }
-        finally
-        {
-            _visiting = false;
-        }
     }
 
     /// <summary>
@@ -182,7 +116,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The two are the same.</exception>
     public DistanceResult Distance(int idA, int idB)
     {
-        CheckNotVisiting();
         int a = _objects.Checked(idA, nameof(idA)), b = _objects.Checked(idB, nameof(idB));
         if (a == b) throw new ArgumentException("An object has no distance to itself.", nameof(idB));
         _asked = true;
@@ -213,11 +146,11 @@ public sealed partial class CollisionScene
         return new PairDistance(ids, _pairWarmStarts.Results[i], parts.A, parts.B);
     }
 
-    private void DecideOverlaps(Workers? workers)
+    private void DecideOverlaps(Workers? workers, bool asksParts = true)
     {
         ReserveOverlaps();
         Workers.Run(
-            workers, new SceneOverlapJob(_objects, _candidates, _overlaps), _candidates.Count,
+            workers, new SceneOverlapJob(_objects, _candidates, _overlaps, asksParts), _candidates.Count,
             _objects.Parts.PartLength, CancellationToken.None);
     }
 

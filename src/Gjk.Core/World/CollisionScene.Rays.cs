@@ -6,8 +6,6 @@ namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    private readonly List<RayHit> _rayHits = [];
-
     /// <summary>
     /// The object that a ray meets first; of several at the same distance, rounded to float, the one with the least id.
     /// Where the ray begins in objects, that is one of these, at distance 0.
@@ -42,7 +40,6 @@ public sealed partial class CollisionScene
     public bool TryFindRayHit(
         in RayQuery ray, out RayHit hit, in QueryFilter filter = default, in CastOptions options = default)
     {
-        CheckNotVisiting();
         CheckRay(ray);
         var first = new FirstRayHit(_objects, ray, filter, options);
         _phase.Sweep(ray.Path(), ref first);
@@ -63,37 +60,11 @@ public sealed partial class CollisionScene
     public void FindRayHits(
         in RayQuery ray, List<RayHit> results, in QueryFilter filter = default, in CastOptions options = default)
     {
-        CheckNotVisiting();
         CheckRay(ray);
         Guard.NotNull(results, nameof(results)).Clear();
         var all = new AllRayHits(_objects, ray, filter, options, results);
         _phase.Sweep(ray.Path(), ref all);
         InPlaceSort.Sort(results);
-    }
-
-    /// <summary>Shows all objects that a ray meets to a visitor; in the same order.</summary>
-    /// <typeparam name="TVisitor">A struct.</typeparam>
-    /// <param name="ray">The ray.</param>
-    /// <param name="visitor">
-    /// It may not use the scene before it has seen all objects. What it throws passes through.
-    /// </param>
-    /// <param name="filter">Which objects are seen; by default all.</param>
-    /// <param name="options">Which contacts are passed; by default none.</param>
-    /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
-    public void FindRayHits<TVisitor>(
-        in RayQuery ray, ref TVisitor visitor, in QueryFilter filter = default, in CastOptions options = default)
-        where TVisitor : struct, IRayHitVisitor
-    {
-        FindRayHits(ray, _rayHits, filter, options);
-        _visiting = true;
-        try
-        {
-            for (int i = 0; i < _rayHits.Count; i++) visitor.Visit(_rayHits[i]);
-        }
-        finally
-        {
-            _visiting = false;
-        }
     }
 
     /// <summary>The object that each of many rays meets first, with the bits of asking for one ray at a time.</summary>
@@ -111,7 +82,6 @@ public sealed partial class CollisionScene
         RayQuery[] rays, RayHit[] results, Workers? workers = null, in QueryFilter filter = default,
         in CastOptions options = default)
     {
-        CheckNotVisiting();
         RayQuery.Check(rays, results);
         if (_phase is DynamicAabbTree tree) tree.UpdateLeaves();
         Workers.Run(

@@ -18,12 +18,6 @@ public sealed partial class CollisionScene
     private readonly SceneObjects _objects = new();
     private readonly IBroadPhase _phase;
 
-    /// <summary>The balls' centres by slot, where balls are the bound.</summary>
-    private Double3[] _centers = [];
-
-    /// <summary>Whether a visitor is being called, which may not use the scene.</summary>
-    private bool _visiting;
-
     /// <summary>Counts up when the scene changes after a question about a single pair.</summary>
     private int _frame;
 
@@ -32,12 +26,17 @@ public sealed partial class CollisionScene
     /// <summary>Counts the calls of the finders whose answers pairs at rest keep.</summary>
     private long _calls;
 
+    /// <summary>Makes an empty scene with a dynamic tree.</summary>
+    public CollisionScene()
+        : this(BroadPhaseKind.DynamicTree)
+    {
+    }
+
     /// <summary>Makes an empty scene.</summary>
     /// <param name="broadPhase">How pairs are found; changes the speed only.</param>
-    /// <param name="bound">What stands for an object there; changes the speed only.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such kind.</exception>
-    public CollisionScene(BroadPhaseKind broadPhase = BroadPhaseKind.DynamicTree, BoundKind bound = BoundKind.Box)
-        : this(Make(broadPhase), bound)
+    public CollisionScene(BroadPhaseKind broadPhase)
+        : this(Make(broadPhase))
     {
     }
 
@@ -45,21 +44,13 @@ public sealed partial class CollisionScene
     /// <param name="broadPhase">
     /// An empty one, which is the scene's from now on. The scene's answers are as right as its pairs and its sweeps.
     /// </param>
-    /// <param name="bound">What stands for an object there.</param>
     /// <exception cref="ArgumentNullException">There is no broad phase.</exception>
     /// <exception cref="ArgumentException">It has objects.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bound.</exception>
-    public CollisionScene(IBroadPhase broadPhase, BoundKind bound = BoundKind.Box)
+    public CollisionScene(IBroadPhase broadPhase)
     {
         _phase = Guard.NotNull(broadPhase, nameof(broadPhase));
         if (_phase.Count != 0) throw new ArgumentException("Must be empty.", nameof(broadPhase));
-        if (bound is not (BoundKind.Box or BoundKind.Ball))
-            throw new ArgumentOutOfRangeException(nameof(bound), bound, "There is no such bound.");
-        Bound = bound;
     }
-
-    /// <summary>What stands for an object in the broad phase.</summary>
-    public BoundKind Bound { get; }
 
     /// <summary>How many objects there are.</summary>
     public int Count => _objects.Count;
@@ -102,7 +93,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public void SetSettings(int id, in ObjectSettings settings)
     {
-        CheckNotVisiting();
         _objects.SetSettings(_objects.Checked(id, nameof(id)), settings);
     }
 
@@ -117,7 +107,6 @@ public sealed partial class CollisionScene
     /// </exception>
     public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
-        CheckNotVisiting();
         return Add(shape, new ShapeBounds(shape), pose, settings);
     }
 
@@ -135,7 +124,6 @@ public sealed partial class CollisionScene
     public int Add(in AnyShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
         if (shape.Kind == AnyShapeKind.Convex) return Add(AnyShape.ConvexOf(shape), pose, settings);
-        CheckNotVisiting();
         int id = Add(default, new ShapeBounds(shape), pose, settings);
         _objects.Parts.Set(_objects.SlotOf(id), shape);
         return id;
@@ -146,9 +134,7 @@ public sealed partial class CollisionScene
         CheckPose(pose);
         if (_objects.ShouldCloseUp) CloseUp();
         int slot = _objects.Reserve();
-        if (Bound == BoundKind.Ball && _centers.Length < _objects.Ids.Length)
-            Array.Resize(ref _centers, _objects.Ids.Length);
-        _phase.Add(slot, PlaceBound(slot, bounds, pose));
+        _phase.Add(slot, bounds.BoxAt(pose));
         _objects.Add(shape, pose, bounds, settings, _calls);
         NoteChange();
         return _objects.Ids[slot];
@@ -161,14 +147,13 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The pose is a <c>default</c> struct.</exception>
     public void Move(int id, in RigidPose pose)
     {
-        CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
         CheckPose(pose);
         NoteChange();
         if (_objects.Poses[slot] == pose) return;
         _objects.Poses[slot] = pose;
         _objects.MovedAfter[slot] = _calls;
-        _phase.Move(slot, PlaceBound(slot, _objects.Bounds[slot], pose));
+        _phase.Move(slot, _objects.Bounds[slot].BoxAt(pose));
     }
 
     /// <summary>Removes an object; its id is not given again.</summary>
@@ -176,7 +161,6 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public void Remove(int id)
     {
-        CheckNotVisiting();
         int slot = _objects.Checked(id, nameof(id));
         _phase.Remove(slot);
         _objects.Remove(slot);
@@ -198,26 +182,13 @@ public sealed partial class CollisionScene
         throw new ArgumentException(message, nameof(pose));
     }
 
-    private void CheckNotVisiting()
-    {
-        if (_visiting)
-            throw new InvalidOperationException("The scene cannot be used before its visitor has seen all pairs.");
-    }
-
-    private Aabb PlaceBound(int slot, in ShapeBounds bounds, in RigidPose pose)
-    {
-        if (Bound == BoundKind.Box) return bounds.BoxAt(pose);
-        _centers[slot] = bounds.CenterAt(pose);
-        return bounds.BallBoxAt(pose);
-    }
-
     /// <summary>Closes up the arrays; the broad phase knows slots, so it begins again.</summary>
     private void CloseUp()
     {
         _objects.CloseUp();
         _phase.Clear();
         for (int slot = 0; slot < _objects.End; slot++)
-            _phase.Add(slot, PlaceBound(slot, _objects.Bounds[slot], _objects.Poses[slot]));
+            _phase.Add(slot, _objects.Bounds[slot].BoxAt(_objects.Poses[slot]));
     }
 
     private void NoteChange()
@@ -230,17 +201,10 @@ public sealed partial class CollisionScene
     private void CollectSlots(float distance, List<ObjectPair> pairs)
     {
         _phase.CollectPairs(distance * MarginSlack, pairs);
-        if (Bound != BoundKind.Ball && _objects.AreAllTested) return;
-        bool isBall = Bound == BoundKind.Ball;
+        if (_objects.AreAllTested) return;
         int kept = 0;
         for (int i = 0; i < pairs.Count; i++)
-        {
-            (int a, int b) = (pairs[i].A, pairs[i].B);
-            if (!_objects.AreTested(a, b)) continue;
-            double radiusA = _objects.Bounds[a].Radius, radiusB = _objects.Bounds[b].Radius;
-            bool isNear = !isBall || ShapeBounds.BallsNear(_centers[a], radiusA, _centers[b], radiusB, distance);
-            if (isNear) pairs[kept++] = pairs[i];
-        }
+            if (_objects.AreTested(pairs[i].A, pairs[i].B)) pairs[kept++] = pairs[i];
 
         pairs.RemoveRange(kept, pairs.Count - kept);
     }

@@ -8,13 +8,14 @@ using System.Runtime.InteropServices;
 
 namespace Gjk.Core;
 
-/// <summary>Which of a scene's pairs overlap.</summary>
-internal readonly struct SceneOverlapJob(SceneObjects objects, List<ObjectPair> pairs, bool[] overlaps) : IPartJob
+/// <summary>Which of a scene's pairs overlap; those that are not convex may be left out.</summary>
+internal readonly struct SceneOverlapJob(
+    SceneObjects objects, List<ObjectPair> pairs, bool[] overlaps, bool asksParts) : IPartJob
 {
     public void Run(int begin, int end)
     {
         Ask(begin, end);
-        if (!objects.Parts.Any) return;
+        if (!objects.Parts.Any || !asksParts) return;
         ConcaveScratch scratch = objects.Parts.Rent();
         for (int i = begin; i < end; i++)
         {
@@ -67,7 +68,7 @@ internal readonly struct SceneDistanceJob(
     /// <summary>
     /// Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much leaves no
     /// doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. Pinned by
-    /// BoundKindBitsTests.
+    /// CandidateBitsTests.
     /// </summary>
     private const double ClearlyBeyond = 1e-6;
 

@@ -81,7 +81,7 @@ public readonly struct ShapeBounds
         _offset = _center.Length;
     }
 
-    /// <summary>The radius of the ball in <see cref="BallBoxAt"/>.</summary>
+    /// <summary>The radius of a ball about the centre of <see cref="BoxAt"/> that holds the shape.</summary>
     internal double Radius => _radius;
 
     /// <summary>
@@ -99,24 +99,6 @@ public readonly struct ShapeBounds
         double z = Math.Abs(rotation.M20) * _half.X + Math.Abs(rotation.M21) * _half.Y
             + Math.Abs(rotation.M22) * _half.Z + _margin;
         return Around(center, new Double3(Math.Min(x, _radius), Math.Min(y, _radius), Math.Min(z, _radius)));
-    }
-
-    /// <summary>
-    /// A box that holds a ball that holds the shape at a pose. Where the shape's centre is its local origin the
-    /// rotation is not looked at.
-    /// </summary>
-    public Aabb BallBoxAt(in RigidPose pose) => Around(CenterAt(pose), new Double3(_radius, _radius, _radius));
-
-    /// <summary>The ball's centre.</summary>
-    internal Double3 CenterAt(in RigidPose pose) =>
-        _offset > 0 ? new RotationD(pose.Rotation).Rotate(_center) + pose.Position : pose.Position;
-
-    /// <summary>Whether two balls are no further apart than a distance, or perhaps by no more than rounding.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static bool BallsNear(in Double3 a, double radiusA, in Double3 b, double radiusB, double distance)
-    {
-        double reach = (radiusA + radiusB + distance) * (1 + FloatSlack) + DoubleSlack * (a.Length + b.Length);
-        return (b - a).LengthSquared <= reach * reach;
     }
 
     private Aabb Around(in Double3 center, in Double3 half)

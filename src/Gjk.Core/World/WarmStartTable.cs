@@ -21,23 +21,22 @@ internal sealed class WarmStartTable
 
     private Entry[] _entries = new Entry[FirstCapacity];
     private Entry[] _spare = new Entry[FirstCapacity];
-    private int _used;
 
     /// <summary>How many pairs it remembers, those included that it will forget at its next growth.</summary>
-    public int Count => _used;
+    public int Count { get; private set; }
 
     /// <summary>The pair's warm start, cold where there was none.</summary>
     /// <param name="key">The pair; not 0, which no pair of two objects is.</param>
     /// <param name="frame">The frame; what was last asked for before the one before it may be forgotten.</param>
     public ref WarmStart Find(ulong key, int frame)
     {
-        if (2 * _used >= _entries.Length) Renew(frame);
+        if (2 * Count >= _entries.Length) Renew(frame);
         ref Entry entry = ref Slot(_entries, key);
         if (entry.Key == 0)
         {
             entry.Key = key;
             entry.Start = default;
-            _used++;
+            Count++;
         }
 
         entry.Frame = frame;
@@ -70,7 +69,7 @@ internal sealed class WarmStartTable
         }
 
         (_entries, _spare) = (_spare, _entries);
-        _used = recent;
+        Count = recent;
     }
 
     /// <summary>Frames are counted modulo 2^32.</summary>

@@ -11,10 +11,13 @@ internal static class FuzzCommand
 {
     /// <param name="length">How long to search.</param>
     /// <param name="seed">Of the sequence of pairs.</param>
+    /// <param name="isConcave">Whether to leave out the pairs of convex shapes.</param>
     /// <param name="cancel">Ends the search; what was done is printed.</param>
-    public static int Run(FuzzLength length, ulong seed, CancellationToken cancel)
+    public static int Run(FuzzLength length, ulong seed, bool isConcave, CancellationToken cancel)
     {
-        var run = new FuzzRun(length, seed, AllPromises.Make());
+        IPairSource concave = new ConcavePairs();
+        var run = new FuzzRun(
+            length, seed, isConcave ? concave : new MixedPairs(new ConvexPairs(AllPromises.Make()), concave));
         BrokenPromise? broken = null;
         ProgressBar.Show(bar => broken = run.Search(bar.Add("pairs"), cancel));
         FuzzReport report = FuzzReport.Of(run, broken, cancel.IsCancellationRequested);

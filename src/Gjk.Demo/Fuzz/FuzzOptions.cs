@@ -42,14 +42,18 @@ internal static class FuzzOptions
             CustomParser = r => OptionValue.Parse<ulong>(
                 r, NumberStyles.None, _ => true, "must be a whole number, at least 0"),
         };
+        var concave = new Option<bool>("--concave")
+        {
+            Description = "Only pairs with a surface, solid or compound; else they are one of eight.",
+        };
         Option<bool> certificate = Certificate();
         Option<string?> resume = Resume();
         Option<int?> threads = Threads();
         const string Purpose =
             "Ask random pairs of shapes until a distance, depth or cast breaks a promise of the library. Then "
-            + "shrink that pair to a short record.";
-        var command = new Command("fuzz", Purpose) { seconds, seed, count, certificate, resume, threads };
-        command.Validators.Add(result => Validate(result, seconds, count, certificate, resume, threads));
+            + "shrink that pair to a short record, or, of shapes that are not convex, to a scene in one line.";
+        var command = new Command("fuzz", Purpose) { seconds, seed, count, concave, certificate, resume, threads };
+        command.Validators.Add(result => Validate(result, seconds, count, concave, certificate, resume, threads));
         command.SetAction(r =>
         {
             if (r.GetValue(certificate))
@@ -63,7 +67,7 @@ internal static class FuzzOptions
             return FuzzCommand.Run(
                 new FuzzLength(
                     time is null ? null : TimeSpan.FromSeconds(time.Value),
-                    r.GetValue(count)), r.GetValue(seed) ?? (ulong)Random.Shared.Next(), cancel);
+                    r.GetValue(count)), r.GetValue(seed) ?? (ulong)Random.Shared.Next(), r.GetValue(concave), cancel);
         });
         return command;
     }
@@ -90,12 +94,14 @@ internal static class FuzzOptions
     };
 
     private static void Validate(
-        CommandResult result, Option seconds, Option count, Option<bool> certificate, Option resume, Option threads)
+        CommandResult result, Option seconds, Option count, Option concave, Option<bool> certificate, Option resume,
+        Option threads)
     {
         bool isJudged = result.GetValue(certificate);
         bool Has(Option option) => result.GetResult(option) is not null;
         if (!isJudged && Has(resume)) result.AddError("--resume needs --certificate.");
         if (!isJudged && Has(threads)) result.AddError("--threads needs --certificate.");
+        if (isJudged && Has(concave)) result.AddError("--certificate and --concave exclude each other.");
         if (isJudged && !Has(count)) result.AddError("--certificate needs --pairs.");
         if (isJudged && Has(seconds)) result.AddError("--certificate and --seconds exclude each other.");
     }

@@ -1,10 +1,6 @@
 using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
-using Gjk.Exact.Fuzz.Families;
-using Gjk.Exact.Fuzz.Promises;
-using Gjk.Exact.Fuzz.Shrinking;
 
 namespace Gjk.Exact.Fuzz;
 
@@ -13,20 +9,20 @@ namespace Gjk.Exact.Fuzz;
 /// <param name="Family">Its family.</param>
 /// <param name="Promise">What it breaks.</param>
 /// <param name="How">In what way, after shrinking.</param>
-/// <param name="Record">The shrunk pair as a line.</param>
+/// <param name="Record">The shrunk pair in one line: a record, or a scene file where shapes are not convex.</param>
 internal sealed record BrokenPromise(long Index, string Family, string Promise, string How, string Record);
 
 /// <summary>Draws pairs and holds each to all promises until one breaks, or time, count or patience ends.</summary>
 internal sealed class FuzzRun
 {
     private readonly FuzzLength _length;
-    private readonly IReadOnlyList<Promise> _promises;
+    private readonly IPairSource _pairs;
 
-    public FuzzRun(FuzzLength length, ulong seed, IReadOnlyList<Promise> promises)
+    public FuzzRun(FuzzLength length, ulong seed, IPairSource pairs)
     {
         _length = length;
         Seed = seed;
-        _promises = promises;
+        _pairs = pairs;
     }
 
     public ulong Seed { get; }
@@ -44,23 +40,12 @@ internal sealed class FuzzRun
         long start = Stopwatch.GetTimestamp();
         while (!cancel.IsCancellationRequested && _length.Done(Tried, Elapsed) < 1)
         {
-            FuzzPair pair = PairFamilies.Draw(Seed, Tried, out string family);
-            foreach (Promise promise in _promises)
-            {
-                if (promise.Broken(pair) is { } how) return Smallest(pair, family, promise, how, cancel);
-            }
-
+            if (_pairs.Try(Seed, Tried, cancel) is { } broken) return broken;
             Tried++;
             Elapsed = Stopwatch.GetElapsedTime(start);
             progress(_length.Done(Tried, Elapsed));
         }
 
         return null;
-    }
-
-    private BrokenPromise Smallest(FuzzPair pair, string family, Promise promise, string how, CancellationToken cancel)
-    {
-        FuzzPair shrunk = Shrinker.Shrink(pair, promise, cancel);
-        return new BrokenPromise(Tried, family, promise.Name, promise.Broken(shrunk) ?? how, shrunk.Text);
     }
 }

@@ -1,11 +1,12 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Scenes;
 
 /// <summary>
-/// The objects of a built-in scene in motion. Each object moves straight on until a wall reflects it, and turns at a
+/// Objects in motion. Each object moves straight on until a wall reflects it, and turns at a
 /// constant rate about an axis of its own. No trigonometry is used, so the bits are the same in every run and on every
 /// machine.
 /// </summary>
@@ -13,7 +14,8 @@ public sealed class MovingObjects
 {
     private const ulong Seed = 0x4D_6F_74_69_6F_6E;
 
-    private readonly BuiltInScene _scene;
+    private readonly IReadOnlyList<RigidPose> _first;
+    private readonly Aabb _room;
     private readonly Vector3[] _firstSteps;
     private readonly Vector3[] _steps;
 
@@ -24,10 +26,19 @@ public sealed class MovingObjects
     /// <param name="speed">Object sizes per frame. The turn is about twice as many radians. It moves a point half a
     /// size from the centre as far as the speed does.</param>
     public MovingObjects(BuiltInScene scene, double speed)
+        : this(scene.Poses, scene.Room, speed)
     {
-        _scene = scene;
+    }
+
+    /// <param name="poses">Where the objects are in the first frame.</param>
+    /// <param name="room">The box that their positions do not leave.</param>
+    /// <param name="speed">Length per frame. The turn is about twice as many radians.</param>
+    public MovingObjects(IReadOnlyList<RigidPose> poses, in Aabb room, double speed)
+    {
+        _first = poses;
+        _room = room;
         IsMoving = speed > 0;
-        Poses = [.. scene.Poses];
+        Poses = [.. poses];
         _firstSteps = new Vector3[Poses.Length];
         _turns = new Double3[Poses.Length];
         var random = new FuzzRandom(Seed);
@@ -50,7 +61,7 @@ public sealed class MovingObjects
     public void Advance()
     {
         if (!IsMoving) return;
-        Aabb room = _scene.Room;
+        Aabb room = _room;
         for (int i = 0; i < Poses.Length; i++)
         {
             RigidPose moved = PoseMotion.Moved(Poses[i], (Double3)_steps[i], _turns[i], 1);
@@ -66,7 +77,7 @@ public sealed class MovingObjects
     /// <summary>Goes back to the first frame.</summary>
     public void Rewind()
     {
-        for (int i = 0; i < Poses.Length; i++) Poses[i] = _scene.Poses[i];
+        for (int i = 0; i < Poses.Length; i++) Poses[i] = _first[i];
         _firstSteps.CopyTo(_steps, 0);
     }
 

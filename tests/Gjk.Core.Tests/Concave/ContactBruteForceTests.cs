@@ -89,6 +89,27 @@ public class ContactBruteForceTests
         Assert.InRange(next, 3, 30);
     }
 
+    /// <summary>What a body's box reaches and the body does not costs no query.</summary>
+    [Fact]
+    public void FewTrianglesAreAskedBesideThoseInReach()
+    {
+        var random = new FuzzRandom(6);
+        AnyShape ground = AnyShape.Surface(ConcaveShapes.Grid(40, (_, _) => random.Float(-0.002, 0.002)));
+        AnyShape ball = AnyShape.Of(ConvexShape.Mesh(Clouds.OnSphere(random, 60)).Scaled(new Vector3(0.1f)));
+        int asked = 0, found = 0;
+        for (int i = 0; i < 40; i++)
+        {
+            var at = new RigidPose(
+                Rotations.Even(random), new Vector3(random.Float(-0.3, 0.3), 0.095f, random.Float(-0.3, 0.3)));
+            ConcaveQuery.FindContacts(ground, RigidPose.Identity, ball, at, 0.005f, _scratch, _contacts);
+            asked += _scratch.Search.Asked;
+            found += _scratch.Pairs.Count;
+        }
+
+        Assert.InRange(found, 100, 4000);
+        Assert.InRange(asked, found, 2 * found);
+    }
+
     [Fact]
     public void WarmListsAllocateNothing()
     {

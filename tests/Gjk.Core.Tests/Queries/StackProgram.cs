@@ -52,9 +52,8 @@ internal static class StackProgram
         using var workers = new Workers(2);
         foreach (BroadPhaseKind kind in Enum.GetValues<BroadPhaseKind>())
         {
-            yield return ($"scene {kind}", WorldAllocationTests.Frame(kind, BoundKind.Box, null, Objects));
-            yield return (
-                $"scene {kind}, two threads", WorldAllocationTests.Frame(kind, BoundKind.Ball, workers, Objects));
+            yield return ($"scene {kind}", WorldAllocationTests.Frame(kind, null, Objects));
+            yield return ($"scene {kind}, two threads", WorldAllocationTests.Frame(kind, workers, Objects));
         }
     }
 

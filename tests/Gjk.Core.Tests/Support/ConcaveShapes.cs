@@ -7,77 +7,19 @@ namespace Gjk.Core.Tests.Support;
 /// <summary>Meshes and compounds that are not convex, and what single queries say of all their parts.</summary>
 internal static class ConcaveShapes
 {
-    public static TriangleMesh Torus(int around, int across, float radius = 1, float tube = 0.35f)
-    {
-        var points = new List<Vector3>();
-        var indices = new List<int>();
-        for (int i = 0; i < around; i++)
-        {
-            double a = 2 * Math.PI * i / around;
-            for (int j = 0; j < across; j++)
-            {
-                double b = 2 * Math.PI * j / across, r = radius + tube * Math.Cos(b);
-                points.Add(new((float)(r * Math.Cos(a)), (float)(tube * Math.Sin(b)), (float)(r * Math.Sin(a))));
-                int p = i * across + j, q = i * across + (j + 1) % across;
-                int s = (i + 1) % around * across + j, t = (i + 1) % around * across + (j + 1) % across;
-                indices.AddRange([p, q, s, q, t, s]);
-            }
-        }
+    public static TriangleMesh Torus(int around, int across, float radius = 1, float tube = 0.35f) =>
+        Surfaces.Torus(around, across, radius, tube).Build();
 
-        return new TriangleMesh(points, indices);
-    }
+    /// <inheritdoc cref="Surfaces.Grid"/>
+    public static TriangleMesh Grid(int n, Func<float, float, float>? height = null) =>
+        Surfaces.Grid(n, height).Build();
 
-    /// <summary>A flat grid of 2 n n triangles over the unit square of the xz plane.</summary>
-    public static TriangleMesh Grid(int n, Func<float, float, float>? height = null)
-    {
-        var points = new List<Vector3>();
-        var indices = new List<int>();
-        for (int i = 0; i <= n; i++)
-            for (int j = 0; j <= n; j++)
-            {
-                float x = (float)i / n - 0.5f, z = (float)j / n - 0.5f;
-                points.Add(new Vector3(x, height?.Invoke(x, z) ?? 0, z));
-                if (i == n || j == n) continue;
-                int p = i * (n + 1) + j;
-                indices.AddRange([p, p + 1, p + n + 1, p + 1, p + n + 2, p + n + 1]);
-            }
+    /// <inheritdoc cref="Surfaces.Box"/>
+    public static TriangleMesh Box(Vector3 half) => Surfaces.Box(half).Build();
 
-        return new TriangleMesh(points, indices);
-    }
-
-    /// <summary>A box as a closed mesh.</summary>
-    public static TriangleMesh Box(Vector3 half)
-    {
-        var points = new Vector3[8];
-        for (int i = 0; i < 8; i++)
-            points[i] = half * new Vector3((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1);
-        return new TriangleMesh(
-            points,
-            [
-                0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
-                2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5,
-            ]);
-    }
-
-    /// <summary>Triangles at random, some of them degenerate or repeated.</summary>
-    public static TriangleMesh Soup(FuzzRandom random, int count, double size)
-    {
-        var points = new List<Vector3>();
-        var indices = new List<int>();
-        for (int i = 0; i < count; i++)
-        {
-            Vector3 middle = random.Vector(1);
-            for (int k = 0; k < 3; k++)
-            {
-                points.Add(random.OneIn(20) && points.Count > 0 ? points[^1] : middle + random.Vector(size));
-                indices.Add(points.Count - 1);
-            }
-
-            if (random.OneIn(10)) indices.AddRange(indices[^3..]);
-        }
-
-        return new TriangleMesh(points, indices);
-    }
+    /// <inheritdoc cref="Surfaces.Soup"/>
+    public static TriangleMesh Soup(FuzzRandom random, int count, double size) =>
+        Surfaces.Soup(random, count, size).Build();
 
     public static CompoundShape Compound(FuzzRandom random, int count)
     {

@@ -52,9 +52,12 @@ internal sealed class MovingWorld
         Poses[i] = new RigidPose(Quaternion.Normalize(turn * pose.Rotation), pose.Position + _rng.Vector(-0.02, 0.02));
     }
 
-    public CollisionScene Scene(BroadPhaseKind kind, BoundKind bound)
+    public CollisionScene Scene(BroadPhaseKind kind) => Filled(new CollisionScene(kind));
+
+    public CollisionScene Scene(IBroadPhase phase) => Filled(new CollisionScene(phase));
+
+    private CollisionScene Filled(CollisionScene scene)
     {
-        var scene = new CollisionScene(kind, bound);
         for (int i = 0; i < Count; i++) Assert.Equal(i, scene.Add(Shapes[i], Poses[i]));
         return scene;
     }

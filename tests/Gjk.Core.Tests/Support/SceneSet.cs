@@ -6,7 +6,7 @@ using System.Numerics;
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>
-/// The same moving world in a scene of each broad phase and bound, and the answers of asking each object alone. A few
+/// The same moving world in a scene of each broad phase, and the answers of asking each object alone. A few
 /// objects are twins of others, so that there are ties; some are static, in groups, or have masks.
 /// </summary>
 internal sealed class SceneSet
@@ -23,12 +23,7 @@ internal sealed class SceneSet
             World.Poses[i] = new RigidPose(pose.Rotation, pose.Position * 1.4f + new Vector3(offset, -offset, offset));
         }
 
-        Scenes =
-        [
-            .. from bound in Enum.GetValues<BoundKind>()
-               from kind in Enum.GetValues<BroadPhaseKind>()
-               select new CollisionScene(kind, bound)
-        ];
+        Scenes = [.. Enum.GetValues<BroadPhaseKind>().Select(kind => new CollisionScene(kind))];
         for (int i = 0; i < count; i++) AddToScenes();
     }
 

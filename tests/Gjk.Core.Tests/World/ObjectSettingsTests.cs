@@ -8,16 +8,7 @@ namespace Gjk.Core.Tests.World;
 /// <summary>Groups, masks and static objects: what the finders test, and what they leave out.</summary>
 public class ObjectSettingsTests
 {
-    public static TheoryData<BroadPhaseKind, BoundKind> Kinds
-    {
-        get
-        {
-            var data = new TheoryData<BroadPhaseKind, BoundKind>();
-            foreach (BroadPhaseKind phase in System.Enum.GetValues<BroadPhaseKind>())
-                foreach (BoundKind bound in System.Enum.GetValues<BoundKind>()) data.Add(phase, bound);
-            return data;
-        }
-    }
+    public static TheoryData<BroadPhaseKind> Kinds => CollisionSceneTests.Scenes;
 
     [Fact]
     public void ADefaultStructIsTestedAgainstAllOthers()
@@ -47,12 +38,12 @@ public class ObjectSettingsTests
 
     [Theory]
     [MemberData(nameof(Kinds))]
-    public void TheFindersHonourThem(BroadPhaseKind phase, BoundKind bound)
+    public void TheFindersHonourThem(BroadPhaseKind phase)
     {
         for (ulong seed = 0; seed < 8; seed++)
         {
-            (CollisionScene scene, ObjectSettings[] settings) = Made(seed, phase, bound);
-            (CollisionScene plain, _) = Made(seed, phase, bound, isPlain: true);
+            (CollisionScene scene, ObjectSettings[] settings) = Made(seed, phase);
+            (CollisionScene plain, _) = Made(seed, phase, isPlain: true);
             bool Tested(ObjectPair p) => ObjectSettings.AreTested(settings[p.A], settings[p.B]);
 
             List<ObjectPair> all = [], found = [];
@@ -143,10 +134,10 @@ public class ObjectSettingsTests
         ConvexQuery.Distance(scene.GetShape(a), scene.GetPose(a), scene.GetShape(b), scene.GetPose(b)).Distance;
 
     private static (CollisionScene Scene, ObjectSettings[] Settings) Made(
-        ulong seed, BroadPhaseKind phase, BoundKind bound, bool isPlain = false)
+        ulong seed, BroadPhaseKind phase, bool isPlain = false)
     {
         var rng = new Rng(seed);
-        var scene = new CollisionScene(phase, bound);
+        var scene = new CollisionScene(phase);
         var settings = new ObjectSettings[60];
         for (int i = 0; i < settings.Length; i++)
         {

@@ -48,7 +48,7 @@ public class OwnBroadPhaseTests
     [Fact]
     public void AFilterMayAskTheCaller()
     {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 2, 4, 6);
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0, 2, 4, 6);
         List<RayHit> hits = [];
         var filter = new QueryFilter(ignoredId: 3, sees: id => id != 1);
         scene.FindRayHits(new RayQuery(new Vector3(-5, 0, 0), Vector3.UnitX), hits, filter);
@@ -66,7 +66,7 @@ public class OwnBroadPhaseTests
     [Fact]
     public void TheIdsAreThoseOfTheObjectsThatAreThere()
     {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 2, 4, 6);
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0, 2, 4, 6);
         scene.Remove(1);
         List<int> ids = [7];
         scene.CollectIds(ids);

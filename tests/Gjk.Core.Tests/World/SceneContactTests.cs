@@ -6,7 +6,7 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests.World;
 
 /// <summary>
-/// A scene's depths and contacts are those of asking every pair, and the same bits for every broad phase, bound and
+/// A scene's depths and contacts are those of asking every pair, and the same bits for every broad phase and
 /// number of threads.
 /// </summary>
 public class SceneContactTests
@@ -31,9 +31,6 @@ public class SceneContactTests
             {
                 scene.FindContacts(maxGap, found, threads);
                 Assert.Equal(expected, found.Select(c => Text(c.Pair, c.Result, c.Manifold)));
-                var visitor = new Recorder { Seen = [] };
-                scene.FindContacts(maxGap, ref visitor, threads);
-                Assert.Equal(expected, visitor.Seen);
             }
         }
     }
@@ -56,9 +53,6 @@ public class SceneContactTests
             Assert.Equal(expected, found.Select(d => Text(d.Pair, d.Result)));
             scene.FindDepths(found, workers);
             Assert.Equal(expected, found.Select(d => Text(d.Pair, d.Result)));
-            var visitor = new Recorder { Seen = [] };
-            scene.FindDepths(ref visitor, workers);
-            Assert.Equal(expected, visitor.Seen);
         }
     }
 
@@ -84,23 +78,14 @@ public class SceneContactTests
     [Fact]
     public void BadCallsAreRefused()
     {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0, 1, 2);
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0, 1, 2);
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindDepths(null!)).ParamName);
         Assert.Equal("results", Assert.Throws<ArgumentNullException>(() => scene.FindContacts(0, null!)).ParamName);
-        var visitor = new Recorder { Seen = [] };
         foreach (float gap in new[] { -1, float.NaN, -float.Epsilon })
         {
             Assert.Equal(
                 "maxGap", Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindContacts(gap, [])).ParamName);
-            Assert.Equal(
-                "maxGap",
-                Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindContacts(gap, ref visitor)).ParamName);
         }
-
-        var user = new Recorder { Seen = [], Use = () => scene.FindOverlaps([]) };
-        Assert.Throws<InvalidOperationException>(() => scene.FindContacts(0, ref user));
-        Assert.Throws<InvalidOperationException>(() => scene.FindDepths(ref user));
-        scene.FindOverlaps([]);
     }
 
     private static MovingWorld Moving(float seed)
@@ -111,9 +96,8 @@ public class SceneContactTests
     }
 
     private static IEnumerable<CollisionScene> Scenes(MovingWorld world) =>
-        from bound in new[] { BoundKind.Box, BoundKind.Ball }
         from kind in Enum.GetValues<BroadPhaseKind>()
-        select world.Scene(kind, bound);
+        select world.Scene(kind);
 
     private static IEnumerable<ObjectPair> Pairs(MovingWorld world) =>
         from a in Enumerable.Range(0, world.Count)
@@ -142,23 +126,5 @@ public class SceneContactTests
         var hash = new BitHash();
         hash.Add(manifold);
         return $"{Text(pair, result)} {hash}";
-    }
-
-    private struct Recorder : IPairDistanceVisitor, IPairContactsVisitor
-    {
-        public List<string> Seen;
-        public Action? Use;
-
-        public readonly void Visit(in PairDistance pair)
-        {
-            Use?.Invoke();
-            Seen.Add(Text(pair.Pair, pair.Result));
-        }
-
-        public readonly void Visit(in PairContacts pair)
-        {
-            Use?.Invoke();
-            Seen.Add(Text(pair.Pair, pair.Result, pair.Manifold));
-        }
     }
 }

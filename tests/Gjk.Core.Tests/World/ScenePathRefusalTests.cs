@@ -14,13 +14,13 @@ public class ScenePathRefusalTests
     private static readonly RigidPose Here = RigidPose.Identity;
     private static readonly RayQuery AlongX = new(new Vector3(-5, 0, 0), Vector3.UnitX);
 
-    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+    public static TheoryData<BroadPhaseKind> Scenes => CollisionSceneTests.Scenes;
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void ARowOfBallsIsMetInOrder(BroadPhaseKind kind, BoundKind bound)
+    public void ARowOfBallsIsMetInOrder(BroadPhaseKind kind)
     {
-        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 9, 2, 5, 2);
+        CollisionScene scene = CollisionSceneTests.Row(kind, 9, 2, 5, 2);
         List<RayHit> hits = [];
         scene.FindRayHits(AlongX, hits);
         Assert.Equal([(1, 6f), (3, 6f), (2, 9f), (0, 13f)], hits.Select(h => (h.Id, h.Result.Distance)));
@@ -45,28 +45,11 @@ public class ScenePathRefusalTests
         Assert.False(scene.TryFindNearest(Ball, start, out id, out _, 4.99f) || id >= 0);
     }
 
-    [Fact]
-    public void VisitorsSeeWhatListsGetAndMayNotUseTheScene()
-    {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 9, 2, 5, 2);
-        var seen = new List<int>();
-        var visitor = new Visitor { Use = seen.Add };
-        scene.FindRayHits(AlongX, ref visitor);
-        scene.FindCastHits(Ball, Here, Vector3.UnitX * 10, ref visitor);
-        scene.FindObjectsOverlapping(Ball, Here, ref visitor);
-        Assert.Equal([1, 3, 2, 0, 1, 3, 2, 0, 1, 3], seen);
-        visitor.Use = _ => scene.TryFindRayHit(AlongX, out int _, out RayCastResult _);
-        Assert.Throws<InvalidOperationException>(() => scene.FindRayHits(AlongX, ref visitor));
-        Assert.Throws<InvalidOperationException>(() => scene.FindCastHits(Ball, Here, Vector3.UnitX, ref visitor, 9));
-        Assert.Throws<InvalidOperationException>(() => scene.FindObjectsOverlapping(Ball, Here, ref visitor));
-        Assert.True(scene.TryFindRayHit(AlongX, out int _, out RayCastResult _));
-    }
-
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void AnEmptySceneHasNoHits(BroadPhaseKind kind, BoundKind bound)
+    public void AnEmptySceneHasNoHits(BroadPhaseKind kind)
     {
-        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 1);
+        CollisionScene scene = CollisionSceneTests.Row(kind, 1);
         scene.Remove(0);
         List<RayHit> rays = [default];
         List<CastHit> casts = [default];
@@ -98,12 +81,10 @@ public class ScenePathRefusalTests
         Refused<ArgumentOutOfRangeException>("maxDistance", () => new RayQuery(default, Vector3.UnitX, float.NaN));
         Refused<ArgumentOutOfRangeException>("maxDistance", () => new RayQuery(default, Vector3.UnitX, -1));
 
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0);
-        var visitor = new Visitor { Use = _ => { } };
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0);
         List<RayHit> hits = [default];
         Refused<ArgumentException>("ray", () => scene.TryFindRayHit(default, out int _, out RayCastResult _));
         Refused<ArgumentException>("ray", () => scene.FindRayHits(default, hits));
-        Refused<ArgumentException>("ray", () => scene.FindRayHits(default, ref visitor));
         Refused<ArgumentNullException>("results", () => scene.FindRayHits(AlongX, null!));
         Assert.Single(hits);
 
@@ -122,19 +103,16 @@ public class ScenePathRefusalTests
     [Fact]
     public void BadShapesAndMotionsAreRefused()
     {
-        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, BoundKind.Box, 0);
+        CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0);
         Vector3 x = Vector3.UnitX, bad = new(0, float.NaN, 0), far = new(float.NegativeInfinity, 0, 0);
         List<CastHit> hits = [default];
         List<int> ids = [7];
-        var visitor = new Visitor { Use = _ => { } };
         foreach ((string name, ConvexShape shape, RigidPose pose) in
                  new[] { ("shape", default, Here), ("pose", Ball, default(RigidPose)) })
         {
             Refused<ArgumentException>(name, () => scene.TryFindCastHit(shape, pose, x, out int _, out CastResult _));
             Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, hits));
-            Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, ref visitor));
             Refused<ArgumentException>(name, () => scene.FindObjectsOverlapping(shape, pose, ids));
-            Refused<ArgumentException>(name, () => scene.FindObjectsOverlapping(shape, pose, ref visitor));
             Refused<ArgumentException>(name, () => scene.TryFindNearest(shape, pose, out int _, out _));
         }
 
@@ -168,16 +146,5 @@ public class ScenePathRefusalTests
         T refusal = Assert.Throws<T>(call);
         Assert.Equal(name, refusal.ParamName);
         return refusal;
-    }
-
-    private struct Visitor : IRayHitVisitor, ICastHitVisitor, IObjectVisitor
-    {
-        public Action<int> Use;
-
-        public readonly void Visit(in RayHit hit) => Use(hit.Id);
-
-        public readonly void Visit(in CastHit hit) => Use(hit.Id);
-
-        public readonly void Visit(int id) => Use(id);
     }
 }

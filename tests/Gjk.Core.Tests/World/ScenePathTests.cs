@@ -8,7 +8,7 @@ namespace Gjk.Core.Tests.World;
 
 /// <summary>
 /// What a scene says of rays and shapes that are not in it is what asking every object alone says, to the last bit, for
-/// every broad phase and bound.
+/// every broad phase.
 /// </summary>
 public class ScenePathTests
 {
@@ -39,7 +39,7 @@ public class ScenePathTests
                 counts[expected.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
                 {
-                    string where = $"{message}, {scene.Bound}, {k}";
+                    string where = $"{message}, {k}";
                     CheckRay(scene, rays[^1], filter, options, expected, where);
                 }
             }
@@ -71,7 +71,7 @@ public class ScenePathTests
                 counts[expected.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
                 {
-                    string where = $"{message}, {scene.Bound}, {k}";
+                    string where = $"{message}, {k}";
                     List<CastHit> all = [];
                     scene.FindCastHits(shape, pose, motion, all, most, filter, options);
                     Assert.True(
@@ -109,7 +109,7 @@ public class ScenePathTests
                 counts[touching.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
                 {
-                    string where = $"{message}, {scene.Bound}, {k}";
+                    string where = $"{message}, {k}";
                     List<int> found = [];
                     scene.FindObjectsOverlapping(shape, pose, found, filter);
                     Assert.True(touching.SequenceEqual(found), where);
@@ -156,7 +156,7 @@ public class ScenePathTests
                     scene.TryFindRayHit(rays[i], out int id, out RayCastResult result, filter, options);
                     Assert.True(
                         id == results[i].Id && CastBits.AreSame(result, results[i].Result),
-                        $"{message}, {scene.Bound}, ray {i}, {(w is null ? 1 : 3)} threads");
+                        $"{message}, ray {i}, {(w is null ? 1 : 3)} threads");
                 }
             }
         }

@@ -10,13 +10,13 @@ namespace Gjk.Core.Tests.World;
 /// <summary>What a scene refuses, without a trace.</summary>
 public class SceneRefusalTests
 {
-    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+    public static TheoryData<BroadPhaseKind> Scenes => CollisionSceneTests.Scenes;
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void BadCallsAreRefusedAndTheSceneIsUnchanged(BroadPhaseKind kind, BoundKind bound)
+    public void BadCallsAreRefusedAndTheSceneIsUnchanged(BroadPhaseKind kind)
     {
-        CollisionScene scene = CollisionSceneTests.Row(kind, bound, 0, 1, 2, 3);
+        CollisionScene scene = CollisionSceneTests.Row(kind, 0, 1, 2, 3);
         scene.Remove(2);
         RigidPose[] noPoses =
         [
@@ -50,17 +50,17 @@ public class SceneRefusalTests
         CollisionScene[] scenes =
         [
             .. Enumerable.Range(0, 2).Select(
-                _ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree, BoundKind.Box))
+                _ => new MovingWorld(12, 60, ["hull", "cylinder"]).Scene(BroadPhaseKind.DynamicTree))
         ];
         List<PairDistance> one = [], other = [];
+        List<ObjectPair> overlaps = [];
         for (int frame = 0; frame < 4; frame++)
         {
-            var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
             Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(0.5f, one, workers));
-            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(10, ref visitor, workers));
-            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindOverlaps(ref visitor, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindPairsWithin(10, one, workers));
+            Assert.Throws<ObjectDisposedException>(() => scenes[0].FindOverlaps(overlaps, workers));
             Assert.Equal(other.Count, one.Count);
-            Assert.Empty(visitor.Pairs);
+            Assert.Empty(overlaps);
             scenes[0].FindPairsWithin(0.5f, one);
             scenes[1].FindPairsWithin(0.5f, other);
             Assert.True(one.Count > 20 && Hashes(other).SequenceEqual(Hashes(one)));
@@ -73,10 +73,6 @@ public class SceneRefusalTests
         Assert.Equal(
             "broadPhase",
             Assert.Throws<ArgumentOutOfRangeException>(() => new CollisionScene((BroadPhaseKind)4)).ParamName);
-        Assert.Equal(
-            "bound",
-            Assert.Throws<ArgumentOutOfRangeException>(
-                () => new CollisionScene(BroadPhaseKind.SortAndSweep, (BoundKind)2)).ParamName);
     }
 
     private static void RefusesIds(CollisionScene scene)
@@ -125,16 +121,11 @@ public class SceneRefusalTests
             "candidates", Assert.Throws<ArgumentNullException>(() => scene.CollectCandidates(null!)).ParamName);
         Assert.Equal(
             "results", Assert.Throws<ArgumentException>(() => scene.FindOverlapsAmong(pairs, pairs)).ParamName);
-        var visitor = new CollisionSceneTests.Recorder { Pairs = [], Distances = [] };
         foreach (float distance in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
         {
             Assert.Equal(
                 "distance",
                 Assert.Throws<ArgumentOutOfRangeException>(() => scene.FindPairsWithin(distance, [])).ParamName);
-            Assert.Equal(
-                "distance",
-                Assert.Throws<ArgumentOutOfRangeException>(
-                    () => scene.FindPairsWithin(distance, ref visitor)).ParamName);
             Assert.Equal(
                 "distance",
                 Assert.Throws<ArgumentOutOfRangeException>(() => scene.CollectCandidates(pairs, distance)).ParamName);

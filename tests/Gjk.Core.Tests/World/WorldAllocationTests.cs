@@ -13,13 +13,13 @@ public class WorldAllocationTests
     private const int WarmUpFrames = 30;
     private const int Frames = 30;
 
-    public static TheoryData<BroadPhaseKind, BoundKind> Scenes => CollisionSceneTests.Scenes;
+    public static TheoryData<BroadPhaseKind> Scenes => CollisionSceneTests.Scenes;
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void NothingIsAllocatedOnOneThread(BroadPhaseKind kind, BoundKind bound)
+    public void NothingIsAllocatedOnOneThread(BroadPhaseKind kind)
     {
-        Action frame = Frame(kind, bound, null);
+        Action frame = Frame(kind, null);
         for (int i = 0; i < WarmUpFrames; i++) frame();
         Assert.Equal(0, Allocation.Least(() =>
         {
@@ -35,7 +35,7 @@ public class WorldAllocationTests
         public void NothingIsAllocatedInTotal()
         {
             using var workers = new Workers(2);
-            Action frame = Frame(BroadPhaseKind.DynamicTree, BoundKind.Box, workers, FewObjects);
+            Action frame = Frame(BroadPhaseKind.DynamicTree, workers, FewObjects);
             for (int i = 0; i < WarmUpFrames; i++) frame();
 
             Assert.True(Least(() => GC.KeepAlive(new byte[64])) >= 64, "the measure does not see an allocation");
@@ -60,15 +60,15 @@ public class WorldAllocationTests
         }
     }
 
-    /// <summary>Every object moves to and fro; all questions are asked, with lists and visitors.</summary>
-    internal static Action Frame(BroadPhaseKind kind, BoundKind bound, Workers? workers, int count = Objects)
+    /// <summary>Every object moves to and fro; all questions are asked.</summary>
+    internal static Action Frame(BroadPhaseKind kind, Workers? workers, int count = Objects)
     {
         var world = new MovingWorld(21, count, ["box", "hull", "sphere", "cylinder"]);
         var there = new RigidPose[count];
         for (int i = 0; i < count; i++)
             there[i] = new RigidPose(world.Rng.Rotation(), world.Poses[i].Position + world.Rng.Vector(-0.1, 0.1));
         RigidPose[] here = [.. world.Poses];
-        CollisionScene scene = world.Scene(kind, bound);
+        CollisionScene scene = world.Scene(kind);
         List<ObjectPair> overlaps = [], candidates = [];
         List<PairDistance> within = [];
         List<PairContacts> contacts = [];
@@ -97,20 +97,16 @@ public class WorldAllocationTests
             scene.CollectCandidates(candidates);
             scene.FindOverlapsAmong(candidates, overlaps, workers);
             scene.FindPairsWithin(0.2f, within, workers);
-            var counter = default(Counter);
-            scene.FindOverlaps(ref counter, workers);
-            scene.FindPairsWithin(0.2f, ref counter, workers);
             scene.FindDepths(within, workers);
-            scene.FindDepths(ref counter, workers);
             scene.FindContacts(0, contacts, workers);
-            scene.FindContacts(0.05f, ref counter, workers);
+            scene.FindContacts(0.05f, contacts, workers);
             for (int i = 0; i < 50 && i + 1 < count; i++)
             {
                 scene.TryFindNearest(i, out int _, out _);
                 scene.Distance(i, i + 1);
             }
 
-            AskPaths(scene, shapes, poses, rays, firstHits, rayHits, castHits, ids, ref counter, workers);
+            AskPaths(scene, shapes, poses, rays, firstHits, rayHits, castHits, ids, workers);
             PairBatch.Cast(shapes, poses, motions, pairs, casts, 1, workers);
             RayBatch.RayCast(shapes[0], poses[0], rays, rayResults, workers);
             PairBatch.Overlaps(shapes, poses, pairs, statuses, workers);
@@ -120,39 +116,18 @@ public class WorldAllocationTests
 
     private static void AskPaths(
         CollisionScene scene, ConvexShape[] shapes, RigidPose[] poses, RayQuery[] rays, RayHit[] firstHits,
-        List<RayHit> rayHits, List<CastHit> castHits, List<int> ids, ref Counter counter, Workers? workers)
+        List<RayHit> rayHits, List<CastHit> castHits, List<int> ids, Workers? workers)
     {
         scene.FindFirstRayHits(rays, firstHits, workers);
         for (int i = 0; i < 20; i++)
         {
             scene.TryFindRayHit(rays[i], out int _, out RayCastResult _);
             scene.FindRayHits(rays[i], rayHits);
-            scene.FindRayHits(rays[i], ref counter);
             scene.TryFindCastHit(shapes[i], poses[i], Vector3.UnitX, out int _, out CastResult _);
             scene.FindCastHits(shapes[i], poses[i], Vector3.UnitX, castHits);
-            scene.FindCastHits(shapes[i], poses[i], Vector3.UnitX, ref counter);
             scene.FindObjectsOverlapping(shapes[i], poses[i], ids);
-            scene.FindObjectsOverlapping(shapes[i], poses[i], ref counter);
             scene.TryFindNearest(shapes[i], poses[i], out int _, out _, 1);
         }
-    }
-
-    private struct Counter
-        : IPairVisitor, IPairDistanceVisitor, IPairContactsVisitor, IRayHitVisitor, ICastHitVisitor, IObjectVisitor
-    {
-        private int _count;
-
-        public void Visit(ObjectPair pair) => _count++;
-
-        public void Visit(in PairDistance pair) => _count++;
-
-        public void Visit(int id) => _count++;
-
-        public void Visit(in RayHit hit) => _count++;
-
-        public void Visit(in CastHit hit) => _count++;
-
-        public void Visit(in PairContacts pair) => _count++;
     }
 }
 

@@ -117,7 +117,8 @@ public sealed class FuzzSearchTests
     public void WhatIsFoundIsReportedWithExitCodeOne()
     {
         var run = new FuzzRun(
-            new FuzzLength(TimeSpan.FromSeconds(60), null), 4, [new("answers", QueriesEndWithAnAnswer.Broken), Far]);
+            new FuzzLength(TimeSpan.FromSeconds(60), null), 4,
+            new ConvexPairs([new("answers", QueriesEndWithAnAnswer.Broken), Far]));
         BrokenPromise? broken = run.Search(_ => { }, CancellationToken.None);
         Assert.NotNull(broken);
         FuzzReport report = FuzzReport.Of(run, broken, cancelled: false);
@@ -133,7 +134,7 @@ public sealed class FuzzSearchTests
     [Fact]
     public void ACancelledSearchEndsAtOnce()
     {
-        var run = new FuzzRun(new FuzzLength(null, null), 4, AllPromises.Make());
+        var run = new FuzzRun(new FuzzLength(null, null), 4, new ConvexPairs(AllPromises.Make()));
         Assert.Null(run.Search(_ => { }, new CancellationToken(canceled: true)));
         Assert.Equal(130, FuzzReport.Of(run, null, cancelled: true).ExitCode);
         Assert.Equal(0, run.Tried);

@@ -1,7 +1,12 @@
+using System;
+using System.Globalization;
+using System.Linq;
 using System.Threading;
+using Gjk.Demo.Scenes;
 using Gjk.Demo.Study.Fit;
 using Gjk.Demo.Study.Saves;
 using Gjk.Demo.Study.Simulate;
+using Gjk.Demo.Tests.Support;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Study;
@@ -20,7 +25,8 @@ public sealed class SavesTests
     {
         Tolerance tolerance = Tolerance.Read("figures", Figures);
         Assert.Equal(("narrow", 0.02, true), (tolerance.Condition, tolerance.Curve.Pse, tolerance.IsSimulated));
-        var saved = new SavedQueries(BuiltInScenes.Spheres(objects), tolerance, unit: 1);
+        BuiltInScene spheres = BuiltInScenes.Spheres(objects);
+        var saved = new SavedQueries(Scene.From(spheres), spheres.Room, speed: 0.02, tolerance, unit: 1);
         RuleCost Of(PairRule rule) => saved.Run(rule, 40, CancellationToken.None);
         RuleCost exact = Of(PairRule.Exact), proved = Of(PairRule.ProvedSpheres);
         RuleCost tolerant = Of(PairRule.TolerantSpheres), only = Of(PairRule.SpheresOnly);
@@ -39,6 +45,38 @@ public sealed class SavesTests
             Assert.Equal(exact.Pairs, cost.Pairs);
             Assert.True(cost.Seen <= cost.Wrong, $"{cost.Seen} of {cost.Wrong}");
         }
+    }
+
+    [Fact]
+    public void ASceneFileHasItsOwnObjectsMoved()
+    {
+        string[] shapes =
+            ["""{"type":"box","halfExtents":[0.5,0.2,0.3]}""", """{"type":"sphere","radius":0.4}"""];
+        string objects = string.Join(",", Enumerable.Range(0, 12).Select(
+            i => $$"""{"shape":{{shapes[i % 2]}},"position":[{{i % 3}},{{i / 3}},0]}"""));
+        using var folder = new TempDirectory();
+        string file = folder.Write("mixed.json", $$"""{"version":1,"name":"mixed","objects":[{{objects}}]}""");
+        string[] rows = SavesCommand.Table(
+            SavesCommand.Moving(file, default), Tolerance.Read("figures", Figures), 1, 30, default)
+            .Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Equal(5, rows.Length);
+        double[][] rules = [.. rows.Skip(1).Select(r => r.Split(',')[5..].Select(
+            x => double.Parse(x, CultureInfo.InvariantCulture)).ToArray())];
+        Assert.All(rows.Skip(1), r => Assert.StartsWith("mixed,12,simulated,0.02,", r));
+        Assert.Equal((rules[0][0], 0.0), (rules[0][1], rules[0][4]));
+        Assert.True(rules[1][1] < rules[0][1] && rules[1][4] == 0, rows[2]);
+        Assert.True(rules[2][1] <= rules[1][1], rows[3]);
+    }
+
+    [Theory]
+    [InlineData("[]", "$.objects: at least two are needed")]
+    [InlineData("""[{"shape":{"type":"sphere","radius":1},"position":[0,0,0]}]""", "at least two are needed")]
+    public void ASceneOfFewerThanTwoObjectsIsRefused(string objects, string reason)
+    {
+        using var folder = new TempDirectory();
+        string file = folder.Write("few.json", $$"""{"version":1,"name":"few","objects":{{objects}}}""");
+        Assert.Contains(
+            reason, Assert.Throws<RefusedException>(() => SavesCommand.Moving(file, default)).Message);
     }
 
     [Theory]

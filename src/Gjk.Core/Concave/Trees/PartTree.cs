@@ -66,7 +66,4 @@ internal sealed class PartTree
     public static int FirstOf(int leaf) => ~leaf / Lanes;
 
     public static int CountOf(int leaf) => ~leaf % Lanes;
-
-    /// <summary>Bytes of its arrays.</summary>
-    public long Bytes => 4L * (Boxes.Length + Children.Length + Order.Length);
 }

@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// Told what a distance query does, as it does it. Implement it with a struct: the query is compiled for that type, so

@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// Told how the search for a depth grows a surface inside the Minkowski difference A - B until a face of it is a face

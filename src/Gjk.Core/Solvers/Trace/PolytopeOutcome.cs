@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>What a step of the search for a depth led to.</summary>
 public enum PolytopeOutcome

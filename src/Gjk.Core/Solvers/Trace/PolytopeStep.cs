@@ -1,6 +1,6 @@
 using System;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// One step of the search for a depth: a closed surface of triangles inside A - B, its lowest face, the support point

@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>Takes what a solver sees out of its units and out of the axes of A's core, to A's frame.</summary>
 internal readonly struct TraceAxes

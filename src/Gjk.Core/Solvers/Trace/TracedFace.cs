@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// A triangle of the surface that grows inside A - B. Its corners run counterclockwise seen from outside. Immutable.

@@ -1,6 +1,6 @@
 using System;
 
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>
 /// A simplex reduced to its feature nearest the origin: a vertex, an edge, a triangle, or the tetrahedron that holds

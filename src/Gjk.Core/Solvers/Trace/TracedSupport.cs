@@ -1,4 +1,4 @@
-namespace Gjk.Core;
+namespace Gjk.Core.Diagnostics;
 
 /// <summary>One support call on each of the two shapes, in A's own frame. Immutable.</summary>
 public readonly struct TracedSupport

@@ -1,9 +1,10 @@
+using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using System.Linq;
 using System.Numerics;
 using System.Threading;
 using Gjk.Core;
+using Gjk.Demo.Scenes;
 using Gjk.Demo.Study.Fit;
 
 namespace Gjk.Demo.Study.Saves;
@@ -41,32 +42,45 @@ internal readonly record struct RuleCost(
 /// afterwards.</summary>
 internal sealed class SavedQueries
 {
-    /// <summary>Object sizes per frame.</summary>
-    private const double Speed = 0.02;
-
-    private readonly BuiltInScene _built;
-    private readonly ConvexShape _shape;
-    private readonly float _inner, _outer, _unseen;
+    private readonly SceneObject[] _objects;
+    private readonly RigidPose[] _poses;
+    private readonly Aabb _room;
+    private readonly double _speed;
+    private readonly float _unseen;
     private readonly Curve _curve;
 
-    /// <param name="scene">The objects, all of one shape.</param>
+    /// <summary>Radii of balls about each object's centre, inside and outside of it.</summary>
+    private readonly float[] _inner, _outer;
+
+    /// <summary>The centres in the objects' frames.</summary>
+    private readonly Vector3[] _centers;
+
+    /// <param name="scene">Convex objects, where they begin.</param>
+    /// <param name="room">The box that their positions do not leave.</param>
+    /// <param name="speed">Length per frame.</param>
     /// <param name="tolerance">What people do not see.</param>
     /// <param name="unit">The length in the scene of a unit of the study.</param>
-    public SavedQueries(BuiltInScene scene, Tolerance tolerance, double unit)
+    public SavedQueries(Scene scene, in Aabb room, double speed, Tolerance tolerance, double unit)
     {
-        _built = scene;
-        _shape = ConvexShape.Mesh(scene.Vertices);
-        _outer = scene.Vertices.Max(v => v.Length());
-        _inner = -ConvexQuery.SignedDistance(_shape, RigidPose.Identity, Vector3.Zero).Distance;
+        _objects = scene.Objects;
+        _poses = Array.ConvertAll(_objects, o => o.Pose);
+        _room = room;
+        _speed = speed;
+        _centers = Array.ConvertAll(_objects, o => (Vector3)o.Shape.Center);
+        _outer = Array.ConvertAll(_objects, o => MathF.BitIncrement((float)o.Shape.BoundingRadius));
+        _inner = Array.ConvertAll(_objects, o => Math.Max(0, -SignedDistanceOf(o.Shape)));
         _curve = tolerance.Curve with { Pse = tolerance.Curve.Pse * unit, Scale = tolerance.Curve.Scale * unit };
         _unseen = (float)_curve.Pse;
     }
 
+    private static float SignedDistanceOf(in ConvexShape shape) =>
+        ConvexQuery.SignedDistance(shape, RigidPose.Identity, (Vector3)shape.Center).Distance;
+
     public RuleCost Run(PairRule rule, int frames, CancellationToken cancel)
     {
-        var moving = new MovingObjects(_built, Speed);
+        var moving = new MovingObjects(_poses, _room, _speed);
         var scene = new CollisionScene();
-        foreach (RigidPose pose in moving.Poses) scene.Add(_shape, pose);
+        foreach (SceneObject each in _objects) scene.Add(each.Shape, each.Pose);
         var pairs = new List<ObjectPair>();
         var verdicts = new List<bool>();
         long count = 0, queries = 0, ticks = 0, wrong = 0;
@@ -97,21 +111,23 @@ internal sealed class SavedQueries
         RigidPose a = poses[pair.A], b = poses[pair.B];
         if (rule != PairRule.Exact)
         {
-            float centers = Vector3.Distance(a.Position, b.Position);
-            if (rule == PairRule.SpheresOnly) return centers <= _inner + _outer;
+            float centers = Vector3.Distance(a.TransformPoint(_centers[pair.A]), b.TransformPoint(_centers[pair.B]));
+            float inner = _inner[pair.A] + _inner[pair.B], outer = _outer[pair.A] + _outer[pair.B];
+            if (rule == PairRule.SpheresOnly) return centers <= (inner + outer) / 2;
             float unseen = rule == PairRule.TolerantSpheres ? _unseen : 0;
-            if (centers - 2 * _outer > 0) return false;
-            if (centers - 2 * _inner < unseen) return true;
+            if (centers - outer > 0) return false;
+            if (centers - inner < unseen) return true;
         }
 
         queries++;
-        return ConvexQuery.Overlaps(_shape, a, _shape, b);
+        return ConvexQuery.Overlaps(_objects[pair.A].Shape, a, _objects[pair.B].Shape, b);
     }
 
     /// <summary>The probability that somebody sees that a verdict is wrong; 0 for a right one.</summary>
     private double Judge(RigidPose[] poses, ObjectPair pair, bool verdict, ref long wrong)
     {
-        float gap = ConvexQuery.SignedDistance(_shape, poses[pair.A], _shape, poses[pair.B]).Distance;
+        float gap = ConvexQuery.SignedDistance(
+            _objects[pair.A].Shape, poses[pair.A], _objects[pair.B].Shape, poses[pair.B]).Distance;
         if (gap <= 0 == verdict) return 0;
         wrong++;
         return verdict ? 1 - _curve.Touching(gap) : _curve.Touching(gap);

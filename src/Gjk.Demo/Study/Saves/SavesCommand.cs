@@ -1,14 +1,22 @@
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
+using System.Linq;
+using System.Numerics;
 using System.Text;
 using System.Threading;
+using Gjk.Core;
 using Gjk.Demo.Output;
+using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Study.Saves;
 
 /// <summary>The command <c>study saves</c>: what thresholds are worth in a scene of moving objects.</summary>
 internal static class SavesCommand
 {
+    /// <summary>Object sizes per frame.</summary>
+    private const double Speed = 0.02;
+
     private static readonly PairRule[] Rules =
         [PairRule.Exact, PairRule.ProvedSpheres, PairRule.TolerantSpheres, PairRule.SpheresOnly];
 
@@ -18,16 +26,22 @@ internal static class SavesCommand
         {
             Description = "The CSV that study fit wrote.",
         };
-        Option<string> scene = StudyCommand.Word("--scene", "The objects of the scene.", "spheres", "cubes");
+        var scene = new Option<string>("--scene")
+        {
+            Description = "The objects: spheres or cubes, 20 and 2,000 of them, or those of a scene file, which begin "
+                + "where the file has them and move at random.",
+            HelpName = "spheres|cubes|SCENE.json",
+            DefaultValueFactory = _ => "spheres",
+        };
         Option<int> frames = StudyCommand.Whole("--frames", "How many frames to run.", 100, 1, 100_000);
         Option<double> unit = StudyCommand.Real(
-            "--unit", "The length in the scene, whose objects have the size 1, of a unit of the study.", 1, 1e-9, 1e9);
+            "--unit", "The length in the scene of a unit of the study. Built-in objects have the size 1.", 1, 1e-9, 1e9);
         Option<string?> output =
             StudyCommand.Output("Write the table to this file instead of standard output.", "FILE.csv");
         var command = new Command(
             "saves",
-            "Say how many queries and how much time a scene of 20 and of 2,000 moving objects saves with thresholds as "
-            + "tolerances, and how many errors that makes.")
+            "Say how many queries and how much time a scene of moving objects saves with thresholds as tolerances, and "
+            + "how many errors that makes.")
         {
             thresholds, scene, frames, unit, output,
         };
@@ -37,20 +51,55 @@ internal static class SavesCommand
             TargetFiles.Check(file, "the thresholds", ("--out", r.GetValue(output)));
             string text = Encoding.UTF8.GetString(InputFile.Read(file, cancel));
             Tolerance tolerance = Tolerance.Read(InputFile.NameOf(file), text);
-            string table = Table(tolerance, r.GetValue(scene)!, r.GetValue(unit), r.GetValue(frames), cancel);
+            string table = Table(
+                Moving(r.GetValue(scene)!, cancel), tolerance, r.GetValue(unit), r.GetValue(frames), cancel);
             StudyCommand.Write(cancel, (r.GetValue(output), table));
             return ExitCode.Done;
         });
         return command;
     }
 
-    private static string Table(Tolerance tolerance, string name, double unit, int frames, CancellationToken cancel)
+    /// <summary>The scenes that a name stands for, with their rooms and speeds.</summary>
+    /// <exception cref="RefusedException">The file is no scene of two or more convex objects.</exception>
+    public static IEnumerable<(Scene Scene, Aabb Room, double Speed)> Moving(string name, CancellationToken cancel)
+    {
+        if (name is not ("spheres" or "cubes"))
+        {
+            Scene scene = SceneFile.Load(name, cancel).Convex(InputFile.NameOf(name), "study saves");
+            if (scene.Objects.Length < 2)
+                throw new RefusedException($"{InputFile.NameOf(name)}: $.objects: at least two are needed");
+            return [(scene, RoomOf(scene), Speed * scene.Objects.Average(o => 2 * o.Shape.BoundingRadius))];
+        }
+
+        return ((int[])[20, 2_000]).Select(objects =>
+        {
+            BuiltInScene built = name == "cubes" ? BuiltInScenes.Cubes(objects) : BuiltInScenes.Spheres(objects);
+            return (Scene.From(built), built.Room, Speed);
+        });
+    }
+
+    /// <summary>The box around the objects' positions.</summary>
+    private static Aabb RoomOf(Scene scene)
+    {
+        Vector3 least = scene.Objects[0].Pose.Position, most = least;
+        foreach (SceneObject each in scene.Objects)
+        {
+            least = Vector3.Min(least, each.Pose.Position);
+            most = Vector3.Max(most, each.Pose.Position);
+        }
+
+        return new Aabb(least, most);
+    }
+
+    /// <summary>The costs of all rules, as CSV.</summary>
+    public static string Table(
+        IEnumerable<(Scene Scene, Aabb Room, double Speed)> scenes, Tolerance tolerance, double unit, int frames,
+        CancellationToken cancel)
     {
         var csv = new StringBuilder("scene,objects,observers,threshold,rule,pairs,queries,saved,ms,wrong,seen\n");
-        foreach (int objects in (int[])[20, 2_000])
+        foreach ((Scene scene, Aabb room, double speed) in scenes)
         {
-            BuiltInScene scene = name == "cubes" ? BuiltInScenes.Cubes(objects) : BuiltInScenes.Spheres(objects);
-            var saved = new SavedQueries(scene, tolerance, unit);
+            var saved = new SavedQueries(scene, room, speed, tolerance, unit);
             foreach (PairRule rule in Rules) saved.Run(rule, 2, cancel);
             foreach (PairRule rule in Rules)
             {
@@ -58,7 +107,8 @@ internal static class SavesCommand
                 double share = cost.Pairs > 0 ? 1 - cost.Queries / cost.Pairs : 0;
                 string who = tolerance.IsSimulated ? "simulated" : "people";
                 csv.Append(
-                    CultureInfo.InvariantCulture, $"{name},{objects},{who},{tolerance.Curve.Pse * unit:G4},{rule},");
+                    CultureInfo.InvariantCulture, $"{PlainText.CsvField(scene.Name)},{scene.Objects.Length},{who},");
+                csv.Append(CultureInfo.InvariantCulture, $"{tolerance.Curve.Pse * unit:G4},{rule},");
                 csv.Append(CultureInfo.InvariantCulture, $"{cost.Pairs:F2},{cost.Queries:F2},{share:F3},");
                 csv.Append(CultureInfo.InvariantCulture, $"{cost.Milliseconds:F4},{cost.Wrong:F3},{cost.Seen:F3}\n");
             }

@@ -247,7 +247,6 @@ function nearestBefore(walk, at) {
 function clear(group) {
   group.traverse((mark) => {
     mark.geometry?.dispose();
-    mark.material?.dispose();
   });
   group.clear();
 }

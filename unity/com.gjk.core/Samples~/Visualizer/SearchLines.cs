@@ -1,4 +1,5 @@
 using Gjk.Core;
+using Gjk.Core.Diagnostics;
 using Gjk.Unity;
 using UnityEngine;
 

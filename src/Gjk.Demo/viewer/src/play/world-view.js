@@ -168,12 +168,12 @@ export function through(geometry, color) {
   return mark;
 }
 
-/** Puts parts into a group, and frees the ones before. */
+/**
+ * Puts parts into a group, and frees the geometry of the ones before. Disposing of their materials would free the
+ * shader with the last of them, and the next part would have it compiled again.
+ */
 export function replaceAll(group, parts) {
-  for (const old of group.children) {
-    old.geometry.dispose();
-    old.material.dispose();
-  }
+  for (const old of group.children) old.geometry.dispose();
   group.clear();
   group.add(...parts.filter(Boolean));
 }

@@ -1,6 +1,7 @@
 // The screens around the trials: consent, questions, calibration, instructions, breaks and the end. Each one is a
 // function of the element to fill and of what to call when the person goes on.
 import { element } from '../dom.js';
+import { blindSpot } from './blind-spot.js';
 
 /** A bank card in millimetres (ISO/IEC 7810, ID-1), standing. */
 const CARD = { width: 53.98, height: 85.6 };
@@ -61,6 +62,14 @@ export const calibration = (plan, store) => (display, done) => {
     type: 'number', id: 'distance', min: NEAREST, max: FURTHEST, value: plan.viewingDistance,
   });
   const note = element('p', { className: 'quiet', role: 'status' });
+  const spot = element('div', {}, go('Measure the distance by the blind spot', () => {
+    const told = distance.value;
+    blindSpot(spot, Number(slider.value), (millimetres) => {
+      distance.value = measured = millimetres;
+      spot.textContent = `The blind spot says ${millimetres} mm (${told} before).`;
+    });
+  }));
+  let measured = null;
   function fit() {
     card.style.width = `${CARD.width * slider.value}px`;
     card.style.height = `${CARD.height * slider.value}px`;
@@ -72,14 +81,15 @@ export const calibration = (plan, store) => (display, done) => {
     }),
     slider, card,
     element('label', {}, element('span', { textContent: 'From your eyes to the screen, in millimetres' }), distance),
-    note,
+    spot, note,
     go('Next', () => {
       const millimetres = Number(distance.value);
       if (!(millimetres >= NEAREST && millimetres <= FURTHEST)) {
         note.textContent = `Must be ${NEAREST} to ${FURTHEST} millimetres.`;
         return;
       }
-      store.keep({ pixelsPerMillimetre: Number(slider.value), viewingDistance: millimetres });
+      const viewingDistanceBy = millimetres === measured ? 'blind spot' : 'person';
+      store.keep({ pixelsPerMillimetre: Number(slider.value), viewingDistance: millimetres, viewingDistanceBy });
       done();
     }));
 };

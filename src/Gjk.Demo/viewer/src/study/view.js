@@ -37,6 +37,8 @@ export class StudyView {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.root.prepend(this.renderer.domElement);
+    this.materials = new Map();
+    this.line = new LineBasicMaterial({ color: EDGE });
     new ResizeObserver(() => this.resize()).observe(this.root);
     this.noise();
   }
@@ -57,24 +59,26 @@ export class StudyView {
   }
 
   make(group, shape, color, view) {
-    for (const old of group.children) {
-      old.geometry.dispose();
-      old.material.dispose();
-    }
+    for (const old of group.children) old.geometry.dispose();
     group.clear();
-    const geometry = surface(shape, this.unit, THIN), material = new MeshLambertMaterial({
-      color, side: shape.dimension < 3 ? DoubleSide : 0,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-    });
-    if (view.texture) {
-      project(geometry);
-      material.map = checks();
-    }
-    const mesh = new Mesh(geometry, material);
+    const geometry = surface(shape, this.unit, THIN);
+    if (view.texture) project(geometry);
+    const mesh = new Mesh(geometry, this.material(color, shape.dimension < 3, view.texture));
     mesh.castShadow = mesh.receiveShadow = view.shadow;
     group.add(mesh);
-    if (shape.dimension > 1 && shape.edges.length)
-      group.add(new LineSegments(edges(shape, this.unit), new LineBasicMaterial({ color: EDGE })));
+    if (shape.dimension > 1 && shape.edges.length) group.add(new LineSegments(edges(shape, this.unit), this.line));
+  }
+
+  /** Materials are kept: a new one would have its shader compiled, which delays the view that is to be timed. */
+  material(color, isThin, hasTexture) {
+    const key = `${color} ${isThin} ${hasTexture}`;
+    if (!this.materials.has(key)) {
+      this.materials.set(key, new MeshLambertMaterial({
+        color, side: isThin ? DoubleSide : 0, map: hasTexture ? checks() : null,
+        polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+      }));
+    }
+    return this.materials.get(key);
   }
 
   /** Puts both bodies at poses of the library. */

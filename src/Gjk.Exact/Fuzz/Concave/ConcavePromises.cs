@@ -1,0 +1,32 @@
+using System;
+using System.Collections.Generic;
+
+namespace Gjk.Exact.Fuzz.Concave;
+
+/// <summary>One thing that a user of concave shapes relies on, checked for one pair.</summary>
+/// <param name="Name">The promise in a few words.</param>
+/// <param name="Broken">How a pair breaks it, in one line; null when it holds.</param>
+internal sealed record ConcavePromise(string Name, Func<ConcavePair, string?> Broken);
+
+/// <summary>All of them, those first that the others build on.</summary>
+internal static class ConcavePromises
+{
+    public static IReadOnlyList<ConcavePromise> All { get; } =
+    [
+        new("the distance is the least of all parts, and the named parts have it", LeastOfParts.Distance),
+        new("the distance is the exact one, rounded, and no bound is above it", LeastOfParts.Exact),
+        new("Overlaps and a largest distance say the same", LeastOfParts.Limits),
+        new("all pairs of parts within a distance are found, sorted", LeastOfParts.Within),
+        new("the depths are those of the parts that overlap", LeastOfParts.Depths),
+        new("the answer depends on the pair alone", SameConcave.Again),
+        new("a warm start does not change the distance", SameConcave.Warm),
+        new("exchanging A and B mirrors the answer", SameConcave.Swapped),
+        new("moved vertices are answered like a new mesh", SameConcave.Refit),
+        new("a ray meets the parts in their order", FirstOfParts.Rays),
+        new("a cast finds the first touch of any parts", FirstOfParts.Casts),
+        new("a time of impact is the least of all parts", FirstOfParts.Impacts),
+        new("a point is as near and as far inside as the parts say", PointsOfParts.Broken),
+        new("contacts are those of the parts, or along their faces", ContactsOfParts.Broken),
+        new("a scene and a batch say what the query says", ScenesOfParts.Broken),
+    ];
+}
