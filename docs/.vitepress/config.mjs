@@ -1,6 +1,6 @@
 import { defineConfig } from 'vitepress'
 import { sourceLinks } from './source-links.mjs'
-import { wideTables } from './wide-tables.mjs'
+import { labelledCells } from './labelled-cells.mjs'
 
 const base = process.env.GJK_SITE_BASE ?? '/'
 
@@ -64,7 +64,7 @@ export default defineConfig({
   markdown: {
     config(markdown) {
       sourceLinks(markdown)
-      wideTables(markdown)
+      labelledCells(markdown)
     },
   },
   vue: { template: { compilerOptions: { whitespace: 'preserve' } } },

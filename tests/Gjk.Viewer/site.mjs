@@ -97,6 +97,15 @@ function cutOff() {
     const right = element.getBoundingClientRect().right;
     if (right > width + 1) wide.push(element.textContent.slice(0, 60));
   }
+  // A cell that is narrower than this breaks words letter by letter.
+  for (const cell of document.querySelectorAll('.vp-doc :is(th, td)')) {
+    const longest = Math.max(...cell.textContent.split(/\s/).map((word) => word.length));
+    if (cell.clientWidth > 0 && cell.clientWidth < 40 && longest > 4)
+      wide.push(`a cell of ${cell.clientWidth}: ${cell.textContent.slice(0, 40)}`);
+  }
+  // A break before a component at the start of a line is lost, and with it the space.
+  for (const part of document.querySelectorAll('.vp-doc .part'))
+    if (/\w$/.test(part.previousSibling?.textContent ?? '')) wide.push(`no space before ${part.textContent}`);
   const images = [...document.images].filter((image) => image.complete && image.naturalWidth === 0).map((image) => image.src);
   return [...wide, ...images];
 }
