@@ -36,7 +36,10 @@ public class ReferenceTests
         Assert.All(typeof(ConvexQuery).Assembly.GetExportedTypes(), type =>
         {
             foreach (string part in new[] { "summary", "remarks" })
-                Assert.True(comments[$"T:{type.FullName}"].Elements(part).Count() <= 1, $"{type} has more than one {part}");
+            {
+                int count = comments[$"T:{type.FullName}"].Elements(part).Count();
+                Assert.True(count <= 1, $"{type} has more than one {part}");
+            }
         });
     }
 

@@ -39,7 +39,7 @@ internal static partial class ReferencePages
         return pages;
     }
 
-    /// <summary>The documentation comments of the library, by the names that the compiler gives their members.</summary>
+    /// <summary>The documentation comments of the library, by the names that the compiler gives members.</summary>
     public static Dictionary<string, XElement> Comments() =>
         XDocument.Load(Path.ChangeExtension(typeof(ConvexQuery).Assembly.Location, ".xml"))
             .Descendants("member").ToDictionary(m => m.Attribute("name")!.Value);

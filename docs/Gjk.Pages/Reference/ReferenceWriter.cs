@@ -7,7 +7,7 @@ using System.Xml.Linq;
 
 namespace Gjk.Pages;
 
-/// <summary>Writes what the reference says of a type: a heading for it, and one for each name among its members.</summary>
+/// <summary>Writes what the reference says of a type: a heading for it, and one for each name of a member.</summary>
 internal sealed class ReferenceWriter
 {
     private const BindingFlags Declared =
@@ -105,8 +105,8 @@ internal sealed class ReferenceWriter
     private string TypeLink(Type type)
     {
         while (type.HasElementType) type = type.GetElementType()!;
-        if (type.IsGenericType && type.GetGenericArguments() is [var only] && !_links.ContainsKey(ReferencePages.Plain(type)))
-            type = only;
+        bool isOther = !_links.ContainsKey(ReferencePages.Plain(type));
+        if (isOther && type.IsGenericType && type.GetGenericArguments() is [var only]) type = only;
         string name = ReferencePages.Plain(type);
         return _links.ContainsKey(name) && !type.IsGenericParameter ? $" ({_text.Linked(name, name)})" : "";
     }

@@ -39,7 +39,7 @@ internal sealed partial class XmlText(Func<string, string?> linkOf)
         _ => Nodes(element),
     };
 
-    /// <summary>The name of what is referred to, without its namespace and parameters, with a link to its type.</summary>
+    /// <summary>The name of what is referred to, without namespace and parameters, with a link to its type.</summary>
     private string Reference(XElement element)
     {
         string? word = element.Attribute("langword")?.Value ?? element.Attribute("href")?.Value;

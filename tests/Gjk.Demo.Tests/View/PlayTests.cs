@@ -120,7 +120,7 @@ public sealed class PlayTests
         Assert.DoesNotContain("wasm", File.ReadAllText(page));
     }
 
-    /// <summary>What a page offers comes from a scene and a file of meshes together, and how much it is, is said.</summary>
+    /// <summary>A page offers the bodies of a scene and of a file of meshes together, and says how many.</summary>
     [Fact]
     public void ASceneAndTheMeshesOfAGlbAreOfferedTogether()
     {
