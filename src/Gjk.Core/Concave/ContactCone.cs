@@ -2,7 +2,7 @@ using System;
 
 namespace Gjk.Core;
 
-/// <summary>What a surface makes of a contact with one of its triangles.</summary>
+/// <summary>What a surface makes of a contact with one of its triangles: the greater, the further off it is.</summary>
 internal enum ContactFit : byte
 {
     /// <summary>The direction is one in which the surface ends where the contact is.</summary>
@@ -38,10 +38,10 @@ internal readonly ref struct ContactCone
     public const double Slack = 1.0 / (1 << 20);
 
     /// <summary>
-    /// Cosine of 25 degrees: a contact that is tilted by less is measured along the triangle's normal instead. A body
+    /// Cosine of 26 degrees: a contact that is tilted by less is measured along the triangle's normal instead. A body
     /// that rocks tilts by a few; more or less makes no difference to one at rest.
     /// </summary>
-    private const double LeastCosine = 0.9;
+    public const float LeastCosine = 0.9f;
 
     /// <summary>Count: over so many triangles without area the neighbour of an edge is looked for.</summary>
     private const int MostFlattened = 8;
