@@ -35,7 +35,8 @@ internal static class SavesCommand
         };
         Option<int> frames = StudyCommand.Whole("--frames", "How many frames to run.", 100, 1, 100_000);
         Option<double> unit = StudyCommand.Real(
-            "--unit", "The length in the scene of a unit of the study. Built-in objects have the size 1.", 1, 1e-9, 1e9);
+            "--unit", "The length in the scene of a unit of the study. Built-in objects have the size 1.", 1, 1e-9,
+            1e9);
         Option<string?> output =
             StudyCommand.Output("Write the table to this file instead of standard output.", "FILE.csv");
         var command = new Command(
