@@ -89,7 +89,8 @@ public static partial class ConcaveQuery
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
         search.Begin(scratch, motion, a, b, maxFraction, tolerance, options);
-        PartCastSearch.Run(scratch);
+        if (motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow) PartAdvancement.Run(scratch, a, b);
+        else PartCastSearch.Run(scratch);
         CastResult found = search.PartA >= 0
             ? search.Cast
             : CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0);

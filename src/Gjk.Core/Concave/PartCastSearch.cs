@@ -23,7 +23,8 @@ internal enum PartMotion : byte
 /// </summary>
 /// <remarks>
 /// The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their distance
-/// at the start, which closes no faster than the velocities and the turns of the furthest points allow.
+/// where the search begins, which closes no faster than the velocities and the turns of the furthest points allow.
+/// <see cref="PartAdvancement"/> says where that is.
 /// Exactness: parts are asked up to the float after the least fraction so far, since a contact may be found behind it
 /// and still round to it; of equal fractions the least numbers stay. So the answer is that of all pairs asked in turn.
 /// </remarks>
@@ -43,7 +44,7 @@ internal struct PartCastSearch
     private CastOptions _options;
     private TreeFrame _frame;
     private Vector3 _wayInA, _wayInB;
-    private double _length, _maxFraction;
+    private double _length, _maxFraction, _from, _to, _margins;
     private float _reached, _room, _tolerance;
 
     /// <summary>The best so far: the fraction of the whole motion, or a ray's distance.</summary>
@@ -62,6 +63,16 @@ internal struct PartCastSearch
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
 
+    /// <summary>World units per fraction: no faster does any distance close.</summary>
+    public readonly double Speed => _length;
+
+    /// <summary>The last fraction that may still be the least.</summary>
+    public readonly double Last => Math.Min(_maxFraction, _best);
+
+    /// <summary>World units: parts of an impact that are further apart do not touch.</summary>
+    public readonly double TouchRoom => Math.Max(
+        _tolerance, ImpactRoom * ((_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins)) * Beyond;
+
     /// <summary>Prepares a search.</summary>
     /// <param name="scratch">With both sides set.</param>
     /// <param name="motion">What is asked.</param>
@@ -77,9 +88,9 @@ internal struct PartCastSearch
         PartSide sideA = scratch.A, sideB = scratch.B;
         (_motion, _a, _b, _options, _tolerance) = (motion, a, b, options, tolerance);
         _maxFraction = Math.Max(maxFraction, 0);
-        double margins = sideA.Margin + sideB.Margin;
-        TreeFrame.Compose(sideA.Tree, sideA.Pose, sideB.Tree, sideB.Pose, margins, out _frame);
-        _room = (float)((margins / _frame.Unit + _frame.Room) * Beyond) + float.Epsilon;
+        _margins = sideA.Margin + sideB.Margin;
+        (_from, _to) = (0, double.PositiveInfinity);
+        Place(scratch, 0);
         Double3 way = (Double3)b.Velocity - a.Velocity;
         _length = motion == PartMotion.Impact
             ? way.Length + Spin(sideA, a.AngularVelocity) + Spin(sideB, b.AngularVelocity)
@@ -92,6 +103,25 @@ internal struct PartCastSearch
         _isOverlapping = false;
         _best = float.PositiveInfinity;
         SetReached(_maxFraction);
+    }
+
+    /// <summary>Looks at a piece of the motion only, of parts that do not touch before it.</summary>
+    /// <param name="scratch">With both sides posed at the first fraction.</param>
+    /// <param name="from">The fraction that it begins at.</param>
+    /// <param name="to">The one that it ends at.</param>
+    /// <param name="rounding">World units: so far the sides may be from where the motion has them.</param>
+    public void Look(ConcaveScratch scratch, double from, double to, double rounding)
+    {
+        (_from, _to) = (from, to);
+        Place(scratch, rounding);
+        SetReached(Last);
+    }
+
+    private void Place(ConcaveScratch scratch, double rounding)
+    {
+        PartSide sideA = scratch.A, sideB = scratch.B;
+        TreeFrame.Compose(sideA.Tree, sideA.Pose, sideB.Tree, sideB.Pose, _margins, out _frame);
+        _room = (float)(((_margins + rounding) / _frame.Unit + _frame.Room) * Beyond) + float.Epsilon;
     }
 
     /// <summary>Finds the first contact.</summary>
@@ -136,7 +166,8 @@ internal struct PartCastSearch
     /// <summary>What bounds are compared with, for a fraction, or a ray's distance.</summary>
     private void SetReached(double fraction)
     {
-        double way = (_motion == PartMotion.Ray ? fraction : fraction * _length) * Beyond / _frame.Unit;
+        double along = Math.Min(fraction, _to) - _from;
+        double way = (_motion == PartMotion.Ray ? along : along * _length) * Beyond / _frame.Unit;
         if (_motion == PartMotion.Impact)
         {
             double size = _frame.RadiusA + _frame.RadiusB + _room;
