@@ -1,5 +1,4 @@
 using System.Numerics;
-using Gjk.Exact.Meshes;
 using Xunit;
 
 namespace Gjk.Core.Tests.Concave;
