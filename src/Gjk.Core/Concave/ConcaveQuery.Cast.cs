@@ -89,7 +89,8 @@ public static partial class ConcaveQuery
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
         search.Begin(scratch, motion, a, b, maxFraction, tolerance, options);
-        if (motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow) PartAdvancement.Run(scratch, a, b);
+        bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow;
+        if (isAdvanced) PartAdvancement.Run(scratch, a, b);
         else PartCastSearch.Run(scratch);
         CastResult found = search.PartA >= 0
             ? search.Cast

@@ -23,20 +23,25 @@ internal static class PartAdvancement
 {
     /// <summary>
     /// Ratio to the trees' reach: 2^-6; bodies nearer than this are looked at part by part. It changes the cost alone:
-    /// larger ones ask more parts, smaller ones more distances.
+    /// larger ones ask more parts, smaller ones more distances. No test can tell.
     /// </summary>
     private const double Near = 1.0 / (1 << 6);
 
     /// <summary>
     /// Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at most 2^-23,
-    /// and a position's by 2^-24 each. More only costs time.
+    /// and a position's by 2^-24 each. More only costs time; less is not seen by a test, as a touch has more room.
     /// </summary>
     private const double PoseRounding = 1.0 / (1 << 21);
 
-    /// <summary>Distances of a query; a bound of the cost.</summary>
+    /// <summary>
+    /// Distances of a query; a bound of the cost. Pinned by PartAdvancementTests.ATurnBesideAnotherBodyEnds, which does
+    /// not end without one.
+    /// </summary>
     private const int MostSteps = 64;
 
-    /// <summary>Finds the first contact of the search that the scratch holds, of an impact that passes nothing.</summary>
+    /// <summary>
+    /// Finds the first contact of the search that the scratch holds, of an impact that passes nothing.
+    /// </summary>
     public static void Run(ConcaveScratch scratch, in RigidMotion a, in RigidMotion b)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
