@@ -85,9 +85,11 @@ export function queryCode(question, bodies, record) {
   const codes = bodies.map(({ words }) => shapeCode(words));
   const isShort = codes.every(Boolean);
   const turns = bodies.some(({ motion }) => motion.slice(10).some((x) => x !== 0));
-  const lines = ['using System;', 'using System.IO;', 'using System.Numerics;', 'using Gjk.Core;', ''];
+  const lines = ['using System;', 'using System.IO;', 'using System.Numerics;', 'using Gjk.Core;'];
   const isFile = !isShort && record.length > MOST_RECORD;
   if (!isFile) lines.splice(1, 1);
+  if (!isShort) lines.push('using Gjk.Core.Diagnostics;');
+  lines.push('');
   if (!isShort) {
     if (isFile) lines.push('// The record of this query, in a file.');
     const text = isFile ? 'File.ReadAllText("pair.txt")' : `\n    "${record}"`;
