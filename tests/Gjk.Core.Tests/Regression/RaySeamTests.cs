@@ -90,6 +90,35 @@ public class RaySeamTests
         Assert.True(hits.Count > 2);
     }
 
+    /// <summary>
+    /// A flat line that passes an edge closely crosses the triangle's plane far beside it: it meets the edge, where the
+    /// neighbour's hit is before.
+    /// </summary>
+    [Fact]
+    public void AFlatLineMeetsAnEdgeWhereItPassesIt()
+    {
+        Vector3[] corners = [new(-0.5f, 0, 0), new(0, 0, 0), new(0, 0, -0.5f), new(0.5f, 0, -0.5f)];
+        int[] triangles = [0, 1, 2, 2, 1, 3];
+        var pose = new RigidPose(
+            new Quaternion(0.55394983f, -0.11987774f, 0.070853405f, 0.820822f),
+            new Vector3(0.65045923f, -0.5600591f, -0.3490575f));
+        Vector3 origin = new(0.69296396f, -0.5585865f, -0.33782437f), to = new(0.016644299f, 0.46171534f, -0.19000205f);
+        AnyShape surface = AnyShape.Surface(new TriangleMesh(corners, triangles));
+        var scratch = new ConcaveScratch();
+        List<PartRayHit> hits = [];
+        ConcaveQuery.RayCastAll(surface, pose, origin, to, scratch, hits);
+        Assert.Equal([1, 0], hits.ConvertAll(hit => hit.Part));
+        Assert.Equal(1, ConcaveQuery.RayCast(surface, pose, origin, to, scratch).Part);
+        foreach (PartRayHit hit in hits)
+        {
+            int i = 3 * hit.Part;
+            ConvexShape triangle = ConvexShape.Triangle(
+                corners[triangles[i]], corners[triangles[i + 1]], corners[triangles[i + 2]]);
+            var at = new RigidPose(hit.Result.Point);
+            Assert.True(ConvexQuery.Distance(triangle, pose, ConvexShape.Point(), at).Distance < 2e-7f, $"{hit}");
+        }
+    }
+
     private static TriangleMesh Cube(out Vector3[] corners, out int[] triangles)
     {
         corners =

@@ -89,8 +89,7 @@ internal static class RayCaster
         }
 
         if (finding == RayFinding.Unfit) return false;
-        Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, ref hit);
-        if (hit.Status != CastStatus.Hit) return true;
+        if (!Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, ref hit)) return true;
         Place(rotation, span, line, ref hit);
         if (!isNear) hit.Point = rotation.Rotate(ray.At(span.Enter) + target.Center) + pose.Position;
         return true;
@@ -119,8 +118,7 @@ internal static class RayCaster
         if (hit.Status != CastStatus.None) return true;
         if (!isNear || !RayBox.IsSolid(size) || RayBox.IsAlongSide(ray, size)) return false;
         bool isFound = RayBox.TryFind(ray, size, out RaySpan span);
-        Judge(isFound, span, ray.Shift, radius, line.Reach, ref hit);
-        if (hit.Status == CastStatus.Hit) Place(rotation, span, line, ref hit);
+        if (Judge(isFound, span, ray.Shift, radius, line.Reach, ref hit)) Place(rotation, span, line, ref hit);
         return true;
     }
 
@@ -182,29 +180,34 @@ internal static class RayCaster
             found = RayBall.TryFind(ray, radius, out span);
         }
 
-        Judge(found, span, ray.Shift, radius, line.Reach, ref hit);
-        if (hit.Status != CastStatus.Hit) return true;
+        if (!Judge(found, span, ray.Shift, radius, line.Reach, ref hit)) return true;
         hit.Normal = span.Normal * (1 / radius);
         hit.Point = span.Normal + pose.Position;
         return true;
     }
 
     /// <summary>What the interval says of the ray.</summary>
+    /// <returns>
+    /// Whether it begins where the ray meets the body, at its start perhaps, which no reach is too short for.
+    /// </returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Judge(
+    private static bool Judge(
         bool isFound, in RaySpan span, double shift, double radius, double reach, ref RayMeeting hit)
     {
         double enter = span.Enter + shift, exit = span.Exit + shift, band = SurfaceBand * radius;
         hit.Status = CastStatus.Miss;
-        if (!isFound || exit < -band) return;
+        if (!isFound || exit < -band) return false;
         hit.IsAtSurface = enter <= StartBand * radius && (enter >= -band || exit <= band);
         if (!hit.IsAtSurface && enter <= 0)
         {
             hit.Status = CastStatus.OverlappingAtStart;
-            return;
+            return false;
         }
 
         hit.Distance = Math.Max(enter, 0);
-        if (exit >= 0 && enter >= -band && enter - EndError * (enter + radius) <= reach) hit.Status = CastStatus.Hit;
+        if (!(exit >= 0 && enter >= -band)) return false;
+        bool isReached = enter - EndError * (enter + radius) <= reach;
+        if (isReached) hit.Status = CastStatus.Hit;
+        return isReached | hit.IsAtSurface;
     }
 }

@@ -42,8 +42,25 @@ internal static class RayTriangle
         span.Enter = span.Exit = Double3.Dot(normal, toA) / along;
         span.Normal = along > 0 ? -normal : normal;
         span.IsClose = false;
-        return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)
-            || IsOnEdge(ray.Direction, b - c, c - a, a - b, normal, u, v, w);
+        if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return true;
+        if (!IsOnEdge(ray.Direction, b - c, c - a, a - b, normal, u, v, w)) return false;
+
+        // A flat line may cross the plane far beside the edge that it passes closely, where another triangle is.
+        double side = u + v + w > 0 ? 1 : -1;
+        double passed = side * u < 0 ? Pass(ray.Direction, toB, c - b)
+            : side * v < 0 ? Pass(ray.Direction, toC, a - c)
+            : Pass(ray.Direction, toA, b - a);
+        span.Enter = span.Exit = passed;
+        return true;
+    }
+
+    /// <summary>Where a line is nearest to an edge (Ericson 2005, section 5.1.9).</summary>
+    private static double Pass(in Double3 direction, in Double3 toStart, in Double3 edge)
+    {
+        Double3 across = Double3.Cross(direction, edge);
+        double along = Double3.Dot(Double3.Cross(toStart, direction), across) / across.LengthSquared;
+        Double3 nearest = toStart + edge * Math.Min(Math.Max(along, 0), 1);
+        return Double3.Dot(nearest, direction) / direction.LengthSquared;
     }
 
     /// <summary>Whether the volumes have one sign but for those of edges that the line passes closely.</summary>

@@ -108,4 +108,24 @@ public class RayStartTests
         Assert.Equal((CastStatus.Hit, Vector3.UnitY), (r.Status, r.Normal));
         Assert.True(isAtStart ? r.Distance == 0 : Math.Abs(r.Distance - ahead) < 1e-9, r.ToString());
     }
+
+    /// <summary>Where the origin touches, even a ray that ends there has the normal of one that goes on.</summary>
+    [Fact]
+    public void AReachOfNothingChangesNoNormal()
+    {
+        QueryRecord pair = QueryRecord.Parse(
+            "gjk1 point 0 @ 0 0 0 1 -3.99999989E-09 8.99999986E-09 -1.99999994E-09 ~ 0 0 0.899999976 0 0 0 ellipsoid "
+            + "0.99999999115220817 1.000000003262187 0.99999995952652654 @ 0.00999999978 -0.00200000009 0.620000005 "
+            + "-0.785700023 0.611437917 0.278247148 0.740757823");
+        Vector3 way = pair.MotionA.Velocity;
+        foreach (float most in (float[])[0, -1, 1e-9f, float.PositiveInfinity])
+        {
+            CastResult cast = ConvexQuery.Cast(pair.A, pair.PoseA, way, pair.B, pair.PoseB, Vector3.Zero, most);
+            CastResult whole = ConvexQuery.Cast(pair.A, pair.PoseA, way, pair.B, pair.PoseB, Vector3.Zero, 1);
+            Assert.Equal((whole.Status, whole.Point, whole.Normal), (cast.Status, cast.Point, cast.Normal));
+            RayCastResult ray = ConvexQuery.RayCast(pair.B, pair.PoseB, pair.PoseA.Position, way, most);
+            RayCastResult far = ConvexQuery.RayCast(pair.B, pair.PoseB, pair.PoseA.Position, way);
+            Assert.Equal((far.Status, far.Point, far.Normal), (ray.Status, ray.Point, ray.Normal));
+        }
+    }
 }
