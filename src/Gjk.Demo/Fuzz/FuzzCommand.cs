@@ -15,9 +15,9 @@ internal static class FuzzCommand
     /// <param name="cancel">Ends the search; what was done is printed.</param>
     public static int Run(FuzzLength length, ulong seed, bool isConcave, CancellationToken cancel)
     {
-        IPairSource concave = new ConcavePairs();
+        IPairSource concave = PairSources.Concave();
         var run = new FuzzRun(
-            length, seed, isConcave ? concave : new MixedPairs(new ConvexPairs(AllPromises.Make()), concave));
+            length, seed, isConcave ? concave : new MixedPairs(PairSources.Convex(AllPromises.Make()), concave));
         BrokenPromise? broken = null;
         ProgressBar.Show(bar => broken = run.Search(bar.Add("pairs"), cancel));
         FuzzReport report = FuzzReport.Of(run, broken, cancel.IsCancellationRequested);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Threading;
 using Gjk.Exact.Fuzz.Concave;
@@ -14,37 +15,36 @@ internal interface IPairSource
     BrokenPromise? Try(ulong seed, long index, CancellationToken cancel);
 }
 
-/// <summary>Pairs of convex shapes.</summary>
-internal sealed class ConvexPairs(IReadOnlyList<Promise> promises) : IPairSource
+/// <summary>The kinds of pairs.</summary>
+internal static class PairSources
 {
-    public BrokenPromise? Try(ulong seed, long index, CancellationToken cancel)
+    public static IPairSource Convex(IReadOnlyList<Promise<FuzzPair>> promises) =>
+        new Drawn<FuzzPair>(PairFamilies.Draw, promises, Shrinker.Shrink, pair => pair.Text);
+
+    /// <summary>Pairs of which one is not convex at least.</summary>
+    public static IPairSource Concave() => new Drawn<ConcavePair>(
+        ConcaveFamilies.Draw, ConcavePromises.All, ConcaveShrinker.Shrink, pair => pair.Text);
+
+    private delegate TPair Draw<TPair>(ulong seed, long index, out string family);
+
+    private delegate TPair Shrink<TPair>(TPair pair, Promise<TPair> promise, CancellationToken cancel);
+
+    private sealed class Drawn<TPair>(
+        Draw<TPair> draw, IReadOnlyList<Promise<TPair>> promises, Shrink<TPair> shrink, Func<TPair, string> textOf)
+        : IPairSource
     {
-        FuzzPair pair = PairFamilies.Draw(seed, index, out string family);
-        foreach (Promise promise in promises)
+        public BrokenPromise? Try(ulong seed, long index, CancellationToken cancel)
         {
-            if (promise.Broken(pair) is not { } how) continue;
-            FuzzPair shrunk = Shrinker.Shrink(pair, promise, cancel);
-            return new BrokenPromise(index, family, promise.Name, promise.Broken(shrunk) ?? how, shrunk.Text);
+            TPair pair = draw(seed, index, out string family);
+            foreach (Promise<TPair> promise in promises)
+            {
+                if (promise.Broken(pair) is not { } how) continue;
+                TPair shrunk = shrink(pair, promise, cancel);
+                return new BrokenPromise(index, family, promise.Name, promise.Broken(shrunk) ?? how, textOf(shrunk));
+            }
+
+            return null;
         }
-
-        return null;
-    }
-}
-
-/// <summary>Pairs of which one is not convex at least.</summary>
-internal sealed class ConcavePairs : IPairSource
-{
-    public BrokenPromise? Try(ulong seed, long index, CancellationToken cancel)
-    {
-        ConcavePair pair = ConcaveFamilies.Draw(seed, index, out string family);
-        foreach (ConcavePromise promise in ConcavePromises.All)
-        {
-            if (promise.Broken(pair) is not { } how) continue;
-            ConcavePair shrunk = ConcaveShrinker.Shrink(pair, promise, cancel);
-            return new BrokenPromise(index, family, promise.Name, promise.Broken(shrunk) ?? how, shrunk.Text);
-        }
-
-        return null;
     }
 }
 

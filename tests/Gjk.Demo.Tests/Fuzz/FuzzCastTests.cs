@@ -51,7 +51,7 @@ public sealed class FuzzCastTests
         FuzzPair pair = new FuzzPair(Cube, RigidPose.Identity, Cube, Right).Moving(Meeting);
         Assert.Equal(CastStatus.Hit, pair.Cast.Status);
         Assert.InRange(pair.Cast.Fraction, 0.3f, 0.5f);
-        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise<FuzzPair> promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
     /// <summary>A hit of a pair that passes by, a thousandth of its size apart.</summary>
@@ -142,6 +142,6 @@ public sealed class FuzzCastTests
             Cube, RigidPose.Identity, motion.A, Cube, new RigidPose(Right.Rotation, Right.Position with { X = x }),
             motion.B);
 
-    private static readonly Promise NothingMeets = new(
+    private static readonly Promise<FuzzPair> NothingMeets = new(
         "nothing meets", pair => pair.Cast.Status == CastStatus.Hit ? "it does" : null);
 }

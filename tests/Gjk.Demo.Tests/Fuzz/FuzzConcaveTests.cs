@@ -8,6 +8,7 @@ using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Concave;
+using Gjk.Exact.Fuzz.Promises;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
@@ -77,7 +78,7 @@ public sealed class FuzzConcaveTests
     [InlineData("moved vertices")]
     public void WrongAnswersAreNoticed(string name)
     {
-        ConcavePromise promise = ConcavePromises.All.First(
+        Promise<ConcavePair> promise = ConcavePromises.All.First(
             p => name.Split('|').Any(n => p.Name.Contains(n, StringComparison.Ordinal)));
         RawShape grid = RawShape.Surface(Surfaces.Grid(3));
         RawShape box = RawShape.Convex(new RawPart(ShapeKind.Box, new Vector3(0.25f)));
@@ -134,7 +135,7 @@ public sealed class FuzzConcaveTests
     [Fact]
     public void APairIsShrunkToWhatThePromiseIsAbout()
     {
-        var far = new ConcavePromise("nothing is far", pair => pair.Answer.Distance > 0.125f ? "it is" : null);
+        var far = new Promise<ConcavePair>("nothing is far", pair => pair.Answer.Distance > 0.125f ? "it is" : null);
         long i = 0;
         ConcavePair pair = ConcaveFamilies.Draw(2, i, out _);
         while (far.Broken(pair) is null || pair.PairCount < 500) pair = ConcaveFamilies.Draw(2, ++i, out _);

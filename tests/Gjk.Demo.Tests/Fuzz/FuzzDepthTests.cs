@@ -74,7 +74,7 @@ public sealed class FuzzDepthTests
         ConvexShape round = ConvexShape.Ellipsoid(new Vector3(1, 0.999f, 0.998f));
         var pair = new FuzzPair(round, RigidPose.Identity, round, RigidPose.Identity);
         Assert.Equal(GjkStatus.IterationLimit, pair.Signed.Status);
-        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise<FuzzPair> promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
 
         Func<FuzzPair, string?> broken = TheSignedDistanceIsTheDistance.Broken;
         Assert.Contains("IterationLimit", broken(Told(Cube, pair.Signed)), StringComparison.Ordinal);

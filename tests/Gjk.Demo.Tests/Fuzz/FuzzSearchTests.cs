@@ -75,7 +75,7 @@ public sealed class FuzzSearchTests
     public void ARightAnswerBreaksNothing()
     {
         var pair = new FuzzPair(Cube, RigidPose.Identity, Cube, Right);
-        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise<FuzzPair> promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
     /// <summary>
@@ -88,7 +88,7 @@ public sealed class FuzzSearchTests
         FuzzPair pair = Parse(
             "gjk1 mesh 1 0.215349019 -0.353724241 -0.519843936 @ 0 0.707106769 0 0.707106769 0 0 0 "
             + "ellipsoid 0 0 0 @ 0 0 0 1 -0.519843936 -0.353724241 -0.215349019");
-        foreach (Promise promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
+        foreach (Promise<FuzzPair> promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
     [Fact]
@@ -118,7 +118,7 @@ public sealed class FuzzSearchTests
     {
         var run = new FuzzRun(
             new FuzzLength(TimeSpan.FromSeconds(60), null), 4,
-            new ConvexPairs([new("answers", QueriesEndWithAnAnswer.Broken), Far]));
+            PairSources.Convex([new("answers", QueriesEndWithAnAnswer.Broken), Far]));
         BrokenPromise? broken = run.Search(_ => { }, CancellationToken.None);
         Assert.NotNull(broken);
         FuzzReport report = FuzzReport.Of(run, broken, cancelled: false);
@@ -134,7 +134,7 @@ public sealed class FuzzSearchTests
     [Fact]
     public void ACancelledSearchEndsAtOnce()
     {
-        var run = new FuzzRun(new FuzzLength(null, null), 4, new ConvexPairs(AllPromises.Make()));
+        var run = new FuzzRun(new FuzzLength(null, null), 4, PairSources.Convex(AllPromises.Make()));
         Assert.Null(run.Search(_ => { }, new CancellationToken(canceled: true)));
         Assert.Equal(130, FuzzReport.Of(run, null, cancelled: true).ExitCode);
         Assert.Equal(0, run.Tried);
@@ -162,9 +162,9 @@ public sealed class FuzzSearchTests
         return new FuzzPair(Cube, RigidPose.Identity, Cube, Right, answer);
     }
 
-    private static readonly Promise Far = new(
+    private static readonly Promise<FuzzPair> Far = new(
         "nothing is far", pair => pair.Answer.Distance > 0.125f ? "it is" : null);
 
-    private static readonly Promise ManyCorners = new(
+    private static readonly Promise<FuzzPair> ManyCorners = new(
         "hulls are small", pair => pair.A.Hull is { VertexCount: > 4 } ? "five corners" : null);
 }

@@ -1,17 +1,12 @@
-using System;
 using System.Collections.Generic;
+using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>One thing that a user of concave shapes relies on, checked for one pair.</summary>
-/// <param name="Name">The promise in a few words.</param>
-/// <param name="Broken">How a pair breaks it, in one line; null when it holds.</param>
-internal sealed record ConcavePromise(string Name, Func<ConcavePair, string?> Broken);
-
-/// <summary>All of them, those first that the others build on.</summary>
+/// <summary>All promises about concave shapes, those first that the others build on.</summary>
 internal static class ConcavePromises
 {
-    public static IReadOnlyList<ConcavePromise> All { get; } =
+    public static IReadOnlyList<Promise<ConcavePair>> All { get; } =
     [
         new("the distance is the least of all parts, and the named parts have it", LeastOfParts.Distance),
         new("the distance is the exact one, rounded, and no bound is above it", LeastOfParts.Exact),

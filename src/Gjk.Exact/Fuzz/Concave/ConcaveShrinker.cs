@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.Numerics;
 using System.Threading;
 using Gjk.Core;
+using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
@@ -12,7 +13,7 @@ internal static class ConcaveShrinker
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(20);
 
-    public static ConcavePair Shrink(ConcavePair pair, ConcavePromise promise, CancellationToken cancel)
+    public static ConcavePair Shrink(ConcavePair pair, Promise<ConcavePair> promise, CancellationToken cancel)
     {
         long start = Stopwatch.GetTimestamp();
         bool IsOver() => cancel.IsCancellationRequested || Stopwatch.GetElapsedTime(start) > s_patience;

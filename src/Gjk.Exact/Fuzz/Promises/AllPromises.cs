@@ -4,14 +4,15 @@ using System.Collections.Generic;
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>One thing that a user of the library relies on, checked for one pair.</summary>
+/// <typeparam name="TPair">A pair of convex shapes, or one of any shapes.</typeparam>
 /// <param name="Name">The promise in a few words.</param>
 /// <param name="Broken">How a pair breaks it, in one line; null when it holds.</param>
-internal sealed record Promise(string Name, Func<FuzzPair, string?> Broken);
+internal sealed record Promise<TPair>(string Name, Func<TPair, string?> Broken);
 
 /// <summary>All of them, those first that the others build on.</summary>
 internal static class AllPromises
 {
-    public static IReadOnlyList<Promise> Make() =>
+    public static IReadOnlyList<Promise<FuzzPair>> Make() =>
     [
         new("every query ends with an answer", QueriesEndWithAnAnswer.Broken),
         new("a support is the furthest point of the cloud", SupportsReachTheCloud.Broken),

@@ -14,7 +14,7 @@ internal static class Shrinker
     /// </summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
 
-    public static FuzzPair Shrink(FuzzPair pair, Promise promise, CancellationToken cancel)
+    public static FuzzPair Shrink(FuzzPair pair, Promise<FuzzPair> promise, CancellationToken cancel)
     {
         (ShapeWords a, ShapeWords b) = FuzzText.Split(pair.Text);
         long start = Stopwatch.GetTimestamp();
@@ -40,6 +40,6 @@ internal static class Shrinker
         return null;
     }
 
-    private static bool IsBroken(string text, Promise promise) =>
+    private static bool IsBroken(string text, Promise<FuzzPair> promise) =>
         FuzzPair.TryParse(text, out FuzzPair? pair) && promise.Broken(pair) is not null;
 }
