@@ -21,7 +21,7 @@ internal static class ViewCommand
     public static int Run(
         Scene scene, string name, string? page, string? picture, bool isLive, CancellationToken cancel)
     {
-        if (picture is not null) scene.Convex(name, "--svg");
+        if (picture is not null) PicturePieces.Check(scene, name);
         if (isLive) scene.Convex(name, "--live");
         ShapeRange.Check(scene, name);
         if (isLive) LivePage.Check(scene, name);

@@ -2,12 +2,13 @@ using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using Gjk.Demo.Tests.Support;
 using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>Surfaces and compounds on the page of <c>view</c>.</summary>
+/// <summary>Surfaces and compounds on the page and in the picture of <c>view</c>.</summary>
 public sealed class ConcaveViewTests
 {
     /// <summary>A folded sheet, a compound above its second triangle, a point inside a solid, and two balls.</summary>
@@ -85,17 +86,80 @@ public sealed class ConcaveViewTests
         Assert.False(new PageText(page).Data.TryGetProperty("partA", out _));
     }
 
-    [Theory]
-    [InlineData("--svg", "c.svg")]
-    [InlineData("--live", null)]
-    public void APictureAndALivePageTakeConvexShapes(string option, string? file)
+    [Fact]
+    public void ALivePageTakesConvexShapes()
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("c.json", Scene), page = directory.File("c.html");
-        string[] rest = file is null ? [option] : [option, directory.File(file)];
-        DemoProcess.Run(["view", scene, "--out", page, .. rest])
-            .AssertRefused("$.objects[0].shape", option, "not a surface");
+        DemoProcess.Run("view", scene, "--out", page, "--live")
+            .AssertRefused("$.objects[0].shape", "--live", "not a surface");
         Assert.False(File.Exists(page));
+    }
+
+    /// <summary>Of a sheet of two triangles the one that a point is nearest to is yellow, and only that.</summary>
+    [Fact]
+    public void APictureLightsTheNearestTriangle()
+    {
+        (string[] Green, string[] Yellow) first = Faces(Sheet(pair: 1)), second = Faces(Sheet(pair: 2));
+        Assert.Single(first.Green);
+        Assert.Single(first.Yellow);
+        Assert.NotEqual(first.Green, first.Yellow);
+        Assert.Equal(first.Green, second.Yellow);
+        Assert.Equal(first.Yellow, second.Green);
+    }
+
+    [Fact]
+    public void APictureOfCompoundsAndSolidsIsSound()
+    {
+        string svg = Picture(Scene);
+        PictureTests.AssertSound(svg);
+        Assert.Contains("is yellow", svg);
+        Assert.Contains("class=\"hatch\"", svg);
+    }
+
+    [Fact]
+    public void APictureOfTooManyTrianglesIsRefused()
+    {
+        using var directory = new TempDirectory();
+        string triangles = string.Join(",", Enumerable.Repeat("[0,1,2]", 20_001));
+        string scene = directory.Write(
+            "c.json",
+            $$"""
+            {"version":1,"meshes":{"m":{"vertices":[[0,0,0],[1,0,0],[0,1,0]],"triangles":[{{triangles}}]} },
+            "objects":[{"shape":{"type":"surface","mesh":"m"} }]}
+            """);
+        DemoProcess.Run("view", scene, "--svg", directory.File("c.svg"))
+            .AssertRefused("c.json", "--svg", "20001 triangles", "20000");
+        Assert.False(File.Exists(directory.File("c.svg")));
+    }
+
+    /// <summary>The folded sheet with a point over each of its triangles, one of which is asked about.</summary>
+    private static string Sheet(int pair) =>
+        $$"""
+        {"version":1,
+        "meshes":{"fold":{"vertices":[[0,0,0],[2,0,0],[0,2,0],[2,2,1]],"triangles":[[0,1,2],[1,3,2]]} },
+        "objects":[{"shape":{"type":"surface","mesh":"fold"} },
+          {"shape":{"type":"point"},"position":[0.5,0.5,1]},{"shape":{"type":"point"},"position":[1.5,1.5,3]}],
+        "pairs":[[0,{{pair}}]]}
+        """;
+
+    private static string Picture(string scene)
+    {
+        using var directory = new TempDirectory();
+        string picture = directory.File("c.svg");
+        DemoProcess.Run("view", directory.Write("c.json", scene), "--svg", picture).AssertDone();
+        return File.ReadAllText(picture);
+    }
+
+    /// <summary>The outlines of the faces of a picture, by their colour.</summary>
+    private static (string[] Green, string[] Yellow) Faces(string scene)
+    {
+        var found = Regex.Matches(Picture(scene), "<path fill=\"#(..)(..)(..)\" [^>]* d=\"([^\"]*)\"")
+            .Select(m => (IsYellow: string.CompareOrdinal(m.Groups[1].Value, m.Groups[3].Value) > 0, m.Groups[4].Value))
+            .ToList();
+        return (
+            [.. found.Where(face => !face.IsYellow).Select(face => face.Value)],
+            [.. found.Where(face => face.IsYellow).Select(face => face.Value)]);
     }
 
     private static string Cell(int part) => part < 0 ? "" : part.ToString();

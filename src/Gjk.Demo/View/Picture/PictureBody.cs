@@ -25,8 +25,11 @@ internal sealed class PictureBody
     /// <param name="position">Converts a rotated vertex in world units to the units of the picture.</param>
     /// <param name="rotation">The rotation of the object in the world.</param>
     /// <param name="eye">The position of the eye in the units of the picture.</param>
-    public PictureBody(ShapeMesh mesh, Func<Double3, Double3> position, Quaternion rotation, in Double3 eye)
+    /// <param name="source">The object, and the triangle or part of it; -1 where it is convex.</param>
+    public PictureBody(ShapeMesh mesh, Func<Double3, Double3> position, Quaternion rotation, in Double3 eye,
+        (int Object, int Part) source)
     {
+        Source = source;
         _mesh = mesh;
         Vertices = new Double3[mesh.Vertices.Length];
         for (int i = 0; i < Vertices.Length; i++) Vertices[i] = position(Rotated(mesh.Vertices[i], rotation));
@@ -40,6 +43,9 @@ internal sealed class PictureBody
             _faces[i] = Double3.Dot(Normal(i), eye - Vertices[mesh.Triangles[3 * i]]) > 0;
         Shadow = new Shadow(Planes(eye));
     }
+
+    /// <summary>The object, and the triangle or part of it.</summary>
+    public (int Object, int Part) Source { get; }
 
     public Double3[] Vertices { get; }
 

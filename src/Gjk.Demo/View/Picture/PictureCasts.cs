@@ -53,20 +53,27 @@ internal sealed class PictureCasts
 
     /// <summary>Writes everything. Nothing is written for a scene at rest.</summary>
     /// <param name="writer">Where to write.</param>
-    /// <param name="bodies">The objects, where they are.</param>
+    /// <param name="bodies">The objects and their parts, where they are.</param>
     public void Write(TextWriter writer, PictureBody[] bodies)
     {
         SvgPath paths = new(), ghosts = new();
-        for (int i = 0; i < bodies.Length; i++)
+        for (int i = 0; i < _scene.Objects.Length; i++)
         {
             Double3 velocity = _scene.Objects[i].Velocity, start = _scene.Objects[i].Pose.Position;
             if (velocity == default) continue;
             paths.Line([_camera.Project(_drawn(start)), _camera.Project(_drawn(start + velocity))]);
-            if (float.IsInfinity(_first[i])) continue;
-            Double3 moved = _drawn(start + velocity * _first[i]) - _drawn(start);
-            foreach ((int from, int to) in bodies[i].Lines())
+        }
+
+        foreach (PictureBody body in bodies)
+        {
+            SceneObject one = _scene.Objects[body.Source.Object];
+            float first = _first[body.Source.Object];
+            if (one.Velocity == Vector3.Zero || float.IsInfinity(first)) continue;
+            Double3 velocity = one.Velocity, start = one.Pose.Position;
+            Double3 moved = _drawn(start + velocity * first) - _drawn(start);
+            foreach ((int from, int to) in body.Lines())
             {
-                Double3[] corners = bodies[i].Vertices;
+                Double3[] corners = body.Vertices;
                 ghosts.Line([_camera.Project(corners[from] + moved), _camera.Project(corners[to] + moved)]);
             }
         }

@@ -15,7 +15,7 @@ internal sealed class PictureFaces
 
     private readonly PictureCamera _camera;
     private readonly Double3 _light;
-    private readonly SortedDictionary<(bool IsHit, int Level), SvgPath> _paths = [];
+    private readonly SortedDictionary<(PictureTone Tone, int Level), SvgPath> _paths = [];
 
     public PictureFaces(PictureCamera camera)
     {
@@ -23,14 +23,14 @@ internal sealed class PictureFaces
         _light = camera.Direction(-0.45, 0.8, 0.6);
     }
 
-    public IEnumerable<(bool IsHit, double Brightness, string Path)> Paths
+    public IEnumerable<(PictureTone Tone, double Brightness, string Path)> Paths
     {
         get
         {
-            foreach (((bool isHit, int level), SvgPath path) in _paths)
+            foreach (((PictureTone tone, int level), SvgPath path) in _paths)
             {
                 if (!path.IsEmpty)
-                    yield return (isHit, Darkest + (Brightest - Darkest) * level / (Levels - 1), path.ToString());
+                    yield return (tone, Darkest + (Brightest - Darkest) * level / (Levels - 1), path.ToString());
             }
         }
     }
@@ -39,7 +39,7 @@ internal sealed class PictureFaces
     /// Adds the parts of a body that the other bodies leave visible. Whole triangles of one level are joined, so that
     /// only their common outline is written.
     /// </summary>
-    public void Add(PictureBody body, bool isHit, List<PictureBody> before)
+    public void Add(PictureBody body, PictureTone tone, List<PictureBody> before)
     {
         var outlines = new SortedDictionary<int, HashSet<(int From, int To)>>();
         List<Double3[]> pieces = [], next = [];
@@ -67,10 +67,10 @@ internal sealed class PictureFaces
             }
 
             foreach (Double3[] piece in pieces)
-                Path(isHit, level).Polygon(Array.ConvertAll(piece, p => _camera.Project(p)));
+                Path(tone, level).Polygon(Array.ConvertAll(piece, p => _camera.Project(p)));
         }
 
-        foreach ((int level, HashSet<(int From, int To)> sides) in outlines) Trace(body, sides, Path(isHit, level));
+        foreach ((int level, HashSet<(int From, int To)> sides) in outlines) Trace(body, sides, Path(tone, level));
     }
 
     /// <summary>
@@ -113,9 +113,9 @@ internal sealed class PictureFaces
         return (int)Math.Round(towards * (Levels - 1));
     }
 
-    private SvgPath Path(bool isHit, int level)
+    private SvgPath Path(PictureTone tone, int level)
     {
-        if (!_paths.TryGetValue((isHit, level), out SvgPath? path)) _paths.Add((isHit, level), path = new SvgPath());
+        if (!_paths.TryGetValue((tone, level), out SvgPath? path)) _paths.Add((tone, level), path = new SvgPath());
         return path;
     }
 }

@@ -19,9 +19,9 @@ internal sealed class PictureThin
 
     public PictureThin(PictureCamera camera) => _camera = camera;
 
-    public void Add(PictureBody body, bool isHit, List<PictureBody> before)
+    public void Add(PictureBody body, PictureTone tone, List<PictureBody> before)
     {
-        string color = PictureColors.Of(isHit, 1);
+        string color = PictureColors.Of(tone, 1);
         Double3 from = body.Vertices[0], to = body.Vertices[^1];
         if (body.Vertices.Length == 1)
         {
@@ -29,7 +29,7 @@ internal sealed class PictureThin
             _elements.Add(string.Create(
                 CultureInfo.InvariantCulture,
                 $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{DotRadius}\" fill=\"{color}\"")
-                + (isHit ? Ring : "") + "/>");
+                + (tone == PictureTone.Hit ? Ring : "") + "/>");
             return;
         }
 
@@ -37,7 +37,7 @@ internal sealed class PictureThin
         foreach ((double start, double end) in Visible(from, to, before))
             path.Line([_camera.Project(from + (to - from) * start), _camera.Project(from + (to - from) * end)]);
         if (path.IsEmpty) return;
-        string dashes = isHit ? Dashes : "";
+        string dashes = tone == PictureTone.Hit ? Dashes : "";
         _elements.Add(string.Create(
             CultureInfo.InvariantCulture,
             $"<path fill=\"none\" stroke=\"{color}\" stroke-width=\"{StrokeWidth}\"{dashes} d=\"{path}\"/>"));

@@ -46,6 +46,7 @@ internal sealed class ScenePicture
     private readonly PictureCamera _camera;
     private readonly PictureBody[] _bodies;
     private readonly bool[] _hit;
+    private readonly HashSet<(int Object, int Part)> _lit;
     private readonly int[] _nearest;
     private readonly PictureIndex _index;
     private readonly List<int> _candidates = [];
@@ -63,20 +64,14 @@ internal sealed class ScenePicture
             balls.Add((Drawn(scene.Objects[i].Pose.Position), radius));
         }
         _camera = new PictureCamera(balls);
-        _bodies = new PictureBody[count];
-        for (int i = 0; i < count; i++)
-        {
-            RigidPose pose = scene.Objects[i].Pose;
-            ShapeMesh mesh = shapes.Meshes[shapes.OfObject[i]];
-            _bodies[i] = new PictureBody(mesh, v => Drawn(v + pose.Position), pose.Rotation, _camera.Eye);
-        }
-
+        _bodies = PicturePieces.Of(scene, shapes, v => Drawn(v), _camera.Eye);
         _index = new PictureIndex(_camera, _bodies);
         _camera.Frame(_bodies.SelectMany(body => body.Vertices), Width);
         _hit = new bool[count];
         _nearest = new int[count];
         Array.Fill(_nearest, -1);
         Rank();
+        _lit = PicturePieces.Lit(results, _nearest);
     }
 
     /// <returns>How often a body was looked at because it may hide a part of another body or of a line.</returns>
@@ -133,6 +128,9 @@ internal sealed class ScenePicture
         }
     }
 
+    private PictureTone ToneOf((int Object, int Part) source) =>
+        _lit.Contains(source) ? PictureTone.Lit : _hit[source.Object] ? PictureTone.Hit : PictureTone.Free;
+
     private void Write(StreamWriter writer, Action<double> progress, CancellationToken cancel)
     {
         string title = $"{_scene.Name}: {Count(_scene.Objects.Length, "object")}, "
@@ -142,7 +140,8 @@ internal sealed class ScenePicture
             $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {_camera.Width} {_camera.Height}\" role=\"img\" "
             + $"stroke-linejoin=\"round\" stroke-linecap=\"round\">"));
         writer.WriteLine($"<title>{PlainText.Markup(title)}</title>");
-        writer.WriteLine("<desc>Bodies that intersect are red and striped, the others green.</desc>");
+        string lit = _lit.Count > 0 ? " Where an object is nearest to another, its triangle or part is yellow." : "";
+        writer.WriteLine($"<desc>Bodies that intersect are red and striped, the others green.{lit}</desc>");
         writer.WriteLine("<rect width=\"100%\" height=\"100%\" rx=\"14\" fill=\"#12161d\"/>");
         if (_bodies.Length == 0)
             writer.WriteLine("<text x=\"50%\" y=\"50%\" fill=\"#97a3b4\" text-anchor=\"middle\" "
@@ -156,10 +155,11 @@ internal sealed class ScenePicture
             cancel.ThrowIfCancellationRequested();
             progress((double)i / _bodies.Length);
             if (!TryBefore(_bodies[i].Center, _bodies[i].Radius, i, out List<PictureBody> before)) continue;
-            faces.Add(_bodies[i], _hit[i], before);
+            PictureTone tone = ToneOf(_bodies[i].Source);
+            faces.Add(_bodies[i], tone, before);
             if (_bodies[i].Dimension < 2)
             {
-                thin.Add(_bodies[i], _hit[i], before);
+                thin.Add(_bodies[i], tone, before);
                 continue;
             }
 
@@ -167,9 +167,9 @@ internal sealed class ScenePicture
                 AddLine(edges, _bodies[i].Vertices[from], _bodies[i].Vertices[to], before);
         }
 
-        foreach ((bool isHit, double brightness, string path) in faces.Paths)
+        foreach ((PictureTone tone, double brightness, string path) in faces.Paths)
         {
-            string color = PictureColors.Of(isHit, brightness), id = isHit ? hatch.Next() : "";
+            string color = PictureColors.Of(tone, brightness), id = tone == PictureTone.Hit ? hatch.Next() : "";
             writer.WriteLine($"<path fill=\"{color}\" stroke=\"{color}\" stroke-width=\".5\"{id} d=\"{path}\"/>");
         }
 
