@@ -58,12 +58,7 @@ public readonly partial struct ConvexShape
                 RayTarget.Triangle(_parts.A, _parts.B, _parts.C, CoreCenter(_parts), out target);
                 break;
             default:
-                if (_parts.Curve is not null)
-                {
-                    if (!_parts.Curve.TryGetTarget(out target)) return false;
-                    break;
-                }
-
+                if (_parts.Curve?.TryGetTarget(out target) == true) break;
                 target = default;
                 return false;
         }
