@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 
 namespace Gjk.Core;
 
@@ -10,6 +11,7 @@ namespace Gjk.Core;
 /// Immutable. Copies share the mesh or compound. Parts have numbers: those of the mesh's triangles or of the compound's
 /// parts, as the caller gave them; a convex shape's number is -1.
 /// </remarks>
+[DebuggerDisplay("{" + nameof(Kind) + "}, {" + nameof(PartCount) + "} parts")]
 public readonly struct AnyShape
 {
     private readonly ConvexShape _convex;

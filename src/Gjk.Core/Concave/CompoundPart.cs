@@ -1,8 +1,10 @@
 using System;
+using System.Diagnostics;
 
 namespace Gjk.Core;
 
 /// <summary>A convex part of a compound, in its place. Immutable.</summary>
+[DebuggerDisplay("{" + nameof(Shape) + "} at {" + nameof(Pose) + "}")]
 public readonly struct CompoundPart
 {
     /// <summary>The part's shape.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Numerics;
 
 namespace Gjk.Core;
@@ -8,6 +9,7 @@ namespace Gjk.Core;
 /// The union of convex parts, each in its place, with a tree for queries. Build it once and share it: it is immutable,
 /// and any number of shapes and threads may use it. Parts keep the caller's numbers.
 /// </summary>
+[DebuggerDisplay("{" + nameof(PartCount) + "} parts")]
 public sealed class CompoundShape
 {
     /// <summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Numerics;
 
 namespace Gjk.Core;
@@ -12,6 +13,7 @@ namespace Gjk.Core;
 /// Triangles keep the caller's numbers; degenerate and repeated ones count like all others. The largest triangle
 /// numbers are limited by memory alone: at most 70 bytes a triangle in meshes with half as many vertices as triangles.
 /// </remarks>
+[DebuggerDisplay("{" + nameof(TriangleCount) + "} triangles, {" + nameof(VertexCount) + "} vertices")]
 public sealed partial class TriangleMesh
 {
     /// <summary>Count: what fills the lanes of the triangle filter well, and keeps the tree small.</summary>

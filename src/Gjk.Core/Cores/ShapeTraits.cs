@@ -60,7 +60,7 @@ internal class ShapeTraits<T>
 }
 
 /// <summary>One of the library's own shapes.</summary>
-internal interface ILibraryShape
+internal interface ILibraryShape : ISupportMap
 {
     /// <summary>A <see cref="ShapeTraits{T}"/> of this type; asked of a <c>default</c> struct.</summary>
     object MakeTraits();

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 using System.Numerics;
 using System.Runtime.CompilerServices;
@@ -16,6 +17,7 @@ namespace Gjk.Core;
 /// segment or a plane are hulls too.
 /// Time grows with n log n for usual clouds; 10^5 random points take well under a second.
 /// </remarks>
+[DebuggerDisplay("{" + nameof(VertexCount) + "} vertices")]
 public sealed class ConvexHull
 {
     /// <summary>The corners.</summary>

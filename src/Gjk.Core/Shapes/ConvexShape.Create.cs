@@ -88,6 +88,15 @@ public readonly partial struct ConvexShape
         ShapeKind kind, in Double3 a, in Double3 b = default, in Double3 c = default, double margin = 0) =>
         new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin });
 
+    /// <summary>The shape struct of a kind without corners.</summary>
+    private static ILibraryShape? CurveOf(in ShapeParts parts) => parts.Kind switch
+    {
+        ShapeKind.Cylinder => new CylinderShape(parts.A),
+        ShapeKind.Cone => new ConeShape(parts.A),
+        ShapeKind.Ellipsoid => new EllipsoidShape(parts.A),
+        _ => null,
+    };
+
     private static Double3 RadiusAndHeight(float radius, float halfHeight) =>
         new(Guard.NonNegative(radius, nameof(radius)), Guard.NonNegative(halfHeight, nameof(halfHeight)), 0);
 }

@@ -63,7 +63,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Cylinder => $"cylinder, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
         ShapeKind.Cone => $"cone, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
         ShapeKind.Custom => $"custom shape, {p.Layer}",
-        _ => p.Kind.ToString(),
+        _ => $"{p.Kind.ToString().ToLowerInvariant()} {Text(p.A)}",
     };
 
     private static string Text(double number) => number.ToString("G9", CultureInfo.InvariantCulture);

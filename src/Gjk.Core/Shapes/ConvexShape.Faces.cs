@@ -52,11 +52,8 @@ public readonly partial struct ConvexShape
             case ShapeKind.Triangle:
                 TriangleCore.Face(a, b, _parts.C - center, direction, ref corners);
                 break;
-            case ShapeKind.Cylinder:
-                PrimitiveFaces.Cylinder(_parts.A.X, _parts.A.Y, direction, ref corners);
-                break;
-            case ShapeKind.Cone:
-                PrimitiveFaces.Cone(_parts.A.X, _parts.A.Y, direction, ref corners);
+            default:
+                _parts.Curve?.GetFace(direction, ref corners);
                 break;
         }
     }

@@ -57,16 +57,8 @@ public readonly partial struct ConvexShape
             case ShapeKind.Triangle:
                 RayTarget.Triangle(_parts.A, _parts.B, _parts.C, CoreCenter(_parts), out target);
                 break;
-            case ShapeKind.Cylinder:
-                RayTarget.Of(RayForm.Cylinder, _parts.A, out target);
-                break;
-            case ShapeKind.Cone:
-                RayTarget.Of(RayForm.Cone, _parts.A, out target);
-                break;
-            case ShapeKind.Ellipsoid:
-                RayTarget.Of(RayForm.Ellipsoid, _parts.A, out target);
-                break;
             default:
+                if (_parts.Curve?.TryGetTarget(out target) == true) break;
                 target = default;
                 return false;
         }

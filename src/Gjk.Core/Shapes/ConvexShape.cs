@@ -48,6 +48,7 @@ public readonly partial struct ConvexShape
             return;
         }
 
+        _parts.Curve = CurveOf(parts);
         _isPlain = parts.Scaling is null && parts.Placement is null;
         _core = parts.Scaling is not null ? CoreKind.Other
             : parts.Kind == ShapeKind.Box ? CoreKind.Box
@@ -58,7 +59,7 @@ public readonly partial struct ConvexShape
             : parts.Hull!.IsExactBox ? CoreKind.Box : CoreKind.Hull;
         _center = CoreCenter(parts);
         _margin = parts.InnerMargin + parts.Rounding;
-        _boundingRadius = CoreRadius(parts, _center) + parts.InnerMargin;
+        _boundingRadius = CoreRadius(_parts, _center) + parts.InnerMargin;
         if (parts.Scaling is not null)
         {
             var scaling = new ShapeScale(parts.Scale, _center);
@@ -234,11 +235,10 @@ public readonly partial struct ConvexShape
     {
         ShapeKind.Segment or ShapeKind.Capsule => (parts.B - parts.A).Length * 0.5,
         ShapeKind.Triangle => TriangleShape.RadiusAbout(center, parts.A, parts.B, parts.C),
-        ShapeKind.Box or ShapeKind.Cylinder or ShapeKind.Cone => parts.A.Length,
-        ShapeKind.Ellipsoid => Math.Max(Math.Max(parts.A.X, parts.A.Y), parts.A.Z),
+        ShapeKind.Box => parts.A.Length,
         ShapeKind.Mesh => parts.Hull!.BoundingRadius,
         ShapeKind.Point or ShapeKind.Sphere => 0,
-        _ => throw new InvalidOperationException($"There is no bounding radius for the kind {parts.Kind}."),
+        _ => parts.Curve!.BoundingRadius,
     };
 
     /// <summary>The support of the core before the scale, in the local frame.</summary>
@@ -257,16 +257,8 @@ public readonly partial struct ConvexShape
                 return PrimitiveSupport.Segment(_parts.A, _parts.B, direction, out point);
             case ShapeKind.Triangle:
                 return PrimitiveSupport.Triangle(_parts.A, _parts.B, _parts.C, direction, out point);
-            case ShapeKind.Cylinder:
-                point = PrimitiveSupport.Cylinder(_parts.A.X, _parts.A.Y, direction);
-                return -1;
-            case ShapeKind.Cone:
-                point = PrimitiveSupport.Cone(_parts.A.X, _parts.A.Y, direction);
-                return -1;
-            case ShapeKind.Ellipsoid:
-                point = PrimitiveSupport.Ellipsoid(_parts.A, direction);
-                return -1;
             default:
+                if (_parts.Curve is not null) return _parts.Curve.Support(direction, out point);
                 point = new Double3(double.NaN, double.NaN, double.NaN);
                 return -1;
         }

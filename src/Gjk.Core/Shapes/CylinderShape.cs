@@ -3,19 +3,24 @@ namespace Gjk.Core;
 /// <summary>A cylinder about the local y axis, centred at the local origin.</summary>
 public readonly struct CylinderShape : ISupportMap, ILibraryShape
 {
-    /// <summary>The radius of the disc, at least 0.</summary>
-    public readonly float Radius;
-
-    /// <summary>Half the height, at least 0.</summary>
-    public readonly float HalfHeight;
+    private readonly double _radius, _halfHeight;
 
     /// <summary>Makes a cylinder.</summary>
     /// <exception cref="System.ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
     public CylinderShape(float radius, float halfHeight)
     {
-        Radius = Guard.NonNegative(radius, nameof(radius));
-        HalfHeight = Guard.NonNegative(halfHeight, nameof(halfHeight));
+        _radius = Guard.NonNegative(radius, nameof(radius));
+        _halfHeight = Guard.NonNegative(halfHeight, nameof(halfHeight));
     }
+
+    /// <summary>From a record, whose numbers may be doubles.</summary>
+    internal CylinderShape(in Double3 size) => (_radius, _halfHeight) = (size.X, size.Y);
+
+    /// <summary>The radius of the disc, at least 0.</summary>
+    public float Radius => (float)_radius;
+
+    /// <summary>Half the height, at least 0.</summary>
+    public float HalfHeight => (float)_halfHeight;
 
     /// <inheritdoc/>
     public Double3 Center => default;
@@ -24,26 +29,26 @@ public readonly struct CylinderShape : ISupportMap, ILibraryShape
     public double Margin => 0;
 
     /// <inheritdoc/>
-    public double BoundingRadius => new Double3(Radius, HalfHeight, 0).Length;
+    public double BoundingRadius => new Double3(_radius, _halfHeight, 0).Length;
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<CylinderShape>();
 
     bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
-        RayTarget.Of(RayForm.Cylinder, new Double3(Radius, HalfHeight, 0), out target);
+        RayTarget.Of(RayForm.Cylinder, new Double3(_radius, _halfHeight, 0), out target);
         return true;
     }
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)
     {
-        point = PrimitiveSupport.Cylinder(Radius, HalfHeight, direction);
+        point = PrimitiveSupport.Cylinder(_radius, _halfHeight, direction);
         return -1;
     }
 
     /// <inheritdoc/>
     public void GetFace(in Double3 direction, ref FaceCorners corners) =>
-        PrimitiveFaces.Cylinder(Radius, HalfHeight, direction, ref corners);
+        PrimitiveFaces.Cylinder(_radius, _halfHeight, direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point)

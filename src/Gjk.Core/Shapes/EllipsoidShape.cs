@@ -6,12 +6,17 @@ namespace Gjk.Core;
 /// <summary>An ellipsoid about the local origin, its axes along the local ones. A radius of 0 flattens it.</summary>
 public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
 {
-    /// <summary>The semi-axes, each at least 0.</summary>
-    public readonly Vector3 Radii;
+    private readonly Double3 _radii;
 
     /// <summary>Makes an ellipsoid.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A radius is negative, NaN or infinite.</exception>
-    public EllipsoidShape(Vector3 radii) => Radii = Guard.NonNegative(radii, nameof(radii));
+    public EllipsoidShape(Vector3 radii) => _radii = Guard.NonNegative(radii, nameof(radii));
+
+    /// <summary>Of radii that a scale may have been multiplied into.</summary>
+    internal EllipsoidShape(in Double3 radii) => _radii = radii;
+
+    /// <summary>The semi-axes, each at least 0.</summary>
+    public Vector3 Radii => (Vector3)_radii;
 
     /// <inheritdoc/>
     public Double3 Center => default;
@@ -20,20 +25,20 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
     public double Margin => 0;
 
     /// <inheritdoc/>
-    public double BoundingRadius => Math.Max(Math.Max(Radii.X, Radii.Y), Radii.Z);
+    public double BoundingRadius => Math.Max(Math.Max(_radii.X, _radii.Y), _radii.Z);
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<EllipsoidShape>();
 
     bool ILibraryShape.TryGetTarget(out RayTarget target)
     {
-        RayTarget.Of(RayForm.Ellipsoid, Radii, out target);
+        RayTarget.Of(RayForm.Ellipsoid, _radii, out target);
         return true;
     }
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)
     {
-        point = PrimitiveSupport.Ellipsoid(Radii, direction);
+        point = PrimitiveSupport.Ellipsoid(_radii, direction);
         return -1;
     }
 

@@ -31,6 +31,9 @@ internal struct ShapeParts
     /// <summary>A mesh's hull.</summary>
     public ConvexHull? Hull;
 
+    /// <summary>The shape struct of a kind without corners, made from A; null for the others.</summary>
+    public ILibraryShape? Curve;
+
     /// <summary>
     /// A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind, the
     /// rounding and the placement are used.

@@ -12,13 +12,27 @@ namespace Gjk.Demo.Scenes;
 /// </summary>
 internal sealed class ShapeReader
 {
-    private const string Kinds =
-        "point, segment, triangle, sphere, capsule, box, cylinder, cone, ellipsoid, mesh, surface or compound";
+    /// <summary>The fields that a type needs besides "type", and what makes a primitive of them.</summary>
+    private static readonly Dictionary<string, (string[] Fields, Func<ShapeReader, ConvexShape> Make)> Types = new()
+    {
+        ["point"] = ([], _ => ConvexShape.Point()),
+        ["segment"] = (["a", "b"], s => ConvexShape.Segment(s._a, s._b)),
+        ["triangle"] = (["a", "b", "c"], s => ConvexShape.Triangle(s._a, s._b, s._c)),
+        ["sphere"] = (["radius"], s => ConvexShape.Sphere(s._radius)),
+        ["capsule"] = (["radius", "halfHeight"], s => ConvexShape.Capsule(s._radius, s._halfHeight)),
+        ["box"] = (["halfExtents"], s => ConvexShape.Box(s._halfExtents)),
+        ["cylinder"] = (["radius", "halfHeight"], s => ConvexShape.Cylinder(s._radius, s._halfHeight)),
+        ["cone"] = (["radius", "halfHeight"], s => ConvexShape.Cone(s._radius, s._halfHeight)),
+        ["ellipsoid"] = (["radii"], s => ConvexShape.Ellipsoid(s._radii)),
+        ["mesh"] = (["mesh"], _ => default),
+        ["surface"] = (["mesh"], _ => default),
+        ["compound"] = (["parts"], _ => default),
+    };
+
+    private static readonly string Kinds = string.Join(", ", Types.Keys.SkipLast(1)) + " or " + Types.Keys.Last();
 
     private static readonly string[] AllFields =
-    [
-        "type", "mesh", "radius", "halfHeight", "halfExtents", "radii", "a", "b", "c", "solid", "parts", .. Decorations,
-    ];
+        ["type", "solid", .. Types.Values.SelectMany(type => type.Fields), .. Decorations];
 
     private readonly HashSet<string> _seen = [];
     private string _type = "";
@@ -63,7 +77,7 @@ internal sealed class ShapeReader
     /// <param name="json">At the shape.</param>
     /// <param name="meshes">The scene's meshes.</param>
     public ConvexShape Build(in StrictJsonReader json, SceneMeshes meshes) =>
-        (_type == "mesh" ? meshes.Hull(json, _mesh) : Primitive())
+        (_type == "mesh" ? meshes.Hull(json, _mesh) : Types[_type].Make(this))
             .Rounded(_rounding).Placed(new RigidPose(_rotation, _position));
 
     /// <summary>Creates a surface or a compound, scaled.</summary>
@@ -88,19 +102,7 @@ internal sealed class ShapeReader
     }
 
     /// <summary>The fields that a type needs besides "type", or null if there is no such type.</summary>
-    public static string[]? FieldsOf(string type) => type switch
-    {
-        "point" => [],
-        "segment" => ["a", "b"],
-        "triangle" => ["a", "b", "c"],
-        "sphere" => ["radius"],
-        "capsule" or "cylinder" or "cone" => ["radius", "halfHeight"],
-        "box" => ["halfExtents"],
-        "ellipsoid" => ["radii"],
-        "mesh" or "surface" => ["mesh"],
-        "compound" => ["parts"],
-        _ => null,
-    };
+    public static string[]? FieldsOf(string type) => Types.TryGetValue(type, out var known) ? known.Fields : null;
 
     /// <summary>The fields that a type may have besides.</summary>
     public static string[] OptionalOf(string type) => type switch
@@ -200,18 +202,4 @@ internal sealed class ShapeReader
         json.Path.Enter(field);
         return json.Refuse("missing");
     }
-
-    private ConvexShape Primitive() => _type switch
-    {
-        "point" => ConvexShape.Point(),
-        "segment" => ConvexShape.Segment(_a, _b),
-        "triangle" => ConvexShape.Triangle(_a, _b, _c),
-        "sphere" => ConvexShape.Sphere(_radius),
-        "capsule" => ConvexShape.Capsule(_radius, _halfHeight),
-        "box" => ConvexShape.Box(_halfExtents),
-        "cylinder" => ConvexShape.Cylinder(_radius, _halfHeight),
-        "cone" => ConvexShape.Cone(_radius, _halfHeight),
-        "ellipsoid" => ConvexShape.Ellipsoid(_radii),
-        _ => default,
-    };
 }

@@ -64,15 +64,16 @@ internal sealed class TestShape
         Polytope(name, ConvexShape.Mesh(hull), points, 0);
 
     public static TestShape Cylinder(float r, float h) =>
-        new(
-            $"ConvexShape.Cylinder({T(r)}, {T(h)})", ConvexShape.Cylinder(r, h), null, 0,
-            new(2.0 * r, 2.0 * h, 2.0 * r));
+        Curved($"Cylinder({T(r)}, {T(h)})", ConvexShape.Cylinder(r, h), new(r, h, r));
 
     public static TestShape Cone(float r, float h) =>
-        new($"ConvexShape.Cone({T(r)}, {T(h)})", ConvexShape.Cone(r, h), null, 0, new(2.0 * r, 2.0 * h, 2.0 * r));
+        Curved($"Cone({T(r)}, {T(h)})", ConvexShape.Cone(r, h), new(r, h, r));
 
-    public static TestShape Ellipsoid(Vector3 r) =>
-        new($"ConvexShape.Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), null, 0, (Double3)r * 2);
+    public static TestShape Ellipsoid(Vector3 r) => Curved($"Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), r);
+
+    /// <summary>A shape with a curved core and no margin, and half the sides of its local bounding box.</summary>
+    public static TestShape Curved(string text, in ConvexShape shape, in Double3 half) =>
+        new($"ConvexShape.{text}", shape, null, 0, half * 2);
 
     public TestShape Scaled(Vector3 s)
     {
