@@ -33,9 +33,13 @@ for project in Gjk.Core Gjk.Import Gjk.Demo; do
   last=()
   if [ -n "$baseline" ] && [ "$project" != Gjk.Demo ]; then
     packages=("$baseline/$project".[0-9]*.nupkg)
-    [ -f "${packages[0]}" ] && [ ${#packages[@]} = 1 ] || { echo "$baseline: needs one package of $project" >&2; exit 2; }
+    if [ ! -f "${packages[0]}" ] || [ ${#packages[@]} != 1 ]; then
+      echo "$baseline: needs one package of $project" >&2
+      exit 2
+    fi
+
     # The SDK notes when it compared last, but not with what.
-    [ ! -d "src/$project/obj/Release" ] || find "src/$project/obj/Release" -maxdepth 1 -name '*ValidatePackage*.semaphore' -delete
+    rm -f "src/$project"/obj/Release/*ValidatePackage*.semaphore
     last=("-p:PackageValidationBaselinePath=${packages[0]}")
   fi
   dotnet pack "src/$project" "${options[@]}" "${last[@]}"

@@ -18,7 +18,8 @@ dotnet pack "$work/tree/src/Gjk.Core" -c Release -v quiet -nologo -o "$work/olde
   || fail "the library with one type more could not be packed"
 cp "$feed"/Gjk.Import.*.nupkg "$work/older"
 
-! ./pack.sh "$work/refused" --no-build --baseline "$work/older" > "$work/log" 2>&1 || fail "a removed type was not noticed"
+! ./pack.sh "$work/refused" --no-build --baseline "$work/older" > "$work/log" 2>&1 \
+  || fail "a removed type was not noticed"
 grep -q "error CP0001: Type 'Gjk.Core.TypeThatWasRemoved' exists on .*\[Baseline\]" "$work/log" || fail "no clear error"
 dotnet pack src/Gjk.Core -c Release -v quiet -nologo --no-build -o "$work/accepted" > "$work/log" 2>&1 \
   "-p:PackageValidationBaselinePath=$(ls "$feed"/Gjk.Core.*.nupkg)" || fail "the same public surface was refused"
