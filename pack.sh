@@ -1,24 +1,25 @@
 #!/usr/bin/env bash
 # Makes all packages in one folder: Gjk.Core, Gjk.Import and the tool gjk-demo for NuGet, gjk-core for npm, com.gjk.core
-# for Unity. --no-build takes the Release build of the solution that is there. --baseline VERSION also compares the
-# public surface with that of a published version.
+# for Unity. --no-build takes the Release build of the solution that is there. --baseline FOLDER also compares the
+# public surface of the libraries with that of the packages there, those of the last release.
 set -euo pipefail
-usage='usage: pack.sh FOLDER [--no-build] [--baseline VERSION]'
+usage='usage: pack.sh FOLDER [--no-build] [--baseline FOLDER]'
 target=$(realpath -m "${1:?$usage}")
 shift
-cd "$(dirname "$0")"
 options=(-c Release -v quiet -nologo -o "$target")
 unity=()
 build=yes
+baseline=
 while [ $# -gt 0 ]; do
   case $1 in
     --no-build) build= ;;
-    --baseline) options+=("-p:PackageValidationBaselineVersion=${2:?$usage}"); shift ;;
+    --baseline) baseline=$(realpath -m "${2:?$usage}"); shift ;;
     *) echo "$usage" >&2; exit 2 ;;
   esac
   shift
 done
 
+cd "$(dirname "$0")"
 mkdir -p "$target"
 if [ -n "$build" ]; then
   # The tool holds the library for browsers, which no project of .NET refers to.
@@ -28,7 +29,21 @@ else
   unity+=(--no-build)
 fi
 
-for project in Gjk.Core Gjk.Import Gjk.Demo; do dotnet pack "src/$project" "${options[@]}"; done
+for project in Gjk.Core Gjk.Import Gjk.Demo; do
+  last=()
+  if [ -n "$baseline" ] && [ "$project" != Gjk.Demo ]; then
+    packages=("$baseline/$project".[0-9]*.nupkg)
+    if [ ! -f "${packages[0]}" ] || [ ${#packages[@]} != 1 ]; then
+      echo "$baseline: needs one package of $project" >&2
+      exit 2
+    fi
+
+    # The SDK notes when it compared last, but not with what.
+    rm -f "src/$project"/obj/Release/*ValidatePackage*.semaphore
+    last=("-p:PackageValidationBaselinePath=${packages[0]}")
+  fi
+  dotnet pack "src/$project" "${options[@]}" "${last[@]}"
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 bash unity/pack.sh "${unity[@]}" --export "$work" > /dev/null

@@ -177,7 +177,7 @@ internal static class CommandLine
     {
         var max = new Option<float>("--max-distance")
         {
-            Description = "Report pairs further apart than this as such, without a distance.",
+            Description = "Pairs further apart than this get the status BeyondMaxDistance and no distance.",
             HelpName = "D",
             DefaultValueFactory = _ => float.PositiveInfinity,
             CustomParser = Number<float>,

@@ -133,4 +133,5 @@ if command -v npm > /dev/null; then
 else
   echo "package: no npm, so gjk-core was not tried"
 fi
+(unset NUGET_PACKAGES; bash "$root/tests/Gjk.Package/baseline.sh" "$work/feed")
 echo "package: $(cd "$work/feed" && ls -- *.nupkg *.tgz | xargs) are complete and work"

@@ -32,3 +32,8 @@ assert.deepEqual(scene.pairsWithin(1), []);
 scene.setPose(1, { position: [0, 1, 0] });
 assert.deepEqual(scene.pairsWithin(1).map((p) => [p.a, p.b, p.distance]), [[0, 1, 0.5]]);
 assert.throws(() => gjk.sphere(-1));
+assert.throws(() => gjk.sphere('wide'), /^TypeError: radius must be a finite number, but is wide$/);
+assert.throws(() => gjk.box([1, 2]), /^TypeError: halfExtents must be 3 finite numbers, but is 1,2$/);
+assert.throws(() => gjk.mesh([[0, 0, 0], [1, 0]]), /^TypeError: points\[1\] must be 3 finite numbers, but is 1,0$/);
+assert.throws(() => gjk.distance(box, ball), /^TypeError: b must be a shape, such as box/);
+assert.throws(() => gjk.distance(box, { position: [0, NaN, 0] }, ball), /^TypeError: position must be 3 finite/);

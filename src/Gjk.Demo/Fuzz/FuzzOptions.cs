@@ -44,7 +44,7 @@ internal static class FuzzOptions
         };
         var concave = new Option<bool>("--concave")
         {
-            Description = "Only pairs with a surface, solid or compound; else they are one of eight.",
+            Description = "Only pairs with a surface, solid or compound. Without it one pair of eight has one.",
         };
         Option<bool> certificate = Certificate();
         Option<string?> resume = Resume();

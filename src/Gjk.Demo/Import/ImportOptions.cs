@@ -35,8 +35,8 @@ internal static class ImportOptions
         var command = new Command(
             "import",
             "Make a scene of a Unity scene or prefab, or of a mesh file. Units and axes stay as they are: Unity's axes "
-            + "are left-handed, which changes no distance. In Unity, an object is its enabled colliders, or without "
-            + "any, its mesh; inactive objects are left out. Unity's own sphere, capsule and cylinder become the "
+            + "are left-handed, which changes no distance. An object of Unity becomes its enabled colliders, or its "
+            + "mesh if it has none; inactive objects are left out. Unity's own sphere, capsule and cylinder become the "
             + "smooth shapes. What cannot be read is counted, and the first of each kind listed on standard error with "
             + "file, line and fileID; the rest is "
             + "written, and the exit code is 1.")

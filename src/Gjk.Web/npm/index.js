@@ -4,8 +4,26 @@ import { Engine } from './runtime/engine.js';
 
 const STILL = [0, 0, 0];
 
-const motion = ({ rotation = [0, 0, 0, 1], position = STILL } = {}, velocity = STILL) =>
-  [...rotation, ...position, ...velocity, ...STILL];
+function numbers(name, count, values) {
+  const list = Array.from(values ?? []);
+  if (list.length === count && list.every(Number.isFinite)) return list;
+  throw new TypeError(`${name} must be ${count} finite numbers, but is ${values}`);
+}
+
+function number(name, value) {
+  if (Number.isFinite(value)) return value;
+  throw new TypeError(`${name} must be a finite number, but is ${value}`);
+}
+
+const motion = ({ rotation = [0, 0, 0, 1], position = STILL } = {}, velocity = STILL) => [
+  ...numbers('rotation', 4, rotation), ...numbers('position', 3, position), ...numbers('velocity', 3, velocity),
+  ...STILL,
+];
+
+function idOf(name, shape) {
+  if (shape?.id !== undefined) return shape.id;
+  throw new TypeError(`${name} must be a shape, such as box([1, 1, 1]), but is ${shape}`);
+}
 
 let loading;
 
@@ -34,19 +52,31 @@ class Gjk {
 
   #shape = (words) => Object.freeze({ words, id: this.#engine.shape(words) });
 
+  #standing = (type, radius, halfHeight) =>
+    this.#shape(`${type} ${number('radius', radius)} ${number('halfHeight', halfHeight)} 0`);
+
   point = () => this.#shape('point 0');
-  sphere = (radius) => this.#shape(`point ${radius}`);
-  capsule = (radius, halfHeight) => this.#shape(`segment 0 ${halfHeight} 0 0 ${-halfHeight} 0 ${radius}`);
-  box = (halfExtents) => this.#shape(`box ${halfExtents.join(' ')}`);
-  cylinder = (radius, halfHeight) => this.#shape(`cylinder ${radius} ${halfHeight} 0`);
-  cone = (radius, halfHeight) => this.#shape(`cone ${radius} ${halfHeight} 0`);
-  ellipsoid = (radii) => this.#shape(`ellipsoid ${radii.join(' ')}`);
-  mesh = (points) => this.#shape(`mesh ${points.length} ${points.flat().map(Math.fround).join(' ')}`);
+  sphere = (radius) => this.#shape(`point ${number('radius', radius)}`);
+
+  capsule(radius, halfHeight) {
+    const half = number('halfHeight', halfHeight);
+    return this.#shape(`segment 0 ${half} 0 0 ${-half} 0 ${number('radius', radius)}`);
+  }
+
+  box = (halfExtents) => this.#shape(`box ${numbers('halfExtents', 3, halfExtents).join(' ')}`);
+  cylinder = (radius, halfHeight) => this.#standing('cylinder', radius, halfHeight);
+  cone = (radius, halfHeight) => this.#standing('cone', radius, halfHeight);
+  ellipsoid = (radii) => this.#shape(`ellipsoid ${numbers('radii', 3, radii).join(' ')}`);
+
+  mesh(points) {
+    const corners = points.flatMap((point, i) => numbers(`points[${i}]`, 3, point)).map(Math.fround);
+    return this.#shape(`mesh ${points.length} ${corners.join(' ')}`);
+  }
 
   #ask(question, a, motionA, b, motionB) {
     if (this.#engine.bodies !== 2) this.#engine.reserve(2, 1);
-    this.#engine.set(0, a.id, motionA);
-    this.#engine.set(1, b.id, motionB);
+    this.#engine.set(0, idOf('a', a), motionA);
+    this.#engine.set(1, idOf('b', b), motionB);
     return this.#engine.ask(question, [[0, 1]])[0];
   }
 
@@ -75,7 +105,7 @@ class Scene {
   }
 
   add(shape, pose) {
-    return this.#bodies.push([shape.id, motion(pose)]) - 1;
+    return this.#bodies.push([idOf('shape', shape), motion(pose)]) - 1;
   }
 
   setPose(body, pose) {
