@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Import;
@@ -31,22 +30,16 @@ internal static class PartReader
                 throw new InvalidDataException(missing.ToString());
             string name = Path.GetFileName(file);
             foreach (ImportedObject o in read.Objects)
-                parts.Add(new Part(read.Objects.Count == 1 ? name : $"{name}/{o.Name}", Shape(o, isConcave), o.Pose));
+            {
+                AnyShape shape = isConcave ? o.ToAnyShape() : AnyShape.Of(o.ToConvexShape());
+                parts.Add(new Part(read.Objects.Count == 1 ? name : $"{name}/{o.Name}", shape, o.Pose));
+            }
+
             progress(parts.Count);
         }
 
         return parts.Count > 0
             ? parts
             : throw new InvalidDataException($"{folder}: it has no {Importer.Endings} file");
-    }
-
-    /// <summary>A closed mesh is solid, another one a surface; what is no mesh is convex.</summary>
-    private static AnyShape Shape(ImportedObject part, bool isConcave)
-    {
-        if (!isConcave || part.Shape is not { Mesh: { Triangles.Count: > 0 } read, IsHull: false })
-            return AnyShape.Of(part.ToConvexShape());
-        var mesh = new TriangleMesh(read.Vertices, read.Triangles);
-        if (part.Scale != Vector3.One) mesh = mesh.Scaled(part.Scale);
-        return mesh.HasInside ? AnyShape.Solid(mesh) : AnyShape.Surface(mesh);
     }
 }

@@ -39,4 +39,17 @@ public sealed record ImportedObject
     /// </summary>
     public ConvexShape ToConvexShape() =>
         Scale == Vector3.One ? Shape.ToConvexShape() : Shape.ToConvexShape().Scaled(Scale);
+
+    /// <summary>
+    /// The shape as it is, with its scale, for queries at <see cref="Pose"/>: a mesh by its triangles, solid where they
+    /// close, else a surface; what is no mesh, or has no triangles, or is a hull in its file, is convex. Each call
+    /// builds a mesh anew.
+    /// </summary>
+    public AnyShape ToAnyShape()
+    {
+        if (Shape is not { Mesh: { Triangles.Count: > 0 } read, IsHull: false }) return AnyShape.Of(ToConvexShape());
+        var mesh = new TriangleMesh(read.Vertices, read.Triangles);
+        if (Scale != Vector3.One) mesh = mesh.Scaled(Scale);
+        return mesh.HasInside ? AnyShape.Solid(mesh) : AnyShape.Surface(mesh);
+    }
 }

@@ -2,7 +2,9 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Text;
+using Gjk.Core;
 using Gjk.Demo.Tests.Support;
+using Gjk.Import;
 using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
@@ -23,6 +25,20 @@ public sealed class ObjTests
         Imported.AssertBounds(imported["one"], new(0), new(1));
         Imported.AssertBounds(imported["two/left"], new(0), new(1));
         Imported.AssertBounds(imported["two/right"], new(0), new(9, 1, 0));
+    }
+
+    [Theory]
+    [InlineData(Tetrahedron, AnyShapeKind.Solid, true)]
+    [InlineData("f 1 3 2\nf 1 2 4\nf 1 4 3\n", AnyShapeKind.Surface, false)]
+    [InlineData("", AnyShapeKind.Convex, true)]
+    public void APartIsWhatItsTrianglesAre(string faces, AnyShapeKind kind, bool hasInside)
+    {
+        using var directory = new TempDirectory();
+        ImportedObject part = Importer.Read(directory.Write("a.obj", Corners + faces)).Objects[0];
+        AnyShape shape = part.ToAnyShape();
+        Assert.Equal(kind, shape.Kind);
+        var inside = new Vector3(0.2f);
+        Assert.Equal(hasInside, ConcaveQuery.Contains(shape, part.Pose, inside, new ConcaveScratch()));
     }
 
     [Theory]

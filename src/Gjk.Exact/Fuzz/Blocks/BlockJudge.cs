@@ -165,5 +165,5 @@ internal sealed class BlockJudge
         return check.Status;
     }
 
-    private static bool IsCurved(in ConvexShape shape) => shape.Support(new Double3(1, 0, 0), out _) < 0;
+    public static bool IsCurved(in ConvexShape shape) => shape.Support(new Double3(1, 0, 0), out _) < 0;
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Gjk.Core;
+using Gjk.Exact.Fuzz.Blocks;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
@@ -81,6 +82,17 @@ internal sealed class ConcavePair
     /// <summary>Length: the longest side of two parts' boxes in their frames.</summary>
     public double ScaleOf(int partA, int partB) =>
         Math.Max(LongestSide(PartsA[partA]), LongestSide(PartsB[partB]));
+
+    /// <summary>Length: what the distance of two parts may be off because one of them is curved; 0 if none is.</summary>
+    public double CurvedBandOf(in PartDistance of)
+    {
+        int index = IndexOf(of.PartA, of.PartB);
+        if (index < 0) return 0;
+        int a = index / PartsB.Length, b = index % PartsB.Length;
+        return BlockJudge.IsCurved(PartsA[a]) || BlockJudge.IsCurved(PartsB[b])
+            ? Accuracy.CurvedBand(of.Distance, ScaleOf(a, b))
+            : 0;
+    }
 
     /// <summary>What a promise draws.</summary>
     public FuzzRandom Random(ulong promise) => new(new FuzzRandom(_seed + promise).Next());

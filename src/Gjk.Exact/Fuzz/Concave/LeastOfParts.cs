@@ -63,6 +63,12 @@ internal static class LeastOfParts
         if (isOverlap != r.IsOverlapping) return Say.Line($"Overlaps says {isOverlap}, Distance {r}");
         PartDistance within = ConcaveQuery.Distance(
             pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch, r.Distance);
+
+
+        // A curved distance is right to a band, and a plane may prove that it is a little more.
+        double band = pair.CurvedBandOf(r);
+        bool isOpen = band > 0 && within.Result.LowerBound <= r.Distance + band;
+        if (within.Status == GjkStatus.BeyondMaxDistance && isOpen) return null;
         if (within.Status != r.Status || within.Distance != r.Distance) return Say.Line($"within: {within}, not {r}");
         if (!(r.Distance > 0)) return null;
         float less = pair.Random(2).OneIn(2) ? MathF.BitDecrement(r.Distance) : r.Distance * 0.5f;

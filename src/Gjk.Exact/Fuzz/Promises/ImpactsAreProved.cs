@@ -41,8 +41,8 @@ internal static class ImpactsAreProved
             return Say.Line($"{r} of {Text(a, b)}, but Distance says {pair.Answer.Status}");
         if (starts) return null;
 
-        // A touch at the start is passed where it gets no deeper than the tolerance.
-        double passed = pair.Answer.IsOverlapping ? 2 * Tolerance * pair.Scale : 0;
+        // A touch at the start, to rounding, is passed where it gets no deeper than the tolerance.
+        double passed = mayStart ? 2 * Tolerance * pair.Scale : 0;
         if (r.Status is not (CastStatus.Hit or CastStatus.Miss or CastStatus.IterationLimit))
             return Say.Line($"{r} of {Text(a, b)}");
         double end = r.Fraction;
