@@ -1,0 +1,60 @@
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace Gjk.Core.Tests.Regression;
+
+/// <summary>Parts that are tiny beside others are found however the others are measured.</summary>
+public class SmallBesideLargeTests
+{
+    /// <summary>
+    /// In units of the large triangle the product of two gaps has no digits left as a float, which must not make it
+    /// larger.
+    /// </summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(1.5)]
+    [InlineData(100)]
+    public void ALimitAtTheDistanceChangesNothing(float factor)
+    {
+        Vector3[] corners =
+        [
+            new(0.30814448f, -0.14017351f, -0.8038461f), new(0.30814448f, -0.14017351f, -0.8038461f),
+            new(0.3134914f, -0.1179574f, -0.7888305f), new(79335.26f, -70957.016f, 15336.242f),
+            new(33897.34f, -16444.354f, 185164.78f), new(89405.625f, -115082f, -177499.02f),
+        ];
+        Vector3[] small =
+        [
+            new(0.00056944916f, -0.0005479192f, 0.0005583259f), new(0.0005801798f, -0.00055829115f, 0.00055042194f),
+            new(0.00057895324f, -0.00055210246f, 0.00055844896f),
+        ];
+        AnyShape a = AnyShape.Surface(new TriangleMesh(corners, [0, 1, 2, 3, 4, 5]));
+        AnyShape b = AnyShape.Surface(new TriangleMesh(small, [0, 1, 2]));
+        var poseA = new RigidPose(new Quaternion(0.60322845f, 0.11828859f, -0.7663441f, -0.1866549f), default);
+        var poseB = new RigidPose(
+            new Quaternion(-0.40004098f, 0.2521666f, 0.88014644f, 0.041490704f),
+            new Vector3(0.7181847f, 0.20556337f, -0.42037326f));
+        var scratch = new ConcaveScratch();
+        PartDistance whole = ConcaveQuery.Distance(a, poseA, b, poseB, scratch);
+        PartDistance within = ConcaveQuery.Distance(a, poseA, b, poseB, scratch, whole.Distance * factor);
+        Assert.Equal((GjkStatus.Separated, whole.Distance, 0), (within.Status, within.Distance, within.PartA));
+    }
+
+    /// <summary>A curved part that is as near as the query calls touching overlaps, and so it has a depth.</summary>
+    [Fact]
+    public void ACurvedPartThatTouchesHasADepth()
+    {
+        TriangleMesh mesh = new([Vector3.Zero, new(0, 0.75f, 0), new(0, 0, 0.75f)], [0, 1, 2]);
+        AnyShape wall = AnyShape.Surface(mesh);
+        var at = new RigidPose(new Vector3(1.05e-9f, 0.25f, 0.25f));
+        ConvexShape egg = ConvexShape.Ellipsoid(new Vector3(1e-9f));
+        ConvexShape triangle = ConvexShape.Triangle(Vector3.Zero, new(0, 0.75f, 0), new(0, 0, 0.75f));
+        Assert.True(ConvexQuery.Distance(triangle, RigidPose.Identity, egg, at).IsOverlapping);
+        AnyShape parts = AnyShape.Of(new CompoundShape([new CompoundPart(egg, RigidPose.Identity)]));
+        List<PartDistance> found = [];
+        var scratch = new ConcaveScratch();
+        Assert.True(ConcaveQuery.FindDepths(wall, RigidPose.Identity, parts, at, scratch, found));
+        Assert.Single(found);
+        Assert.True(ConcaveQuery.FindPairsWithin(wall, RigidPose.Identity, parts, at, 0, scratch, found));
+        Assert.Single(found);
+    }
+}
