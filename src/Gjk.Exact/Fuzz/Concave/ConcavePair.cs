@@ -83,7 +83,7 @@ internal sealed class ConcavePair
     public double ScaleOf(int partA, int partB) =>
         Math.Max(LongestSide(PartsA[partA]), LongestSide(PartsB[partB]));
 
-    /// <summary>Length: what the distance of two parts may be off because one of them is curved; 0 if none is.</summary>
+    /// <summary>Length: what the distance of two parts may be off as one of them is curved; 0 if none is.</summary>
     public double CurvedBandOf(in PartDistance of)
     {
         int index = IndexOf(of.PartA, of.PartB);
