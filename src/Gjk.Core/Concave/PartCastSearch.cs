@@ -39,6 +39,12 @@ internal struct PartCastSearch
     /// </summary>
     private const double ImpactRoom = 1.0 / (1 << 14);
 
+    /// <summary>
+    /// Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts off none
+    /// that another part's rounds to. More only costs time. Pinned by SmallBesideLargeTests.
+    /// </summary>
+    private const double WayError = 1.0 / (1L << 40);
+
     private PartMotion _motion;
     private RigidMotion _a, _b;
     private CastOptions _options;
@@ -70,8 +76,9 @@ internal struct PartCastSearch
     public readonly double Last => Math.Min(_maxFraction, _best);
 
     /// <summary>World units: parts of an impact that are further apart do not touch.</summary>
-    public readonly double TouchRoom => Math.Max(
-        _tolerance, ImpactRoom * ((_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins)) * Beyond;
+    public readonly double TouchRoom => Math.Max(_tolerance, ImpactRoom * Size) * Beyond;
+
+    private readonly double Size => (_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins;
 
     /// <summary>Prepares a search.</summary>
     /// <param name="scratch">With both sides set.</param>
@@ -203,7 +210,8 @@ internal struct PartCastSearch
 
         // What is passed depends on the whole way, and so does where an impact's steps end.
         bool isWhole = PartA < 0 || _options.PassesShallow || _motion == PartMotion.Impact;
-        var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up(_best));
+        double least = _best + (_motion == PartMotion.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0);
+        var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
         if (_motion == PartMotion.Ray)
         {
             RayCastResult met = ConvexQuery.RayCast(a, _a.Pose, _b.Pose.Position, _b.Velocity, most, _options);

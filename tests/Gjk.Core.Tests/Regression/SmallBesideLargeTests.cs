@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 
@@ -56,5 +57,45 @@ public class SmallBesideLargeTests
         Assert.Single(found);
         Assert.True(ConcaveQuery.FindPairsWithin(wall, RigidPose.Identity, parts, at, 0, scratch, found));
         Assert.Single(found);
+    }
+
+    /// <summary>Of parts that are met at nearly one fraction, hardly after the start, the first is found.</summary>
+    [Theory]
+    [InlineData(0, 1, 2, 3, 4, 5)]
+    [InlineData(3, 4, 5, 0, 1, 2)]
+    public void ACastMeetsTheFirstOfNearlyEqualParts(params int[] triangles)
+    {
+        Vector3[] corners =
+        [
+            new(-0.5190659f, 0.60626423f, 0.7379608f),
+            new(-0.55023104f, 0.59933937f, 0.7249388f),
+            new(-0.5187459f, 0.61786866f, 0.7160264f),
+        ];
+        Vector3[] blade =
+        [
+            new(-1.216308f, 0, 6.456924e-07f),
+            new(-1.1425326f, 2.4800136e-07f, 6.065278e-07f),
+            new(-1.216308f, 0, -6.456924e-07f),
+            new(-1.216308f, 0, 6.456924e-07f),
+            new(-1.216308f, 0, -6.456924e-07f),
+            new(-1.1425326f, -2.4800136e-07f, -6.065278e-07f),
+        ];
+        ConvexShape a = ConvexShape.Triangle(corners[0], corners[1], corners[2]);
+        var poseA = new RigidPose(new Quaternion(2.4593837E-07f, 0, 0, 1), default);
+        var poseB = new RigidPose(
+            new Quaternion(0, 1.4162699E-08f, 0, 1), new Vector3(0.6975621f, 0.6178683f, 0.7160273f));
+        Vector3 way = new(-0.10874378f, -0.1762235f, -0.005313715f);
+        float least = float.PositiveInfinity;
+        for (int i = 0; i < 6; i += 3)
+        {
+            ConvexShape b = ConvexShape.Triangle(
+                blade[triangles[i]], blade[triangles[i + 1]], blade[triangles[i + 2]]);
+            least = MathF.Min(least, ConvexQuery.Cast(a, poseA, default, b, poseB, way).Fraction);
+        }
+
+        AnyShape surface = AnyShape.Surface(new TriangleMesh(blade, triangles));
+        PartCast found = ConcaveQuery.Cast(
+            AnyShape.Of(a), poseA, default, surface, poseB, way, new ConcaveScratch());
+        Assert.Equal((CastStatus.Hit, least), (found.Status, found.Fraction));
     }
 }

@@ -63,7 +63,7 @@ public sealed class TimeTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("moving.json", Boxes.Replace(",\"velocity\":[1,0,0]", motion));
-        DemoRun run = DemoRun.Of("time", scene, "--seconds", "0.1");
+        DemoRun run = DemoRun.Of("time", scene, "--seconds", "0.03");
         run.AssertDone();
         using JsonDocument timed = JsonDocument.Parse(run.Out);
         JsonElement cast = timed.RootElement.GetProperty("cast_ns");
@@ -84,7 +84,7 @@ public sealed class TimeTests
               {"shape":{"type":"compound","parts":[{"shape":{"type":"point"},"position":[0,0,3]}]}},
               {"shape":{"type":"sphere","radius":1},"velocity":[0,0,9]}]}
             """);
-        DemoRun run = DemoRun.Of("time", scene, "--seconds", "0.1");
+        DemoRun run = DemoRun.Of("time", scene, "--seconds", "0.03");
         run.AssertDone();
         using JsonDocument timed = JsonDocument.Parse(run.Out);
         JsonElement figures = timed.RootElement;
