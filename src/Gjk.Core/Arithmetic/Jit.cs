@@ -12,4 +12,14 @@ internal static class Jit
     /// pair goes without it: its branches gain 5 to 15 % from the profile that the runtime then takes.
     /// </summary>
     public const MethodImplOptions AtOnce = (MethodImplOptions)512;
+
+    /// <summary>
+    /// AggressiveInlining where that pays. Mono has no registers left for a loop that a step of GJK is put into, and
+    /// clears all its vectors: there the steps are called.
+    /// </summary>
+#if NET
+    public const MethodImplOptions Step = MethodImplOptions.AggressiveInlining;
+#else
+    public const MethodImplOptions Step = MethodImplOptions.NoInlining;
+#endif
 }

@@ -35,7 +35,7 @@ internal struct ContactPlane
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         Frame = frame;
         Normal = state.Feature.Normal * -scale;
-        OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+        OnA = state.Simplex.MeanOnA(state.Weights);
         CoreDistance = state.Feature.Height * scale;
         Size = state.Size.Value;
     }

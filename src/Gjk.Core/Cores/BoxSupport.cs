@@ -12,8 +12,8 @@ internal static class BoxSupport
     public static int Furthest(in Double3 half, in Double3 direction, out Double3 point)
     {
         double x = direction.X, y = direction.Y, z = direction.Z;
-        point = new Double3(
-            BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z));
+        Double3.Write(
+            BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z), out point);
         return BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
     }
 
@@ -21,9 +21,9 @@ internal static class BoxSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryGetVertex(in Double3 half, int signs, out Double3 point)
     {
-        point = new Double3(
+        Double3.Write(
             BranchFree.NegatedBy(half.X, signs & 1), BranchFree.NegatedBy(half.Y, signs >> 1 & 1),
-            BranchFree.NegatedBy(half.Z, signs >> 2 & 1));
+            BranchFree.NegatedBy(half.Z, signs >> 2 & 1), out point);
         return (uint)signs < 8u;
     }
 

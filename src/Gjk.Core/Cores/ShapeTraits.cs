@@ -33,7 +33,7 @@ internal class ShapeTraits<T>
     protected virtual bool MayBePlaced => false;
 
     /// <summary>Whether a shape is placed.</summary>
-    public virtual bool IsPlaced(in T shape) => false;
+    public virtual bool IsPlaced(ref T shape) => false;
 
     /// <summary>The shape in the axes of its core; itself where it is not placed.</summary>
     /// <param name="shape">The shape.</param>
@@ -121,7 +121,7 @@ internal class PlacedTraits<T> : LibraryTraits<T>
 
     protected override bool MayBePlaced => true;
 
-    public override bool IsPlaced(in T shape) => shape.IsPlaced;
+    public override bool IsPlaced(ref T shape) => shape.IsPlaced;
 
     public override T InCoreAxes(in T shape, out Placement? placement) => shape.InCoreAxes(out placement);
 }

@@ -69,9 +69,44 @@ public readonly struct Double3 : IEquatable<Double3>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 Multiply(in Double3 a, in Double3 b) => new(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
 
+    /// <summary>
+    /// Writes a vector where it is to be. Mono makes a new vector elsewhere, cleared, and copies it, and the next step
+    /// waits for that.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static unsafe void Write(double x, double y, double z, out Double3 v)
+    {
+#if NET
+        v = new Double3(x, y, z);
+#else
+        fixed (Double3* same = &v)
+        {
+            double* to = (double*)same;
+            to[0] = x;
+            to[1] = y;
+            to[2] = z;
+        }
+#endif
+    }
+
+    /// <summary>The product of the cross product of a and b with c.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static double Triple(in Double3 a, in Double3 b, in Double3 c) =>
+        (a.Y * b.Z - a.Z * b.Y) * c.X + (a.Z * b.X - a.X * b.Z) * c.Y + (a.X * b.Y - a.Y * b.X) * c.Z;
+
     /// <summary>Sum.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 operator +(in Double3 a, in Double3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+    /// <summary>a + b s, in one step: Mono clears and copies what each step makes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void Plus(in Double3 a, in Double3 b, double s, out Double3 sum) =>
+        Write(a.X + b.X * s, a.Y + b.Y * s, a.Z + b.Z * s, out sum);
+
+    /// <summary>From one position to another.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Double3 Between(in Vector3 from, in Vector3 to) =>
+        new((double)to.X - from.X, (double)to.Y - from.Y, (double)to.Z - from.Z);
 
     /// <summary>Difference.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -95,7 +130,15 @@ public readonly struct Double3 : IEquatable<Double3>
 
     /// <summary>Rounds each component to the nearest float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static explicit operator Vector3(in Double3 v) => new((float)v.X, (float)v.Y, (float)v.Z);
+    public static explicit operator Vector3(in Double3 v)
+    {
+        // Mono calls the constructor.
+        Vector3 rounded;
+        rounded.X = (float)v.X;
+        rounded.Y = (float)v.Y;
+        rounded.Z = (float)v.Z;
+        return rounded;
+    }
 
     /// <summary>Component-wise equality.</summary>
     public static bool operator ==(in Double3 a, in Double3 b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z;

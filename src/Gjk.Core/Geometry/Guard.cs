@@ -10,7 +10,7 @@ internal static class Guard
 
     public static bool IsFinite(double x) => x - x == 0;
 
-    public static bool IsFinite(Vector3 v) => v.X - v.X + (v.Y - v.Y) + (v.Z - v.Z) == 0;
+    public static bool IsFinite(in Vector3 v) => v.X - v.X + (v.Y - v.Y) + (v.Z - v.Z) == 0;
 
     public static Vector3 Finite(Vector3 v, string name) =>
         IsFinite(v) ? v : throw new ArgumentOutOfRangeException(name, v, "Every component must be finite.");

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -6,9 +7,9 @@ namespace Gjk.Core;
 /// A quaternion of doubles, of any length: the rotation in the middle of a motion, or of a shape inside a shape, which
 /// a float would round by more than the tolerance. See <see cref="RotationD"/> for the matrix.
 /// </summary>
-internal readonly struct QuaternionD
+internal struct QuaternionD
 {
-    public readonly double X, Y, Z, W;
+    public double X, Y, Z, W;
 
     public QuaternionD(double x, double y, double z, double w)
     {
@@ -23,9 +24,19 @@ internal readonly struct QuaternionD
 
     public static implicit operator QuaternionD(Quaternion q) => new(q.X, q.Y, q.Z, q.W);
 
-    public double LengthSquared => X * X + Y * Y + Z * Z + W * W;
+    /// <summary>The same, written where it is to be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Widen(in Quaternion q, out QuaternionD wide)
+    {
+        wide.X = q.X;
+        wide.Y = q.Y;
+        wide.Z = q.Z;
+        wide.W = q.W;
+    }
 
-    public QuaternionD Conjugate => new(-X, -Y, -Z, W);
+    public readonly double LengthSquared => X * X + Y * Y + Z * Z + W * W;
+
+    public readonly QuaternionD Conjugate => new(-X, -Y, -Z, W);
 
     public static QuaternionD operator *(in QuaternionD q, double scale) =>
         new(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale);
@@ -45,7 +56,7 @@ internal readonly struct QuaternionD
         a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z);
 
     /// <summary>A vector turned by a quaternion of unit length: v + 2 u × (u × v + w v).</summary>
-    public Double3 Rotate(in Double3 v)
+    public readonly Double3 Rotate(in Double3 v)
     {
         var u = new Double3(X, Y, Z);
         return v + Double3.Cross(u, Double3.Cross(u, v) + v * W) * 2;

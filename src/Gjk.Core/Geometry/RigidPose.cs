@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
@@ -148,11 +149,12 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     internal bool IsValid => IsRotation(Rotation) && Guard.IsFinite(Position);
 
     /// <summary>Whether a quaternion of this squared length counts as a rotation; false for NaN.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static bool IsUnit(double squaredNorm) => squaredNorm >= MinSquaredNorm && squaredNorm <= MaxSquaredNorm;
 
     /// <summary>How far a row of a matrix is from the cross product of the next two; NaN where one is.</summary>
     private static float Off(Vector3 row, Vector3 next, Vector3 last) => (row - Vector3.Cross(next, last)).Length();
 
-    private static bool IsRotation(Quaternion q) =>
+    private static bool IsRotation(in Quaternion q) =>
         IsUnit((double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W);
 }

@@ -80,23 +80,54 @@ internal struct RotationD
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get
         {
-            RotationD t;
-            (t.M00, t.M10, t.M20, t._end0) = (M00, M01, M02, 0);
-            (t.M01, t.M11, t.M21, t._end1) = (M10, M11, M12, 0);
-            (t.M02, t.M12, t.M22, t._end2) = (M20, M21, M22, 0);
-            return t;
+            Transpose(out RotationD transposed);
+            return transposed;
         }
     }
 
+    /// <summary>Written where it is to be, without a copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 Rotate(in Double3 v) => new(
-        M00 * v.X + M01 * v.Y + M02 * v.Z,
-        M10 * v.X + M11 * v.Y + M12 * v.Z,
-        M20 * v.X + M21 * v.Y + M22 * v.Z);
+    public readonly void Transpose(out RotationD t)
+    {
+        t.M00 = M00;
+        t.M10 = M01;
+        t.M20 = M02;
+        t.M01 = M10;
+        t.M11 = M11;
+        t.M21 = M12;
+        t.M02 = M20;
+        t.M12 = M21;
+        t.M22 = M22;
+        t._end0 = t._end1 = t._end2 = 0;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Double3 Rotate(in Double3 v)
+    {
+        Rotate(v, out double x, out double y, out double z);
+        return new Double3(x, y, z);
+    }
+
+    /// <summary>The same in numbers, which Mono keeps in registers where it clears and copies a vector.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Rotate(in Double3 v, out double x, out double y, out double z)
+    {
+        x = M00 * v.X + M01 * v.Y + M02 * v.Z;
+        y = M10 * v.X + M11 * v.Y + M12 * v.Z;
+        z = M20 * v.X + M21 * v.Y + M22 * v.Z;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Double3 InverseRotate(in Double3 v) => new(
         M00 * v.X + M10 * v.Y + M20 * v.Z,
         M01 * v.X + M11 * v.Y + M21 * v.Z,
         M02 * v.X + M12 * v.Y + M22 * v.Z);
+
+    /// <summary>The same, written where it is to be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void InverseRotate(in Double3 v, out Double3 rotated) => Double3.Write(
+        M00 * v.X + M10 * v.Y + M20 * v.Z,
+        M01 * v.X + M11 * v.Y + M21 * v.Z,
+        M02 * v.X + M12 * v.Y + M22 * v.Z,
+        out rotated);
 }

@@ -24,6 +24,10 @@ internal static class XyzExtensions
 
     /// <summary>Rounded to float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Round(this in Xyz v, out Vector3 rounded) => rounded = v.ToSingle();
+
+    /// <summary>Rounded to float, as a value.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 ToSingle(this Xyz v) => Vector128.Narrow(v.GetLower(), v.GetUpper()).AsVector3();
 
     /// <summary>The vector with a 0 behind it.</summary>
@@ -42,7 +46,28 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void StoreAt(this Xyz v, double* to) => Vector256.Store(v, to);
 
-    /// <summary><see cref="RotationD.Rotate"/>.</summary>
+    /// <summary>v + w s, in one step: Mono clears and copies what a step makes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Plus(this Xyz v, Xyz w, double s, out Xyz sum) => sum = v + w * s;
+
+    /// <summary>
+    /// A point of a core and the margin along a unit normal, in the shape's frame and in world units.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void OnSurface(
+        this Xyz onCore, Xyz normal, double margin, in Double3 center, double unit, out Xyz point) =>
+        point = (onCore + normal * margin + center.ToXyz()) * unit;
+
+    /// <summary>A vector turned, and what is added to it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Place(this in RotationD matrix, Xyz v, in Vector3 position, out Xyz placed) =>
+        placed = matrix.Rotate(v) + ((Double3)position).ToXyz();
+
+    /// <summary>A vector turned, and reversed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Opposite(this in RotationD matrix, Xyz v, out Xyz opposite) => opposite = -matrix.Rotate(v);
+
+    /// <summary><see cref="RotationD.Rotate(in Double3)"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Xyz Rotate(this in RotationD matrix, Xyz v) =>
         matrix.Column0 * Vector256.Shuffle(v, Vector256.Create(0L))
@@ -69,7 +94,35 @@ internal static class XyzExtensions
 
     public static Vector3 ToSingle(this in Double3 v) => (Vector3)v;
 
+    public static void Round(this in Double3 v, out Vector3 rounded)
+    {
+        rounded.X = (float)v.X;
+        rounded.Y = (float)v.Y;
+        rounded.Z = (float)v.Z;
+    }
+
     public static Double3 ToXyz(this in Double3 v) => v;
+
+    public static void Plus(this in Double3 v, in Double3 w, double s, out Double3 sum) =>
+        Double3.Write(v.X + w.X * s, v.Y + w.Y * s, v.Z + w.Z * s, out sum);
+
+    public static void OnSurface(
+        this in Double3 onCore, in Double3 normal, double margin, in Double3 center, double unit, out Double3 point) =>
+        Double3.Write(
+            (onCore.X + normal.X * margin + center.X) * unit, (onCore.Y + normal.Y * margin + center.Y) * unit,
+            (onCore.Z + normal.Z * margin + center.Z) * unit, out point);
+
+    public static void Place(this in RotationD matrix, in Double3 v, in Vector3 position, out Double3 placed)
+    {
+        matrix.Rotate(v, out double x, out double y, out double z);
+        Double3.Write(x + position.X, y + position.Y, z + position.Z, out placed);
+    }
+
+    public static void Opposite(this in RotationD matrix, in Double3 v, out Double3 opposite)
+    {
+        matrix.Rotate(v, out double x, out double y, out double z);
+        Double3.Write(-x, -y, -z, out opposite);
+    }
 
     public static Double3 Abs(this in Double3 v) =>
         new(System.Math.Abs(v.X), System.Math.Abs(v.Y), System.Math.Abs(v.Z));

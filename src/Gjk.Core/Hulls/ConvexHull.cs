@@ -218,8 +218,7 @@ public sealed class ConvexHull
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal void GetVertex(int id, out Double3 point) =>
-        point = Vertices.GetVertex(id);
+    internal void GetVertex(int id, out Double3 point) => Vertices.GetVertex(id, out point);
 
     private static Vector3[] CheckedCopy(IReadOnlyList<Vector3> points)
     {

@@ -40,6 +40,15 @@ internal static partial class MinkowskiDifference
         return Xyz(w);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Double3 SupportInLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out int ids)
+    {
+        Vector256<double> w = SupportInLanes(ref a, ref b, frame, -normal, out _, out _, out int idA, out int idB);
+        ids = idA | idB;
+        return Xyz(w);
+    }
+
     /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void SupportInLanes<TA, TB>(

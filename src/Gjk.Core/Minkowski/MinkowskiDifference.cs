@@ -20,7 +20,7 @@ internal static partial class MinkowskiDifference
     /// <param name="slot">Where in the simplex.</param>
     /// <param name="ids">Both ids in one: negative where a support point has none.</param>
     /// <returns>The vertex: A's support point less B's, in A's frame.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     public static Double3 Support<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out int ids)
         where TA : struct, ISupportMap
@@ -29,17 +29,36 @@ internal static partial class MinkowskiDifference
 #if NET
         if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, ref simplex, slot, out ids);
 #endif
-        int idA = a.Support(-normal, out Double3 onA);
-        int idB = b.Support(frame.Rotation.InverseRotate(normal), out Double3 onB);
+        Double3.Write(-normal.X, -normal.Y, -normal.Z, out Double3 direction);
+        int idA = a.Support(direction, out Double3 onA);
+        frame.Rotation.InverseRotate(normal, out direction);
+        int idB = b.Support(direction, out Double3 onB);
+        ids = idA | idB;
         Double3 w = VertexOf(frame, onA, onB);
         simplex.Fill(slot, w, onA, onB, idA, idB);
-        ids = idA | idB;
         return w;
+    }
+
+    /// <summary>The same for a search that needs no support points.</summary>
+    [MethodImpl(Jit.Step)]
+    public static Double3 Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out int ids)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+#if NET
+        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, out ids);
+#endif
+        Double3.Write(-normal.X, -normal.Y, -normal.Z, out Double3 direction);
+        ids = a.Support(direction, out Double3 onA);
+        frame.Rotation.InverseRotate(normal, out direction);
+        ids |= b.Support(direction, out Double3 onB);
+        return VertexOf(frame, onA, onB);
     }
 
     /// <summary>Puts the vertex made of two support points, where they are now, into a slot.</summary>
     /// <returns>False when a shape has no vertex with the id.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     public static bool TryPlace<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, int idA, int idB, ref Simplex simplex, int slot)
         where TA : struct, ISupportMap
@@ -66,6 +85,10 @@ internal static partial class MinkowskiDifference
 
     /// <summary>The vertex made of a point of each shape, measured from its centre in its own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double3 VertexOf(in PairFrame frame, in Double3 onA, in Double3 onB) =>
-        onA - (frame.Rotation.Rotate(onB) + frame.Translation);
+    private static Double3 VertexOf(in PairFrame frame, in Double3 onA, in Double3 onB)
+    {
+        frame.Rotation.Rotate(onB, out double x, out double y, out double z);
+        return new Double3(
+            onA.X - (x + frame.Translation.X), onA.Y - (y + frame.Translation.Y), onA.Z - (z + frame.Translation.Z));
+    }
 }

@@ -151,8 +151,8 @@ internal partial struct PairFrame
         PoseComposition.Compose(
             poseA, poseB, out frame.RotationA, out frame.Rotation, out frame.Inverse, out frame._areRotations);
         Double3 centerA = a.Center, centerB = b.Center;
-        frame.CenterA = new Double3(centerA.X, centerA.Y, centerA.Z);
-        frame.CenterB = new Double3(centerB.X, centerB.Y, centerB.Z);
+        Double3.Write(centerA.X, centerA.Y, centerA.Z, out frame.CenterA);
+        Double3.Write(centerB.X, centerB.Y, centerB.Z, out frame.CenterB);
         frame.RadiusA = a.BoundingRadius;
         frame.RadiusB = b.BoundingRadius;
         frame.MarginA = a.Margin;
@@ -160,17 +160,13 @@ internal partial struct PairFrame
         frame.Unit = 1;
         frame.End = 0;
         frame.IsPlaced = false;
-#if NET
-        Unsafe.SkipInit(out frame._turnA);
-        Unsafe.SkipInit(out frame._turnB);
-#else
-        frame._turnA = frame._turnB = default;
-#endif
+        Uncleared.Begin(out frame._turnA);
+        Uncleared.Begin(out frame._turnB);
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
-            Double3 between = (Double3)poseB.Position - poseA.Position;
-            frame.Translation = frame.RotationA.InverseRotate(between);
+            Double3 between = Double3.Between(poseA.Position, poseB.Position);
+            frame.RotationA.InverseRotate(between, out frame.Translation);
             if (offset != 0) frame.Translation += frame.Rotation.Rotate(centerB) - centerA;
         }
         else
@@ -228,7 +224,7 @@ internal partial struct PairFrame
     public static Double3 BetweenCenters(
         in RigidPose poseA, in Double3 centerA, in RigidPose poseB, in Double3 centerB) =>
         centerA.SumOfMagnitudes + centerB.SumOfMagnitudes == 0
-            ? (Double3)poseB.Position - poseA.Position
+            ? Double3.Between(poseA.Position, poseB.Position)
             : BetweenFarCenters(poseA, poseB, centerA, centerB);
 
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -22,7 +22,8 @@ internal static class PoseComposition
             return;
         }
 #endif
-        QuaternionD qa = poseA.Rotation, qb = poseB.Rotation;
+        QuaternionD.Widen(poseA.Rotation, out QuaternionD qa);
+        QuaternionD.Widen(poseB.Rotation, out QuaternionD qb);
         Compose(
             qa, qb, qa.LengthSquared, qb.LengthSquared, out rotationA, out rotation, out inverse, out areRotations);
     }
@@ -65,7 +66,7 @@ internal static class PoseComposition
             aw * bz - az * bw - ax * by + ay * bx,
             aw * bw + ax * bx + ay * by + az * bz,
             2 * one);
-        inverse = rotation.Transposed;
+        rotation.Transpose(out inverse);
         areRotations = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB);
     }
 

@@ -17,8 +17,9 @@ public static partial class ConvexQuery
         a.BoundingRadius + b.BoundingRadius == a.Margin + b.Margin;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DistanceResult DistanceOfBalls<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, bool isSigned = false)
+    private static void DistanceOfBalls<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, bool isSigned,
+        out DistanceResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -26,42 +27,53 @@ public static partial class ConvexQuery
         Double3 between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
         double gap = BallGap(between, a.Margin, b.Margin, out double root);
         if (!IsBallGap(gap, a.Margin, b.Margin) || !(turnA > 0) || !(turnB > 0) || float.IsNaN(maxDistance))
-            return DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+        {
+            result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+            return;
+        }
 
         double margins = a.Margin + b.Margin;
         Double3 normal = root > 0 ? between * (1 / root) : isSigned ? new Double3(1, 0, 0) : default;
-        Double3 inA = Back(poseA.Rotation, turnA, normal), inB = Back(poseB.Rotation, turnB, normal);
+        Back(poseA.Rotation, turnA, normal, out Double3 inA);
+        Back(poseB.Rotation, turnB, normal, out Double3 inB);
         bool touching = gap <= GjkTolerances.Touch * margins;
         if (!touching && (float)gap > Math.Max(maxDistance, 0))
         {
-            return DistanceResult.Beyond(BallBound(root, margins), (Vector3)normal, 1);
+            result = DistanceResult.Beyond(BallBound(root, margins), (Vector3)normal, 1);
+            return;
         }
 
         // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
         double share = touching && !isSigned && margins > 0 ? root / margins : 1;
         double reachA = share * a.Margin, reachB = share * b.Margin;
-        Double3 worldA = Place(poseA, a.Center) + normal * reachA;
-        Double3 worldB = worldA + normal * gap;
+        Double3.Plus(Place(poseA, a.Center), normal, reachA, out Double3 worldA);
+        Double3.Plus(worldA, normal, gap, out Double3 worldB);
         bool isFromB = IsSmallerB(a.Margin, b.Margin, b.Center, MuchSmaller) || IsFarApart(gap, b.Margin, b.Center);
         if (isFromB)
         {
-            worldB = Place(poseB, b.Center) - normal * reachB;
-            if (!IsFarApart(gap, a.Margin, a.Center)) worldA = worldB - normal * gap;
+            Double3.Plus(Place(poseB, b.Center), normal, -reachB, out worldB);
+            if (!IsFarApart(gap, a.Margin, a.Center)) Double3.Plus(worldB, normal, -gap, out worldA);
         }
 
-        var localA = (Vector3)(inA * reachA + a.Center);
-        var localB = (Vector3)(inB * -reachB + b.Center);
+        Double3.Plus(a.Center, inA, reachA, out Double3 localA);
+        Double3.Plus(b.Center, inB, -reachB, out Double3 localB);
+        float bound = 0;
         if (!touching || isSigned)
         {
             if (touching) gap = Math.Min(gap, 0);
-            return new DistanceResult(
-                touching ? GjkStatus.Overlapping : GjkStatus.Separated, (float)gap,
-                BallBound(root, margins, touching), (Vector3)worldA, (Vector3)worldB,
-                (Vector3)normal, localA, localB, 1);
+            bound = BallBound(root, margins, touching);
+        }
+        else
+        {
+            if (isFromB) worldA = worldB;
+            else worldB = worldA;
+            normal = default;
+            gap = 0;
         }
 
-        var common = (Vector3)(isFromB ? worldB : worldA);
-        return new DistanceResult(GjkStatus.Overlapping, 0, 0, common, common, Vector3.Zero, localA, localB, 1);
+        DistanceResult.Write(
+            out result, touching ? GjkStatus.Overlapping : GjkStatus.Separated, (float)gap, bound, worldA.ToXyz(),
+            worldB.ToXyz(), normal.ToXyz(), localA.ToXyz(), localB.ToXyz(), 1);
     }
 
     /// <summary>Overlapping, separated or invalid, as <see cref="DistanceOfBalls"/> says.</summary>
@@ -102,7 +114,7 @@ public static partial class ConvexQuery
 
     /// <summary>2 / |q|², or 0 where that is no rotation.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double InverseTurn(Quaternion q)
+    private static double InverseTurn(in Quaternion q)
     {
         double norm = (double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W;
         return RigidPose.IsUnit(norm) ? 2 / norm : 0;
@@ -110,14 +122,15 @@ public static partial class ConvexQuery
 
     /// <summary>v turned by the inverse of q: v + w t + t × u with t = s v × u and s = 2 / |q|².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double3 Back(Quaternion q, double s, in Double3 v)
+    private static void Back(in Quaternion q, double s, in Double3 v, out Double3 turned)
     {
-        var u = new Double3(q.X, q.Y, q.Z);
-        Double3 t = Double3.Cross(v, u) * s;
-        return v + t * q.W + Double3.Cross(t, u);
+        double x = q.X, y = q.Y, z = q.Z, w = q.W;
+        double tx = (v.Y * z - v.Z * y) * s, ty = (v.Z * x - v.X * z) * s, tz = (v.X * y - v.Y * x) * s;
+        Double3.Write(
+            v.X + tx * w + (ty * z - tz * y), v.Y + ty * w + (tz * x - tx * z), v.Z + tz * w + (tx * y - ty * x),
+            out turned);
     }
 
-    /// <summary>A shape's centre in the world.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Double3 Place(in RigidPose pose, in Double3 center) =>
         center.SumOfMagnitudes == 0 ? pose.Position : ToWorld(pose, center);

@@ -95,7 +95,9 @@ public static unsafe partial class ConvexQuery
         fixed (WarmStart* warm = &warmStart)
         {
             var question = new CastQuestion(translationA, translationB, maxFraction, warm);
-            return CoreDispatch.Ask<TA, TB, CastQuestion, CastResult>(ref a, poseA, ref b, poseB, ref question);
+            CoreDispatch.Ask<TA, TB, CastQuestion, CastResult>(
+                ref a, poseA, ref b, poseB, ref question, out CastResult result);
+            return result;
         }
     }
 
@@ -116,15 +118,15 @@ public static unsafe partial class ConvexQuery
 
         public readonly bool IsValid => (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
 
-        public readonly CastResult Refuse() => CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+        public readonly void Refuse(out CastResult result) =>
+            result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public CastResult Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap =>
+        void IPairQuestion<CastResult>.Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
+            out CastResult result) =>
             PairProblem.Answer<TA, TB, CastQuestion, CastFinding, CastResult>(
-                ref a, poseA, ref b, poseB, placement, ref this);
+                ref a, poseA, ref b, poseB, placement, ref this, out result);
 
         public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
             where TA : struct, ISupportMap
@@ -135,14 +137,18 @@ public static unsafe partial class ConvexQuery
         }
 
         /// <summary>Where A's surface is met, with A as it has moved.</summary>
-        public readonly CastResult Finish(
-            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
+        readonly void IPairProblem<CastFinding, CastResult>.Finish(
+            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out CastResult result)
         {
             CastStatus status = StatusOf(cast.Outcome, cast.Fraction);
             if (status is not (CastStatus.Hit or CastStatus.OverlappingAtStart))
-                return CastResult.Nothing(status, FractionOf(status, cast.Fraction, _maxFraction), cast.Iterations);
+            {
+                result = CastResult.Nothing(status, FractionOf(status, cast.Fraction, _maxFraction), cast.Iterations);
+                return;
+            }
+
             Double3 world = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
-            return new CastResult(
+            result = new CastResult(
                 status, (float)cast.Fraction, (Vector3)(world + _translationA * cast.Fraction),
                 (Vector3)frame.RotationA.Rotate(cast.Normal), cast.Iterations);
         }

@@ -24,7 +24,8 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         Double3 motion = (Double3)translationB - translationA;
-        DistanceResult start = DistanceOfBalls(ref a, poseA, ref b, poseB, float.PositiveInfinity);
+        DistanceOfBalls(
+            ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: false, out DistanceResult start);
         if (start.Status == GjkStatus.InvalidInput || float.IsNaN(maxFraction)
             || !Guard.IsFinite(translationA) || !motion.IsFinite)
         {

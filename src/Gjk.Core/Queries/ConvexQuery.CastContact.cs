@@ -42,7 +42,7 @@ public static unsafe partial class ConvexQuery
         {
             StartTouch touch = default;
             var question = new SignedQuestion<NoPolytopeTrace> { Touch = &touch };
-            DistanceResult start = AskSigned(a, poseA, b, poseB, ref question);
+            AskSigned(a, poseA, b, poseB, ref question, out DistanceResult start);
             Iterations = start.Iterations;
             bool isLimit = start.Status == GjkStatus.IterationLimit, isKnown = Normal != default;
             if (touch.IsTouch) Point = touch.Point;
@@ -96,8 +96,8 @@ public static unsafe partial class ConvexQuery
             ? new DeepeningPart(fraction, most, options.AllowedDepth, AllowedSlope)
             : new DeepeningPart(0, double.PositiveInfinity, 0, 0);
         var question = new DeepeningQuestion(motion, part);
-        MotionVerdict verdict =
-            CoreDispatch.Ask<TA, TB, DeepeningQuestion, MotionVerdict>(ref a, poseA, ref b, poseB, ref question);
+        CoreDispatch.Ask<TA, TB, DeepeningQuestion, MotionVerdict>(
+            ref a, poseA, ref b, poseB, ref question, out MotionVerdict verdict);
         contact.Iterations += question.Iterations;
         if (verdict == MotionVerdict.Contradiction) contact.Status = CastStatus.InvalidShape;
         else if (verdict == MotionVerdict.Miss) contact.Status = CastStatus.Miss;
@@ -120,15 +120,15 @@ public static unsafe partial class ConvexQuery
 
         public readonly bool IsValid => true;
 
-        public readonly MotionVerdict Refuse() => MotionVerdict.Undecided;
+        public readonly void Refuse(out MotionVerdict result) =>
+            result = MotionVerdict.Undecided;
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public MotionVerdict Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap =>
+        void IPairQuestion<MotionVerdict>.Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
+            out MotionVerdict result) =>
             PairProblem.Answer<TA, TB, DeepeningQuestion, MotionVerdict, MotionVerdict>(
-                ref a, poseA, ref b, poseB, placement, ref this);
+                ref a, poseA, ref b, poseB, placement, ref this, out result);
 
         public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out MotionVerdict verdict)
             where TA : struct, ISupportMap
@@ -139,7 +139,8 @@ public static unsafe partial class ConvexQuery
             verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
         }
 
-        public readonly MotionVerdict Finish(
-            in MotionVerdict verdict, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => verdict;
+        readonly void IPairProblem<MotionVerdict, MotionVerdict>.Finish(
+            in MotionVerdict verdict, in PairFrame frame, in RigidPose poseA, in RigidPose poseB,
+            out MotionVerdict result) => result = verdict;
     }
 }

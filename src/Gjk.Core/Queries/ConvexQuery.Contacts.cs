@@ -119,7 +119,7 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm, Plane = plane };
-        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
+        AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
         manifold.Clear();
         float mostGap = maxGap > 0 ? maxGap : 0;
         if (result.Distance <= mostGap)

@@ -26,7 +26,8 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         var question = new DistanceQuestion<NoTrace>(maxDistance);
-        return AskDistance(a, poseA, b, poseB, ref question);
+        AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
+        return result;
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -52,7 +53,8 @@ public static unsafe partial class ConvexQuery
         fixed (FinalSimplex* end = &simplex)
         {
             var question = new DistanceQuestion<NoTrace>(maxDistance, null, end);
-            return AskDistance(a, poseA, b, poseB, ref question);
+            AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
+            return result;
         }
     }
 
@@ -80,13 +82,15 @@ public static unsafe partial class ConvexQuery
         fixed (WarmStart* warm = &warmStart)
         {
             var question = new DistanceQuestion<NoTrace>(maxDistance, warm);
-            return AskDistance(a, poseA, b, poseB, ref question);
+            AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
+            return result;
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static DistanceResult AskDistance<TA, TB, TTrace>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref DistanceQuestion<TTrace> question)
+    private static void AskDistance<TA, TB, TTrace>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref DistanceQuestion<TTrace> question,
+        out DistanceResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
@@ -95,12 +99,16 @@ public static unsafe partial class ConvexQuery
         ref TB shapeB = ref PairProblem.Inward(b);
         if (AreBalls(ref shapeA, ref shapeB))
         {
-            if (question.WantsPoints) question.Ask(ref shapeA, poseA, ref shapeB, poseB, PairPlacement.None);
-            return DistanceOfBalls(ref shapeA, poseA, ref shapeB, poseB, question.MaxDistance);
+            if (question.WantsPoints)
+                PairProblem.Ask<TA, TB, DistanceQuestion<TTrace>, DistanceResult>(
+                    ref shapeA, poseA, ref shapeB, poseB, ref question);
+            DistanceOfBalls(
+                ref shapeA, poseA, ref shapeB, poseB, question.MaxDistance, isSigned: false, out result);
+            return;
         }
 
-        return CoreDispatch.Ask<TA, TB, DistanceQuestion<TTrace>, DistanceResult>(
-            ref shapeA, poseA, ref shapeB, poseB, ref question);
+        CoreDispatch.Ask<TA, TB, DistanceQuestion<TTrace>, DistanceResult>(
+            ref shapeA, poseA, ref shapeB, poseB, ref question, out result);
     }
 
     /// <summary>The distance of two cores.</summary>
@@ -129,15 +137,15 @@ public static unsafe partial class ConvexQuery
 
         public readonly bool IsValid => !float.IsNaN(MaxDistance);
 
-        public readonly DistanceResult Refuse() => DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+        public readonly void Refuse(out DistanceResult result) =>
+            result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public DistanceResult Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap =>
+        void IPairQuestion<DistanceResult>.Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
+            out DistanceResult result) =>
             PairProblem.Answer<TA, TB, DistanceQuestion<TTrace>, SolverState, DistanceResult>(
-                ref a, poseA, ref b, poseB, placement, ref this);
+                ref a, poseA, ref b, poseB, placement, ref this, out result);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
@@ -151,11 +159,11 @@ public static unsafe partial class ConvexQuery
                 ref a, ref b, frame, MaxDistance, ref *_warm, _warm != null, ref state, ref Trace);
         }
 
-        public readonly DistanceResult Finish(
-            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
+        readonly void IPairProblem<SolverState, DistanceResult>.Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
         {
             if (_simplex != null) Keep(state, frame, _simplex);
-            return ConvexQuery.Finish(state, frame, poseA, poseB, MaxDistance);
+            ConvexQuery.Finish(state, frame, poseA, poseB, MaxDistance, false, out result);
         }
 
         /// <summary>The closed form of two points, told as the loop's only round.</summary>

@@ -27,7 +27,7 @@ public static unsafe partial class ConvexQuery
         where TTrace : struct, IGjkTrace
     {
         var question = new DistanceQuestion<TTrace>(maxDistance) { Trace = trace };
-        DistanceResult result = AskDistance(a, poseA, b, poseB, ref question);
+        AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
         trace = question.Trace;
         return result;
     }
@@ -57,7 +57,7 @@ public static unsafe partial class ConvexQuery
         where TTrace : struct, IPolytopeTrace
     {
         var question = new SignedQuestion<TTrace> { Trace = trace };
-        DistanceResult result = AskSigned(a, poseA, b, poseB, ref question);
+        AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
         trace = question.Trace;
         return result;
     }

@@ -23,21 +23,26 @@ public static partial class ConvexQuery
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DistanceResult Finish(
+    private static void Finish(
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance,
-        bool isSigned = false)
+        bool isSigned, out DistanceResult result)
     {
-        if (state.Verdict == Verdict.Contradiction)
-            return DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
-        if (state.Verdict == Verdict.Beyond) return Beyond(state, frame);
-        if (state.Verdict == Verdict.Enclosed)
+        if (state.Verdict is Verdict.Contradiction or Verdict.Beyond)
         {
-            return Common(
-                state, frame, poseA, poseB, state.Simplex.PointOnA(state.Weights),
-                state.Simplex.PointOnB(state.Weights));
+            result = state.Verdict == Verdict.Beyond
+                ? Beyond(state, frame)
+                : DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
+            return;
         }
 
-        Xyz onA = state.Simplex.PointOnA(state.Weights), onB = state.Simplex.PointOnB(state.Weights);
+        state.Simplex.PointOnA(state.Weights, out Xyz onA);
+        state.Simplex.PointOnB(state.Weights, out Xyz onB);
+        if (state.Verdict == Verdict.Enclosed)
+        {
+            result = Common(state, frame, poseA, poseB, onA, onB);
+            return;
+        }
+
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = Proofs.DistanceOf(state, frame, scale);
         Xyz toA = state.Feature.Normal.ToXyz() * scale;
         Xyz toAInB = frame.MarginB > 0 ? frame.Inverse.Rotate(toA) : default;
@@ -45,20 +50,25 @@ public static partial class ConvexQuery
         if (isTouching && !isSigned)
         {
             double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
-            return Common(
+            result = Common(
                 state, frame, poseA, poseB, onA - toA * (core * frame.MarginA), onB + toAInB * (core * frame.MarginB));
+            return;
         }
 
         bool isDeep = isSigned && distance < -GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
         double gap = isDeep ? distance : isTouching ? 0 : Math.Max(distance, 0);
         distance = gap * frame.Unit;
-        if ((float)distance > Math.Max(maxDistance, 0)) return Beyond(state, frame);
+        if ((float)distance > Math.Max(maxDistance, 0))
+        {
+            result = Beyond(state, frame);
+            return;
+        }
 
-        Xyz localA = (onA - toA * frame.MarginA + frame.CenterA.ToXyz()) * frame.Unit;
-        Xyz localB = (onB + toAInB * frame.MarginB + frame.CenterB.ToXyz()) * frame.Unit;
-        Xyz normal = -frame.RotationA.Rotate(toA);
-        Xyz worldA = frame.RotationA.Rotate(localA) + ((Double3)poseA.Position).ToXyz();
-        Xyz worldB = worldA + normal * distance;
+        onA.OnSurface(toA, -frame.MarginA, frame.CenterA, frame.Unit, out Xyz localA);
+        onB.OnSurface(toAInB, frame.MarginB, frame.CenterB, frame.Unit, out Xyz localB);
+        frame.RotationA.Opposite(toA, out Xyz normal);
+        frame.RotationA.Place(localA, poseA.Position, out Xyz worldA);
+        worldA.Plus(normal, distance, out Xyz worldB);
         if (frame.IsPlaced)
         {
             localA = frame.OutOfA(localA);
@@ -71,20 +81,28 @@ public static partial class ConvexQuery
             if (!IsFarApart(gap, frame.RadiusA, frame.CenterA)) worldA = worldB - normal * distance;
         }
 
-        // The plane is the feature's but for a walk in extended precision that ended on an older, better one.
+        GjkStatus status = isTouching ? GjkStatus.Overlapping
+            : state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit;
+        float bound = BoundOf(state, frame, scale, isSigned && status != GjkStatus.Separated, isTouching);
+        DistanceResult.Write(
+            out result, status, (float)distance, bound, worldA, worldB, normal, localA, localB, state.Iterations);
+    }
+
+    /// <summary>
+    /// The lower bound of the better of the plane and the feature. The plane is the feature's but for a walk in
+    /// extended precision that ended on an older, better one.
+    /// </summary>
+    private static float BoundOf(
+        in SolverState state, in PairFrame frame, double scale, bool isSigned, bool isTouching)
+    {
         double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared
             ? scale
             : 1 / Math.Sqrt(state.Plane.NormalSquared);
-        double coreGap = Math.Min(state.Plane.Value * planeScale, state.Feature.Height * scale);
-        GjkStatus status = isTouching ? GjkStatus.Overlapping
-            : state.Verdict == Verdict.Apart ? GjkStatus.Separated : GjkStatus.IterationLimit;
-        float bound = LowerBound(coreGap, state, frame, isSigned && status != GjkStatus.Separated);
+        double gap = Math.Min(state.Plane.Value * planeScale, state.Feature.Height * scale);
+        float bound = LowerBound(gap, state, frame, isSigned);
 
         // What counts as touching may be apart by less than that counts, and yet no bound is above the distance.
-        if (isTouching) bound = Math.Min(bound, 0);
-        return new DistanceResult(
-            status, (float)distance, bound, worldA.ToSingle(), worldB.ToSingle(), normal.ToSingle(),
-            localA.ToSingle(), localB.ToSingle(), state.Iterations);
+        return isTouching ? Math.Min(bound, 0) : bound;
     }
 
     /// <summary>

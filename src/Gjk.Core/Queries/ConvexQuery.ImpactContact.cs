@@ -41,7 +41,9 @@ public static unsafe partial class ConvexQuery
         {
             found = default;
             if (!AreBalls(ref a, ref b) || !IsValid) return false;
-            DistanceResult start = DistanceOfBalls(ref a, _motionA.Pose, ref b, _motionB.Pose, float.PositiveInfinity);
+            DistanceOfBalls(
+                ref a, _motionA.Pose, ref b, _motionB.Pose, float.PositiveInfinity, isSigned: false,
+                out DistanceResult start);
             if (!start.IsOverlapping) return false;
             found = new CastResult(CastStatus.OverlappingAtStart, 0, start.PointA, Vector3.Zero, 1);
             return true;

@@ -46,7 +46,9 @@ public static partial class ConvexQuery
         if (AreBalls(ref a, ref b)) return StatusOfBalls(ref a, poseA, ref b, poseB);
         if (AreBallsApart(ref a, poseA, ref b, poseB)) return GjkStatus.Separated;
         OverlapQuestion question = default;
-        return CoreDispatch.Ask<TA, TB, OverlapQuestion, GjkStatus>(ref a, poseA, ref b, poseB, ref question);
+        CoreDispatch.Ask<TA, TB, OverlapQuestion, GjkStatus>(
+            ref a, poseA, ref b, poseB, ref question, out GjkStatus status);
+        return status;
     }
 
     /// <summary>
@@ -61,7 +63,7 @@ public static partial class ConvexQuery
         double radiusA = a.BoundingRadius + a.Center.SumOfMagnitudes;
         double radiusB = b.BoundingRadius + b.Center.SumOfMagnitudes;
         double reach = (radiusA + radiusB) * (1 + GjkTolerances.SeparatedBandCurved);
-        double distanceSquared = ((Double3)poseB.Position - poseA.Position).LengthSquared;
+        double distanceSquared = Double3.Between(poseA.Position, poseB.Position).LengthSquared;
         return distanceSquared > reach * reach & a.Margin >= 0 & b.Margin >= 0 & radiusA >= 0 & radiusB >= 0
             && PairFrame.IsOrdinarySize(distanceSquared) && poseA.IsValid && poseB.IsValid;
     }
@@ -71,15 +73,15 @@ public static partial class ConvexQuery
     {
         public readonly bool IsValid => true;
 
-        public readonly GjkStatus Refuse() => GjkStatus.InvalidInput;
+        public readonly void Refuse(out GjkStatus result) =>
+            result = GjkStatus.InvalidInput;
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public GjkStatus Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap =>
+        void IPairQuestion<GjkStatus>.Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
+            out GjkStatus result) =>
             PairProblem.Answer<TA, TB, OverlapQuestion, GjkStatus, GjkStatus>(
-                ref a, poseA, ref b, poseB, placement, ref this);
+                ref a, poseA, ref b, poseB, placement, ref this, out result);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out GjkStatus status)
@@ -91,8 +93,9 @@ public static partial class ConvexQuery
                 : verdict == Verdict.Enclosed ? GjkStatus.Overlapping : StatusByDistance(ref a, ref b, frame);
         }
 
-        public readonly GjkStatus Finish(
-            in GjkStatus status, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => status;
+        readonly void IPairProblem<GjkStatus, GjkStatus>.Finish(
+            in GjkStatus status, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out GjkStatus result) =>
+            result = status;
     }
 
     /// <summary>Apart or Enclosed where rounding cannot change the answer.</summary>

@@ -13,8 +13,8 @@ public static partial class ConvexQuery
     {
         PointShape point = default;
         var question = new RayQuestion(line);
-        hit = CoreDispatch.Ask<T, PointShape, RayQuestion, RayMeeting>(
-            ref shape, pose, ref point, new RigidPose(line.Origin), ref question);
+        CoreDispatch.Ask<T, PointShape, RayQuestion, RayMeeting>(
+            ref shape, pose, ref point, new RigidPose(line.Origin), ref question, out hit);
     }
 
     /// <summary>Where a point that is cast meets a core.</summary>
@@ -47,16 +47,20 @@ public static partial class ConvexQuery
 
         public readonly bool IsValid => true;
 
-        public readonly RayMeeting Refuse() => new() { Status = CastStatus.InvalidInput };
+        public readonly void Refuse(out RayMeeting result) =>
+            result = new() { Status = CastStatus.InvalidInput };
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public RayMeeting Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        void IPairQuestion<RayMeeting>.Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, out RayMeeting hit)
         {
             PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
-            if (!frame.IsValid) return Refuse();
+            if (!frame.IsValid)
+            {
+                Refuse(out hit);
+                return;
+            }
+
             if (frame.Translation.LengthSquared > FarOrigin * FarOrigin * frame.RadiusA * frame.RadiusA
                 && frame.RadiusA > 0)
             {
@@ -64,7 +68,11 @@ public static partial class ConvexQuery
                 LocalRay.MakeFar(poseA, center, _line, out LocalRay ray);
                 _begin = ray.Shift - Anew * frame.RadiusA;
                 if (_begin < 0 || _begin > _line.Reach || ray.Foot.Length > Anew * frame.RadiusA)
-                    return new RayMeeting { Status = CastStatus.Miss };
+                {
+                    hit = new RayMeeting { Status = CastStatus.Miss };
+                    return;
+                }
+
                 frame.Translation = frame.RotationA.InverseRotate(ray.At(-Anew * frame.RadiusA));
                 frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
                 (_direction, _length) = (ray.Direction, 1);
@@ -73,7 +81,7 @@ public static partial class ConvexQuery
             _power = PowerOfTwo.AtMost(_length);
             PairProblem.Solve<TA, TB, RayQuestion, CastFinding, RayMeeting>(
                 ref a, ref b, ref frame, ref this, out CastFinding cast);
-            return Finish(cast, frame, poseA, poseB);
+            Finish(cast, frame, poseA, poseB, out hit);
         }
 
         /// <summary>Casts the point. Its motion is one solver unit long, or nearly.</summary>
@@ -87,18 +95,17 @@ public static partial class ConvexQuery
             CastSolver.Solve(ref a, ref b, ref frame, motion, most, ref unused, out cast);
         }
 
-        public readonly RayMeeting Finish(
-            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
+        public readonly void Finish(
+            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out RayMeeting hit)
         {
             double distance = Math.Min(_begin + cast.Fraction * (_length / _power) * frame.Unit, _line.Reach);
-            RayMeeting hit = default;
+            hit = default;
             hit.Distance = distance;
             hit.Iterations = cast.Iterations;
             hit.Status = StatusOf(cast.Outcome, distance);
-            if (hit.Status != CastStatus.Hit) return hit;
+            if (hit.Status != CastStatus.Hit) return;
             hit.Normal = frame.RotationA.Rotate(cast.Normal);
             hit.Point = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
-            return hit;
         }
     }
 }

@@ -32,7 +32,8 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         SignedQuestion<NoPolytopeTrace> question = default;
-        return AskSigned(a, poseA, b, poseB, ref question);
+        AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
+        return result;
     }
 
     /// <summary>As the first, with the simplex that the answer came from.</summary>
@@ -56,7 +57,8 @@ public static unsafe partial class ConvexQuery
         fixed (FinalSimplex* end = &simplex)
         {
             var question = new SignedQuestion<NoPolytopeTrace> { Simplex = end };
-            return AskSigned(a, poseA, b, poseB, ref question);
+            AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
+            return result;
         }
     }
 
@@ -82,13 +84,15 @@ public static unsafe partial class ConvexQuery
         fixed (WarmStart* warm = &warmStart)
         {
             var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm };
-            return AskSigned(a, poseA, b, poseB, ref question);
+            AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
+            return result;
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static DistanceResult AskSigned<TA, TB, TTrace>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref SignedQuestion<TTrace> question)
+    private static void AskSigned<TA, TB, TTrace>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref SignedQuestion<TTrace> question,
+        out DistanceResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
@@ -98,12 +102,16 @@ public static unsafe partial class ConvexQuery
         if (question.Plane != null) question.Plane->Normal = default;
         if (AreBalls(ref shapeA, ref shapeB))
         {
-            if (question.Simplex != null) question.Ask(ref shapeA, poseA, ref shapeB, poseB, PairPlacement.None);
-            return DistanceOfBalls(ref shapeA, poseA, ref shapeB, poseB, float.PositiveInfinity, isSigned: true);
+            if (question.Simplex != null)
+                PairProblem.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
+                    ref shapeA, poseA, ref shapeB, poseB, ref question);
+            DistanceOfBalls(
+                ref shapeA, poseA, ref shapeB, poseB, float.PositiveInfinity, isSigned: true, out result);
+            return;
         }
 
-        return CoreDispatch.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
-            ref shapeA, poseA, ref shapeB, poseB, ref question);
+        CoreDispatch.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
+            ref shapeA, poseA, ref shapeB, poseB, ref question, out result);
     }
 
     /// <summary>The signed distance of two cores.</summary>
@@ -129,15 +137,15 @@ public static unsafe partial class ConvexQuery
 
         public readonly bool IsValid => true;
 
-        public readonly DistanceResult Refuse() => DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+        public readonly void Refuse(out DistanceResult result) =>
+            result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public DistanceResult Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap =>
+        void IPairQuestion<DistanceResult>.Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
+            out DistanceResult result) =>
             PairProblem.Answer<TA, TB, SignedQuestion<TTrace>, SolverState, DistanceResult>(
-                ref a, poseA, ref b, poseB, placement, ref this);
+                ref a, poseA, ref b, poseB, placement, ref this, out result);
 
         public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
             where TA : struct, ISupportMap
@@ -155,14 +163,14 @@ public static unsafe partial class ConvexQuery
                 Touch->IsTouch = CurvedTouch.TryFind(ref a, ref b, frame, state, out Touch->Found);
         }
 
-        public readonly DistanceResult Finish(
-            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB)
+        readonly void IPairProblem<SolverState, DistanceResult>.Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
         {
             if (Simplex != null) Keep(state, frame, Simplex);
             bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
             if (Plane != null && !isEmpty) Plane->Set(frame, state);
             if (Touch != null && Touch->IsTouch) Touch->Place(frame, poseA);
-            return ConvexQuery.Finish(state, frame, poseA, poseB, double.PositiveInfinity, isSigned: true);
+            ConvexQuery.Finish(state, frame, poseA, poseB, double.PositiveInfinity, true, out result);
         }
     }
 

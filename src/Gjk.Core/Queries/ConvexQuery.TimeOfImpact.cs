@@ -151,22 +151,36 @@ public static unsafe partial class ConvexQuery
 
         public readonly bool IsValid => _motionA.IsValid && _motionB.IsValid && !float.IsNaN(_maxFraction);
 
-        public readonly CastResult Refuse() => CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+        public readonly void Refuse(out CastResult result) =>
+            result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
 
         public CastResult AskShapes<TA, TB>(ref TA a, ref TB b)
             where TA : struct, ISupportMap
-            where TB : struct, ISupportMap =>
+            where TB : struct, ISupportMap
+        {
             CoreDispatch.Ask<TA, TB, ImpactQuestion, CastResult>(
-                ref a, _motionA.Pose, ref b, _motionB.Pose, ref this);
+                ref a, _motionA.Pose, ref b, _motionB.Pose, ref this, out CastResult result);
+            return result;
+        }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public CastResult Ask<TA, TB>(
+        void IPairQuestion<CastResult>.Ask<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
+            out CastResult result) => result = Answer(ref a, poseA, ref b, poseB, placement);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private CastResult Answer<TA, TB>(
             ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
             PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
-            if (!frame.IsValid || !IsValid) return Refuse();
+            if (!frame.IsValid || !IsValid)
+            {
+                Refuse(out CastResult refusal);
+                return refusal;
+            }
+
             if (!(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight)) frame.TightenRadii(ref a, ref b);
             PairMotion.Begin(_motionA, _motionB, frame, out _motion);
             if (!_motion.TryReach(frame.Margins, _maxFraction, out _begin, out _end))
@@ -203,8 +217,9 @@ public static unsafe partial class ConvexQuery
             result = Finish(impact, state, ref frame, _motion, _isWhole);
         }
 
-        public readonly CastResult Finish(
-            in CastResult finding, in PairFrame frame, in RigidPose poseA, in RigidPose poseB) => finding;
+        readonly void IPairProblem<CastResult, CastResult>.Finish(
+            in CastResult finding, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out CastResult result) =>
+            result = finding;
 
         /// <summary>In solver units.</summary>
         private readonly double ToleranceOf(in PairFrame frame, in PairMotion motion, double end)
@@ -234,9 +249,10 @@ public static unsafe partial class ConvexQuery
             float fraction = RoundOff.Down(impact.Fraction);
             if (impact.Fraction == 0 && impact.Normal == default)
             {
-                Vector3 common = ConvexQuery.Finish(
-                    state, frame, _motionA.Pose, _motionB.Pose, double.PositiveInfinity).PointA;
-                return new CastResult(CastStatus.OverlappingAtStart, 0, common, Vector3.Zero, iterations);
+                ConvexQuery.Finish(
+                    state, frame, _motionA.Pose, _motionB.Pose, double.PositiveInfinity, false,
+                    out DistanceResult common);
+                return new CastResult(CastStatus.OverlappingAtStart, 0, common.PointA, Vector3.Zero, iterations);
             }
 
             // Balls that touch where they meet come without a plane.
@@ -244,7 +260,7 @@ public static unsafe partial class ConvexQuery
                 ? frame.Translation * (1 / frame.Translation.Length)
                 : impact.Normal;
             var outward = (Vector3)frame.RotationA.Rotate(normal);
-            Double3 onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+            Double3 onA = state.Simplex.MeanOnA(state.Weights);
             motion.MoveTo(fraction, ref frame);
             Double3 position = (Double3)_motionA.Pose.Position + (Double3)_motionA.Velocity * fraction;
             return new CastResult(

@@ -16,66 +16,94 @@ internal static class CoreDispatch
 #if NET
     /// <summary>Asks about the cores that the shapes can be unwrapped to, or about the shapes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static TResult Ask<TA, TB, TQuestion, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+    public static void Ask<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult>
     {
         // Two capsules of that type have a cheaper support than segments: a sign.
         if (typeof(TA) == typeof(CapsuleShape) && typeof(TB) == typeof(CapsuleShape))
-            return question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None);
-        return Ask<TA, TB, TQuestion, TResult>(
-            KindOf(ref a), ref a, poseA, KindOf(ref b), ref b, poseB, PairPlacement.None, ref question);
+        {
+            question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None, out result);
+            return;
+        }
+
+        Ask<TA, TB, TQuestion, TResult>(
+            KindOf(ref a), ref a, poseA, KindOf(ref b), ref b, poseB, PairPlacement.None, ref question, out result);
     }
 
     /// <summary>The same where the cores' kinds are known.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static TResult Ask<TA, TB, TQuestion, TResult>(
+    private static void Ask<TA, TB, TQuestion, TResult>(
         CoreKind kindA, ref TA a, in RigidPose poseA, CoreKind kindB, ref TB b, in RigidPose poseB,
-        in PairPlacement placement, ref TQuestion question)
+        in PairPlacement placement, ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
-        where TQuestion : struct, IPairQuestion<TResult> =>
-        kindA switch
+        where TQuestion : struct, IPairQuestion<TResult>
+    {
+        switch (kindA)
         {
-            CoreKind.Box => Ask<TA, TB, BoxCore, TQuestion, TResult>(
-                ref a, poseA, kindB, ref b, poseB, placement, ref question),
-            CoreKind.Hull => Ask<TA, TB, HullCore, TQuestion, TResult>(
-                ref a, poseA, kindB, ref b, poseB, placement, ref question),
-            CoreKind.Segment => Ask<TA, TB, SegmentCore, TQuestion, TResult>(
-                ref a, poseA, kindB, ref b, poseB, placement, ref question),
-            CoreKind.Triangle => Ask<TA, TB, TriangleCore, TQuestion, TResult>(
-                ref a, poseA, kindB, ref b, poseB, placement, ref question),
-            _ => AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
-        };
+            case CoreKind.Box:
+                Ask<TA, TB, BoxCore, TQuestion, TResult>(
+                    ref a, poseA, kindB, ref b, poseB, placement, ref question, out result);
+                break;
+            case CoreKind.Hull:
+                Ask<TA, TB, HullCore, TQuestion, TResult>(
+                    ref a, poseA, kindB, ref b, poseB, placement, ref question, out result);
+                break;
+            case CoreKind.Segment:
+                Ask<TA, TB, SegmentCore, TQuestion, TResult>(
+                    ref a, poseA, kindB, ref b, poseB, placement, ref question, out result);
+                break;
+            case CoreKind.Triangle:
+                Ask<TA, TB, TriangleCore, TQuestion, TResult>(
+                    ref a, poseA, kindB, ref b, poseB, placement, ref question, out result);
+                break;
+            default:
+                AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question, out result);
+                break;
+        }
+    }
 
     /// <summary>The same where the first core is known.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static TResult Ask<TA, TB, TCoreA, TQuestion, TResult>(
+    private static void Ask<TA, TB, TCoreA, TQuestion, TResult>(
         ref TA a, in RigidPose poseA, CoreKind kindB, ref TB b, in RigidPose poseB,
-        in PairPlacement placement, ref TQuestion question)
+        in PairPlacement placement, ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TCoreA : struct, ISupportMap
-        where TQuestion : struct, IPairQuestion<TResult> =>
-        kindB switch
+        where TQuestion : struct, IPairQuestion<TResult>
+    {
+        switch (kindB)
         {
-            CoreKind.Box => AskCores<TA, TB, TCoreA, BoxCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, placement, ref question),
-            CoreKind.Hull => AskCores<TA, TB, TCoreA, HullCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, placement, ref question),
-            CoreKind.Segment => AskCores<TA, TB, TCoreA, SegmentCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, placement, ref question),
-            CoreKind.Triangle => AskCores<TA, TB, TCoreA, TriangleCore, TQuestion, TResult>(
-                ref a, poseA, ref b, poseB, placement, ref question),
-            _ => AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question),
-        };
+            case CoreKind.Box:
+                AskCores<TA, TB, TCoreA, BoxCore, TQuestion, TResult>(
+                    ref a, poseA, ref b, poseB, placement, ref question, out result);
+                break;
+            case CoreKind.Hull:
+                AskCores<TA, TB, TCoreA, HullCore, TQuestion, TResult>(
+                    ref a, poseA, ref b, poseB, placement, ref question, out result);
+                break;
+            case CoreKind.Segment:
+                AskCores<TA, TB, TCoreA, SegmentCore, TQuestion, TResult>(
+                    ref a, poseA, ref b, poseB, placement, ref question, out result);
+                break;
+            case CoreKind.Triangle:
+                AskCores<TA, TB, TCoreA, TriangleCore, TQuestion, TResult>(
+                    ref a, poseA, ref b, poseB, placement, ref question, out result);
+                break;
+            default:
+                AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question, out result);
+                break;
+        }
+    }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static TResult AskCores<TA, TB, TCoreA, TCoreB, TQuestion, TResult>(
+    private static void AskCores<TA, TB, TCoreA, TCoreB, TQuestion, TResult>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
-        ref TQuestion question)
+        ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TCoreA : struct, ISupportMap
@@ -84,7 +112,7 @@ internal static class CoreDispatch
     {
         Get(ref a, out TCoreA coreA);
         Get(ref b, out TCoreB coreB);
-        return question.Ask(ref coreA, poseA, ref coreB, poseB, placement);
+        question.Ask(ref coreA, poseA, ref coreB, poseB, placement, out result);
     }
 
     /// <summary>What a shape can be unwrapped to.</summary>
@@ -153,59 +181,64 @@ internal static class CoreDispatch
     }
 #else
     /// <summary>Asks about the shapes.</summary>
-    public static TResult Ask<TA, TB, TQuestion, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+    public static void Ask<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult> =>
-        AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question);
+        AskShapes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question, out result);
 #endif
 
     /// <summary>Asks about shapes of which one has no core, or is placed.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static TResult AskShapes<TA, TB, TQuestion, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+    private static void AskShapes<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult>
     {
         if (ShapeTraits<TA>.CanBePlaced || ShapeTraits<TB>.CanBePlaced)
-            return AskInCoreAxes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question);
-        return question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None);
+            AskInCoreAxes<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question, out result);
+        else question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None, out result);
     }
 
     /// <summary>Asks about what was placed, if anything was.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static TResult AskInCoreAxes<TA, TB, TQuestion, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+    private static void AskInCoreAxes<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult>
     {
-        if (!ShapeTraits<TA>.Of.IsPlaced(a) && !ShapeTraits<TB>.Of.IsPlaced(b))
-            return question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None);
+        if (!ShapeTraits<TA>.Of.IsPlaced(ref a) && !ShapeTraits<TB>.Of.IsPlaced(ref b))
+        {
+            question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None, out result);
+            return;
+        }
+
 #if NET
         CoreKind kindA = KindOf(ref a) & ~CoreKind.Moved, kindB = KindOf(ref b) & ~CoreKind.Moved;
         if (kindA != CoreKind.Other && kindB != CoreKind.Other)
         {
             var placement = new PairPlacement(PlacementOf(ref a), PlacementOf(ref b));
-            return Ask<TA, TB, TQuestion, TResult>(
-                kindA, ref a, poseA, kindB, ref b, poseB, placement, ref question);
+            Ask<TA, TB, TQuestion, TResult>(
+                kindA, ref a, poseA, kindB, ref b, poseB, placement, ref question, out result);
+            return;
         }
 #endif
-        return AskCopies<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question);
+        AskCopies<TA, TB, TQuestion, TResult>(ref a, poseA, ref b, poseB, ref question, out result);
     }
 
     /// <summary>Asks about the shapes without their placements.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static TResult AskCopies<TA, TB, TQuestion, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+    private static void AskCopies<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TQuestion : struct, IPairQuestion<TResult>
     {
         TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out Placement? placementA);
         TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out Placement? placementB);
-        return question.Ask(ref coreA, poseA, ref coreB, poseB, new PairPlacement(placementA, placementB));
+        question.Ask(ref coreA, poseA, ref coreB, poseB, new PairPlacement(placementA, placementB), out result);
     }
 }

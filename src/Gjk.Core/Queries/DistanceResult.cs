@@ -68,6 +68,38 @@ public readonly struct DistanceResult
     }
 
     /// <summary>
+    /// Writes a result where it is to be, without the copies that a constructor makes on Mono, each of which costs as
+    /// much as a support.
+    /// </summary>
+    internal static unsafe void Write(
+        out DistanceResult result, GjkStatus status, float distance, float lowerBound, in Xyz pointA, in Xyz pointB,
+        in Xyz normal, in Xyz localPointA, in Xyz localPointB, int iterations)
+    {
+        fixed (DistanceResult* same = &result)
+        {
+            var to = (Fields*)same;
+            to->Status = status;
+            to->Distance = distance;
+            to->LowerBound = lowerBound;
+            pointA.Round(out to->PointA);
+            pointB.Round(out to->PointB);
+            normal.Round(out to->Normal);
+            localPointA.Round(out to->LocalPointA);
+            localPointB.Round(out to->LocalPointB);
+            to->Iterations = iterations;
+        }
+    }
+
+    /// <summary>The fields of a result, to be written.</summary>
+    private struct Fields
+    {
+        public GjkStatus Status;
+        public float Distance, LowerBound;
+        public Vector3 PointA, PointB, Normal, LocalPointA, LocalPointB;
+        public int Iterations;
+    }
+
+    /// <summary>
     /// True when the status says that the shapes share a point, touching included. Where a query ended at its limit,
     /// they do if the distance is below 0.
     /// </summary>

@@ -12,8 +12,9 @@ internal interface IPairQuestion<TResult>
     /// <param name="b">The second core.</param>
     /// <param name="poseB">Pose of its shape.</param>
     /// <param name="placement">Where the cores are in the frames of the shapes.</param>
-    TResult Ask<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
+    /// <param name="result">Written where it is to be: each copy of it costs Mono as much as a support.</param>
+    void Ask<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap;
 }
@@ -27,7 +28,7 @@ internal interface IPairProblem<TFinding, TResult> : IPairQuestion<TResult>
     bool IsValid { get; }
 
     /// <summary>The answer to invalid input.</summary>
-    TResult Refuse();
+    void Refuse(out TResult result);
 
     /// <summary>Runs the solver in the frame's units, which are ordinary.</summary>
     void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out TFinding finding)
@@ -35,7 +36,8 @@ internal interface IPairProblem<TFinding, TResult> : IPairQuestion<TResult>
         where TB : struct, ISupportMap;
 
     /// <summary>Makes the answer of what the solver found.</summary>
-    TResult Finish(in TFinding finding, in PairFrame frame, in RigidPose poseA, in RigidPose poseB);
+    void Finish(
+        in TFinding finding, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out TResult result);
 }
 
 /// <summary>
@@ -63,18 +65,42 @@ internal static class PairProblem
     }
 #endif
 
+    /// <summary>Asks about shapes as they are, for what the question is told on the way.</summary>
+    public static void Ask<TA, TB, TQuestion, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TQuestion question)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TQuestion : struct, IPairQuestion<TResult> =>
+        question.Ask(ref a, poseA, ref b, poseB, PairPlacement.None, out _);
+
     /// <summary>Composes, refuses, solves and finishes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static TResult Answer<TA, TB, TProblem, TFinding, TResult>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, ref TProblem problem)
+    public static unsafe void Answer<TA, TB, TProblem, TFinding, TResult>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, ref TProblem problem,
+        out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TProblem : struct, IPairProblem<TFinding, TResult>
+        where TFinding : unmanaged
     {
-        PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
-        if (!frame.IsValid || !problem.IsValid) return problem.Refuse();
-        Solve<TA, TB, TProblem, TFinding, TResult>(ref a, ref b, ref frame, ref problem, out TFinding finding);
-        return problem.Finish(finding, frame, poseA, poseB);
+#if NET
+        Uncleared.Begin(out PairFrame frame);
+        Uncleared.Begin(out TFinding finding);
+#else
+        // Mono clears locals, a kilobyte of them, but not what is allocated.
+        byte* memory = stackalloc byte[sizeof(PairFrame) + sizeof(TFinding)];
+        ref PairFrame frame = ref *(PairFrame*)memory;
+        ref TFinding finding = ref *(TFinding*)(memory + sizeof(PairFrame));
+#endif
+        PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out frame);
+        if (!frame.IsValid || !problem.IsValid)
+        {
+            problem.Refuse(out result);
+            return;
+        }
+
+        Solve<TA, TB, TProblem, TFinding, TResult>(ref a, ref b, ref frame, ref problem, out finding);
+        problem.Finish(finding, frame, poseA, poseB, out result);
     }
 
     /// <summary>Solves a valid frame, in its own units or in others.</summary>

@@ -122,55 +122,33 @@ public readonly partial struct ConvexShape
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)
     {
-        int id;
         if (_isPlain)
         {
-            id = CoreSupport(direction, out point);
-            point -= _center;
+            int id = CoreSupport(direction, out point);
+            Double3.Write(point.X - _center.X, point.Y - _center.Y, point.Z - _center.Z, out point);
             return id;
         }
 
-        if (_parts.Placement is not null)
-        {
-            id = InCoreAxes(out Placement? placement).Support(placement!.Inward(direction), out point);
-            point = placement.Outward(point);
-            return id;
-        }
-
-        if (_parts.Layer is not null) return _parts.Layer.Support(direction, out point);
-        ShapeScale scaling = _parts.Scaling!;
-        Double3 inward = scaling.Axes.Inward(direction);
-        id = CoreSupport(inward, out point);
-        point -= CoreCenter(_parts);
-        id = scaling.Axes.Outward(id, _parts.InnerMargin, inward, ref point);
-        point += scaling.CenterError;
-        return id;
+        if (_parts.Placement is not null) return PlacedSupport(direction, out point);
+        return _parts.Layer is null
+            ? ScaledSupport(_parts.Scaling!, direction, out point)
+            : _parts.Layer.Support(direction, out point);
     }
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point)
     {
-        bool found;
-        if (_parts.Placement is not null)
+        if (_isPlain)
         {
-            found = InCoreAxes(out Placement? placement).TryGetVertex(id, out point);
-            point = placement!.Outward(point);
+            bool found = CoreVertex(id, out point);
+            Double3.Write(point.X - _center.X, point.Y - _center.Y, point.Z - _center.Z, out point);
             return found;
         }
 
-        if (_parts.Layer is not null) return _parts.Layer.TryGetVertex(id, out point);
-        ShapeScale? scaling = _parts.Scaling;
-        if (scaling is not null && _parts.InnerMargin > 0 && !scaling.Axes.KeepsBalls)
-        {
-            point = default;
-            return false;
-        }
-
-        found = CoreVertex(id, out point);
-        point = scaling is null
-            ? point - _center
-            : Double3.Multiply(scaling.Axes.Factors, point - CoreCenter(_parts)) + scaling.CenterError;
-        return found;
+        if (_parts.Placement is not null) return TryGetPlacedVertex(id, out point);
+        return _parts.Layer is null
+            ? TryGetScaledVertex(_parts.Scaling!, id, out point)
+            : _parts.Layer.TryGetVertex(id, out point);
     }
 
     /// <summary>What a query may unwrap this to.</summary>

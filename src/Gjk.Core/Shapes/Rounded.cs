@@ -36,7 +36,14 @@ public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
 
     object ILibraryShape.MakeTraits() => new PlacedTraits<Rounded<T>>(ShapeTraits<T>.AreTight);
 
-    bool IPlacedShape<Rounded<T>>.IsPlaced => ShapeTraits<T>.Of.IsPlaced(_inner);
+    bool IPlacedShape<Rounded<T>>.IsPlaced
+    {
+        get
+        {
+            T inner = _inner;
+            return ShapeTraits<T>.Of.IsPlaced(ref inner);
+        }
+    }
 
     Rounded<T> IPlacedShape<Rounded<T>>.InCoreAxes(out Placement? placement) =>
         new(ShapeTraits<T>.Of.InCoreAxes(_inner, out placement), _radius);

@@ -87,7 +87,9 @@ internal static class ClosestPointWeights
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
         if (s.Count == 1) return new Weights(1, 0, 0, 0);
-        Double3 a = s.WA, ab = s.WB - a;
+        s.Get(s.A, out Double3 a);
+        s.Get(s.B, out Double3 b);
+        Double3.Write(b.X - a.X, b.Y - a.Y, b.Z - a.Z, out Double3 ab);
         if (s.Count == 2)
         {
             double t = -Double3.Dot(ab, a) / ab.LengthSquared;
@@ -95,12 +97,13 @@ internal static class ClosestPointWeights
             return t > 1 ? new Weights(0, 1, 0, 0) : new Weights(1, 0, 0, 0);
         }
 
-        Double3 ac = s.WC - a, inPlane = Double3.Cross(feature.Normal, a);
+        s.Get(s.C, out Double3 c);
+        Double3.Write(c.X - a.X, c.Y - a.Y, c.Z - a.Z, out Double3 ac);
         if (!(feature.NormalSquared > Needle * (ab.LengthSquared * ac.LengthSquared)))
-            return Triangle(a, s.WB, s.WC);
+            return Triangle(a, b, c);
         double scale = 1 / feature.NormalSquared;
-        double b = -Double3.Dot(ac, inPlane) * scale, c = Double3.Dot(ab, inPlane) * scale;
-        var weights = new Weights(1 - b - c, b, c, 0);
+        double wb = -Double3.Triple(feature.Normal, a, ac) * scale, wc = Double3.Triple(feature.Normal, a, ab) * scale;
+        var weights = new Weights(1 - wb - wc, wb, wc, 0);
         return weights.IsInside ? weights : weights.Clamped;
     }
 
@@ -186,8 +189,8 @@ internal static class ClosestPointWeights
         Double3 ab = b - a, ac = c - a, normal = Double3.Cross(ab, ac);
         double area = normal.LengthSquared;
         isNeedle = !(area > Needle * ab.LengthSquared * ac.LengthSquared);
-        double wb = -Double3.Dot(Double3.Cross(ac, normal), a) / area;
-        double wc = -Double3.Dot(Double3.Cross(normal, ab), a) / area;
+        double wb = -Double3.Triple(ac, normal, a) / area;
+        double wc = -Double3.Triple(normal, ab, a) / area;
         return new Weights(1 - wb - wc, wb, wc, 0);
     }
 
@@ -212,9 +215,8 @@ internal static class ClosestPointWeights
     private static Weights VolumeWeights(
         in Double3 a, in Double3 b, in Double3 c, in Double3 d, out double sum, out double least)
     {
-        Double3 cd = Double3.Cross(c, d);
-        double va = Double3.Dot(b, cd), vb = -Double3.Dot(a, cd);
-        double vc = Double3.Dot(a, Double3.Cross(b, d)), vd = -Double3.Dot(a, Double3.Cross(b, c));
+        double va = Double3.Triple(c, d, b), vb = -Double3.Triple(c, d, a);
+        double vc = Double3.Triple(b, d, a), vd = -Double3.Triple(b, c, a);
         sum = va + vb + vc + vd;
         double turn = BranchFree.WithSign(1, sum);
         least = Math.Min(Math.Min(va * turn, vb * turn), Math.Min(vc * turn, vd * turn));

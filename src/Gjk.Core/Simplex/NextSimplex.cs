@@ -40,13 +40,13 @@ internal static class NextSimplex
     /// False when the origin is inside (or on the hidden side of every face of) the tetrahedron; the vertices then stay
     /// as they were.
     /// </returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     public static bool TryAdvance(
         ref FeatureVertices simplex, in MinkowskiVertex newest, ref ClosestFeature feature, bool nearest)
     {
         if (simplex.Count == 3)
         {
-            if (!TryTakeFace(ref simplex, newest.W, nearest)) return false;
+            if (!TryTakeFace(ref simplex, newest, nearest)) return false;
         }
         else
         {
@@ -57,7 +57,7 @@ internal static class NextSimplex
         simplex.A.Set(newest);
         if (simplex.Count >= 2) Triangle(ref simplex, ref feature);
         else if (simplex.Count == 1) Line(ref simplex, ref feature);
-        else KeepVertex(ref simplex, ref feature, newest.W);
+        else KeepVertex(ref simplex, ref feature);
         return true;
     }
 
@@ -65,31 +65,32 @@ internal static class NextSimplex
     /// Keeps the whole vertex, edge or triangle when the origin is beside that, not beside a part of it: for a simplex
     /// that was the nearest feature of a pair before the pair moved.
     /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     public static bool TryKeepAll(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
-        Double3 a = simplex.A.W;
+        double ax = simplex.A.X, ay = simplex.A.Y, az = simplex.A.Z;
         if (simplex.Count == 1)
         {
-            KeepVertex(ref simplex, ref feature, a);
+            KeepVertex(ref simplex, ref feature, ax, ay, az);
             return true;
         }
 
-        Double3 b = simplex.B.W, ab = b - a;
+        double bx = simplex.B.X - ax, by = simplex.B.Y - ay, bz = simplex.B.Z - az;
         if (simplex.Count == 2)
         {
-            if (!(Double3.Dot(ab, a) < 0 & Double3.Dot(ab, b) > 0)) return false;
-            KeepEdge(ref simplex, ref feature, a, ab);
-            return true;
+            bool isBeside = bx * ax + by * ay + bz * az < 0
+                & bx * simplex.B.X + by * simplex.B.Y + bz * simplex.B.Z > 0;
+            if (isBeside) KeepEdge(ref simplex, ref feature, ax, ay, az, bx, by, bz);
+            return isBeside;
         }
 
-        Double3 ac = simplex.C.W - a, normal = Double3.Cross(ab, ac);
-        bool inside = Double3.Dot(Double3.Cross(ab, normal), a) > 0
-            & Double3.Dot(Double3.Cross(normal, ac), a) > 0
-            & Double3.Dot(Double3.Cross(ac - ab, normal), b) > 0;
-        if (!inside) return false;
-        KeepFace(ref simplex, ref feature, a, normal);
-        return true;
+        double cx = simplex.C.X - ax, cy = simplex.C.Y - ay, cz = simplex.C.Z - az;
+        double nx = by * cz - bz * cy, ny = bz * cx - bx * cz, nz = bx * cy - by * cx;
+        bool inside = Triple(bx, by, bz, nx, ny, nz, ax, ay, az) > 0
+            & Triple(nx, ny, nz, cx, cy, cz, ax, ay, az) > 0
+            & Triple(cx - bx, cy - by, cz - bz, nx, ny, nz, simplex.B.X, simplex.B.Y, simplex.B.Z) > 0;
+        if (inside) KeepFace(ref simplex, ref feature, ax, ay, az, nx, ny, nz);
+        return inside;
     }
 
     /// <summary>The nearest feature of one to three vertices, of which the first is known to be part of it.</summary>
@@ -97,97 +98,123 @@ internal static class NextSimplex
     public static void Reduce(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
         if (simplex.Count == 3) Triangle(ref simplex, ref feature);
-        else if (simplex.Count == 2) KeepEdge(ref simplex, ref feature, simplex.A.W, simplex.B.W - simplex.A.W);
-        else KeepVertex(ref simplex, ref feature, simplex.A.W);
+        else if (simplex.Count == 2) KeepEdge(ref simplex, ref feature);
+        else KeepVertex(ref simplex, ref feature);
     }
 
     /// <summary>The vertex A alone.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void KeepVertex(ref FeatureVertices simplex, ref ClosestFeature feature, in Double3 a)
+    public static void KeepVertex(ref FeatureVertices simplex, ref ClosestFeature feature) =>
+        KeepVertex(ref simplex, ref feature, simplex.A.X, simplex.A.Y, simplex.A.Z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void KeepVertex(
+        ref FeatureVertices simplex, ref ClosestFeature feature, double ax, double ay, double az)
     {
         simplex.Count = 1;
-        feature.Normal = a;
-        feature.Height = a.LengthSquared;
+        Double3.Write(ax, ay, az, out feature.Normal);
+        feature.Height = ax * ax + ay * ay + az * az;
         feature.NormalSquared = feature.Height;
     }
 
     /// <summary>The origin is beside AB, or behind A.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     private static void Line(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
-        Double3 a = simplex.A.W, ab = simplex.B.W - a;
-        if (Double3.Dot(ab, a) < 0) KeepEdge(ref simplex, ref feature, a, ab);
-        else KeepVertex(ref simplex, ref feature, a);
+        double ax = simplex.A.X, ay = simplex.A.Y, az = simplex.A.Z;
+        double bx = simplex.B.X - ax, by = simplex.B.Y - ay, bz = simplex.B.Z - az;
+        if (bx * ax + by * ay + bz * az < 0) KeepEdge(ref simplex, ref feature, ax, ay, az, bx, by, bz);
+        else KeepVertex(ref simplex, ref feature, ax, ay, az);
     }
 
     /// <summary>
     /// The origin is above or below ABC, beside AB or AC, or behind A; BC was tested when A was not there.
     /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     private static void Triangle(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
-        Double3 a = simplex.A.W, ab = simplex.B.W - a, ac = simplex.C.W - a, normal = Double3.Cross(ab, ac);
-        bool beyondAB = Double3.Dot(Double3.Cross(ab, normal), a) < 0;
-        bool beyondAC = Double3.Dot(Double3.Cross(normal, ac), a) < 0;
+        double ax = simplex.A.X, ay = simplex.A.Y, az = simplex.A.Z;
+        double bx = simplex.B.X - ax, by = simplex.B.Y - ay, bz = simplex.B.Z - az;
+        double cx = simplex.C.X - ax, cy = simplex.C.Y - ay, cz = simplex.C.Z - az;
+        double nx = by * cz - bz * cy, ny = bz * cx - bx * cz, nz = bx * cy - by * cx;
+        bool beyondAB = Triple(bx, by, bz, nx, ny, nz, ax, ay, az) < 0;
+        bool beyondAC = Triple(nx, ny, nz, cx, cy, cz, ax, ay, az) < 0;
         if (!(beyondAB | beyondAC))
         {
-            KeepFace(ref simplex, ref feature, a, normal);
+            KeepFace(ref simplex, ref feature, ax, ay, az, nx, ny, nz);
             return;
         }
 
-        bool besideAB = beyondAB & Double3.Dot(ab, a) < 0, besideAC = beyondAC & Double3.Dot(ac, a) < 0;
+        bool besideAB = beyondAB & bx * ax + by * ay + bz * az < 0;
+        bool besideAC = beyondAC & cx * ax + cy * ay + cz * az < 0;
         if (!(besideAB | besideAC))
         {
-            KeepVertex(ref simplex, ref feature, a);
+            KeepVertex(ref simplex, ref feature, ax, ay, az);
             return;
         }
 
         if (!besideAB) simplex.B.Set(simplex.C);
-        KeepEdge(ref simplex, ref feature, a, simplex.B.W - a);
+        KeepEdge(ref simplex, ref feature);
+    }
+
+    /// <summary>The inside of AB.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void KeepEdge(ref FeatureVertices simplex, ref ClosestFeature feature)
+    {
+        double ax = simplex.A.X, ay = simplex.A.Y, az = simplex.A.Z;
+        KeepEdge(
+            ref simplex, ref feature, ax, ay, az, simplex.B.X - ax, simplex.B.Y - ay, simplex.B.Z - az);
     }
 
     /// <summary>
-    /// The inside of AB: (ab × a) × ab is perpendicular to AB to the last bits, however near the origin is.
+    /// The inside of AB, of which b is ab: (ab × a) × ab is perpendicular to AB to the last bits, however near the
+    /// origin is.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void KeepEdge(
-        ref FeatureVertices simplex, ref ClosestFeature feature, in Double3 a, in Double3 ab)
+        ref FeatureVertices simplex, ref ClosestFeature feature, double ax, double ay, double az, double bx, double by,
+        double bz)
     {
         simplex.Count = 2;
-        Double3 moment = Double3.Cross(ab, a), normal = Double3.Cross(moment, ab);
-        feature.Normal = normal;
-        feature.Height = moment.LengthSquared;
-        feature.NormalSquared = normal.LengthSquared;
+        double mx = by * az - bz * ay, my = bz * ax - bx * az, mz = bx * ay - by * ax;
+        double nx = my * bz - mz * by, ny = mz * bx - mx * bz, nz = mx * by - my * bx;
+        Double3.Write(nx, ny, nz, out feature.Normal);
+        feature.Height = mx * mx + my * my + mz * mz;
+        feature.NormalSquared = nx * nx + ny * ny + nz * nz;
     }
 
     /// <summary>The inside of ABC, whose normal ab × ac is turned away from the origin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void KeepFace(
-        ref FeatureVertices simplex, ref ClosestFeature feature, in Double3 a, in Double3 normal)
+        ref FeatureVertices simplex, ref ClosestFeature feature, double ax, double ay, double az, double nx, double ny,
+        double nz)
     {
         simplex.Count = 3;
-        double height = Double3.Dot(normal, a), winding = BranchFree.WithSign(1, height);
+        double height = nx * ax + ny * ay + nz * az, winding = BranchFree.WithSign(1, height);
         simplex.Winding = winding;
-        feature.Normal = normal * winding;
+        Double3.Write(nx * winding, ny * winding, nz * winding, out feature.Normal);
         feature.Height = height * winding;
-        feature.NormalSquared = normal.LengthSquared;
+        feature.NormalSquared = nx * nx + ny * ny + nz * nz;
     }
 
     /// <summary>
     /// The face of the tetrahedron that the origin is beyond: its corners other than the newest become B and C. False
     /// when it is beyond none.
     /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool TryTakeFace(ref FeatureVertices simplex, in Double3 a, bool nearest)
+    [MethodImpl(Jit.Step)]
+    private static bool TryTakeFace(ref FeatureVertices simplex, in MinkowskiVertex newest, bool nearest)
     {
-        Double3 ab = simplex.A.W - a, ac = simplex.B.W - a, ad = simplex.C.W - a;
+        double ax = newest.X, ay = newest.Y, az = newest.Z;
+        double bx = simplex.A.X - ax, by = simplex.A.Y - ay, bz = simplex.A.Z - az;
+        double cx = simplex.B.X - ax, cy = simplex.B.Y - ay, cz = simplex.B.Z - az;
+        double dx = simplex.C.X - ax, dy = simplex.C.Y - ay, dz = simplex.C.Z - az;
         double winding = simplex.Winding;
-        int faces = (Double3.Dot(Double3.Cross(ab, ac), a) * winding > 0 ? Abc : 0)
-            | (Double3.Dot(Double3.Cross(ac, ad), a) * winding > 0 ? Acd : 0)
-            | (Double3.Dot(Double3.Cross(ad, ab), a) * winding > 0 ? Adb : 0);
+        int faces = (Triple(bx, by, bz, cx, cy, cz, ax, ay, az) * winding > 0 ? Abc : 0)
+            | (Triple(cx, cy, cz, dx, dy, dz, ax, ay, az) * winding > 0 ? Acd : 0)
+            | (Triple(dx, dy, dz, bx, by, bz, ax, ay, az) * winding > 0 ? Adb : 0);
         if (faces == 0) return false;
         if ((faces & (faces - 1)) != 0)
-            faces = nearest ? Nearest(faces, a, simplex.A.W, simplex.B.W, simplex.C.W) : faces & -faces;
+            faces = nearest ? Nearest(faces, newest, simplex.A, simplex.B, simplex.C) : faces & -faces;
         if (faces == Abc)
         {
             simplex.C.Set(simplex.B);
@@ -202,10 +229,19 @@ internal static class NextSimplex
         return true;
     }
 
+    /// <summary>
+    /// (b × c) · a in numbers: Mono keeps numbers in registers, and each vector in memory, cleared and copied.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Triple(
+        double bx, double by, double bz, double cx, double cy, double cz, double ax, double ay, double az) =>
+        (by * cz - bz * cy) * ax + (bz * cx - bx * cz) * ay + (bx * cy - by * cx) * az;
+
     /// <summary>Of several faces the one whose own nearest feature is nearest; the first of equals.</summary>
     /// <remarks>The vertices come by value: the caller's are to stay in registers.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int Nearest(int faces, Double3 a, Double3 b, Double3 c, Double3 d)
+    private static int Nearest(
+        int faces, MinkowskiVertex a, MinkowskiVertex b, MinkowskiVertex c, MinkowskiVertex d)
     {
         double abc = (faces & Abc) != 0 ? DistanceSquared(a, b, c) : double.PositiveInfinity;
         double acd = (faces & Acd) != 0 ? DistanceSquared(a, c, d) : double.PositiveInfinity;
@@ -214,13 +250,13 @@ internal static class NextSimplex
         return (faces & Acd) != 0 && !(adb < acd) ? Acd : Adb;
     }
 
-    private static double DistanceSquared(in Double3 a, in Double3 b, in Double3 c)
+    private static double DistanceSquared(in MinkowskiVertex a, in MinkowskiVertex b, in MinkowskiVertex c)
     {
         FeatureVertices simplex = default;
         ClosestFeature feature = default;
-        simplex.A = new MinkowskiVertex(a, 0);
-        simplex.B = new MinkowskiVertex(b, 0);
-        simplex.C = new MinkowskiVertex(c, 0);
+        simplex.A.Set(a);
+        simplex.B.Set(b);
+        simplex.C.Set(c);
         Triangle(ref simplex, ref feature);
         return feature.DistanceSquared;
     }

@@ -41,15 +41,45 @@ internal unsafe struct Simplex
 
     /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 W(int slot) => new(_w[4 * slot], _w[4 * slot + 1], _w[4 * slot + 2]);
+    public readonly Double3 W(int slot)
+    {
+        fixed (double* at = &_w[4 * slot]) return new Double3(at[0], at[1], at[2]);
+    }
+
+    /// <summary>The same, written where it is to be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Get(int slot, out Double3 w)
+    {
+        fixed (double* at = &_w[4 * slot]) Double3.Write(at[0], at[1], at[2], out w);
+    }
+
+    /// <summary>The same with its slot.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Get(int slot, out MinkowskiVertex vertex)
+    {
+        fixed (double* at = &_w[4 * slot])
+        {
+            vertex.X = at[0];
+            vertex.Y = at[1];
+            vertex.Z = at[2];
+        }
+
+        vertex.Slot = slot;
+    }
 
     /// <summary>The support point of A that it was made from.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 OnA(int slot) => new(_onA[4 * slot], _onA[4 * slot + 1], _onA[4 * slot + 2]);
+    public readonly Double3 OnA(int slot)
+    {
+        fixed (double* at = &_onA[4 * slot]) return new Double3(at[0], at[1], at[2]);
+    }
 
     /// <summary>The support point of B that it was made from, from B's centre in B's own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 OnB(int slot) => new(_onB[4 * slot], _onB[4 * slot + 1], _onB[4 * slot + 2]);
+    public readonly Double3 OnB(int slot)
+    {
+        fixed (double* at = &_onB[4 * slot]) return new Double3(at[0], at[1], at[2]);
+    }
 
     public readonly int IdA(int slot) => _ids[2 * slot];
 
@@ -59,12 +89,8 @@ internal unsafe struct Simplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin(out Simplex simplex)
     {
-#if NET
-        Unsafe.SkipInit(out simplex);
+        Uncleared.Begin(out simplex);
         simplex.Clear();
-#else
-        simplex = default;
-#endif
     }
 
     /// <summary>No vertices, and slot numbers that are some, so that nothing can be read out of bounds.</summary>
@@ -94,18 +120,12 @@ internal unsafe struct Simplex
     }
 
     /// <summary>Writes a vertex of A - B, and the support points that it is made from, into a slot.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     public void Fill(int slot, in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {
-        _w[4 * slot] = w.X;
-        _w[4 * slot + 1] = w.Y;
-        _w[4 * slot + 2] = w.Z;
-        _onA[4 * slot] = onA.X;
-        _onA[4 * slot + 1] = onA.Y;
-        _onA[4 * slot + 2] = onA.Z;
-        _onB[4 * slot] = onB.X;
-        _onB[4 * slot + 1] = onB.Y;
-        _onB[4 * slot + 2] = onB.Z;
+        fixed (double* at = &_w[4 * slot]) Write(at, w);
+        fixed (double* at = &_onA[4 * slot]) Write(at, onA);
+        fixed (double* at = &_onB[4 * slot]) Write(at, onB);
         _ids[2 * slot] = idA;
         _ids[2 * slot + 1] = idB;
     }
@@ -126,6 +146,14 @@ internal unsafe struct Simplex
 #endif
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Write(double* at, in Double3 v)
+    {
+        at[0] = v.X;
+        at[1] = v.Y;
+        at[2] = v.Z;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Select(int count, int a, int b, int c, int d)
     {
         Count = count;
@@ -133,6 +161,13 @@ internal unsafe struct Simplex
         B = b;
         C = c;
         D = d;
+    }
+
+    /// <summary>The weighted sum of A's support points, as a value.</summary>
+    public readonly Double3 MeanOnA(in Weights w)
+    {
+        PointOnA(w, out Xyz point);
+        return point.ToVector3D();
     }
 
     /// <summary>The lowest slot that no vertex holds.</summary>
@@ -158,29 +193,27 @@ internal unsafe struct Simplex
         return point;
     }
 
+#if NET
     /// <summary>The weighted sum of A's support points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Xyz PointOnA(in Weights w)
+    public readonly void PointOnA(in Weights w, out Xyz point)
     {
-        Xyz point = XyzOnA(A) * w.A;
+        point = XyzOnA(A) * w.A;
         if (Count > 1) point += XyzOnA(B) * w.B;
         if (Count > 2) point += XyzOnA(C) * w.C;
         if (Count > 3) point += XyzOnA(D) * w.D;
-        return point;
     }
 
     /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Xyz PointOnB(in Weights w)
+    public readonly void PointOnB(in Weights w, out Xyz point)
     {
-        Xyz point = XyzOnB(A) * w.A;
+        point = XyzOnB(A) * w.A;
         if (Count > 1) point += XyzOnB(B) * w.B;
         if (Count > 2) point += XyzOnB(C) * w.C;
         if (Count > 3) point += XyzOnB(D) * w.D;
-        return point;
     }
 
-#if NET
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly Xyz XyzOnA(int slot) => Load(_onA[0], slot);
 
@@ -195,8 +228,34 @@ internal unsafe struct Simplex
         return Vector256.LoadUnsafe(in points, (nuint)(4 * slot)) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
     }
 #else
-    private readonly Xyz XyzOnA(int slot) => OnA(slot);
+    /// <summary>The weighted sum of A's support points.</summary>
+    public readonly void PointOnA(in Weights w, out Xyz point)
+    {
+        fixed (double* points = _onA) Sum(points, w, out point);
+    }
 
-    private readonly Xyz XyzOnB(int slot) => OnB(slot);
+    /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
+    public readonly void PointOnB(in Weights w, out Xyz point)
+    {
+        fixed (double* points = _onB) Sum(points, w, out point);
+    }
+
+    private readonly void Sum(double* points, in Weights w, out Xyz point)
+    {
+        double* p = points + 4 * A;
+        double x = p[0] * w.A, y = p[1] * w.A, z = p[2] * w.A;
+        if (Count > 1) Add(points + 4 * B, w.B, ref x, ref y, ref z);
+        if (Count > 2) Add(points + 4 * C, w.C, ref x, ref y, ref z);
+        if (Count > 3) Add(points + 4 * D, w.D, ref x, ref y, ref z);
+        Double3.Write(x, y, z, out point);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Add(double* p, double weight, ref double x, ref double y, ref double z)
+    {
+        x += p[0] * weight;
+        y += p[1] * weight;
+        z += p[2] * weight;
+    }
 #endif
 }

@@ -21,7 +21,7 @@ internal struct SupportPlane
     public void Set(in ClosestFeature feature, double value)
     {
         Value = value;
-        Normal = new Double3(feature.Normal.X, feature.Normal.Y, feature.Normal.Z);
+        Double3.Write(feature.Normal.X, feature.Normal.Y, feature.Normal.Z, out Normal);
         NormalSquared = feature.NormalSquared;
     }
 

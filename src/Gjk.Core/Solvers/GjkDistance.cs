@@ -137,7 +137,8 @@ internal static class GjkDistance
         state.Simplex.Push(-frame.Translation, default, default, 0, 0);
         state.Iterations = 1;
         FeatureVertices vertices = default;
-        NextSimplex.KeepVertex(ref vertices, ref state.Feature, -frame.Translation);
+        vertices.A = new MinkowskiVertex(-frame.Translation, 0);
+        NextSimplex.KeepVertex(ref vertices, ref state.Feature);
         state.Verdict = state.Feature.Height > 0 ? Verdict.Apart : Verdict.Enclosed;
         state.Plane.Set(state.Feature, state.Feature.Height);
         state.Weights = new Weights(1, 0, 0, 0);
@@ -167,9 +168,9 @@ internal static class GjkDistance
     private static void Load(in SolverState state, out FeatureVertices vertices, out ClosestFeature feature)
     {
         vertices.Count = state.Simplex.Count;
-        vertices.A = new MinkowskiVertex(state.Simplex.WA, state.Simplex.A);
-        vertices.B = new MinkowskiVertex(state.Simplex.WB, state.Simplex.B);
-        vertices.C = new MinkowskiVertex(state.Simplex.WC, state.Simplex.C);
+        state.Simplex.Get(state.Simplex.A, out vertices.A);
+        state.Simplex.Get(state.Simplex.B, out vertices.B);
+        state.Simplex.Get(state.Simplex.C, out vertices.C);
         vertices.Winding = 1;
         feature.Normal = new Double3(state.Feature.Normal.X, state.Feature.Normal.Y, state.Feature.Normal.Z);
         feature.Height = state.Feature.Height;

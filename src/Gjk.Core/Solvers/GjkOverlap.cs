@@ -35,15 +35,13 @@ internal static class GjkOverlap
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Simplex.Begin(out Simplex points);
         FeatureVertices.Begin(out FeatureVertices vertices);
         ClosestFeature feature = default;
         Double3 first = frame.FirstNormal;
         feature.Normal = new Double3(first.X, first.Y, first.Z);
         for (int round = 0; round < MaxRounds; round++)
         {
-            Double3 w = MinkowskiDifference.Support(
-                ref a, ref b, frame, feature.Normal, ref points, 0, out int ids);
+            Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, feature.Normal, out int ids);
             double plane = Double3.Dot(feature.Normal, w);
             bool curved = ids < 0;
             if (plane > 0)

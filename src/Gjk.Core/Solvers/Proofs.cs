@@ -41,7 +41,7 @@ internal static class Proofs
     public static bool IsCertainlyInside(Double3 a, Double3 b, Double3 c, Double3 d)
     {
         if (ClosestPointWeights.IsInside(a, b, c, d)) return true;
-        if (Double3.Dot(Double3.Cross(b - a, c - a), a) > 0) (b, c) = (c, b);
+        if (Double3.Triple(b - a, c - a, a) > 0) (b, c) = (c, b);
         return IsCertain(a, b - a, c - a) && IsCertain(a, c - a, d - a)
             && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
     }
@@ -114,7 +114,7 @@ internal static class Proofs
 
     private static bool IsCertain(in Double3 a, in Double3 e, in Double3 f)
     {
-        double determinant = -Double3.Dot(Double3.Cross(e, f), a);
+        double determinant = -Double3.Triple(e, f, a);
         double error = GjkTolerances.DeterminantError;
         return determinant > 0
             && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;

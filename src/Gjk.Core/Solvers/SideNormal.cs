@@ -141,7 +141,7 @@ internal static class SideNormal
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Double3 onA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+        Double3 onA = state.Simplex.MeanOnA(state.Weights);
         Double3 between = -state.Simplex.PointOf(state.Weights), onB = onA + between;
         double along = Double3.Dot(normal, between), size = state.Size.Value;
         Double3 aside = between - normal * along;

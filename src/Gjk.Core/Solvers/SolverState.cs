@@ -67,16 +67,12 @@ internal struct SolverState
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-#if NET
-        Unsafe.SkipInit(out state);
+        Uncleared.Begin(out state);
         state.Simplex.Clear();
         state.Iterations = 0;
         state.Plane.NormalSquared = 0;
         state.Verdict = Verdict.Undecided;
         state.IsCurved = false;
-#else
-        state = default;
-#endif
         PairSize.Begin<TA, TB>(frame, out state.Size);
     }
 

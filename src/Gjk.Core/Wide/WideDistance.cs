@@ -48,7 +48,7 @@ internal static class WideDistance
         }
     }
 
-    /// <summary>As <see cref="MinkowskiDifference.Support"/>.</summary>
+    /// <summary>As <see cref="MinkowskiDifference"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Support<TA, TB>(ref TA a, ref TB b, ref WidePairs s)
         where TA : struct, IWideSide

@@ -53,7 +53,7 @@ internal static class HullBlocks
         ref float coordinates = ref MemoryMarshal.GetArrayDataReference(blocks);
         uint block = (uint)slot / HullCells.Lanes, lane = (uint)slot % HullCells.Lanes;
         ref float x = ref Unsafe.Add(ref coordinates, block * HullCells.BlockFloats + lane);
-        point = new Double3(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes));
+        Double3.Write(x, Unsafe.Add(ref x, HullCells.Lanes), Unsafe.Add(ref x, 2 * HullCells.Lanes), out point);
         return slot;
     }
 
@@ -152,7 +152,7 @@ internal static class HullBlocks
     public static int Read(float[] blocks, int slot, out Double3 point)
     {
         int x = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
-        point = new Double3(blocks[x], blocks[x + HullCells.Lanes], blocks[x + 2 * HullCells.Lanes]);
+        Double3.Write(blocks[x], blocks[x + HullCells.Lanes], blocks[x + 2 * HullCells.Lanes], out point);
         return slot;
     }
 #endif

@@ -52,6 +52,9 @@ internal sealed class HullVertices
     /// A vertex in the hull's own frame. The sum is a float again: the one that <see cref="Origin"/> was subtracted
     /// from.
     /// </summary>
+    public void GetVertex(int id, out Double3 point) => Double3.Write(
+        (float)(Origin.X + X[id]), (float)(Origin.Y + Y[id]), (float)(Origin.Z + Z[id]), out point);
+
     public Vector3 GetVertex(int id) => new(Origin.X + X[id], Origin.Y + Y[id], Origin.Z + Z[id]);
 
 #if NET

@@ -1,5 +1,11 @@
 using System;
 using System.Runtime.CompilerServices;
+#if NET
+using System.Runtime.Intrinsics;
+using Lane = System.Runtime.Intrinsics.Vector256<double>;
+#else
+using Lane = System.Double;
+#endif
 
 namespace Gjk.Core;
 
@@ -51,33 +57,71 @@ internal static unsafe class BoxAxes
     public static void Find(
         in Double3 halfA, in Double3 halfB, in PairFrame frame, double* costs, double* squares)
     {
+#if NET
+        Find(
+            frame.Inverse.Column0, frame.Inverse.Column1, frame.Inverse.Column2, frame.Rotation.Column0,
+            frame.Rotation.Column1, frame.Rotation.Column2, halfA.ToXyz(), frame.TranslationLanes, halfA, halfB, frame,
+            costs, squares);
+#else
+        fixed (double* back = &frame.Inverse.M00, to = &frame.Rotation.M00)
+        fixed (Double3* half = &halfA, way = &frame.Translation)
+        {
+            for (int i = 0; i < 3; i++)
+            {
+                Find(
+                    back[i], back[Group + i], back[2 * Group + i], to[i], to[Group + i], to[2 * Group + i],
+                    ((double*)half)[i], ((double*)way)[i], halfA, halfB, frame, costs + i, squares + i);
+            }
+        }
+#endif
+    }
+
+    /// <summary>All groups of three axes, or one axis of each where there are no lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Find(
+        Lane x, Lane y, Lane z, Lane toX, Lane toY, Lane toZ, Lane half, Lane way, in Double3 halfA, in Double3 halfB,
+        in PairFrame frame, double* costs, double* squares)
+    {
         ref readonly RotationD m = ref frame.Rotation;
-        Xyz x = frame.Inverse.Column0, y = frame.Inverse.Column1, z = frame.Inverse.Column2;
-        Xyz absX = x.Abs(), absY = y.Abs(), absZ = z.Abs(), xx = x.Times(x), yy = y.Times(y), zz = z.Times(z);
-        Double3 t = frame.Translation;
-        Xyz onFacesOfB = m.Column0.Abs() * halfB.X + m.Column1.Abs() * halfB.Y + m.Column2.Abs() * halfB.Z;
-        (halfA.ToXyz() + onFacesOfB - t.ToXyz().Abs()).StoreAt(costs);
-        Xyz ofA = absX * halfA.X + absY * halfA.Y + absZ * halfA.Z;
-        Xyz ofB = (x * m.M00 + y * m.M10 + z * m.M20).Abs() * halfB.X
-            + (x * m.M01 + y * m.M11 + z * m.M21).Abs() * halfB.Y
-            + (x * m.M02 + y * m.M12 + z * m.M22).Abs() * halfB.Z;
-        (ofA + ofB - (x * t.X + y * t.Y + z * t.Z).Abs()).StoreAt(costs + Group);
+        ref readonly Double3 t = ref frame.Translation;
+        Lane absX = Abs(x), absY = Abs(y), absZ = Abs(z);
+        Lane onFacesOfB = Abs(toX) * halfB.X + Abs(toY) * halfB.Y + Abs(toZ) * halfB.Z;
+        Store(half + onFacesOfB - Abs(way), costs);
+        Lane ofA = absX * halfA.X + absY * halfA.Y + absZ * halfA.Z;
+        Lane ofB = Abs(x * m.M00 + y * m.M10 + z * m.M20) * halfB.X
+            + Abs(x * m.M01 + y * m.M11 + z * m.M21) * halfB.Y
+            + Abs(x * m.M02 + y * m.M12 + z * m.M22) * halfB.Z;
+        Store(ofA + ofB - Abs(x * t.X + y * t.Y + z * t.Z), costs + Group);
 
         // (0, -z, y), (z, 0, -x) and (-y, x, 0).
         ofA = absZ * halfA.Y + absY * halfA.Z;
-        ofB = (y * m.M20 - z * m.M10).Abs() * halfB.X + (y * m.M21 - z * m.M11).Abs() * halfB.Y
-            + (y * m.M22 - z * m.M12).Abs() * halfB.Z;
-        (ofA + ofB - (y * t.Z - z * t.Y).Abs()).StoreAt(costs + 2 * Group);
-        (zz + yy).StoreAt(squares + 2 * Group);
+        ofB = Abs(y * m.M20 - z * m.M10) * halfB.X + Abs(y * m.M21 - z * m.M11) * halfB.Y
+            + Abs(y * m.M22 - z * m.M12) * halfB.Z;
+        Store(ofA + ofB - Abs(y * t.Z - z * t.Y), costs + 2 * Group);
+        Store(z * z + y * y, squares + 2 * Group);
         ofA = absZ * halfA.X + absX * halfA.Z;
-        ofB = (z * m.M00 - x * m.M20).Abs() * halfB.X + (z * m.M01 - x * m.M21).Abs() * halfB.Y
-            + (z * m.M02 - x * m.M22).Abs() * halfB.Z;
-        (ofA + ofB - (z * t.X - x * t.Z).Abs()).StoreAt(costs + 3 * Group);
-        (zz + xx).StoreAt(squares + 3 * Group);
+        ofB = Abs(z * m.M00 - x * m.M20) * halfB.X + Abs(z * m.M01 - x * m.M21) * halfB.Y
+            + Abs(z * m.M02 - x * m.M22) * halfB.Z;
+        Store(ofA + ofB - Abs(z * t.X - x * t.Z), costs + 3 * Group);
+        Store(z * z + x * x, squares + 3 * Group);
         ofA = absY * halfA.X + absX * halfA.Y;
-        ofB = (x * m.M10 - y * m.M00).Abs() * halfB.X + (x * m.M11 - y * m.M01).Abs() * halfB.Y
-            + (x * m.M12 - y * m.M02).Abs() * halfB.Z;
-        (ofA + ofB - (x * t.Y - y * t.X).Abs()).StoreAt(costs + 4 * Group);
-        (yy + xx).StoreAt(squares + 4 * Group);
+        ofB = Abs(x * m.M10 - y * m.M00) * halfB.X + Abs(x * m.M11 - y * m.M01) * halfB.Y
+            + Abs(x * m.M12 - y * m.M02) * halfB.Z;
+        Store(ofA + ofB - Abs(x * t.Y - y * t.X), costs + 4 * Group);
+        Store(y * y + x * x, squares + 4 * Group);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#if NET
+    private static Lane Abs(Lane v) => Vector256.Abs(v);
+#else
+    private static Lane Abs(Lane v) => Math.Abs(v);
+#endif
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#if NET
+    private static void Store(Lane v, double* to) => v.Store(to);
+#else
+    private static void Store(Lane v, double* to) => *to = v;
+#endif
 }

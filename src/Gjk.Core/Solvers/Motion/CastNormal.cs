@@ -49,7 +49,7 @@ internal static class CastNormal
         Double3 normal = feature.Normal * (-1 / length);
         state.Simplex.Select(
             vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
-        Double3 onA = state.Simplex.PointOnA(ClosestPointWeights.Of(state.Simplex)).ToVector3D();
+        Double3 onA = state.Simplex.MeanOnA(ClosestPointWeights.Of(state.Simplex));
         frame.Translation = contact;
         double slope = -Double3.Dot(normal, line.Axis);
         double gap = GapAlong(ref a, ref b, frame, normal, ref state.Simplex, ref cast);

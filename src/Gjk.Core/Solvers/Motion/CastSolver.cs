@@ -109,7 +109,7 @@ internal static class CastSolver
             {
                 warmStart.Keep(state);
                 if (cast.Outcome == MotionVerdict.Miss) return;
-                cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+                cast.OnA = state.Simplex.MeanOnA(state.Weights);
                 if (cast.Fraction == 0) cast.OnA += ToCommon(state, frame);
                 else if (state.IsCurved) CastNormal.Sharpen(ref a, ref b, ref frame, line, ref state, ref cast);
                 return;
@@ -144,7 +144,7 @@ internal static class CastSolver
         Double3 before = frame.Translation;
         frame.Translation = line.Nearest;
         cast.Outcome = CastPortal.Solve(ref a, ref b, frame, line, most, ref cast, ref state);
-        if (cast.Outcome == MotionVerdict.Hit) cast.OnA = state.Simplex.PointOnA(state.Weights).ToVector3D();
+        if (cast.Outcome == MotionVerdict.Hit) cast.OnA = state.Simplex.MeanOnA(state.Weights);
         if (cast.Outcome != MotionVerdict.Undecided) return true;
         frame.Translation = before;
         cast.Fraction = 0;

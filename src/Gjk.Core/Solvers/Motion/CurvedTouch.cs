@@ -77,7 +77,7 @@ internal static class CurvedTouch
             touch.Iterations += apart.Iterations;
             if (apart.Verdict != Verdict.Apart) return false;
             touch.Normal = apart.Plane.Normal * (-1 / Math.Sqrt(apart.Plane.NormalSquared));
-            touch.OnA = apart.Simplex.PointOnA(apart.Weights).ToVector3D();
+            touch.OnA = apart.Simplex.MeanOnA(apart.Weights);
             CastLine outward = default;
             outward.Axis = -touch.Normal;
             moved.Translation = frame.Translation;
