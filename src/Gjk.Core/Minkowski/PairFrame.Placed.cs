@@ -5,36 +5,28 @@ namespace Gjk.Core;
 /// <remarks>Cores that are placed in the frames of their shapes: the frame is that of the cores.</remarks>
 internal partial struct PairFrame
 {
-    /// <summary>The same for cores that have their own axes and centres in the frames of the shapes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Compose<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, out PairFrame frame)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        if (placement.IsNone) Compose(ref a, poseA, ref b, poseB, out frame);
-        else ComposePlaced(ref a, poseA, ref b, poseB, placement, out frame);
-    }
-
+    /// <summary>The same for shapes of which one is placed: the frame of their cores, in the cores' axes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void ComposePlaced<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, out PairFrame frame)
+    public static void ComposePlaced<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Placement inA = placement.A ?? Placement.None, inB = placement.B ?? Placement.None;
+        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out Placement? placedA);
+        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out Placement? placedB);
+        Placement inA = placedA ?? Placement.None, inB = placedB ?? Placement.None;
         frame._turnA = inA.Turn;
         frame._turnB = inB.Turn;
         PoseComposition.Compose(
             poseA, inA.Turn, poseB, inB.Turn, out frame.RotationA, out frame.Rotation, out frame.Inverse,
             out frame._areRotations);
         frame.IsPlaced = true;
-        frame.CenterA = placement.A is null ? a.Center : inA.CenterInCore;
-        frame.CenterB = placement.B is null ? b.Center : inB.CenterInCore;
-        frame.RadiusA = a.BoundingRadius;
-        frame.RadiusB = b.BoundingRadius;
-        frame.MarginA = a.Margin;
-        frame.MarginB = b.Margin;
+        frame.CenterA = placedA is null ? coreA.Center : inA.CenterInCore;
+        frame.CenterB = placedB is null ? coreB.Center : inB.CenterInCore;
+        frame.RadiusA = coreA.BoundingRadius;
+        frame.RadiusB = coreB.BoundingRadius;
+        frame.MarginA = coreA.Margin;
+        frame.MarginB = coreB.Margin;
         frame.Unit = 1;
         frame.End = 0;
         double offset = frame.CenterA.SumOfMagnitudes + frame.CenterB.SumOfMagnitudes;
@@ -47,8 +39,8 @@ internal partial struct PairFrame
         {
             frame.Translation = frame.RotationA.InverseRotate(
                 BetweenFarCenters(
-                    poseA, poseB, placement.A is null ? a.Center : inA.ExactCenter,
-                    placement.B is null ? b.Center : inB.ExactCenter));
+                    poseA, poseB, placedA is null ? coreA.Center : inA.ExactCenter,
+                    placedB is null ? coreB.Center : inB.ExactCenter));
         }
 
         frame.Magnitude =

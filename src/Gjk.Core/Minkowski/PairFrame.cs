@@ -194,9 +194,16 @@ internal partial struct PairFrame
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (!ShapeTraits<TA>.AreTight) RadiusA = Math.Min(RadiusA, CoreExtent.Radius(ref a) + MarginA);
-        if (!ShapeTraits<TB>.AreTight) RadiusB = Math.Min(RadiusB, CoreExtent.Radius(ref b) + MarginB);
+        if (!ShapeTraits<TA>.AreTight) Tighten(ref a, MarginA, ref RadiusA);
+        if (!ShapeTraits<TB>.AreTight) Tighten(ref b, MarginB, ref RadiusB);
         Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + Translation.SumOfMagnitudes;
+    }
+
+    private static void Tighten<T>(ref T shape, double margin, ref double radius)
+        where T : struct, ISupportMap
+    {
+        T core = ShapeTraits<T>.Of.InCoreAxes(shape, out _);
+        radius = Math.Min(radius, CoreExtent.Radius(ref core) + margin);
     }
 
     /// <summary>

@@ -65,92 +65,83 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        ref TA shapeA = ref PairProblem.Inward(a);
-        ref TB shapeB = ref PairProblem.Inward(b);
-        CastResult found = FindContact(
-            ref shapeA, poseA, translationA, ref shapeB, poseB, translationB, maxFraction, ref warmStart);
-        bool isSettled = found.Status != CastStatus.OverlappingAtStart
-            && !(options.PassesShallow && found.Status == CastStatus.Hit);
-        if (isSettled) return found;
-        var contact = new SettledContact(found);
-        Settle(
-            ref shapeA, poseA, ref shapeB, poseB, (Double3)translationB - translationA, found.Fraction,
-            Math.Max(maxFraction, 0), options, ref contact);
-        return contact.Apply(found, maxFraction);
-    }
-
-    /// <summary>
-    /// The first contact. One at the start has the status OverlappingAtStart and no normal, touching included.
-    /// </summary>
-    private static CastResult FindContact<TA, TB>(
-        ref TA a, in RigidPose poseA, Vector3 translationA, ref TB b, in RigidPose poseB, Vector3 translationB,
-        float maxFraction, ref WarmStart warmStart)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        if (AreBalls(ref a, ref b))
-            return CastBalls(ref a, poseA, translationA, ref b, poseB, translationB, maxFraction);
-        if (TryCastPoint(ref a, poseA, translationA, ref b, poseB, translationB, maxFraction, out CastResult met))
-            return met;
         fixed (WarmStart* warm = &warmStart)
         {
-            var question = new CastQuestion(translationA, translationB, maxFraction, warm);
-            CoreDispatch.Ask<TA, TB, CastQuestion, CastResult>(
-                ref a, poseA, ref b, poseB, ref question, out CastResult result);
-            return result;
+            var solver = new CastQuestion(translationA, translationB, maxFraction, warm);
+            PairQuery.Run(a, poseA, b, poseB, ref solver, out CastResult found);
+            bool isSettled = found.Status != CastStatus.OverlappingAtStart
+                && !(options.PassesShallow && found.Status == CastStatus.Hit);
+            if (isSettled) return found;
+            var contact = new SettledContact(found);
+            Settle(
+                ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), poseB, (Double3)translationB - translationA,
+                found.Fraction, Math.Max(maxFraction, 0), options, ref contact);
+            return contact.Apply(found, maxFraction);
         }
     }
 
-    /// <summary>When two cores that do not turn touch.</summary>
-    private struct CastQuestion : IPairProblem<CastFinding, CastResult>
+    /// <summary>
+    /// When two bodies that do not turn touch. A contact at the start has the status OverlappingAtStart and no normal,
+    /// touching included.
+    /// </summary>
+    private struct CastQuestion : IPairSolver<CastResult>
     {
         private readonly WarmStart* _warm;
-        private readonly Double3 _translationA, _motion;
+        private readonly Vector3 _translationA, _translationB;
+        private readonly Double3 _motion;
         private readonly float _maxFraction;
+        private CastFinding _cast;
 
         public CastQuestion(Vector3 translationA, Vector3 translationB, float maxFraction, WarmStart* warm)
         {
             _warm = warm;
             _translationA = translationA;
+            _translationB = translationB;
             _motion = (Double3)translationB - translationA;
             _maxFraction = maxFraction < 0 ? 0 : maxFraction;
+            Uncleared.Begin(out _cast);
         }
 
-        public readonly bool IsValid => (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
+        readonly bool IPairSolver<CastResult>.TryFormula<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out CastResult result)
+        {
+            if (!Balls.Are(ref a, ref b))
+                return TryCastPoint(
+                    ref a, poseA, _translationA, ref b, poseB, _translationB, _maxFraction, out result);
+            result = CastBalls(ref a, poseA, _translationA, ref b, poseB, _translationB, _maxFraction);
+            return true;
+        }
 
-        public readonly void Refuse(out CastResult result) =>
+        readonly bool IPairSolver<CastResult>.TryBegin<TA, TB>(
+            ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out CastResult result)
+        {
             result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+            return frame.IsValid && (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
+        }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        void IPairQuestion<CastResult>.Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
-            out CastResult result) =>
-            PairProblem.Answer<TA, TB, CastQuestion, CastFinding, CastResult>(
-                ref a, poseA, ref b, poseB, placement, ref this, out result);
-
-        public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
         {
             Double3 motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
-            CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref *_warm, out cast);
+            CastSolver.Solve(ref a, ref b, ref frame, motion, _maxFraction, ref *_warm, out _cast);
         }
 
         /// <summary>Where A's surface is met, with A as it has moved.</summary>
-        readonly void IPairProblem<CastFinding, CastResult>.Finish(
-            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out CastResult result)
+        readonly void IPairSolver<CastResult>.Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out CastResult result)
         {
-            CastStatus status = StatusOf(cast.Outcome, cast.Fraction);
+            CastStatus status = StatusOf(_cast.Outcome, _cast.Fraction);
             if (status is not (CastStatus.Hit or CastStatus.OverlappingAtStart))
             {
-                result = CastResult.Nothing(status, FractionOf(status, cast.Fraction, _maxFraction), cast.Iterations);
+                result = CastResult.Nothing(
+                    status, FractionOf(status, _cast.Fraction, _maxFraction), _cast.Iterations);
                 return;
             }
 
-            Double3 world = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
+            Double3 world = frame.SurfaceOfA(_cast.OnA, _cast.Normal, poseA.Position);
             result = new CastResult(
-                status, (float)cast.Fraction, (Vector3)(world + _translationA * cast.Fraction),
-                (Vector3)frame.RotationA.Rotate(cast.Normal), cast.Iterations);
+                status, (float)_cast.Fraction, (Vector3)(world + (Double3)_translationA * _cast.Fraction),
+                (Vector3)frame.RotationA.Rotate(_cast.Normal), _cast.Iterations);
         }
     }
 

@@ -24,7 +24,7 @@ public static partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         Double3 motion = (Double3)translationB - translationA;
-        DistanceOfBalls(
+        Balls.Distance(
             ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: false, out DistanceResult start);
         if (start.Status == GjkStatus.InvalidInput || float.IsNaN(maxFraction)
             || !Guard.IsFinite(translationA) || !motion.IsFinite)
@@ -49,7 +49,7 @@ public static partial class ConvexQuery
         if (CastSolver.IsBeyond(fraction, most)) return CastResult.Nothing(CastStatus.Miss, most, 1);
         Double3 normal = nearest + axis * (along - way);
         normal = radii > 0 ? normal * (1 / normal.Length) : -axis;
-        Double3 point = Place(poseA, a.Center) + normal * a.Margin + (Double3)translationA * fraction;
+        Double3 point = Balls.Place(poseA, a.Center) + normal * a.Margin + (Double3)translationA * fraction;
         return new CastResult(CastStatus.Hit, (float)fraction, (Vector3)point, (Vector3)normal, 1);
     }
 }

@@ -41,8 +41,8 @@ public static unsafe partial class ConvexQuery
             where TB : struct, ISupportMap
         {
             StartTouch touch = default;
-            var question = new SignedQuestion<NoPolytopeTrace> { Touch = &touch };
-            AskSigned(a, poseA, b, poseB, ref question, out DistanceResult start);
+            var solver = new SignedDistanceSolver<NoPolytopeTrace> { Touch = &touch };
+            PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult start);
             Iterations = start.Iterations;
             bool isLimit = start.Status == GjkStatus.IterationLimit, isKnown = Normal != default;
             if (touch.IsTouch) Point = touch.Point;
@@ -96,8 +96,7 @@ public static unsafe partial class ConvexQuery
             ? new DeepeningPart(fraction, most, options.AllowedDepth, AllowedSlope)
             : new DeepeningPart(0, double.PositiveInfinity, 0, 0);
         var question = new DeepeningQuestion(motion, part);
-        CoreDispatch.Ask<TA, TB, DeepeningQuestion, MotionVerdict>(
-            ref a, poseA, ref b, poseB, ref question, out MotionVerdict verdict);
+        PairQuery.Run(a, poseA, b, poseB, ref question, out MotionVerdict verdict);
         contact.Iterations += question.Iterations;
         if (verdict == MotionVerdict.Contradiction) contact.Status = CastStatus.InvalidShape;
         else if (verdict == MotionVerdict.Miss) contact.Status = CastStatus.Miss;
@@ -105,42 +104,45 @@ public static unsafe partial class ConvexQuery
     }
 
     /// <summary>Whether a contact deepens.</summary>
-    private struct DeepeningQuestion : IPairProblem<MotionVerdict, MotionVerdict>
+    private struct DeepeningQuestion : IPairSolver<MotionVerdict>
     {
         public int Iterations;
         private readonly Double3 _motion;
         private readonly DeepeningPart _part;
+        private MotionVerdict _verdict;
 
         public DeepeningQuestion(in Double3 motion, in DeepeningPart part)
         {
             Iterations = 0;
             _motion = motion;
             _part = part;
+            _verdict = MotionVerdict.Undecided;
         }
 
-        public readonly bool IsValid => true;
+        readonly bool IPairSolver<MotionVerdict>.TryFormula<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out MotionVerdict result)
+        {
+            result = default;
+            return false;
+        }
 
-        public readonly void Refuse(out MotionVerdict result) =>
+        readonly bool IPairSolver<MotionVerdict>.TryBegin<TA, TB>(
+            ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out MotionVerdict result)
+        {
             result = MotionVerdict.Undecided;
+            return frame.IsValid;
+        }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        void IPairQuestion<MotionVerdict>.Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
-            out MotionVerdict result) =>
-            PairProblem.Answer<TA, TB, DeepeningQuestion, MotionVerdict, MotionVerdict>(
-                ref a, poseA, ref b, poseB, placement, ref this, out result);
-
-        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out MotionVerdict verdict)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
         {
             Double3 motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
             var part = new DeepeningPart(_part.From, _part.To, _part.Allowed / frame.Unit, _part.Slope);
-            verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
+            _verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
         }
 
-        readonly void IPairProblem<MotionVerdict, MotionVerdict>.Finish(
-            in MotionVerdict verdict, in PairFrame frame, in RigidPose poseA, in RigidPose poseB,
-            out MotionVerdict result) => result = verdict;
+        readonly void IPairSolver<MotionVerdict>.Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB,
+            out MotionVerdict result) => result = _verdict;
     }
 }

@@ -38,7 +38,7 @@ public static partial class ConvexQuery
         ref CastResult result)
         where T : struct, ISupportMap
     {
-        double turn = InverseTurn(pose.Rotation), length = motion.Length;
+        double turn = Balls.InverseTurn(pose.Rotation), length = motion.Length;
         double reach = Math.Max(maxFraction, 0) * length * (1 + GjkTolerances.FloatBand);
         var line = new WorldRay(point.Position, motion, length, reach);
         if (!IsRay(pose, turn, line) || !point.IsValid || !Guard.IsFinite(translation)

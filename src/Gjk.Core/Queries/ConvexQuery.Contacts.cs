@@ -118,8 +118,8 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm, Plane = plane };
-        AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
+        var solver = new SignedDistanceSolver<NoPolytopeTrace> { Warm = warm, Plane = plane };
+        PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
         manifold.Clear();
         float mostGap = maxGap > 0 ? maxGap : 0;
         if (result.Distance <= mostGap)
@@ -134,7 +134,7 @@ public static unsafe partial class ConvexQuery
             }
 
             AddPoints(
-                ref PairProblem.Inward(a), poseA, ref PairProblem.Inward(b), ref *plane, result, mostGap, ref manifold);
+                ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), ref *plane, result, mostGap, ref manifold);
         }
 
         return result;

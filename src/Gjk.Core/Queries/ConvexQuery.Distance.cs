@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 public static unsafe partial class ConvexQuery
@@ -25,8 +23,8 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var question = new DistanceQuestion<NoTrace>(maxDistance);
-        AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
+        var solver = new DistanceSolver<NoTrace>(maxDistance);
+        PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
         return result;
     }
 
@@ -52,8 +50,8 @@ public static unsafe partial class ConvexQuery
         simplex = default;
         fixed (FinalSimplex* end = &simplex)
         {
-            var question = new DistanceQuestion<NoTrace>(maxDistance, null, end);
-            AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
+            var solver = new DistanceSolver<NoTrace>(maxDistance, null, end);
+            PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
             return result;
         }
     }
@@ -81,107 +79,9 @@ public static unsafe partial class ConvexQuery
     {
         fixed (WarmStart* warm = &warmStart)
         {
-            var question = new DistanceQuestion<NoTrace>(maxDistance, warm);
-            AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
+            var solver = new DistanceSolver<NoTrace>(maxDistance, warm);
+            PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
             return result;
         }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void AskDistance<TA, TB, TTrace>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref DistanceQuestion<TTrace> question,
-        out DistanceResult result)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TTrace : struct, IGjkTrace
-    {
-        ref TA shapeA = ref PairProblem.Inward(a);
-        ref TB shapeB = ref PairProblem.Inward(b);
-        if (AreBalls(ref shapeA, ref shapeB))
-        {
-            if (question.WantsPoints)
-                PairProblem.Ask<TA, TB, DistanceQuestion<TTrace>, DistanceResult>(
-                    ref shapeA, poseA, ref shapeB, poseB, ref question);
-            DistanceOfBalls(
-                ref shapeA, poseA, ref shapeB, poseB, question.MaxDistance, isSigned: false, out result);
-            return;
-        }
-
-        CoreDispatch.Ask<TA, TB, DistanceQuestion<TTrace>, DistanceResult>(
-            ref shapeA, poseA, ref shapeB, poseB, ref question, out result);
-    }
-
-    /// <summary>The distance of two cores.</summary>
-    private struct DistanceQuestion<TTrace> : IPairProblem<SolverState, DistanceResult>
-        where TTrace : struct, IGjkTrace
-    {
-        public readonly float MaxDistance;
-
-        /// <summary>Told of the walk.</summary>
-        public TTrace Trace;
-
-        private readonly WarmStart* _warm;
-        private readonly FinalSimplex* _simplex;
-
-        /// <summary>Null stands for a cold query, and for one whose simplex nobody wants.</summary>
-        public DistanceQuestion(float maxDistance, WarmStart* warm = null, FinalSimplex* simplex = null)
-        {
-            MaxDistance = maxDistance;
-            Trace = default;
-            _warm = warm;
-            _simplex = simplex;
-        }
-
-        /// <summary>Whether two balls are to be solved as points, too, for what is told of it.</summary>
-        public readonly bool WantsPoints => Trace.IsOn || _simplex != null;
-
-        public readonly bool IsValid => !float.IsNaN(MaxDistance);
-
-        public readonly void Refuse(out DistanceResult result) =>
-            result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
-
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        void IPairQuestion<DistanceResult>.Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
-            out DistanceResult result) =>
-            PairProblem.Answer<TA, TB, DistanceQuestion<TTrace>, SolverState, DistanceResult>(
-                ref a, poseA, ref b, poseB, placement, ref this, out result);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            SolverState.Begin<TA, TB>(frame, out state);
-            if (frame.ArePoints) SolvePoints(frame, ref state);
-            else
-                ProvedDistance.SolveCores(
-                ref a, ref b, frame, MaxDistance, ref *_warm, _warm != null, ref state, ref Trace);
-        }
-
-        readonly void IPairProblem<SolverState, DistanceResult>.Finish(
-            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
-        {
-            if (_simplex != null) Keep(state, frame, _simplex);
-            ConvexQuery.Finish(state, frame, poseA, poseB, MaxDistance, false, out result);
-        }
-
-        /// <summary>The closed form of two points, told as the loop's only round.</summary>
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        private void SolvePoints(in PairFrame frame, ref SolverState state)
-        {
-            GjkDistance.SolvePoints(frame, ref state);
-            if (!Trace.IsOn) return;
-            Trace.OnSupport(
-                new TracedSupport(frame, frame.FirstNormal, state.Simplex, state.Simplex.A, isExtended: false));
-            Trace.OnReduced(new TracedSimplex(state.Simplex, frame, isExtended: false));
-        }
-    }
-
-    /// <summary>Keeps the simplex of a query that ended with one.</summary>
-    private static void Keep(in SolverState state, in PairFrame frame, FinalSimplex* simplex)
-    {
-        if (state.Verdict != Verdict.Contradiction && state.Simplex.Count > 0)
-            *simplex = new FinalSimplex(state.Simplex, frame);
     }
 }

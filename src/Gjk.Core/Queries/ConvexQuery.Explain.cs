@@ -26,9 +26,9 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        var question = new DistanceQuestion<TTrace>(maxDistance) { Trace = trace };
-        AskDistance(a, poseA, b, poseB, ref question, out DistanceResult result);
-        trace = question.Trace;
+        var solver = new DistanceSolver<TTrace>(maxDistance) { Trace = trace };
+        PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
+        trace = solver.Trace;
         return result;
     }
 
@@ -56,9 +56,9 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        var question = new SignedQuestion<TTrace> { Trace = trace };
-        AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
-        trace = question.Trace;
+        var solver = new SignedDistanceSolver<TTrace> { Trace = trace };
+        PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
+        trace = solver.Trace;
         return result;
     }
 }

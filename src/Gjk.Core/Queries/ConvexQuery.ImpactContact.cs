@@ -40,8 +40,8 @@ public static unsafe partial class ConvexQuery
             where TB : struct, ISupportMap
         {
             found = default;
-            if (!AreBalls(ref a, ref b) || !IsValid) return false;
-            DistanceOfBalls(
+            if (!Balls.Are(ref a, ref b) || !IsValid) return false;
+            Balls.Distance(
                 ref a, _motionA.Pose, ref b, _motionB.Pose, float.PositiveInfinity, isSigned: false,
                 out DistanceResult start);
             if (!start.IsOverlapping) return false;

@@ -35,7 +35,7 @@ public static partial class ConvexQuery
         in CastOptions options = default)
         where T : struct, ISupportMap
     {
-        ref T inward = ref PairProblem.Inward(shape);
+        ref T inward = ref PairQuery.Inward(shape);
         var line = new WorldRay(origin, direction, ((Double3)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
         if (hit.Status == CastStatus.OverlappingAtStart || (options.PassesShallow && hit.Status == CastStatus.Hit))
@@ -89,7 +89,7 @@ public static partial class ConvexQuery
     private static void CastRay<T>(ref T shape, in RigidPose pose, in WorldRay line, out RayMeeting hit)
         where T : struct, ISupportMap
     {
-        double turn = InverseTurn(pose.Rotation);
+        double turn = Balls.InverseTurn(pose.Rotation);
         if (!IsRay(pose, turn, line))
         {
             hit = default;
@@ -141,6 +141,6 @@ public static partial class ConvexQuery
         where T : struct, ISupportMap
     {
         PointShape at = default;
-        return StatusOf(ref shape, pose, ref at, new RigidPose(point)) == GjkStatus.Overlapping;
+        return Overlaps(shape, pose, at, new RigidPose(point));
     }
 }

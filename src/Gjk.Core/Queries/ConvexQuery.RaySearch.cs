@@ -13,12 +13,11 @@ public static partial class ConvexQuery
     {
         PointShape point = default;
         var question = new RayQuestion(line);
-        CoreDispatch.Ask<T, PointShape, RayQuestion, RayMeeting>(
-            ref shape, pose, ref point, new RigidPose(line.Origin), ref question, out hit);
+        PairQuery.Run(shape, pose, point, new RigidPose(line.Origin), ref question, out hit);
     }
 
     /// <summary>Where a point that is cast meets a core.</summary>
-    private struct RayQuestion : IPairProblem<CastFinding, RayMeeting>
+    private struct RayQuestion : IPairSolver<RayMeeting>
     {
         /// <summary>
         /// Ratio of the origin's distance to the radius, beyond which the ray begins anew: from further away, rounding
@@ -35,6 +34,7 @@ public static partial class ConvexQuery
         /// <summary>Where the cast begins, its direction, how long that is, and the power of two in that.</summary>
         private double _begin, _length, _power;
         private Double3 _direction;
+        private CastFinding _cast;
 
         public RayQuestion(in WorldRay line)
         {
@@ -43,35 +43,30 @@ public static partial class ConvexQuery
             _direction = line.Direction;
             _length = line.Length;
             _power = 1;
+            Uncleared.Begin(out _cast);
         }
 
-        public readonly bool IsValid => true;
-
-        public readonly void Refuse(out RayMeeting result) =>
-            result = new() { Status = CastStatus.InvalidInput };
-
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        void IPairQuestion<RayMeeting>.Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement, out RayMeeting hit)
+        readonly bool IPairSolver<RayMeeting>.TryFormula<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out RayMeeting hit)
         {
-            PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
-            if (!frame.IsValid)
-            {
-                Refuse(out hit);
-                return;
-            }
+            hit = default;
+            return false;
+        }
 
+        bool IPairSolver<RayMeeting>.TryBegin<TA, TB>(
+            ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out RayMeeting hit)
+        {
+            hit = new() { Status = frame.IsValid ? CastStatus.Miss : CastStatus.InvalidInput };
+            if (!frame.IsValid) return false;
             if (frame.Translation.LengthSquared > FarOrigin * FarOrigin * frame.RadiusA * frame.RadiusA
                 && frame.RadiusA > 0)
             {
-                VectorDD center = placement.A is null ? a.Center : placement.A.ExactCenter;
+                ShapeTraits<TA>.Of.InCoreAxes(a, out Placement? placed);
+                VectorDD center = placed is null ? a.Center : placed.ExactCenter;
                 LocalRay.MakeFar(poseA, center, _line, out LocalRay ray);
                 _begin = ray.Shift - Anew * frame.RadiusA;
                 if (_begin < 0 || _begin > _line.Reach || ray.Foot.Length > Anew * frame.RadiusA)
-                {
-                    hit = new RayMeeting { Status = CastStatus.Miss };
-                    return;
-                }
+                    return false;
 
                 frame.Translation = frame.RotationA.InverseRotate(ray.At(-Anew * frame.RadiusA));
                 frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
@@ -79,33 +74,30 @@ public static partial class ConvexQuery
             }
 
             _power = PowerOfTwo.AtMost(_length);
-            PairProblem.Solve<TA, TB, RayQuestion, CastFinding, RayMeeting>(
-                ref a, ref b, ref frame, ref this, out CastFinding cast);
-            Finish(cast, frame, poseA, poseB, out hit);
+            return true;
         }
 
         /// <summary>Casts the point. Its motion is one solver unit long, or nearly.</summary>
-        public readonly void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastFinding cast)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
         {
             WarmStart unused = default;
             Double3 motion = frame.RotationA.InverseRotate(_direction * (1 / _power));
             double most = (_line.Reach - _begin) / frame.Unit / (_length / _power);
-            CastSolver.Solve(ref a, ref b, ref frame, motion, most, ref unused, out cast);
+            CastSolver.Solve(ref a, ref b, ref frame, motion, most, ref unused, out _cast);
         }
 
-        public readonly void Finish(
-            in CastFinding cast, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out RayMeeting hit)
+        readonly void IPairSolver<RayMeeting>.Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out RayMeeting hit)
         {
-            double distance = Math.Min(_begin + cast.Fraction * (_length / _power) * frame.Unit, _line.Reach);
+            double distance = Math.Min(_begin + _cast.Fraction * (_length / _power) * frame.Unit, _line.Reach);
             hit = default;
             hit.Distance = distance;
-            hit.Iterations = cast.Iterations;
-            hit.Status = StatusOf(cast.Outcome, distance);
+            hit.Iterations = _cast.Iterations;
+            hit.Status = StatusOf(_cast.Outcome, distance);
             if (hit.Status != CastStatus.Hit) return;
-            hit.Normal = frame.RotationA.Rotate(cast.Normal);
-            hit.Point = frame.SurfaceOfA(cast.OnA, cast.Normal, poseA.Position);
+            hit.Normal = frame.RotationA.Rotate(_cast.Normal);
+            hit.Point = frame.SurfaceOfA(_cast.OnA, _cast.Normal, poseA.Position);
         }
     }
 }

@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 public static unsafe partial class ConvexQuery
@@ -31,8 +28,8 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        SignedQuestion<NoPolytopeTrace> question = default;
-        AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
+        SignedDistanceSolver<NoPolytopeTrace> solver = default;
+        PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
         return result;
     }
 
@@ -56,8 +53,8 @@ public static unsafe partial class ConvexQuery
         simplex = default;
         fixed (FinalSimplex* end = &simplex)
         {
-            var question = new SignedQuestion<NoPolytopeTrace> { Simplex = end };
-            AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
+            var solver = new SignedDistanceSolver<NoPolytopeTrace> { Simplex = end };
+            PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
             return result;
         }
     }
@@ -83,110 +80,9 @@ public static unsafe partial class ConvexQuery
     {
         fixed (WarmStart* warm = &warmStart)
         {
-            var question = new SignedQuestion<NoPolytopeTrace> { Warm = warm };
-            AskSigned(a, poseA, b, poseB, ref question, out DistanceResult result);
+            var solver = new SignedDistanceSolver<NoPolytopeTrace> { Warm = warm };
+            PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
             return result;
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void AskSigned<TA, TB, TTrace>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref SignedQuestion<TTrace> question,
-        out DistanceResult result)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TTrace : struct, IPolytopeTrace
-    {
-        ref TA shapeA = ref PairProblem.Inward(a);
-        ref TB shapeB = ref PairProblem.Inward(b);
-        if (question.Plane != null) question.Plane->Normal = default;
-        if (AreBalls(ref shapeA, ref shapeB))
-        {
-            if (question.Simplex != null)
-                PairProblem.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
-                    ref shapeA, poseA, ref shapeB, poseB, ref question);
-            DistanceOfBalls(
-                ref shapeA, poseA, ref shapeB, poseB, float.PositiveInfinity, isSigned: true, out result);
-            return;
-        }
-
-        CoreDispatch.Ask<TA, TB, SignedQuestion<TTrace>, DistanceResult>(
-            ref shapeA, poseA, ref shapeB, poseB, ref question, out result);
-    }
-
-    /// <summary>The signed distance of two cores.</summary>
-    private struct SignedQuestion<TTrace> : IPairProblem<SolverState, DistanceResult>
-        where TTrace : struct, IPolytopeTrace
-    {
-        /// <summary>Where a warm query begins, and what it stores; null for a cold one.</summary>
-        public WarmStart* Warm;
-
-        /// <summary>Gets the simplex, if that is wanted.</summary>
-        public FinalSimplex* Simplex;
-
-        /// <summary>
-        /// Gets where the contact is, if that is wanted; a normal of length 0 where nothing but the result says it.
-        /// </summary>
-        public ContactPlane* Plane;
-
-        /// <summary>Gets how curved shapes touch, if that is wanted and they only touch.</summary>
-        public StartTouch* Touch;
-
-        /// <summary>Told of the search for the depth.</summary>
-        public TTrace Trace;
-
-        public readonly bool IsValid => true;
-
-        public readonly void Refuse(out DistanceResult result) =>
-            result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
-
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        void IPairQuestion<DistanceResult>.Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
-            out DistanceResult result) =>
-            PairProblem.Answer<TA, TB, SignedQuestion<TTrace>, SolverState, DistanceResult>(
-                ref a, poseA, ref b, poseB, placement, ref this, out result);
-
-        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out SolverState state)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
-        {
-            SolverState.Begin<TA, TB>(frame, out state);
-            if (frame.ArePoints)
-            {
-                GjkDistance.SolvePoints(frame, ref state);
-                return;
-            }
-
-            SignedSolver.Solve(ref a, ref b, frame, ref *Warm, Warm != null, ref state, ref Trace);
-            if (Touch != null && state.IsCurved && state.Verdict == Verdict.Apart)
-                Touch->IsTouch = CurvedTouch.TryFind(ref a, ref b, frame, state, out Touch->Found);
-        }
-
-        readonly void IPairProblem<SolverState, DistanceResult>.Finish(
-            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
-        {
-            if (Simplex != null) Keep(state, frame, Simplex);
-            bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
-            if (Plane != null && !isEmpty) Plane->Set(frame, state);
-            if (Touch != null && Touch->IsTouch) Touch->Place(frame, poseA);
-            ConvexQuery.Finish(state, frame, poseA, poseB, double.PositiveInfinity, true, out result);
-        }
-    }
-
-    /// <summary>How curved shapes touch.</summary>
-    private struct StartTouch
-    {
-        public bool IsTouch;
-        public CastFinding Found;
-
-        /// <summary>Where they touch, on A, and along which normal from A to B; in the world.</summary>
-        public Vector3 Point, Normal;
-
-        public void Place(in PairFrame frame, in RigidPose poseA)
-        {
-            Point = (Vector3)frame.SurfaceOfA(Found.OnA, Found.Normal, poseA.Position);
-            Normal = (Vector3)frame.RotationA.Rotate(Found.Normal);
         }
     }
 }

@@ -100,8 +100,8 @@ public static unsafe partial class ConvexQuery
                     options));
         }
 
-        ref TA shapeA = ref PairProblem.Inward(a);
-        ref TB shapeB = ref PairProblem.Inward(b);
+        ref TA shapeA = ref PairQuery.Inward(a);
+        ref TB shapeB = ref PairQuery.Inward(b);
         fixed (WarmStart* warm = &warmStart)
         {
             var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warm);
@@ -121,7 +121,7 @@ public static unsafe partial class ConvexQuery
             : cast;
 
     /// <summary>When two cores that move and turn come within a tolerance.</summary>
-    private partial struct ImpactQuestion : IPairProblem<CastResult, CastResult>
+    private partial struct ImpactQuestion : IPairSolver<CastResult>
     {
         private readonly WarmStart* _warm;
         private readonly RigidMotion _motionA, _motionB;
@@ -135,7 +135,7 @@ public static unsafe partial class ConvexQuery
 
         /// <summary>Whether to go on from a contact, which one, and what it may pass.</summary>
         private bool _follows;
-        private CastResult _contact;
+        private CastResult _contact, _found;
         private CastOptions _options;
 
         public ImpactQuestion(
@@ -151,75 +151,63 @@ public static unsafe partial class ConvexQuery
 
         public readonly bool IsValid => _motionA.IsValid && _motionB.IsValid && !float.IsNaN(_maxFraction);
 
-        public readonly void Refuse(out CastResult result) =>
-            result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
-
         public CastResult AskShapes<TA, TB>(ref TA a, ref TB b)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
-            CoreDispatch.Ask<TA, TB, ImpactQuestion, CastResult>(
-                ref a, _motionA.Pose, ref b, _motionB.Pose, ref this, out CastResult result);
+            PairQuery.Run(a, _motionA.Pose, b, _motionB.Pose, ref this, out CastResult result);
             return result;
         }
 
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        void IPairQuestion<CastResult>.Ask<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement,
-            out CastResult result) => result = Answer(ref a, poseA, ref b, poseB, placement);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private CastResult Answer<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in PairPlacement placement)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        readonly bool IPairSolver<CastResult>.TryFormula<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out CastResult result)
         {
-            PairFrame.Compose(ref a, poseA, ref b, poseB, placement, out PairFrame frame);
-            if (!frame.IsValid || !IsValid)
-            {
-                Refuse(out CastResult refusal);
-                return refusal;
-            }
+            result = default;
+            return false;
+        }
 
+        bool IPairSolver<CastResult>.TryBegin<TA, TB>(
+            ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out CastResult result)
+        {
+            result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
+            if (!frame.IsValid || !IsValid) return false;
             if (!(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight)) frame.TightenRadii(ref a, ref b);
             PairMotion.Begin(_motionA, _motionB, frame, out _motion);
-            if (!_motion.TryReach(frame.Margins, _maxFraction, out _begin, out _end))
-                return CastResult.Nothing(CastStatus.Miss, _maxFraction, 0);
+            result = CastResult.Nothing(CastStatus.Miss, _maxFraction, 0);
+            if (!_motion.TryReach(frame.Margins, _maxFraction, out _begin, out _end)) return false;
             if (_follows) _begin = _contact.Fraction;
             double turned = SineCosine.MaxAngle / _motion.Rate;
             _isWhole = _end <= turned;
             if (!_isWhole) _end = turned;
-            if (_begin > _end) return CastResult.Nothing(CastStatus.IterationLimit, RoundOff.Down(_begin), 0);
+            result = CastResult.Nothing(CastStatus.IterationLimit, RoundOff.Down(_begin), 0);
+            if (_begin > _end) return false;
             if (_begin > 0) _motion.MoveTo(_begin, ref frame);
             frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
-            PairProblem.Solve<TA, TB, ImpactQuestion, CastResult, CastResult>(
-                ref a, ref b, ref frame, ref this, out CastResult result);
-            return result;
+            return true;
         }
 
         /// <summary>Solves the pair from where its balls meet on.</summary>
-        public void Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, out CastResult result)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
         {
             if (frame.Unit != 1) _motion.Resize(1 / frame.Unit);
             double tolerance = ToleranceOf(frame, _motion, _end);
             var interval = new FractionInterval(_begin, _end);
             if (_follows)
             {
-                result = Follow(ref a, ref b, ref frame, ref _motion, interval, tolerance, _isWhole);
+                _found = Follow(ref a, ref b, ref frame, ref _motion, interval, tolerance, _isWhole);
                 return;
             }
 
             AdvancementSolver.Solve(
                 ref a, ref b, ref frame, ref _motion, interval, tolerance, ref *_warm, out Impact impact,
-                out SolverState state);
-            result = Finish(impact, state, ref frame, _motion, _isWhole);
+                out state);
+            _found = Finish(impact, state, ref frame, _motion, _isWhole);
         }
 
-        readonly void IPairProblem<CastResult, CastResult>.Finish(
-            in CastResult finding, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out CastResult result) =>
-            result = finding;
+        readonly void IPairSolver<CastResult>.Finish(
+            in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out CastResult result) =>
+            result = _found;
 
         /// <summary>In solver units.</summary>
         private readonly double ToleranceOf(in PairFrame frame, in PairMotion motion, double end)
@@ -249,7 +237,7 @@ public static unsafe partial class ConvexQuery
             float fraction = RoundOff.Down(impact.Fraction);
             if (impact.Fraction == 0 && impact.Normal == default)
             {
-                ConvexQuery.Finish(
+                DistanceFinish.Write(
                     state, frame, _motionA.Pose, _motionB.Pose, double.PositiveInfinity, false,
                     out DistanceResult common);
                 return new CastResult(CastStatus.OverlappingAtStart, 0, common.PointA, Vector3.Zero, iterations);

@@ -32,6 +32,13 @@ public readonly struct FinalSimplex
         }
     }
 
+    /// <summary>Keeps the simplex of a query that ended with one.</summary>
+    internal static unsafe void Keep(in SolverState state, in PairFrame frame, FinalSimplex* simplex)
+    {
+        if (state.Verdict != Verdict.Contradiction && state.Simplex.Count > 0)
+            *simplex = new FinalSimplex(state.Simplex, frame);
+    }
+
     /// <summary>How many pairs of support points there are, 1 to 4; 0 when the query had no answer.</summary>
     public int Count => _simplex.Count;
 

@@ -24,27 +24,11 @@ internal static class ProvedDistance
             GjkExtendedPrecision.Solve(ref a, ref b, frame, maxDistance, ref state, ref trace);
     }
 
-    /// <summary>Solves the cores, from the warm start if there is one.</summary>
-    public static void SolveCores<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, float maxDistance, ref WarmStart warmStart, bool isWarm,
-        ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TTrace : struct, IGjkTrace
-    {
-        double reach = CoreReach(maxDistance, frame);
-        if (isWarm) warmStart.Begin(ref a, ref b, frame, ref state);
-        else state.Feature.Normal = frame.FirstNormal;
-        Solve(ref a, ref b, frame, reach, isWarm, ref state, ref trace);
-        if (isWarm) warmStart.Keep(state);
-        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref trace);
-    }
-
     /// <summary>
     /// How far apart the cores may be before the query may end early; the bands keep its answer that of the full query.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double CoreReach(float maxDistance, in PairFrame frame) =>
+    public static double CoreReach(float maxDistance, in PairFrame frame) =>
         ShapeReach(maxDistance) / frame.Unit + frame.Margins + GjkTolerances.SeparatedBandCurved * frame.Radius;
 
     /// <summary>How far apart the shapes may be, in world units.</summary>

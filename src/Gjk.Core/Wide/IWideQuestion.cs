@@ -83,12 +83,12 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
     public double Reach => ProvedDistance.ShapeReach(0);
 
     /// <summary>
-    /// Balls that are apart need no walk (<c>ConvexQuery.AreBallsApart</c>); hulls without margins are as fast alone.
+    /// Balls that are apart need no walk (<c>OverlapSolver.AreBallsApart</c>); hulls without margins are as fast alone.
     /// </summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
         ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
-        if (ConvexQuery.AreBallsApart(ref a, batch.PoseA(pair), ref b, batch.PoseB(pair)))
+        if (OverlapSolver.AreBallsApart(ref a, batch.PoseA(pair), ref b, batch.PoseB(pair)))
         {
             Unsafe.Add(ref _results, pair) = GjkStatus.Separated;
             return WideRoute.Answered;

@@ -213,7 +213,7 @@ internal readonly unsafe ref struct WideBatch
     {
         if (route == WideRoute.Answered) return Answered;
         ref ConvexShape a = ref ShapeA(pair), b = ref ShapeB(pair);
-        if (route == WideRoute.Alone || ConvexQuery.AreBalls(ref a, ref b)) return 0;
+        if (route == WideRoute.Alone || Balls.Are(ref a, ref b)) return 0;
         CoreKind kindA = a.Core & ~CoreKind.Moved, kindB = b.Core & ~CoreKind.Moved;
         return OneKinds * (int)kindA + (int)kindB + CoreKinds * (route - WideRoute.Cold);
     }

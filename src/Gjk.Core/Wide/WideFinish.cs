@@ -174,16 +174,16 @@ internal static unsafe class WideFinish
         return good.ExtractMostSignificantBits();
     }
 
-    /// <summary>As <c>ConvexQuery.IsSmallerB</c>, where nothing is curved.</summary>
+    /// <summary>As <c>DistanceFinish.IsSmallerB</c>, where nothing is curved.</summary>
     private static Lanes IsSmallerB(in WidePairs s) =>
-        Vector256.LessThan(s.RadiusB * Vector256.Create(ConvexQuery.MuchSmaller), s.RadiusA)
+        Vector256.LessThan(s.RadiusB * Vector256.Create(DistanceFinish.MuchSmaller), s.RadiusA)
             & Vector256.LessThanOrEqual(
-                s.CenterB.SumOfMagnitudes, Vector256.Create(ConvexQuery.FarApart) * s.RadiusA);
+                s.CenterB.SumOfMagnitudes, Vector256.Create(DistanceFinish.FarApart) * s.RadiusA);
 
-    /// <summary>As <c>ConvexQuery.IsFarApart</c>.</summary>
+    /// <summary>As <c>DistanceFinish.IsFarApart</c>.</summary>
     private static Lanes IsFarApart(Lanes distance, Lanes radius, in WideVector center)
     {
-        Lanes ratio = Vector256.Create(ConvexQuery.FarApart);
+        Lanes ratio = Vector256.Create(DistanceFinish.FarApart);
         return Vector256.GreaterThan(distance, ratio * radius)
             & Vector256.GreaterThan(distance, ratio * center.SumOfMagnitudes);
     }

@@ -193,9 +193,18 @@ internal static class AdvancementSolver
     {
         SolverState.Begin<TA, TB>(frame, out state);
         NoTrace trace = default;
-        if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
-        else ProvedDistance.SolveCores(
-            ref a, ref b, frame, float.PositiveInfinity, ref warmStart, true, ref state, ref trace);
+        if (frame.ArePoints)
+        {
+            GjkDistance.SolvePoints(frame, ref state);
+        }
+        else
+        {
+            warmStart.Begin(ref a, ref b, frame, ref state);
+            ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
+            warmStart.Keep(state);
+            SideNormal.Sharpen(ref a, ref b, frame, ref state, ref trace);
+        }
+
         impact.Iterations += state.Iterations;
         impact.Steps++;
         gap = 0;

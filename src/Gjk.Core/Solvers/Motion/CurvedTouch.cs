@@ -67,13 +67,13 @@ internal static class CurvedTouch
         touch.Normal = state.Feature.Normal * -scale;
         PairFrame moved = frame;
         NoTrace trace = default;
-        WarmStart unused = default;
         for (int look = 0; look < MaxLooks && !(gap >= -GjkTolerances.TouchCurved * size); look++)
         {
             moved.Translation = frame.Translation + touch.Normal * (Retreat * size);
             SolverState.Begin<TA, TB>(moved, out SolverState apart);
-            ProvedDistance.SolveCores(
-                ref a, ref b, moved, float.PositiveInfinity, ref unused, false, ref apart, ref trace);
+            apart.Feature.Normal = moved.FirstNormal;
+            ProvedDistance.Solve(ref a, ref b, moved, double.PositiveInfinity, false, ref apart, ref trace);
+            SideNormal.Sharpen(ref a, ref b, moved, ref apart, ref trace);
             touch.Iterations += apart.Iterations;
             if (apart.Verdict != Verdict.Apart) return false;
             touch.Normal = apart.Plane.Normal * (-1 / Math.Sqrt(apart.Plane.NormalSquared));

@@ -4,7 +4,8 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-public static partial class ConvexQuery
+/// <summary>Makes results of what the solvers find: adds the margins, finds the points and rounds.</summary>
+internal static class DistanceFinish
 {
     /// <summary>
     /// Ratio of the distance to a shape's size and to its offset from its local origin: further apart, a point of it
@@ -12,18 +13,18 @@ public static partial class ConvexQuery
     /// from its own pose. Here rounding is 2^-33 of the size, so a few times as much would do no harm, and less would
     /// only cost time. WitnessPointTests have all distances.
     /// </summary>
-    internal const double FarApart = 1 << 20;
+    public const double FarApart = 1 << 20;
 
     /// <summary>
     /// Ratio of the radii: where B is smaller than A by more, the points are placed from B's pose. Up to here, what
     /// rounding in A's frame does to them is far below B's floats; 2^20 is too much, as PointPlacementTests show, and
     /// less only costs time.
     /// </summary>
-    internal const double MuchSmaller = 1 << 10;
+    public const double MuchSmaller = 1 << 10;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Finish(
+    public static void Write(
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance,
         bool isSigned, out DistanceResult result)
     {
@@ -116,12 +117,12 @@ public static partial class ConvexQuery
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsSmallerB(double radiusA, double radiusB, in Double3 centerB, double ratio) =>
+    public static bool IsSmallerB(double radiusA, double radiusB, in Double3 centerB, double ratio) =>
         radiusB * ratio < radiusA && centerB.SumOfMagnitudes <= FarApart * radiusA;
 
     /// <summary>Whether a shape's own pose places its point better than the way from the other shape does.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsFarApart(double distance, double radius, in Double3 center) =>
+    public static bool IsFarApart(double distance, double radius, in Double3 center) =>
         distance > FarApart * radius && distance > FarApart * center.SumOfMagnitudes;
 
     /// <summary>
@@ -151,7 +152,7 @@ public static partial class ConvexQuery
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Double3 ToWorld(in RigidPose pose, in Double3 local) =>
+    public static Double3 ToWorld(in RigidPose pose, in Double3 local) =>
         new RotationD(pose.Rotation).Rotate(local) + pose.Position;
 
     /// <summary>

@@ -4,20 +4,22 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-// Two balls (or points), in closed form: the line through their centres gives the distance and all points. It is done
-// in the world's axes, so no rotation stands between the positions and the answer. Any pair of shapes of which the
-// margins leave nothing comes here, whatever its types, so all of them have the same bits.
-public static partial class ConvexQuery
+/// <summary>
+/// Two balls (or points), in closed form: the line through their centres gives the distance and all points. It is done
+/// in the world's axes, so no rotation stands between the positions and the answer. Any pair of shapes of which the
+/// margins leave nothing comes here, whatever its types, so all of them have the same bits.
+/// </summary>
+internal static class Balls
 {
     /// <summary>Nothing is left of either shape without its margin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static bool AreBalls<TA, TB>(ref TA a, ref TB b)
+    public static bool Are<TA, TB>(ref TA a, ref TB b)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         a.BoundingRadius + b.BoundingRadius == a.Margin + b.Margin;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void DistanceOfBalls<TA, TB>(
+    public static void Distance<TA, TB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, float maxDistance, bool isSigned,
         out DistanceResult result)
         where TA : struct, ISupportMap
@@ -48,11 +50,12 @@ public static partial class ConvexQuery
         double reachA = share * a.Margin, reachB = share * b.Margin;
         Double3.Plus(Place(poseA, a.Center), normal, reachA, out Double3 worldA);
         Double3.Plus(worldA, normal, gap, out Double3 worldB);
-        bool isFromB = IsSmallerB(a.Margin, b.Margin, b.Center, MuchSmaller) || IsFarApart(gap, b.Margin, b.Center);
+        bool isFromB = DistanceFinish.IsSmallerB(a.Margin, b.Margin, b.Center, DistanceFinish.MuchSmaller)
+            || DistanceFinish.IsFarApart(gap, b.Margin, b.Center);
         if (isFromB)
         {
             Double3.Plus(Place(poseB, b.Center), normal, -reachB, out worldB);
-            if (!IsFarApart(gap, a.Margin, a.Center)) Double3.Plus(worldB, normal, -gap, out worldA);
+            if (!DistanceFinish.IsFarApart(gap, a.Margin, a.Center)) Double3.Plus(worldB, normal, -gap, out worldA);
         }
 
         Double3.Plus(a.Center, inA, reachA, out Double3 localA);
@@ -76,9 +79,9 @@ public static partial class ConvexQuery
             worldB.ToXyz(), normal.ToXyz(), localA.ToXyz(), localB.ToXyz(), 1);
     }
 
-    /// <summary>Overlapping, separated or invalid, as <see cref="DistanceOfBalls"/> says.</summary>
+    /// <summary>Overlapping, separated or invalid, as <see cref="Distance"/> says.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static GjkStatus StatusOfBalls<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+    public static GjkStatus Status<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -114,7 +117,7 @@ public static partial class ConvexQuery
 
     /// <summary>2 / |q|², or 0 where that is no rotation.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double InverseTurn(in Quaternion q)
+    public static double InverseTurn(in Quaternion q)
     {
         double norm = (double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W;
         return RigidPose.IsUnit(norm) ? 2 / norm : 0;
@@ -132,6 +135,6 @@ public static partial class ConvexQuery
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double3 Place(in RigidPose pose, in Double3 center) =>
-        center.SumOfMagnitudes == 0 ? pose.Position : ToWorld(pose, center);
+    public static Double3 Place(in RigidPose pose, in Double3 center) =>
+        center.SumOfMagnitudes == 0 ? pose.Position : DistanceFinish.ToWorld(pose, center);
 }
