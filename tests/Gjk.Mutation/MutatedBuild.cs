@@ -6,6 +6,7 @@ using System.Linq;
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.RegularExpressions;
+using System.Xml.Linq;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
@@ -93,7 +94,8 @@ internal sealed class MutatedBuild
             .WithPreprocessorSymbols(isRecording ? [.. Symbols, "RECORD"] : Symbols);
         SyntaxTree Parse(string text, string file) =>
             CSharpSyntaxTree.ParseText(SourceText.From(text, Encoding.UTF8), options, file);
-        List<SyntaxTree> extra = [Parse(Switch, "Mutation.cs"), Parse(Attributes, "Attributes.cs")];
+        List<SyntaxTree> extra =
+            [Parse(Switch, "Mutation.cs"), Parse(Attributes, "Attributes.cs"), Parse(Usings(), "Usings.cs")];
         List<SyntaxTree> trees = Sources().Select(file => Parse(File.ReadAllText(file), file)).ToList();
         trees = trees.Select(t => t.WithRootAndOptions(Schemata.Parted(t.GetRoot()), options)).ToList();
         CSharpCompilation original = Compilation([.. trees, .. extra]);
@@ -119,6 +121,11 @@ internal sealed class MutatedBuild
                 throw new InvalidOperationException(string.Join('\n', result.Diagnostics.Take(20)));
         }
     }
+
+    /// <summary>The directives that the project file has for all files.</summary>
+    private string Usings() => string.Concat(
+        XDocument.Load(Path.Combine(_root, "Gjk.Core.csproj")).Descendants("Using")
+            .Select(u => $"global using {u.Attribute("Include")!.Value};\n"));
 
     private IEnumerable<string> Sources() =>
         Directory.EnumerateFiles(_root, "*.cs", SearchOption.AllDirectories)

@@ -1,12 +1,8 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// An unevaluated sum of two doubles, about 106 bits: what double arithmetic loses, kept. Dekker (1971) for the
-/// products, Knuth for the sums; the quotient is one Newton step. Relative error per operation below 2^-100 while
-/// nothing over- or underflows.
-/// </summary>
+/// <summary>An unevaluated sum of two doubles, about 106 bits: what double arithmetic loses, kept. Dekker (1971) for
+/// the products, Knuth for the sums; the quotient is one Newton step. Relative error per operation below 2^-100 while
+/// nothing over- or underflows.</summary>
 internal readonly struct DoubleDouble
 {
     /// <summary>2^27 + 1, which splits a double into two halves of 26 bits (Dekker 1971).</summary>

@@ -1,10 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A running sum of doubles without rounding, and its sign: the arithmetic behind the predicates of the hull.
-/// </summary>
+/// <summary>A running sum of doubles without rounding, and its sign: the arithmetic behind the predicates of the
+/// hull.</summary>
 /// <remarks>
 /// Source: J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997
 /// (two-sum, two-product, Grow-Expansion with zeros left out). The parts are kept by increasing magnitude and do not
@@ -20,9 +17,8 @@ internal sealed class ExactSum
     private readonly double[] _parts;
     private int _count;
 
-    /// <param name="mostParts">
-    /// How many numbers are added at most; 24 products of three floats have two parts each.
-    /// </param>
+    /// <param name="mostParts">How many numbers are added at most; 24 products of three floats have two parts
+    /// each.</param>
     public ExactSum(int mostParts = 48) => _parts = new double[mostParts];
 
     /// <summary>-1, 0 or 1.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Powers of two, by which a product rounds nothing.</summary>

@@ -3,10 +3,8 @@ namespace Gjk.Core;
 /// <summary>The size of rounding errors, and rounding in one direction.</summary>
 internal static class RoundOff
 {
-    /// <summary>
-    /// 2^-53: half a unit in the last place of a double; what one operation can lose, relative to its result
-    /// (proofs/unit.g).
-    /// </summary>
+    /// <summary>2^-53: half a unit in the last place of a double; what one operation can lose, relative to its result
+    /// (proofs/unit.g).</summary>
     public const double Unit = 1.0 / (1L << 53);
 
     /// <summary>The largest float that is not above x: a bound may be rounded in one direction only.</summary>

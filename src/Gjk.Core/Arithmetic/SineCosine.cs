@@ -1,23 +1,15 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Sine and cosine to a few units in the last place, with the same bits on every runtime, which
-/// <see cref="Math.Sin"/> does not promise.
-/// </summary>
+/// <summary>Sine and cosine to a few units in the last place, with the same bits on every runtime, which
+/// <see cref="Math.Sin"/> does not promise.</summary>
 internal static class SineCosine
 {
-    /// <summary>
-    /// Radians: up to here the number of quarter turns that are taken off has 20 bits, so that its products with the
-    /// parts below are exact. Pinned by SineCosineTests.
-    /// </summary>
+    /// <summary>Radians: up to here the number of quarter turns that are taken off has 20 bits, so that its products
+    /// with the parts below are exact. Pinned by SineCosineTests.</summary>
     public const double MaxAngle = 1 << 20;
 
-    /// <summary>
-    /// A quarter turn in two parts of 33 bits and what is left of it (Cody and Waite, "Software Manual for the
-    /// Elementary Functions", 1980).
-    /// </summary>
+    /// <summary>A quarter turn in two parts of 33 bits and what is left of it (Cody and Waite, "Software Manual for the
+    /// Elementary Functions", 1980).</summary>
     private const double Quarter1 = 6746518852.0 / (1L << 32);
 
     /// <inheritdoc cref="Quarter1"/>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>Values whose bytes are whatever lay there: they are written before they are read.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Numerics;
-using System.Threading;
-
 namespace Gjk.Core;
 
 public static partial class PairBatch
@@ -9,10 +5,8 @@ public static partial class PairBatch
     /// <summary>When the shapes of each pair, which are translated, first touch.</summary>
     /// <param name="shapes">The shapes.</param>
     /// <param name="poses">Where they are at the start, one for each shape.</param>
-    /// <param name="translations">
-    /// Their motions over the fractions from 0 to 1, one for each shape. One that is not finite gives
-    /// <see cref="CastStatus.InvalidInput"/> for its pairs alone.
-    /// </param>
+    /// <param name="translations">Their motions over the fractions from 0 to 1, one for each shape. One that is not
+    /// finite gives <see cref="CastStatus.InvalidInput"/> for its pairs alone.</param>
     /// <param name="pairs">Indices into the three.</param>
     /// <param name="results">At least as long as the pairs; gets what <see cref="ConvexQuery"/> says.</param>
     /// <param name="maxFraction">How much of the motion is looked at, as in <see cref="ConvexQuery"/>.</param>
@@ -20,13 +14,11 @@ public static partial class PairBatch
     /// <param name="cancellation">Looked at every hundred pairs or so.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
-    /// </exception>
+    /// <exception cref="ArgumentException">The lengths do not fit, or a pair's index is outside; the message names the
+    /// pair.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The largest fraction is NaN.</exception>
-    /// <exception cref="OperationCanceledException">
-    /// Cancelled; some of the results are written, the rest is as it was.
-    /// </exception>
+    /// <exception cref="OperationCanceledException">Cancelled; some of the results are written, the rest is as it
+    /// was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void Cast(
         ConvexShape[] shapes, RigidPose[] poses, Vector3[] translations, ObjectPair[] pairs, CastResult[] results,

@@ -1,6 +1,3 @@
-using System;
-using System.Threading;
-
 namespace Gjk.Core;
 
 public static partial class PairBatch
@@ -19,13 +16,11 @@ public static partial class PairBatch
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="cancellation">Looked at every few pairs.</param>
     /// <exception cref="ArgumentNullException">An array or the scratch is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
-    /// </exception>
+    /// <exception cref="ArgumentException">The lengths do not fit, or a pair's index is outside; the message names the
+    /// pair.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The largest distance is NaN.</exception>
-    /// <exception cref="OperationCanceledException">
-    /// Cancelled; some of the results and warm starts are written, the rest is as it was.
-    /// </exception>
+    /// <exception cref="OperationCanceledException">Cancelled; some of the results and warm starts are written, the
+    /// rest is as it was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void Distance(
         AnyShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, PartDistance[] results, ConcaveScratch scratch,

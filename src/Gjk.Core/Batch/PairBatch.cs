@@ -1,44 +1,29 @@
-using System;
-#if NET
-using System.Runtime.CompilerServices;
-#endif
-using System.Threading;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// One question about many pairs: shapes, poses and pairs in, results out, in the order of the pairs and with the same
-/// bits for one thread or many. It keeps nothing between calls, so the pairs may be spread over as many machines as
-/// there are.
-/// </summary>
-/// <remarks>
-/// Thread-safe as long as nobody writes to the arrays. Arguments are checked before anything is written. A
-/// <c>default</c> shape or pose among them gives <see cref="GjkStatus.InvalidInput"/> for its pairs alone.
-/// </remarks>
+/// <summary>One question about many pairs: shapes, poses and pairs in, results out, in the order of the pairs and with
+/// the same bits for one thread or many. It keeps nothing between calls, so the pairs may be spread over as many
+/// machines as there are.</summary>
+/// <remarks>Thread-safe as long as nobody writes to the arrays. Arguments are checked before anything is written. A
+/// <c>default</c> shape or pose among them gives <see cref="GjkStatus.InvalidInput"/> for its pairs alone.</remarks>
 public static partial class PairBatch
 {
-    /// <summary>
-    /// Pairs per part: some 20 to 100 microseconds of work, long against the taking of a part, short against a frame.
-    /// </summary>
+    /// <summary>Pairs per part: some 20 to 100 microseconds of work, long against the taking of a part, short against a
+    /// frame.</summary>
     internal const int PartLength = 128;
 
     /// <summary>Whether each pair overlaps.</summary>
     /// <param name="shapes">The shapes.</param>
     /// <param name="poses">Where they are, one for each shape.</param>
     /// <param name="pairs">Indices into the two.</param>
-    /// <param name="results">
-    /// At least as long as the pairs; gets <see cref="GjkStatus.Overlapping"/>, <see cref="GjkStatus.Separated"/>, or
-    /// why there is no answer.
-    /// </param>
+    /// <param name="results">At least as long as the pairs; gets <see cref="GjkStatus.Overlapping"/>,
+    /// <see cref="GjkStatus.Separated"/>, or why there is no answer.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="cancellation">Looked at every hundred pairs or so.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
-    /// </exception>
-    /// <exception cref="OperationCanceledException">
-    /// Cancelled; some of the results are written, the rest is as it was.
-    /// </exception>
+    /// <exception cref="ArgumentException">The lengths do not fit, or a pair's index is outside; the message names the
+    /// pair.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled; some of the results are written, the rest is as it
+    /// was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void Overlaps(
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, GjkStatus[] results, Workers? workers = null,
@@ -57,13 +42,11 @@ public static partial class PairBatch
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="cancellation">Looked at every hundred pairs or so.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
-    /// </exception>
+    /// <exception cref="ArgumentException">The lengths do not fit, or a pair's index is outside; the message names the
+    /// pair.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The largest distance is NaN.</exception>
-    /// <exception cref="OperationCanceledException">
-    /// Cancelled; some of the results are written, the rest is as it was.
-    /// </exception>
+    /// <exception cref="OperationCanceledException">Cancelled; some of the results are written, the rest is as it
+    /// was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void Distance(
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results,
@@ -76,9 +59,8 @@ public static partial class PairBatch
             cancellation);
     }
 
-    /// <summary>
-    /// As the other, each pair beginning where its last query ended: much faster for pairs that move little.
-    /// </summary>
+    /// <summary>As the other, each pair beginning where its last query ended: much faster for pairs that move
+    /// little.</summary>
     /// <param name="shapes">The shapes.</param>
     /// <param name="poses">Where they are, one for each shape.</param>
     /// <param name="pairs">Indices into the two; each pair has the place that it had in the last call.</param>
@@ -88,13 +70,11 @@ public static partial class PairBatch
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="cancellation">Looked at every hundred pairs or so.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
-    /// </exception>
+    /// <exception cref="ArgumentException">The lengths do not fit, or a pair's index is outside; the message names the
+    /// pair.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The largest distance is NaN.</exception>
-    /// <exception cref="OperationCanceledException">
-    /// Cancelled; some of the results and warm starts are written, the rest is as it was.
-    /// </exception>
+    /// <exception cref="OperationCanceledException">Cancelled; some of the results and warm starts are written, the
+    /// rest is as it was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void Distance(
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, WarmStart[] warmStarts,
@@ -117,12 +97,10 @@ public static partial class PairBatch
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="cancellation">Looked at every hundred pairs or so.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// The lengths do not fit, or a pair's index is outside; the message names the pair.
-    /// </exception>
-    /// <exception cref="OperationCanceledException">
-    /// Cancelled; some of the results are written, the rest is as it was.
-    /// </exception>
+    /// <exception cref="ArgumentException">The lengths do not fit, or a pair's index is outside; the message names the
+    /// pair.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled; some of the results are written, the rest is as it
+    /// was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void SignedDistance(
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, Workers? workers = null,

@@ -1,20 +1,14 @@
-using System;
-using System.Threading;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Many rays against one shape: rays in, results out, in the order of the rays and with the same bits for one thread or
-/// many. Rays against many shapes are a question for a <see cref="CollisionScene"/>.
-/// </summary>
-/// <remarks>Thread-safe as long as nobody writes to the arrays. Arguments are checked before anything is written.
-/// </remarks>
+/// <summary>Many rays against one shape: rays in, results out, in the order of the rays and with the same bits for one
+/// thread or many. Rays against many shapes are a question for a <see cref="CollisionScene"/>.</summary>
+/// <remarks>Thread-safe as long as nobody writes to the arrays. Arguments are checked before anything is
+/// written.</remarks>
 public static class RayBatch
 {
     /// <summary>Where each ray first meets a shape.</summary>
-    /// <param name="shape">
-    /// The shape; a <c>default</c> one gives <see cref="CastStatus.InvalidInput"/> for every ray.
-    /// </param>
+    /// <param name="shape">The shape; a <c>default</c> one gives <see cref="CastStatus.InvalidInput"/> for every
+    /// ray.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="rays">The rays.</param>
     /// <param name="results">At least as long as the rays; gets what <see cref="ConvexQuery"/> says.</param>
@@ -22,12 +16,10 @@ public static class RayBatch
     /// <param name="cancellation">Looked at every hundred rays or so.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// There are fewer results than rays, or a ray is a <c>default</c> struct; the message names the ray.
-    /// </exception>
-    /// <exception cref="OperationCanceledException">
-    /// Cancelled; some of the results are written, the rest is as it was.
-    /// </exception>
+    /// <exception cref="ArgumentException">There are fewer results than rays, or a ray is a <c>default</c> struct; the
+    /// message names the ray.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled; some of the results are written, the rest is as it
+    /// was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void RayCast(
         in ConvexShape shape, in RigidPose pose, RayQuery[] rays, RayCastResult[] results, Workers? workers = null,

@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What a ray cast asks: from where, in which direction, and how far. Immutable; a <c>default</c> one has no direction
-/// and is refused.
-/// </summary>
+/// <summary>What a ray cast asks: from where, in which direction, and how far. Immutable; a <c>default</c> one has no
+/// direction and is refused.</summary>
 public readonly struct RayQuery
 {
     /// <summary>Where the ray begins, in the world.</summary>
@@ -22,9 +17,8 @@ public readonly struct RayQuery
     /// <param name="origin">Any finite point.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
     /// <param name="maxDistance">World units, at least 0; +infinity for all the way.</param>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// A component is NaN or infinite, the direction is zero, or the distance is negative or NaN.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">A component is NaN or infinite, the direction is zero, or the
+    /// distance is negative or NaN.</exception>
     public RayQuery(Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity)
     {
         Origin = Guard.Finite(origin, nameof(origin));

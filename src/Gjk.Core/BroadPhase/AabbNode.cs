@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>A box of a tree, and the children of an inner one; 32 bytes, so that two share a cache line.</summary>
@@ -15,11 +12,9 @@ internal struct AabbNode
     public readonly bool Meets(Vector3 min, Vector3 max) =>
         Min.X <= max.X && min.X <= Max.X && Min.Y <= max.Y && min.Y <= Max.Y && Min.Z <= max.Z && min.Z <= Max.Z;
 
-    /// <summary>
-    /// Whether this box overlaps another one, whose upper corner is widened already, when one of the two is widened.
-    /// The ends are added and rounded as <see cref="BoundsTable.Near"/> does it, so that what is near there is found
-    /// here.
-    /// </summary>
+    /// <summary>Whether this box overlaps another one, whose upper corner is widened already, when one of the two is
+    /// widened. The ends are added and rounded as <see cref="BoundsTable.Near"/> does it, so that what is near there is
+    /// found here.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool IsNear(Vector3 min, Vector3 widenedMax, float margin) =>
         Min.X <= widenedMax.X && min.X <= (float)(Max.X + margin) &&

@@ -1,14 +1,10 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 internal sealed partial class AabbTree
 {
-    /// <summary>
-    /// Levels: so far down a built tree follows the curve; below, it halves what is left, so that it is never deeper
-    /// than this and the logarithm of the number of leaves. A curve alone peels off the points of a row of 1, 1/2, 1/4,
-    /// ... one by one.
-    /// </summary>
+    /// <summary>Levels: so far down a built tree follows the curve; below, it halves what is left, so that it is never
+    /// deeper than this and the logarithm of the number of leaves. A curve alone peels off the points of a row of 1,
+    /// 1/2, 1/4, ... one by one.</summary>
     private const int MaxCurveDepth = 40;
 
     /// <summary>A leaf's box, for <see cref="Build"/>.</summary>

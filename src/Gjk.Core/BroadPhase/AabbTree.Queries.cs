@@ -1,16 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 internal sealed partial class AabbTree
 {
     private int[] _stack = new int[64];
 
-    /// <summary>
-    /// How many nodes, or pairs of nodes, were looked at since the tree was made, for the tests of cost.
-    /// </summary>
+    /// <summary>How many nodes, or pairs of nodes, were looked at since the tree was made, for the tests of
+    /// cost.</summary>
     public long Visits { get; private set; }
 
     /// <summary>The leaves whose boxes overlap the given one.</summary>
@@ -43,10 +38,8 @@ internal sealed partial class AabbTree
         Visits += visits;
     }
 
-    /// <summary>
-    /// Adds a pair for each leaf whose box overlaps this leaf's when one of them is widened, but for those that are
-    /// being looked up as well and come first.
-    /// </summary>
+    /// <summary>Adds a pair for each leaf whose box overlaps this leaf's when one of them is widened, but for those
+    /// that are being looked up as well and come first.</summary>
     public void QueryPairs(int leaf, float margin, bool[] pending, PairKeys keys)
     {
         Vector3 min = _nodes[leaf].Min, max = _nodes[leaf].Max + new Vector3(margin);
@@ -75,10 +68,8 @@ internal sealed partial class AabbTree
         Visits += visits;
     }
 
-    /// <summary>
-    /// Adds all pairs of leaves whose boxes overlap when one of them is widened: the tree against itself, from the root
-    /// down, two subtrees at a time.
-    /// </summary>
+    /// <summary>Adds all pairs of leaves whose boxes overlap when one of them is widened: the tree against itself, from
+    /// the root down, two subtrees at a time.</summary>
     /// <returns>False where the budget ended it.</returns>
     public bool TryFindPairs(float margin, PairKeys keys, PairBudget budget)
     {

@@ -1,13 +1,9 @@
-using System;
-
 namespace Gjk.Core;
 
 internal sealed partial class AabbTree
 {
-    /// <summary>
-    /// Shows a visitor the leaves whose own boxes a path meets, near ones first as a rule: of two children the one that
-    /// the path enters first, and the other is left out where the path was shortened to before it.
-    /// </summary>
+    /// <summary>Shows a visitor the leaves whose own boxes a path meets, near ones first as a rule: of two children the
+    /// one that the path enters first, and the other is left out where the path was shortened to before it.</summary>
     /// <param name="path">The path.</param>
     /// <param name="boxes">By leaf: a box in the leaf's, which decides.</param>
     /// <param name="visitor">Sees leaves, and may shorten the path.</param>

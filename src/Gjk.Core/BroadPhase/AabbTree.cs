@@ -1,26 +1,16 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A binary tree of boxes with an object at each leaf. An insertion descends where it adds least surface and turns the
-/// branches on its way back (Catto, "Dynamic bounding volume hierarchies", 2019; Kopta et al. 2012); the expected work
-/// of a look-up is proportional to the surfaces.
-/// </summary>
-/// <remarks>
-/// Leaf i is node i; the inner nodes follow at <see cref="_leafEnd"/>, so growing renumbers them. Surfaces say nothing
-/// about equal boxes, or about points on a line, and are infinite for the largest boxes; so insertions alone could make
-/// a tree as deep as it has leaves. <see cref="TryInsert"/> tells when it is deeper than <see cref="MaxDepth"/>, and
-/// the owner builds anew.
-/// </remarks>
+/// <summary>A binary tree of boxes with an object at each leaf. An insertion descends where it adds least surface and
+/// turns the branches on its way back (Catto, "Dynamic bounding volume hierarchies", 2019; Kopta et al. 2012); the
+/// expected work of a look-up is proportional to the surfaces.</summary>
+/// <remarks>Leaf i is node i; the inner nodes follow at <see cref="_leafEnd"/>, so growing renumbers them. Surfaces say
+/// nothing about equal boxes, or about points on a line, and are infinite for the largest boxes; so insertions alone
+/// could make a tree as deep as it has leaves. <see cref="TryInsert"/> tells when it is deeper than
+/// <see cref="MaxDepth"/>, and the owner builds anew.</remarks>
 internal sealed partial class AabbTree
 {
-    /// <summary>
-    /// Levels below the root: twice as many as a built tree has at most, so that a build is followed by insertions
-    /// again. Pinned by DeepTreeTests.
-    /// </summary>
+    /// <summary>Levels below the root: twice as many as a built tree has at most, so that a build is followed by
+    /// insertions again. Pinned by DeepTreeTests.</summary>
     public const int MaxDepth = 128;
 
     private const int None = -1;
@@ -137,10 +127,9 @@ internal sealed partial class AabbTree
         Shrink(above);
     }
 
-    /// <summary>
-    /// Down from the root: each node entered grows by the new box, so stopping at it, as the box's sibling, costs its
-    /// grown surface; going on costs what the node itself grows by and at least the new box's own growth of a child.
-    /// </summary>
+    /// <summary>Down from the root: each node entered grows by the new box, so stopping at it, as the box's sibling,
+    /// costs its grown surface; going on costs what the node itself grows by and at least the new box's own growth of a
+    /// child.</summary>
     private int FindSibling(int leaf)
     {
         ref readonly AabbNode box = ref _nodes[leaf];
@@ -165,10 +154,8 @@ internal sealed partial class AabbTree
         return isLeaf ? joined : joined - AabbNode.Area(child);
     }
 
-    /// <summary>
-    /// Where surfaces are equal, as they are on a line, the child that grows less in length; where both hold the box
-    /// already, the two in turn.
-    /// </summary>
+    /// <summary>Where surfaces are equal, as they are on a line, the child that grows less in length; where both hold
+    /// the box already, the two in turn.</summary>
     private bool IsLeftNearer(in AabbNode inner, in AabbNode box, int turn)
     {
         float left = AabbNode.LengthGrowth(_nodes[inner.Left], box);
@@ -187,10 +174,8 @@ internal sealed partial class AabbTree
         }
     }
 
-    /// <summary>
-    /// From a node to the root, or to where the removed leaf was not at the edge: the boxes alone; the next insertion
-    /// turns the branches.
-    /// </summary>
+    /// <summary>From a node to the root, or to where the removed leaf was not at the edge: the boxes alone; the next
+    /// insertion turns the branches.</summary>
     private void Shrink(int node)
     {
         for (; node != None; node = _parents[node])
@@ -201,10 +186,8 @@ internal sealed partial class AabbTree
         }
     }
 
-    /// <summary>
-    /// Exchanges a child with one of its sibling's children where that makes the sibling smaller; nothing else changes
-    /// its box.
-    /// </summary>
+    /// <summary>Exchanges a child with one of its sibling's children where that makes the sibling smaller; nothing else
+    /// changes its box.</summary>
     private void Turn(int node, int child, int sibling)
     {
         if (sibling < _leafEnd) return;

@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>The boxes of a broad phase by object number, with the checks that all of them share.</summary>
 internal sealed class BoundsTable
 {
-    /// <summary>
-    /// Count: numbers are below it. The largest array that grows with the numbers, the nodes of a tree, has 1 GB then,
-    /// and the ends of an axis leave a bit free.
-    /// </summary>
+    /// <summary>Count: numbers are below it. The largest array that grows with the numbers, the nodes of a tree, has 1
+    /// GB then, and the ends of an axis leave a bit free.</summary>
     public const int IdLimit = 1 << 24;
 
     private const int FirstCapacity = 16;
@@ -105,10 +99,9 @@ internal sealed class BoundsTable
         Guard.NotNull(pairs, nameof(pairs)).Clear();
     }
 
-    /// <summary>
-    /// Whether two boxes overlap when one of them is widened. The sum is rounded to float at once, as the sorted phases
-    /// need it: rounding is monotone, so the order of the rounded ends is all that counts, in every phase alike.
-    /// </summary>
+    /// <summary>Whether two boxes overlap when one of them is widened. The sum is rounded to float at once, as the
+    /// sorted phases need it: rounding is monotone, so the order of the rounded ends is all that counts, in every phase
+    /// alike.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Near(in Aabb a, in Aabb b, float margin) =>
         a.Min.X <= (float)(b.Max.X + margin) && b.Min.X <= (float)(a.Max.X + margin) &&

@@ -1,23 +1,17 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Objects by size, and those of similar size in their order along a Morton curve through the centres of their boxes:
-/// what is near in this order is near in space, and no large box is among small ones, where it would enlarge all nodes
-/// above it. A tree is built by splitting the order. Parts of it are ordered anew on the way down: objects that share a
-/// cell, along a curve through that cell alone, so that one distant object does not make all the others equal; objects
-/// that are much larger or smaller than most, among themselves.
-/// </summary>
+/// <summary>Objects by size, and those of similar size in their order along a Morton curve through the centres of their
+/// boxes: what is near in this order is near in space, and no large box is among small ones, where it would enlarge all
+/// nodes above it. A tree is built by splitting the order. Parts of it are ordered anew on the way down: objects that
+/// share a cell, along a curve through that cell alone, so that one distant object does not make all the others equal;
+/// objects that are much larger or smaller than most, among themselves.</summary>
 internal sealed class CurveOrder(BoundsTable table)
 {
     /// <summary>Count: up to so many objects of one cell are split as they come. A matter of speed only.</summary>
     private const int FewInCell = 4;
 
-    /// <summary>
-    /// Powers of two: sides that differ by no more from the geometric mean of the longest sides are similar. Wide
-    /// enough for the objects of most scenes, and so a matter of speed only.
-    /// </summary>
+    /// <summary>Powers of two: sides that differ by no more from the geometric mean of the longest sides are similar.
+    /// Wide enough for the objects of most scenes, and so a matter of speed only.</summary>
     private const int SimilarSize = 3;
 
     /// <summary>Bits of a float below its exponent.</summary>
@@ -57,10 +51,8 @@ internal sealed class CurveOrder(BoundsTable table)
         SortKeys.Sort(ref _keys, ref _scratch, _histograms, count);
     }
 
-    /// <summary>
-    /// Where to split a part of the order: between sizes, or where the highest bit changes in which the cells of its
-    /// ends differ, and in the middle where all centres are the same.
-    /// </summary>
+    /// <summary>Where to split a part of the order: between sizes, or where the highest bit changes in which the cells
+    /// of its ends differ, and in the middle where all centres are the same.</summary>
     public int Split(int begin, int end)
     {
         if (end - begin > FewInCell && (IsOneCell(begin, end) || IsUnusualSize(begin, end)))

@@ -1,17 +1,11 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The broad phase that keeps a tree of boxes a little larger than asked for. While an object stays in its larger box
-/// nothing but that is checked; the pairs of the larger boxes are kept too, and each frame's answer is those of them
-/// whose own boxes overlap.
-/// </summary>
-/// <remarks>
-/// Mutable and not thread-safe. Time grows with n log n and the number of pairs, and by a factor of a few with motion;
-/// long and thin, equal, nested and very unequal boxes included. Memory grows with the largest number, with n, and with
-/// the number of pairs of the largest answer.
-/// </remarks>
+/// <summary>The broad phase that keeps a tree of boxes a little larger than asked for. While an object stays in its
+/// larger box nothing but that is checked; the pairs of the larger boxes are kept too, and each frame's answer is those
+/// of them whose own boxes overlap.</summary>
+/// <remarks>Mutable and not thread-safe. Time grows with n log n and the number of pairs, and by a factor of a few with
+/// motion; long and thin, equal, nested and very unequal boxes included. Memory grows with the largest number, with n,
+/// and with the number of pairs of the largest answer.</remarks>
 public sealed class DynamicAabbTree : IBroadPhase
 {
     private readonly BoundsTable _table = new();
@@ -104,8 +98,7 @@ public sealed class DynamicAabbTree : IBroadPhase
         _leaves.Tree.Sweep(path, _table.Boxes, ref visitor);
     }
 
-    /// <summary>
-    /// Makes the tree ready. Until the next change, sweeps change nothing, so several threads may make them.
-    /// </summary>
+    /// <summary>Makes the tree ready. Until the next change, sweeps change nothing, so several threads may make
+    /// them.</summary>
     internal void UpdateLeaves() => _pairs.UpdateLeaves();
 }

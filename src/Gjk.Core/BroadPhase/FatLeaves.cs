@@ -1,40 +1,29 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The leaves of a tree: for each object a box that holds its own and is a little larger, so that it lasts for several
-/// frames. An object that has left its leaf gets a new one before the tree is asked.
-/// </summary>
+/// <summary>The leaves of a tree: for each object a box that holds its own and is a little larger, so that it lasts for
+/// several frames. An object that has left its leaf gets a new one before the tree is asked.</summary>
 internal sealed class FatLeaves(BoundsTable table)
 {
-    /// <summary>
-    /// Ratio to the box's side along the same axis: how much larger a leaf is on each of its two ends. More makes
-    /// leaves last longer and the pairs of leaves more. A matter of speed only.
-    /// </summary>
+    /// <summary>Ratio to the box's side along the same axis: how much larger a leaf is on each of its two ends. More
+    /// makes leaves last longer and the pairs of leaves more. A matter of speed only.</summary>
     private const float Fatness = 0.14f;
 
-    /// <summary>
-    /// Count: a leaf reaches as far as the object's last step takes it in so many frames, but no further than
-    /// <see cref="Fatness"/> of the longest side; so thin things get leaves that last, too. A matter of speed only.
-    /// </summary>
+    /// <summary>Count: a leaf reaches as far as the object's last step takes it in so many frames, but no further than
+    /// <see cref="Fatness"/> of the longest side; so thin things get leaves that last, too. A matter of speed
+    /// only.</summary>
     private const int FramesAhead = 8;
 
-    /// <summary>
-    /// Ratio of the sums of the three sides: a leaf that is larger beside its box is replaced. Twice what a new leaf
-    /// has at most: each of its sides is below 1.3 of the longest one of the box. Pinned by ShrunkenBoxTests.
-    /// </summary>
+    /// <summary>Ratio of the sums of the three sides: a leaf that is larger beside its box is replaced. Twice what a
+    /// new leaf has at most: each of its sides is below 1.3 of the longest one of the box. Pinned by
+    /// ShrunkenBoxTests.</summary>
     private const float MostLength = 8;
 
-    /// <summary>
-    /// Ratio: when more of the objects need new leaves, building anew is faster. A matter of speed only.
-    /// </summary>
+    /// <summary>Ratio: when more of the objects need new leaves, building anew is faster. A matter of speed
+    /// only.</summary>
     private const int MovedPartForBuild = 3;
 
-    /// <summary>
-    /// Count: from here on it pays to bring the objects that get new leaves into an order. A matter of speed only.
-    /// </summary>
+    /// <summary>Count: from here on it pays to bring the objects that get new leaves into an order. A matter of speed
+    /// only.</summary>
     private const int LeastToOrder = 64;
 
     /// <summary>The objects that need a new leaf. Some of them may have been removed meanwhile.</summary>
@@ -148,9 +137,8 @@ internal sealed class FatLeaves(BoundsTable table)
         return true;
     }
 
-    /// <summary>
-    /// Rounding is monotone, so the larger box holds the box. It ends where floats do: a sweep needs finite ends.
-    /// </summary>
+    /// <summary>Rounding is monotone, so the larger box holds the box. It ends where floats do: a sweep needs finite
+    /// ends.</summary>
     private void Fatten(int id, out Vector3 min, out Vector3 max)
     {
         ref readonly Aabb box = ref table.Boxes[id];

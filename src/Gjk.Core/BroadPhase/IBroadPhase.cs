@@ -1,17 +1,11 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Finds the pairs of boxes that overlap without a look at every pair. All implementations give the same pairs; they
-/// differ in speed only.
-/// </summary>
-/// <remarks>
-/// Mutable and not thread-safe. Objects are known by numbers of the caller's choice, from 0 to 16,777,215; memory grows
-/// with the largest one, so keep them dense. A number is free again once it was removed. Nothing is allocated once the
-/// internal buffers and the caller's lists have their size. A refused call changes nothing.
-/// </remarks>
+/// <summary>Finds the pairs of boxes that overlap without a look at every pair. All implementations give the same
+/// pairs; they differ in speed only.</summary>
+/// <remarks>Mutable and not thread-safe. Objects are known by numbers of the caller's choice, from 0 to 16,777,215;
+/// memory grows with the largest one, so keep them dense. A number is free again once it was removed. Nothing is
+/// allocated once the internal buffers and the caller's lists have their size. A refused call changes
+/// nothing.</remarks>
 public interface IBroadPhase
 {
     /// <summary>How many objects there are.</summary>
@@ -38,16 +32,14 @@ public interface IBroadPhase
     /// <summary>Removes all objects.</summary>
     void Clear();
 
-    /// <summary>
-    /// All pairs whose boxes overlap, touching included, when one of the two is widened by the margin on every side.
-    /// </summary>
+    /// <summary>All pairs whose boxes overlap, touching included, when one of the two is widened by the margin on every
+    /// side.</summary>
     /// <param name="margin">At least 0; may be infinite.</param>
     /// <param name="pairs">Emptied first; then the pairs, A less than B, sorted by (A, B).</param>
     /// <exception cref="ArgumentOutOfRangeException">The margin is negative or NaN.</exception>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
-    /// <exception cref="InvalidOperationException">
-    /// There are more than 1,073,741,824 pairs. The list is left empty; the broad phase is as it was.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">There are more than 1,073,741,824 pairs. The list is left empty; the
+    /// broad phase is as it was.</exception>
     void CollectPairs(float margin, List<ObjectPair> pairs);
 
     /// <summary>All objects whose boxes overlap a given one, touching included.</summary>
@@ -56,11 +48,9 @@ public interface IBroadPhase
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     void CollectInBox(in Aabb box, List<int> ids);
 
-    /// <summary>
-    /// Shows a visitor the objects whose boxes a ray or a translated box meets, touching included; each once, in no
-    /// order that counts. The tree shows near ones first as a rule, and so profits most from a path that is shortened;
-    /// the other phases look at all boxes.
-    /// </summary>
+    /// <summary>Shows a visitor the objects whose boxes a ray or a translated box meets, touching included; each once,
+    /// in no order that counts. The tree shows near ones first as a rule, and so profits most from a path that is
+    /// shortened; the other phases look at all boxes.</summary>
     /// <typeparam name="TVisitor">A struct.</typeparam>
     /// <param name="path">The path.</param>
     /// <param name="visitor">What it throws passes through.</param>

@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A set of object numbers, listed in the order in which they came. A number is listed once, however often it is added,
-/// so the list is never longer than the table of objects.
-/// </summary>
+/// <summary>A set of object numbers, listed in the order in which they came. A number is listed once, however often it
+/// is added, so the list is never longer than the table of objects.</summary>
 internal sealed class IdSet
 {
     /// <summary>The numbers; the first <see cref="Count"/> are valid.</summary>

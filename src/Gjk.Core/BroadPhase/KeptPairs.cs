@@ -1,38 +1,28 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The pairs of a tree's leaves within a margin, kept from one question to the next. While all objects stay in their
-/// leaves nothing changes; the pairs of an object with a new leaf are found anew. Among the kept pairs are all those of
-/// the boxes themselves, for any margin up to the kept one.
-/// </summary>
-/// <remarks>
-/// What is kept is never more than <see cref="PairBudget"/> allows. Where the leaves are to blame, they are made
-/// tighter for a while; where an unusual margin is, the pairs found for it are used once and not kept.
-/// </remarks>
+/// <summary>The pairs of a tree's leaves within a margin, kept from one question to the next. While all objects stay in
+/// their leaves nothing changes; the pairs of an object with a new leaf are found anew. Among the kept pairs are all
+/// those of the boxes themselves, for any margin up to the kept one.</summary>
+/// <remarks>What is kept is never more than <see cref="PairBudget"/> allows. Where the leaves are to blame, they are
+/// made tighter for a while; where an unusual margin is, the pairs found for it are used once and not kept.</remarks>
 internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
 {
-    /// <summary>
-    /// Count: questions in a row with less than half the kept margin, until pairs are found anew with the lesser one;
-    /// and questions that an answer's size is remembered for. A matter of speed only.
-    /// </summary>
+    /// <summary>Count: questions in a row with less than half the kept margin, until pairs are found anew with the
+    /// lesser one; and questions that an answer's size is remembered for. A matter of speed only.</summary>
     private const int PatienceQuestions = 16;
 
     /// <summary>Count: questions until tighter leaves are given up again. A matter of speed only.</summary>
     private const int TightQuestions = 64;
 
-    /// <summary>
-    /// Ratio: when more of the objects have new leaves, all pairs are found anew. A matter of speed only.
-    /// </summary>
+    /// <summary>Ratio: when more of the objects have new leaves, all pairs are found anew. A matter of speed
+    /// only.</summary>
     private const int UnpairedPartForAll = 3;
 
     private readonly PairBudget _budget = new(table);
     private readonly PairKeys _begun = new();
 
-    /// <summary>
-    /// The objects with new leaves, whose kept pairs are not those of the leaves. Some may have been removed.
-    /// </summary>
+    /// <summary>The objects with new leaves, whose kept pairs are not those of the leaves. Some may have been
+    /// removed.</summary>
     private readonly IdSet _unpaired = new();
     private PairKeys _pairs = new();
     private PairKeys _found = new();
@@ -79,9 +69,8 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         _leastAnswer = -1;
     }
 
-    /// <summary>
-    /// Gives all objects leaves, so that the tree can be asked; the pairs wait until they are asked for.
-    /// </summary>
+    /// <summary>Gives all objects leaves, so that the tree can be asked; the pairs wait until they are asked
+    /// for.</summary>
     public void UpdateLeaves() => leaves.Update(_unpaired);
 
     /// <summary>Pairs, in order, among which are all pairs of boxes within a margin.</summary>
@@ -135,10 +124,8 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         return _pairs;
     }
 
-    /// <summary>
-    /// Drops the kept pairs of what has a new leaf or is gone, and finds the new ones; false, with no pairs kept, where
-    /// finding all anew is better.
-    /// </summary>
+    /// <summary>Drops the kept pairs of what has a new leaf or is gone, and finds the new ones; false, with no pairs
+    /// kept, where finding all anew is better.</summary>
     private bool TryUpdate()
     {
         if (_unpaired.Count == 0 && !_anyRemoved) return true;

@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Two objects by their numbers: ids of a scene, or indices into the arrays of a batch. Immutable. Ordered by <see
-/// cref="A"/>, then <see cref="B"/>.
-/// </summary>
+/// <summary>Two objects by their numbers: ids of a scene, or indices into the arrays of a batch. Immutable. Ordered by
+/// <see cref="A"/>, then <see cref="B"/>.</summary>
 public readonly struct ObjectPair : IEquatable<ObjectPair>, IComparable<ObjectPair>
 {
     /// <summary>The first object; the lesser number in every pair that the library makes.</summary>

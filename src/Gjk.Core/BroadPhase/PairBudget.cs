@@ -1,18 +1,12 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Ends a search for the pairs of enlarged boxes that finds far more of them than there are pairs of the boxes
+/// <summary>Ends a search for the pairs of enlarged boxes that finds far more of them than there are pairs of the boxes
 /// themselves. So no arrangement makes a broad phase keep more than a few pairs for each object and for each pair that
-/// it has to report.
-/// </summary>
+/// it has to report.</summary>
 internal sealed class PairBudget(BoundsTable table)
 {
-    /// <summary>
-    /// Count: pairs kept for each object and for each true pair. A lattice of equal boxes, none touching, has 13 pairs
-    /// of neighbours per object; it is to stay below. Pinned by WorstCaseTests.
-    /// </summary>
+    /// <summary>Count: pairs kept for each object and for each true pair. A lattice of equal boxes, none touching, has
+    /// 13 pairs of neighbours per object; it is to stay below. Pinned by WorstCaseTests.</summary>
     public const int PairsPerPair = 16;
 
     private float _margin;

@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A growable array of pairs, each packed as A in the upper and B in the lower half, so that the order of the numbers
-/// is the order of the pairs.
-/// </summary>
+/// <summary>A growable array of pairs, each packed as A in the upper and B in the lower half, so that the order of the
+/// numbers is the order of the pairs.</summary>
 internal sealed class PairKeys
 {
     /// <summary>Count: buckets up to this length are sorted by insertion.</summary>

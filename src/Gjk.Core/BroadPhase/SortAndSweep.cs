@@ -1,33 +1,19 @@
-using System;
-using System.Collections.Generic;
-#if NET
-using System.Diagnostics;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The broad phase that sorts the boxes along one axis each time it is asked, the one along which they are spread most
-/// for their size, and compares each with those that begin before it ends (Baraff 1992; Ericson 2004, section 7.5.2).
-/// It keeps nothing between frames, so motion of any size costs the same.
-/// </summary>
-/// <remarks>
-/// Mutable and not thread-safe. Every two boxes that overlap along that axis are compared. So the time grows with n log
-/// n in a long row, with n^(5/3) in a cube of constant density, and with n² where no axis tells boxes apart: rods in
-/// all three directions, or a few hundred boxes in one place along the axis and apart along the others.
-/// </remarks>
+/// <summary>The broad phase that sorts the boxes along one axis each time it is asked, the one along which they are
+/// spread most for their size, and compares each with those that begin before it ends (Baraff 1992; Ericson 2004,
+/// section 7.5.2). It keeps nothing between frames, so motion of any size costs the same.</summary>
+/// <remarks>Mutable and not thread-safe. Every two boxes that overlap along that axis are compared. So the time grows
+/// with n log n in a long row, with n^(5/3) in a cube of constant density, and with n² where no axis tells boxes apart:
+/// rods in all three directions, or a few hundred boxes in one place along the axis and apart along the
+/// others.</remarks>
 public sealed class SortAndSweep : IBroadPhase
 {
     /// <summary>Boxes compared at once, and the padding of the sorted arrays.</summary>
     private const int Width = 8;
 
-    /// <summary>
-    /// Ratio to n^(5/3), what a cube of boxes that touch a few others needs: what needs more on one axis may need less
-    /// on another. A matter of speed only.
-    /// </summary>
+    /// <summary>Ratio to n^(5/3), what a cube of boxes that touch a few others needs: what needs more on one axis may
+    /// need less on another. A matter of speed only.</summary>
     private const double UsualComparisons = 4;
 
     private readonly BoundsTable _table = new();
@@ -124,10 +110,8 @@ public sealed class SortAndSweep : IBroadPhase
 
     private static double Component(in Double3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 
-    /// <summary>
-    /// The axis along which the fewest boxes overlap by chance: the one with the most standard deviation of the centres
-    /// for each unit of the mean side.
-    /// </summary>
+    /// <summary>The axis along which the fewest boxes overlap by chance: the one with the most standard deviation of
+    /// the centres for each unit of the mean side.</summary>
     private static int LargestSpread(BoundsTable table, float margin)
     {
         Double3 sum = default, squares = default, sides = default;
@@ -148,9 +132,8 @@ public sealed class SortAndSweep : IBroadPhase
         return IsBetter(spread.Z, reach.Z, Component(spread, best), Component(reach, best)) ? 2 : best;
     }
 
-    /// <summary>
-    /// Compares variances for each squared side; by the variances alone where the sides are 0 or infinite.
-    /// </summary>
+    /// <summary>Compares variances for each squared side; by the variances alone where the sides are 0 or
+    /// infinite.</summary>
     private static bool IsBetter(double spread, double reach, double otherSpread, double otherReach)
     {
         double ratio = spread * otherReach * otherReach, other = otherSpread * reach * reach;
@@ -191,10 +174,8 @@ public sealed class SortAndSweep : IBroadPhase
     }
 
 #if NET
-    /// <summary>
-    /// Compares a box with those that begin before it ends, eight at a time: the arrays are as long as the last group
-    /// needs.
-    /// </summary>
+    /// <summary>Compares a box with those that begin before it ends, eight at a time: the arrays are as long as the
+    /// last group needs.</summary>
     /// <returns>How many were compared.</returns>
     private int SweepOne(int i, int n)
     {

@@ -1,43 +1,26 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The path of a box that is translated, or of a point, which makes it a ray; and the test of which boxes it meets:
-/// slabs (Kay and Kajiya, "Ray tracing complex scenes", 1986) about the sum of the two boxes. Immutable.
-/// </summary>
-/// <remarks>
-/// The test is conservative: it never misses a box that the path touches, and the entry is never later than the true
-/// one. It may take in a box that the path misses by about 1e-13 of the way.
-/// </remarks>
+/// <summary>The path of a box that is translated, or of a point, which makes it a ray; and the test of which boxes it
+/// meets: slabs (Kay and Kajiya, "Ray tracing complex scenes", 1986) about the sum of the two boxes.
+/// Immutable.</summary>
+/// <remarks>The test is conservative: it never misses a box that the path touches, and the entry is never later than
+/// the true one. It may take in a box that the path misses by about 1e-13 of the way.</remarks>
 public readonly struct SweptBox
 {
-    /// <summary>
-    /// Ratio to the farthest coordinate of a box as seen from the start: by so much boxes are widened. The test itself
-    /// rounds by 4 units of 2^-53 (proofs/swept-box.g); the rest of the 512 is for the queries that ask about what is
-    /// in the box, whose rounding grows with the way too. Pinned by SweptBoxTests.
-    /// </summary>
+    /// <summary>Ratio to the farthest coordinate of a box as seen from the start: by so much boxes are widened. The
+    /// test itself rounds by 4 units of 2^-53 (proofs/swept-box.g); the rest of the 512 is for the queries that ask
+    /// about what is in the box, whose rounding grows with the way too. Pinned by SweptBoxTests.</summary>
     private const double WaySlack = 512.0 / (1L << 53);
 
-    /// <summary>
-    /// Ratio to a fraction: what rounding to float, once as a fraction, once as a distance and once as a limit, does to
-    /// it, with a factor of 5 to spare. Pinned by SweptBoxTests.
-    /// </summary>
+    /// <summary>Ratio to a fraction: what rounding to float, once as a fraction, once as a distance and once as a
+    /// limit, does to it, with a factor of 5 to spare. Pinned by SweptBoxTests.</summary>
     private const double FractionSlack = 16.0 / (1 << 24);
 
     /// <summary>Fraction: the same where floats have a fixed step.</summary>
     private const double LeastFraction = 4 * (double)float.Epsilon;
 
-    /// <summary>
-    /// Stands for 1/0: more than any 1/d of floats, and times any difference of floats still a double, so that 0 times
-    /// it is 0 and a path along the side of a box touches it.
-    /// </summary>
+    /// <summary>Stands for 1/0: more than any 1/d of floats, and times any difference of floats still a double, so that
+    /// 0 times it is 0 and a path along the side of a box touches it.</summary>
     private const double NoMotion = 1e200;
 
     private readonly Double3 _min, _max, _inverse;
@@ -49,9 +32,8 @@ public readonly struct SweptBox
     /// <param name="box">Where it begins.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1; may be zero.</param>
     /// <param name="maxFraction">How much of the motion there is: at least 0, +infinity for all the way.</param>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The motion is not finite, or the fraction is negative or NaN.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The motion is not finite, or the fraction is negative or
+    /// NaN.</exception>
     public SweptBox(in Aabb box, Vector3 translation, float maxFraction = 1)
         : this(box.Min, box.Max, Guard.Finite(translation, nameof(translation)), Checked(maxFraction))
     {
@@ -61,9 +43,8 @@ public readonly struct SweptBox
     /// <param name="origin">Where it begins.</param>
     /// <param name="direction">Where the fraction 1 is, seen from the origin.</param>
     /// <param name="maxFraction">How much of it there is: at least 0, +infinity for all the way.</param>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The origin or the direction is not finite, or the fraction is negative or NaN.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The origin or the direction is not finite, or the fraction is
+    /// negative or NaN.</exception>
     public SweptBox(Vector3 origin, Vector3 direction, float maxFraction = float.PositiveInfinity)
         : this(
             Guard.Finite(origin, nameof(origin)), origin, Guard.Finite(direction, nameof(direction)),
@@ -89,10 +70,8 @@ public readonly struct SweptBox
     /// <summary>The largest fraction, and a little more for rounding: where a search begins.</summary>
     public double Limit { get; }
 
-    /// <summary>
-    /// A limit that leaves out only boxes that begin clearly later than a fraction, so that a hit at the same fraction,
-    /// rounded to float, is found.
-    /// </summary>
+    /// <summary>A limit that leaves out only boxes that begin clearly later than a fraction, so that a hit at the same
+    /// fraction, rounded to float, is found.</summary>
     /// <param name="fraction">At least 0.</param>
     public static double After(double fraction) => fraction * (1 + FractionSlack) + LeastFraction;
 
@@ -131,10 +110,9 @@ public readonly struct SweptBox
     }
 
 #if NET
-    /// <summary>
-    /// The same numbers, three axes at a time; the fourth lane has 0 for the entry and the limit for the exit. There is
-    /// no NaN among the numbers, and a zero's sign does not matter, so these minima and maxima need no care.
-    /// </summary>
+    /// <summary>The same numbers, three axes at a time; the fourth lane has 0 for the entry and the limit for the exit.
+    /// There is no NaN among the numbers, and a zero's sign does not matter, so these minima and maxima need no
+    /// care.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool MeetsWide(Vector3 min, Vector3 max, double limit, out double entry)
     {

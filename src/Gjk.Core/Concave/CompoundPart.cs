@@ -1,6 +1,3 @@
-using System;
-using System.Diagnostics;
-
 namespace Gjk.Core;
 
 /// <summary>A convex part of a compound, in its place. Immutable.</summary>

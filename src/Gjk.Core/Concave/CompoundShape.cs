@@ -1,21 +1,12 @@
-using System;
-using System.Collections.Generic;
-using System.Diagnostics;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The union of convex parts, each in its place, with a tree for queries. Build it once and share it: it is immutable,
-/// and any number of shapes and threads may use it. Parts keep the caller's numbers.
-/// </summary>
+/// <summary>The union of convex parts, each in its place, with a tree for queries. Build it once and share it: it is
+/// immutable, and any number of shapes and threads may use it. Parts keep the caller's numbers.</summary>
 [DebuggerDisplay("{" + nameof(PartCount) + "} parts")]
 public sealed class CompoundShape
 {
-    /// <summary>
-    /// Ratio to a part's size: more than a curved support may lie inside its shape, so that a box of six supports holds
-    /// it.
-    /// </summary>
+    /// <summary>Ratio to a part's size: more than a curved support may lie inside its shape, so that a box of six
+    /// supports holds it.</summary>
     private const double Outward = 1e-9;
 
     private readonly ConvexShape[] _parts;

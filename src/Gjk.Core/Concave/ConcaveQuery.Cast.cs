@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 public static partial class ConcaveQuery
 {
-    /// <summary>
-    /// When two shapes that move without turning first touch: both are translated over the fractions from 0 to 1.
-    /// </summary>
+    /// <summary>When two shapes that move without turning first touch: both are translated over the fractions from 0 to
+    /// 1.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Pose of A at the start.</param>
     /// <param name="translationA">Its motion, in world units, any finite vector.</param>
@@ -15,17 +11,13 @@ public static partial class ConcaveQuery
     /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="maxFraction">
-    /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
-    /// 0.
-    /// </param>
+    /// <param name="maxFraction">How much of the motion is looked at: 1 for all of it, more for the same motion
+    /// continued; less than 0 counts as 0.</param>
     /// <param name="options">Which contacts are passed, of each pair of parts; by default none.</param>
-    /// <returns>
-    /// The least fraction over all pairs of parts, with the result that <c>ConvexQuery.Cast</c> has for them; of equal
-    /// fractions one that overlaps at the start, then the least numbers. A piece that begins inside a solid is
+    /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.Cast</c> has for them;
+    /// of equal fractions one that overlaps at the start, then the least numbers. A piece that begins inside a solid is
     /// OverlappingAtStart; one that touches its surface and moves into it is a hit at 0. Invalid input, or a scratch
-    /// that is null, gives <see cref="CastStatus.InvalidInput"/>.
-    /// </returns>
+    /// that is null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
     public static PartCast Cast(
         in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,
         Vector3 translationB, ConcaveScratch scratch, float maxFraction = 1, in CastOptions options = default)
@@ -52,15 +44,12 @@ public static partial class ConcaveQuery
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="tolerance">
-    /// The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the parts' sizes.
-    /// </param>
+    /// <param name="tolerance">The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the parts'
+    /// sizes.</param>
     /// <param name="maxFraction">See <see cref="Cast"/>.</param>
     /// <param name="options">See <see cref="Cast"/>.</param>
-    /// <returns>
-    /// The least fraction over all pairs of parts, with the result that <c>ConvexQuery.TimeOfImpact</c> has for them;
-    /// else as <see cref="Cast"/>.
-    /// </returns>
+    /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.TimeOfImpact</c> has
+    /// for them; else as <see cref="Cast"/>.</returns>
     public static PartCast TimeOfImpact(
         in AnyShape a, in RigidMotion motionA, in AnyShape b, in RigidMotion motionB, ConcaveScratch scratch,
         float tolerance = 0, float maxFraction = 1, in CastOptions options = default)

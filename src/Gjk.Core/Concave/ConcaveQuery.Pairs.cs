@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
 public static partial class ConcaveQuery
@@ -11,10 +9,8 @@ public static partial class ConcaveQuery
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="distance">World units; less than 0 counts as 0.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="pairs">
-    /// Cleared, then what <c>ConvexQuery.Distance</c> says of each pair, by the numbers of the parts. What lies inside
-    /// a solid without touching its triangles is no pair.
-    /// </param>
+    /// <param name="pairs">Cleared, then what <c>ConvexQuery.Distance</c> says of each pair, by the numbers of the
+    /// parts. What lies inside a solid without touching its triangles is no pair.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool FindPairsWithin(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float distance, ConcaveScratch scratch,
@@ -36,10 +32,8 @@ public static partial class ConcaveQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="pairs">
-    /// Cleared, then what <c>ConvexQuery.SignedDistance</c> says of each pair that overlaps, by the numbers of the
-    /// parts. A depth separates its two parts; none of them need separate the shapes.
-    /// </param>
+    /// <param name="pairs">Cleared, then what <c>ConvexQuery.SignedDistance</c> says of each pair that overlaps, by the
+    /// numbers of the parts. A depth separates its two parts; none of them need separate the shapes.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool FindDepths(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch,

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 // A point is a convex shape, too, so these ask the pair queries.
@@ -10,10 +8,8 @@ public static partial class ConcaveQuery
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <returns>
-    /// For a solid also where its winding number about the point, which is exact, is not 0; false too when the input is
-    /// invalid.
-    /// </returns>
+    /// <returns>For a solid also where its winding number about the point, which is exact, is not 0; false too when the
+    /// input is invalid.</returns>
     public static bool Contains(in AnyShape shape, in RigidPose pose, Vector3 point, ConcaveScratch scratch) =>
         Guard.IsFinite(point) && Overlaps(shape, pose, Point, new RigidPose(point), scratch);
 
@@ -46,10 +42,8 @@ public static partial class ConcaveQuery
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world: B of the result.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <returns>
-    /// PointA is the nearest point of the surface, and the point is PointA + Normal · Distance, with either sign. A
-    /// surface has no inside, and a compound's has no single depth: 0 there.
-    /// </returns>
+    /// <returns>PointA is the nearest point of the surface, and the point is PointA + Normal · Distance, with either
+    /// sign. A surface has no inside, and a compound's has no single depth: 0 there.</returns>
     public static PartDistance SignedDistance(
         in AnyShape shape, in RigidPose pose, Vector3 point, ConcaveScratch scratch) =>
         Guard.IsFinite(point) ? SignedDistance(shape, pose, Point, new RigidPose(point), scratch) : Invalid;

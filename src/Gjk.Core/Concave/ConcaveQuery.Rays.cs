@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 public static partial class ConcaveQuery
@@ -12,16 +8,13 @@ public static partial class ConcaveQuery
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="maxDistance">
-    /// World units: how far the ray reaches, +infinity for all the way; less than 0 counts as 0.
-    /// </param>
+    /// <param name="maxDistance">World units: how far the ray reaches, +infinity for all the way; less than 0 counts as
+    /// 0.</param>
     /// <param name="options">Which contacts are passed, of each part; by default none.</param>
-    /// <returns>
-    /// The least distance over all parts, with the result that <c>ConvexQuery.RayCast</c> has for the part; of equal
-    /// distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart, unless
-    /// shallow contacts are passed; from on its surface into it: a hit at 0. Invalid input, or a scratch that is null,
-    /// gives <see cref="CastStatus.InvalidInput"/>.
-    /// </returns>
+    /// <returns>The least distance over all parts, with the result that <c>ConvexQuery.RayCast</c> has for the part; of
+    /// equal distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart,
+    /// unless shallow contacts are passed; from on its surface into it: a hit at 0. Invalid input, or a scratch that is
+    /// null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
     public static PartRayHit RayCast(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity, in CastOptions options = default)
@@ -63,10 +56,8 @@ public static partial class ConcaveQuery
         return scratch.Search.PartA >= 0 || Containment.TryFind(scratch, out _);
     }
 
-    /// <summary>
-    /// Whether a ray that begins on a solid's surface goes into it: no surface is crossed before the next hit, so the
-    /// middle of the way there tells.
-    /// </summary>
+    /// <summary>Whether a ray that begins on a solid's surface goes into it: no surface is crossed before the next hit,
+    /// so the middle of the way there tells.</summary>
     private static bool Enters(
         ConcaveScratch scratch, Vector3 direction, in PartCastSearch search, float maxDistance)
     {
@@ -86,10 +77,8 @@ public static partial class ConcaveQuery
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="hits">
-    /// Cleared, then one for each part that is met: what <c>ConvexQuery.RayCast</c> says of it, by distance and then by
-    /// number.
-    /// </param>
+    /// <param name="hits">Cleared, then one for each part that is met: what <c>ConvexQuery.RayCast</c> says of it, by
+    /// distance and then by number.</param>
     /// <param name="maxDistance">As of the first hit.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool RayCastAll(

@@ -1,17 +1,10 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Queries on shapes of any kind: convex shapes, surfaces and solids of triangles, compounds.
-/// </summary>
-/// <remarks>
-/// An answer is the least over all pairs of parts, exact and rounded to float: trees leave out only what cannot matter,
-/// and <see cref="ConvexQuery"/> answers for the rest. It depends on the two shapes and poses alone. No method throws
-/// or allocates, but where the caller's scratch has to grow. All are thread-safe if each thread has a scratch of its
-/// own.
-/// </remarks>
+/// <summary>Queries on shapes of any kind: convex shapes, surfaces and solids of triangles, compounds.</summary>
+/// <remarks>An answer is the least over all pairs of parts, exact and rounded to float: trees leave out only what
+/// cannot matter, and <see cref="ConvexQuery"/> answers for the rest. It depends on the two shapes and poses alone. No
+/// method throws or allocates, but where the caller's scratch has to grow. All are thread-safe if each thread has a
+/// scratch of its own.</remarks>
 public static partial class ConcaveQuery
 {
     /// <summary>The distance between two shapes, with the closest points and parts, or that they overlap.</summary>
@@ -20,17 +13,14 @@ public static partial class ConcaveQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="maxDistance">
-    /// In world units. When the distance, rounded to float, is larger, the query ends early with
-    /// <see cref="GjkStatus.BeyondMaxDistance"/>. Below 0 counts as 0; NaN gives <see cref="GjkStatus.InvalidInput"/>.
-    /// </param>
-    /// <returns>
-    /// The least distance over all pairs of parts, which is what <c>ConvexQuery.Distance</c> says of these two. Shapes
-    /// overlap where two parts share a point, touching included, or where a piece of one lies inside a solid. Of pairs
-    /// that are equally near one is named, for one <paramref name="maxDistance"/> always the same, and the lower bound
-    /// is that of all pairs. A <c>default</c> shape or pose, or a scratch that is null,
-    /// gives <see cref="GjkStatus.InvalidInput"/>.
-    /// </returns>
+    /// <param name="maxDistance">In world units. When the distance, rounded to float, is larger, the query ends early
+    /// with <see cref="GjkStatus.BeyondMaxDistance"/>. Below 0 counts as 0; NaN gives
+    /// <see cref="GjkStatus.InvalidInput"/>.</param>
+    /// <returns>The least distance over all pairs of parts, which is what <c>ConvexQuery.Distance</c> says of these
+    /// two. Shapes overlap where two parts share a point, touching included, or where a piece of one lies inside a
+    /// solid. Of pairs that are equally near one is named, for one <paramref name="maxDistance"/> always the same, and
+    /// the lower bound is that of all pairs. A <c>default</c> shape or pose, or a scratch that is null, gives
+    /// <see cref="GjkStatus.InvalidInput"/>.</returns>
     public static PartDistance Distance(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity)
@@ -49,10 +39,8 @@ public static partial class ConcaveQuery
     /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated.</param>
     /// <param name="scratch">Memory for the search.</param>
     /// <param name="maxDistance">As of the other.</param>
-    /// <returns>
-    /// The status and the distance are those of the other, to the last bit, and two convex shapes take nothing from it.
-    /// Of pairs of parts that are equally near it may name another.
-    /// </returns>
+    /// <returns>The status and the distance are those of the other, to the last bit, and two convex shapes take nothing
+    /// from it. Of pairs of parts that are equally near it may name another.</returns>
     public static PartDistance Distance(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ref PartWarmStart warmStart,
         ConcaveScratch scratch, float maxDistance = float.PositiveInfinity)
@@ -110,12 +98,10 @@ public static partial class ConcaveQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <returns>
-    /// Two convex shapes: what <c>ConvexQuery.SignedDistance</c> says. A point inside a solid: minus its distance to
-    /// the surface, with the nearest point of that and the way out as normal, as there. Else what <c>Distance</c>
-    /// says: no single number is the depth of shapes that are not convex, so theirs is 0;
-    /// <c>FindDepths</c> has those of the pairs of parts.
-    /// </returns>
+    /// <returns>Two convex shapes: what <c>ConvexQuery.SignedDistance</c> says. A point inside a solid: minus its
+    /// distance to the surface, with the nearest point of that and the way out as normal, as there. Else what
+    /// <c>Distance</c> says: no single number is the depth of shapes that are not convex, so theirs is 0;
+    /// <c>FindDepths</c> has those of the pairs of parts.</returns>
     public static PartDistance SignedDistance(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
         AreConvex(a, b)

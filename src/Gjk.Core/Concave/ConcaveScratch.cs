@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The memory of queries on <see cref="AnyShape"/>: it grows to what a query needs and is used again, so that later
-/// queries allocate nothing. Keep one for each thread; its content says nothing between calls.
-/// </summary>
+/// <summary>The memory of queries on <see cref="AnyShape"/>: it grows to what a query needs and is used again, so that
+/// later queries allocate nothing. Keep one for each thread; its content says nothing between calls.</summary>
 public sealed class ConcaveScratch
 {
     internal readonly PartSide A = new(), B = new();

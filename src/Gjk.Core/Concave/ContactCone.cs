@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>What a surface makes of a contact with one of its triangles: the greater, the further off it is.</summary>
@@ -15,10 +13,8 @@ internal enum ContactFit : byte
     Ghost,
 }
 
-/// <summary>
-/// Whether the direction of a contact lies in a surface's normal cone: whether no triangle around the corner or edge
-/// that is furthest along it reaches further.
-/// </summary>
+/// <summary>Whether the direction of a contact lies in a surface's normal cone: whether no triangle around the corner
+/// or edge that is furthest along it reaches further.</summary>
 /// <remarks>
 /// At the inside of a triangle the cone is both its normals. At an edge it is what lies between the normals of its two
 /// triangles where these bend away from it, a single direction where they are flat, nothing where they bend towards it:
@@ -31,16 +27,13 @@ internal enum ContactFit : byte
 /// </remarks>
 internal readonly ref struct ContactCone
 {
-    /// <summary>
-    /// Angle: 2^-20, a few times what rounding to float makes of the poses of two bodies. More lets normals tilt, as
-    /// SeamContactTests shows; less takes contacts of bodies at rest for leaning ones, which costs time only.
-    /// </summary>
+    /// <summary>Angle: 2^-20, a few times what rounding to float makes of the poses of two bodies. More lets normals
+    /// tilt, as SeamContactTests shows; less takes contacts of bodies at rest for leaning ones, which costs time
+    /// only.</summary>
     public const double Slack = 1.0 / (1 << 20);
 
-    /// <summary>
-    /// Cosine of 26 degrees: a contact that is tilted by less is measured along the triangle's normal instead. A body
-    /// that rocks tilts by a few; more or less makes no difference to one at rest.
-    /// </summary>
+    /// <summary>Cosine of 26 degrees: a contact that is tilted by less is measured along the triangle's normal instead.
+    /// A body that rocks tilts by a few; more or less makes no difference to one at rest.</summary>
     public const float LeastCosine = 0.9f;
 
     /// <summary>Count: over so many triangles without area the neighbour of an edge is looked for.</summary>

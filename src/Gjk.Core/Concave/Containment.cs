@@ -1,11 +1,7 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Whether a piece of one shape lies inside the other, where their parts share no point: then each piece is inside or
-/// outside as a whole, and one point of it tells.
-/// </summary>
+/// <summary>Whether a piece of one shape lies inside the other, where their parts share no point: then each piece is
+/// inside or outside as a whole, and one point of it tells.</summary>
 internal static class Containment
 {
     /// <summary>Finds the first piece of either that lies in the other's inside.</summary>
@@ -24,10 +20,8 @@ internal static class Containment
         return isInB;
     }
 
-    /// <summary>
-    /// Whether a piece of either is in the other's inside, after B has moved: asked at the middle of a piece, if that
-    /// is not on the surface.
-    /// </summary>
+    /// <summary>Whether a piece of either is in the other's inside, after B has moved: asked at the middle of a piece,
+    /// if that is not on the surface.</summary>
     /// <param name="scratch">With both sides set, whose parts may touch.</param>
     /// <param name="moved">How far B has moved from its pose, in the world.</param>
     public static bool IsAnyInside(ConcaveScratch scratch, in Double3 moved) =>

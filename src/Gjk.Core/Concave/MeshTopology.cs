@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
 using System.Linq;
-using System.Numerics;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// What a list of triangles is like: which edges they share, which are degenerate or repeated, and which hang together.
-/// Vertices at the same place are one vertex; no tolerance joins others.
-/// </summary>
+/// <summary>What a list of triangles is like: which edges they share, which are degenerate or repeated, and which hang
+/// together. Vertices at the same place are one vertex; no tolerance joins others.</summary>
 internal sealed class MeshTopology
 {
     // While it is built.
@@ -81,11 +76,9 @@ internal sealed class MeshTopology
     /// <inheritdoc cref="FaultyAlong"/>
     public int FaultyAgainst { get; private set; }
 
-    /// <summary>
-    /// Of each side of a triangle (three times the triangle, and the corner at which it begins) the one of the other
-    /// triangle at the edge; -1 where there is none or more than one. Triangles that are a segment, with two corners at
-    /// one place, do not count.
-    /// </summary>
+    /// <summary>Of each side of a triangle (three times the triangle, and the corner at which it begins) the one of the
+    /// other triangle at the edge; -1 where there is none or more than one. Triangles that are a segment, with two
+    /// corners at one place, do not count.</summary>
     public int[] Twins { get; }
 
     public int Degenerate { get; private set; }

@@ -1,47 +1,32 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// When parts of two bodies that move and turn first touch: conservative advancement of the whole bodies, and of their
-/// parts where those come near.
-/// </summary>
-/// <remarks>
-/// Idea (Mirtich 1996, section 2.3; for trees Tang, Kim and Manocha 2009): bodies at a distance do not touch before
-/// they could have closed it at their greatest speed, so time goes on by that much. Where they are near, all parts that
-/// could touch in a short piece of time are asked for their own time of impact, which
-/// <see cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
-/// CastOptions)"/> answers from the whole motion.
-/// Deviation: nothing is answered here. The pieces only say which parts need not be asked, and so the result is that of
-/// all pairs asked in turn.
-/// Exactness: a pose at a fraction is rounded to float; <see cref="PoseRounding"/> is added to every reach.
-/// It ends: each piece is at least twice as long as the one before, and after <see cref="MostSteps"/> distances the
-/// rest of the motion is one piece.
-/// </remarks>
+/// <summary>When parts of two bodies that move and turn first touch: conservative advancement of the whole bodies, and
+/// of their parts where those come near.</summary>
+/// <remarks>Idea (Mirtich 1996, section 2.3; for trees Tang, Kim and Manocha 2009): bodies at a distance do not touch
+/// before they could have closed it at their greatest speed, so time goes on by that much. Where they are near, all
+/// parts that could touch in a short piece of time are asked for their own time of impact, which <see
+/// cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
+/// CastOptions)"/> answers from the whole motion. Deviation: nothing is answered here. The pieces only say which parts
+/// need not be asked, and so the result is that of all pairs asked in turn. Exactness: a pose at a fraction is rounded
+/// to float; <see cref="PoseRounding"/> is added to every reach. It ends: each piece is at least twice as long as the
+/// one before, and after <see cref="MostSteps"/> distances the rest of the motion is one piece.</remarks>
 internal static class PartAdvancement
 {
-    /// <summary>
-    /// Ratio to the trees' reach: 2^-6; bodies nearer than this are looked at part by part. It changes the cost alone:
-    /// larger ones ask more parts, smaller ones more distances. No test can tell.
-    /// </summary>
+    /// <summary>Ratio to the trees' reach: 2^-6; bodies nearer than this are looked at part by part. It changes the
+    /// cost alone: larger ones ask more parts, smaller ones more distances. No test can tell.</summary>
     private const double Near = 1.0 / (1 << 6);
 
-    /// <summary>
-    /// Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at most 2^-23,
-    /// and a position's by 2^-24 each. More only costs time; less is not seen by a test, as a touch has more room.
-    /// </summary>
+    /// <summary>Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at
+    /// most 2^-23, and a position's by 2^-24 each. More only costs time; less is not seen by a test, as a touch has
+    /// more room.</summary>
     private const double PoseRounding = 1.0 / (1 << 21);
 
-    /// <summary>
-    /// Distances of a query; a bound of the cost. Pinned by PartAdvancementTests.ATurnBesideAnotherBodyEnds, which does
-    /// not end without one.
-    /// </summary>
+    /// <summary>Distances of a query; a bound of the cost. Pinned by PartAdvancementTests.ATurnBesideAnotherBodyEnds,
+    /// which does not end without one.</summary>
     private const int MostSteps = 64;
 
-    /// <summary>
-    /// Finds the first contact of the search that the scratch holds, of an impact that passes nothing.
-    /// </summary>
+    /// <summary>Finds the first contact of the search that the scratch holds, of an impact that passes
+    /// nothing.</summary>
     public static void Run(ConcaveScratch scratch, in RigidMotion a, in RigidMotion b)
     {
         ref PartCastSearch search = ref scratch.CastSearch;

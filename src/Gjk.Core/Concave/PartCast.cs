@@ -3,16 +3,12 @@ namespace Gjk.Core;
 /// <summary>When two moving shapes of any kind first touch, and with which parts. Immutable.</summary>
 public readonly struct PartCast
 {
-    /// <summary>
-    /// The contact of the two parts. Where a piece of one begins inside a solid: OverlappingAtStart with a point of it,
-    /// a zero normal and depth 0.
-    /// </summary>
+    /// <summary>The contact of the two parts. Where a piece of one begins inside a solid: OverlappingAtStart with a
+    /// point of it, a zero normal and depth 0.</summary>
     public readonly CastResult Result;
 
-    /// <summary>
-    /// The part of A: a triangle or part as the caller numbered it. -1 where A is convex, where it holds a piece of B
-    /// in its inside, and where nothing was found.
-    /// </summary>
+    /// <summary>The part of A: a triangle or part as the caller numbered it. -1 where A is convex, where it holds a
+    /// piece of B in its inside, and where nothing was found.</summary>
     public readonly int PartA;
 
     /// <summary>The part of B, likewise.</summary>

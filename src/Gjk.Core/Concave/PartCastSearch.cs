@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>What a search for the first contact asks two parts.</summary>
@@ -17,32 +13,24 @@ internal enum PartMotion : byte
     Ray,
 }
 
-/// <summary>
-/// The pair of parts that touches first: as <see cref="PartPairSearch"/>, with bounds of the fraction instead of the
-/// distance.
-/// </summary>
-/// <remarks>
-/// The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their distance
-/// where the search begins, which closes no faster than the velocities and the turns of the furthest points allow.
-/// <see cref="PartAdvancement"/> says where that is.
-/// Exactness: parts are asked up to the float after the least fraction so far, since a contact may be found behind it
-/// and still round to it; of equal fractions the least numbers stay. So the answer is that of all pairs asked in turn.
-/// </remarks>
+/// <summary>The pair of parts that touches first: as <see cref="PartPairSearch"/>, with bounds of the fraction instead
+/// of the distance.</summary>
+/// <remarks>The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their
+/// distance where the search begins, which closes no faster than the velocities and the turns of the furthest points
+/// allow. <see cref="PartAdvancement"/> says where that is. Exactness: parts are asked up to the float after the least
+/// fraction so far, since a contact may be found behind it and still round to it; of equal fractions the least numbers
+/// stay. So the answer is that of all pairs asked in turn.</remarks>
 internal struct PartCastSearch
 {
     /// <summary>Ratio: 2^-18; more than rounding makes of the products with a fraction. More only costs time.</summary>
     private const double Beyond = 1 + 1.0 / (1 << 18);
 
-    /// <summary>
-    /// Ratio to the radii: 2^-14; more than the distance at which parts count as touching where the caller gives no
-    /// tolerance (<see cref="ConvexQuery.DefaultTolerance"/>). More only costs time.
-    /// </summary>
+    /// <summary>Ratio to the radii: 2^-14; more than the distance at which parts count as touching where the caller
+    /// gives no tolerance (<see cref="ConvexQuery.DefaultTolerance"/>). More only costs time.</summary>
     private const double ImpactRoom = 1.0 / (1 << 14);
 
-    /// <summary>
-    /// Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts off none
-    /// that another part's rounds to. More only costs time. Pinned by SmallBesideLargeTests.
-    /// </summary>
+    /// <summary>Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts
+    /// off none that another part's rounds to. More only costs time. Pinned by SmallBesideLargeTests.</summary>
     private const double WayError = 1.0 / (1L << 40);
 
     private PartMotion _motion;

@@ -9,9 +9,8 @@ public readonly struct PartContacts
     /// <summary>The part of B, likewise.</summary>
     public readonly int PartB;
 
-    /// <summary>
-    /// How deep the two parts overlap, or how far apart they are, along the manifold's normal, and where.
-    /// </summary>
+    /// <summary>How deep the two parts overlap, or how far apart they are, along the manifold's normal, and
+    /// where.</summary>
     public readonly DistanceResult Result;
 
     /// <summary>The points, at least one; their names are those of the two parts.</summary>

@@ -1,20 +1,14 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>The distance between two shapes of any kind, and the parts that it is between. Immutable.</summary>
 public readonly struct PartDistance : IComparable<PartDistance>
 {
-    /// <summary>
-    /// The distance, the closest points and the normal, all of the two parts. Beyond the largest distance the normal
-    /// is zero: no plane need separate the shapes.
-    /// </summary>
+    /// <summary>The distance, the closest points and the normal, all of the two parts. Beyond the largest distance the
+    /// normal is zero: no plane need separate the shapes.</summary>
     public readonly DistanceResult Result;
 
-    /// <summary>
-    /// The part of A: a triangle or part as the caller numbered it. -1 where A is convex, where it holds a piece of B
-    /// in its inside, and where nothing was found.
-    /// </summary>
+    /// <summary>The part of A: a triangle or part as the caller numbered it. -1 where A is convex, where it holds a
+    /// piece of B in its inside, and where nothing was found.</summary>
     public readonly int PartA;
 
     /// <summary>The part of B, likewise.</summary>

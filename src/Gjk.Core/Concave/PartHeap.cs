@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Pairs of boxes that wait, the least bound first: a binary heap (Williams 1964).</summary>

@@ -1,32 +1,22 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The pair of parts with the least distance: pairs of boxes wait in a heap, the least bound first, the larger box of a
-/// pair is opened, and two leaves' parts are asked one by one, by the exact query.
-/// </summary>
-/// <remarks>
-/// Source: branch and bound over two trees (Quinlan, "Efficient distance computation between non-convex objects", 1994;
-/// Johnson and Cohen, 1998, best first).
-/// Exactness: a pair of boxes is dropped only if its bound, which is proved, exceeds the least distance that a query of
-/// two parts has given. So the answer is the least of all pairs' answers, whatever the trees are like.
-/// It ends: each pair of boxes enters the heap once at most, and each step takes one out.
-/// Which of several pairs with the same float distance is named depends on the trees, which depend on the input alone.
-/// </remarks>
+/// <summary>The pair of parts with the least distance: pairs of boxes wait in a heap, the least bound first, the larger
+/// box of a pair is opened, and two leaves' parts are asked one by one, by the exact query.</summary>
+/// <remarks>Source: branch and bound over two trees (Quinlan, "Efficient distance computation between non-convex
+/// objects", 1994; Johnson and Cohen, 1998, best first). Exactness: a pair of boxes is dropped only if its bound, which
+/// is proved, exceeds the least distance that a query of two parts has given. So the answer is the least of all pairs'
+/// answers, whatever the trees are like. It ends: each pair of boxes enters the heap once at most, and each step takes
+/// one out. Which of several pairs with the same float distance is named depends on the trees, which depend on the
+/// input alone.</remarks>
 internal struct PartPairSearch
 {
-    /// <summary>
-    /// Count: so many parts are asked in vain, or leaves looked at, before planes are tried, which costs a look at each
-    /// corner. It changes no answer but the names of equals.
-    /// </summary>
+    /// <summary>Count: so many parts are asked in vain, or leaves looked at, before planes are tried, which costs a
+    /// look at each corner. It changes no answer but the names of equals.</summary>
     private const int IdleBeforeProof = 16;
 
-    /// <summary>
-    /// Count: a plane is held against all corners when a search has lasted so long that they cost no more than what it
-    /// has cost already: some 200 times a corner's time goes into a pair. More or less changes nothing but the time.
-    /// </summary>
+    /// <summary>Count: a plane is held against all corners when a search has lasted so long that they cost no more than
+    /// what it has cost already: some 200 times a corner's time goes into a pair. More or less changes nothing but the
+    /// time.</summary>
     private const int CornersInAsk = 256;
 
     private int _idle, _visits, _patience;

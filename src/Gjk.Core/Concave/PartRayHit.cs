@@ -1,14 +1,10 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Where a ray first meets a shape of any kind, and which part. Immutable.</summary>
 public readonly struct PartRayHit : IComparable<PartRayHit>
 {
-    /// <summary>
-    /// What the part says. Of a ray that begins inside a solid: OverlappingAtStart, with the depth and the normal of
-    /// the nearest point of the surface.
-    /// </summary>
+    /// <summary>What the part says. Of a ray that begins inside a solid: OverlappingAtStart, with the depth and the
+    /// normal of the nearest point of the surface.</summary>
     public readonly RayCastResult Result;
 
     /// <summary>The triangle or part, as the caller numbered it; -1 of a convex shape, and at a miss.</summary>

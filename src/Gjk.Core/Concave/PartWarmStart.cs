@@ -1,13 +1,9 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// The parts that were nearest in the last query of a pair of shapes: where the next one looks first. Kept by the
-/// caller, one for each pair; a <c>default</c> struct is a cold start.
-/// </summary>
-/// <remarks>
-/// It is a guess, which shows early what is further away. It changes no distance; of several pairs of parts that are
-/// equally near it may change which is named.
-/// </remarks>
+/// <summary>The parts that were nearest in the last query of a pair of shapes: where the next one looks first. Kept by
+/// the caller, one for each pair; a <c>default</c> struct is a cold start.</summary>
+/// <remarks>It is a guess, which shows early what is further away. It changes no distance; of several pairs of parts
+/// that are equally near it may change which is named.</remarks>
 public struct PartWarmStart
 {
     private int _afterA, _afterB;

@@ -1,37 +1,26 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Shows that parts are no nearer than the least distance so far: a plane across its normal leaves a gap between them.
-/// </summary>
-/// <remarks>
-/// Between parallel plates as many pairs of triangles are equally near as there are triangles, and the boxes' bounds in
-/// float let all of them pass. Here corners are measured in double, so that a whole subtree is dropped if its gap
-/// exceeds the middle between the distance and the float before it: what it has rounds to the distance or more. Where
-/// nothing is near enough yet, the plane of two parts that are too far apart shows which others are.
-/// What a subtree reaches is kept until the normal changes.
-/// </remarks>
+/// <summary>Shows that parts are no nearer than the least distance so far: a plane across its normal leaves a gap
+/// between them.</summary>
+/// <remarks>Between parallel plates as many pairs of triangles are equally near as there are triangles, and the boxes'
+/// bounds in float let all of them pass. Here corners are measured in double, so that a whole subtree is dropped if its
+/// gap exceeds the middle between the distance and the float before it: what it has rounds to the distance or more.
+/// Where nothing is near enough yet, the plane of two parts that are too far apart shows which others are. What a
+/// subtree reaches is kept until the normal changes.</remarks>
 internal sealed class PlaneProof
 {
-    /// <summary>
-    /// Ratio to twice the lengths: 2^-49, 16 roundings. Turning the normal into a shape's axes turns it by 15 roundings
-    /// at most, its product with a corner and the sums lose 3 of their length. Four times as much asks every pair of
-    /// plates that are a millionth apart; a quarter is not proved.
-    /// </summary>
+    /// <summary>Ratio to twice the lengths: 2^-49, 16 roundings. Turning the normal into a shape's axes turns it by 15
+    /// roundings at most, its product with a corner and the sums lose 3 of their length. Four times as much asks every
+    /// pair of plates that are a millionth apart; a quarter is not proved.</summary>
     private const double Error = 1.0 / (1L << 49);
 
-    /// <summary>
-    /// Ratio to twice the lengths: what is further apart than this does not touch. Four times what the queries count
-    /// as touching where a core is curved. More only costs time; SmallBesideLargeTests fails with less.
-    /// </summary>
+    /// <summary>Ratio to twice the lengths: what is further apart than this does not touch. Four times what the queries
+    /// count as touching where a core is curved. More only costs time; SmallBesideLargeTests fails with less.</summary>
     private const double Touching = 4 * GjkTolerances.TouchCurved;
 
-    /// <summary>
-    /// A cosine: normals no further apart than by 2e-4 are meant to be one; between plates a millionth of their size
-    /// apart a distance's accuracy allows so much. Any unit vector is a proof, another only fails more often.
-    /// </summary>
+    /// <summary>A cosine: normals no further apart than by 2e-4 are meant to be one; between plates a millionth of
+    /// their size apart a distance's accuracy allows so much. Any unit vector is a proof, another only fails more
+    /// often.</summary>
     private const double Aligned = 1 - 2e-8;
 
     /// <summary>Count: so many corners of the larger mesh are looked at before all are.</summary>
@@ -63,9 +52,8 @@ internal sealed class PlaneProof
         _limit = 0.5 * ((double)best.Distance + RoundOff.Down(best.Distance * (1 - 1.0 / (1 << 26))));
     }
 
-    /// <summary>
-    /// Takes the plane of two parts that are further apart than the limit: so are those that are dropped.
-    /// </summary>
+    /// <summary>Takes the plane of two parts that are further apart than the limit: so are those that are
+    /// dropped.</summary>
     public void SetBeyond(PartSide a, int partA, PartSide b, int partB, Vector3 normal, float limit)
     {
         double lengths = Aim(a, partA, b, partB, normal, 0);
@@ -73,10 +61,9 @@ internal sealed class PlaneProof
         _limit = Beyond(limit, lengths);
     }
 
-    /// <summary>
-    /// Whether a plane across the line of two parts' centres shows that they are further apart than the limit: most
-    /// parts that a box lets pass are, and it costs far less than the exact query. The plane that is set stays.
-    /// </summary>
+    /// <summary>Whether a plane across the line of two parts' centres shows that they are further apart than the limit:
+    /// most parts that a box lets pass are, and it costs far less than the exact query. The plane that is set
+    /// stays.</summary>
     public static bool IsBeyond(PartSide a, int partA, PartSide b, int partB, float limit)
     {
         Double3 normal = b.CenterOf(partB) - a.CenterOf(partA);
@@ -88,9 +75,8 @@ internal sealed class PlaneProof
     private static double Beyond(float limit, double lengths) =>
         limit * (1 + GjkTolerances.FloatBand) + Touching * lengths;
 
-    /// <summary>
-    /// Turns the plane, to that of a triangle if that has the cosine; gives the lengths that rounding is measured by.
-    /// </summary>
+    /// <summary>Turns the plane, to that of a triangle if that has the cosine; gives the lengths that rounding is
+    /// measured by.</summary>
     private double Aim(PartSide a, int partA, PartSide b, int partB, Vector3 direction, double aligned)
     {
         Double3 normal = direction;
@@ -100,10 +86,8 @@ internal sealed class PlaneProof
         return Across(a, b, normal, out _alongA, out _alongB, out _between);
     }
 
-    /// <summary>
-    /// A normal in both sides' axes, and how far apart the origins are along it, less what rounding may do; gives the
-    /// lengths that this is measured by.
-    /// </summary>
+    /// <summary>A normal in both sides' axes, and how far apart the origins are along it, less what rounding may do;
+    /// gives the lengths that this is measured by.</summary>
     private static double Across(
         PartSide a, PartSide b, in Double3 normal, out Double3 alongA, out Double3 alongB, out double between)
     {
@@ -115,10 +99,8 @@ internal sealed class PlaneProof
         return lengths;
     }
 
-    /// <summary>
-    /// Whether no pair of parts at all is nearer; each plane is tried once. A look at a few corners tells most that it
-    /// does not separate.
-    /// </summary>
+    /// <summary>Whether no pair of parts at all is nearer; each plane is tried once. A look at a few corners tells most
+    /// that it does not separate.</summary>
     public bool IsWholeNoNearer(PartSide a, PartSide b)
     {
         _tried = _version;

@@ -1,19 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The contact of two parts as their surfaces show it: as the convex query has it, along a triangle's normal instead,
-/// or not at all.
-/// </summary>
+/// <summary>The contact of two parts as their surfaces show it: as the convex query has it, along a triangle's normal
+/// instead, or not at all.</summary>
 internal static class SeamContacts
 {
-    /// <summary>
-    /// Of a depth: less is much less. At a half no face pushes more than twice as far as it must. TipContactTests
-    /// fails without; twice as much or as little is harmless.
-    /// </summary>
+    /// <summary>Of a depth: less is much less. At a half no face pushes more than twice as far as it must.
+    /// TipContactTests fails without; twice as much or as little is harmless.</summary>
     private const float MuchLess = 0.5f;
 
     /// <summary>Finds the contact of two parts.</summary>
@@ -65,10 +57,8 @@ internal static class SeamContacts
         return true;
     }
 
-    /// <summary>
-    /// Whether a face's contact is needed: where a contact of another direction takes the shapes apart by much less,
-    /// it is not the face that they meet, but what it ends at.
-    /// </summary>
+    /// <summary>Whether a face's contact is needed: where a contact of another direction takes the shapes apart by much
+    /// less, it is not the face that they meet, but what it ends at.</summary>
     public static bool IsNeeded(in PartContacts face, List<PartContacts> others)
     {
         for (int i = 0; i < others.Count; i++)

@@ -1,15 +1,10 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The contact of a triangle's face with another shape's tip: the point that is furthest against the face's normal.
-/// </summary>
-/// <remarks>
-/// Where a corner or a round side is nearer to a seam than it is deep, the pair's shortest way out leads over the seam,
-/// where the surface goes on. What the surface shows there is a face: that of the triangle over which the tip lies.
-/// </remarks>
+/// <summary>The contact of a triangle's face with another shape's tip: the point that is furthest against the face's
+/// normal.</summary>
+/// <remarks>Where a corner or a round side is nearer to a seam than it is deep, the pair's shortest way out leads over
+/// the seam, where the surface goes on. What the surface shows there is a face: that of the triangle over which the tip
+/// lies.</remarks>
 internal readonly ref struct TipContact
 {
     private readonly RotationD _toMesh, _toOther;
@@ -73,9 +68,8 @@ internal readonly ref struct TipContact
         return _toMesh.InverseRotate(_toOther.Rotate(shape.Center + point)) + _offset - direction * shape.Margin;
     }
 
-    /// <summary>
-    /// Whether the tip is over the triangle, or beside it by what its seams may bend without counting as bent.
-    /// </summary>
+    /// <summary>Whether the tip is over the triangle, or beside it by what its seams may bend without counting as
+    /// bent.</summary>
     private bool IsOver()
     {
         double sign = Double3.Dot(Double3.Cross(_b - _a, _c - _a), Face) < 0 ? -1 : 1;

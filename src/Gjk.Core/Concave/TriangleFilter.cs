@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The triangles of two leaves: all pairs are measured in float, and those that may be the nearest are given out, the
-/// one that seems nearest first.
-/// </summary>
+/// <summary>The triangles of two leaves: all pairs are measured in float, and those that may be the nearest are given
+/// out, the one that seems nearest first.</summary>
 internal sealed unsafe class TriangleFilter
 {
     /// <summary>Ratio to the trees' sizes and distance: 2^-45; turning corners in double loses less.</summary>

@@ -1,14 +1,10 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>Vertices, and which of them each triangle has: lists as they were given, or the cells of a grid.</summary>
-/// <remarks>
-/// A grid has a vertex for each height, row by row: x is the column times the spacing, z the row times the spacing,
-/// both rounded to float. A cell is cut from its corner with the greater x to that with the greater z. Its triangles
-/// are 2 cell, with the corner of least x and z, and 2 cell + 1; both are counter-clockwise seen from above.
-/// </remarks>
+/// <remarks>A grid has a vertex for each height, row by row: x is the column times the spacing, z the row times the
+/// spacing, both rounded to float. A cell is cut from its corner with the greater x to that with the greater z. Its
+/// triangles are 2 cell, with the corner of least x and z, and 2 cell + 1; both are counter-clockwise seen from
+/// above.</remarks>
 internal sealed class TriangleList
 {
     private readonly Vector3[] _vertices;

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
-using System.Numerics;
 
 namespace Gjk.Core;
 
@@ -29,26 +26,20 @@ public sealed partial class TriangleMesh
         return true;
     }
 
-    /// <summary>
-    /// A height field: a surface over the cells of a grid, which keeps the heights alone and no list of triangles.
-    /// </summary>
-    /// <param name="heights">
-    /// Row by row, all finite: vertex i is at x = (i % columns) · spacing.X, y = heights[i], z = (i / columns) ·
-    /// spacing.Y, x and z rounded to float. Copied.
-    /// </param>
+    /// <summary>A height field: a surface over the cells of a grid, which keeps the heights alone and no list of
+    /// triangles.</summary>
+    /// <param name="heights">Row by row, all finite: vertex i is at x = (i % columns) · spacing.X, y = heights[i], z =
+    /// (i / columns) · spacing.Y, x and z rounded to float. Copied.</param>
     /// <param name="columns">How many heights a row has; at least 2, and there are at least 2 whole rows.</param>
     /// <param name="spacing">Between columns, along x, and between rows, along z; positive.</param>
-    /// <returns>
-    /// A mesh with two triangles for each cell, row by row, cut from the cell's corner with the greater x to that with
-    /// the greater z: 2 · cell is the one at the least x and z. Both look up along y. Its answers are those of the mesh
-    /// of the same triangles, to the last bit. For holes make a mesh of the triangles that are there.
-    /// </returns>
+    /// <returns>A mesh with two triangles for each cell, row by row, cut from the cell's corner with the greater x to
+    /// that with the greater z: 2 · cell is the one at the least x and z. Both look up along y. Its answers are those
+    /// of the mesh of the same triangles, to the last bit. For holes make a mesh of the triangles that are
+    /// there.</returns>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
     /// <exception cref="ArgumentException">The heights are no grid, or one of them is NaN or infinite.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The spacing is not positive and finite, or the grid leaves the range of float, or it has more than 4,194,304
-    /// columns or rows.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The spacing is not positive and finite, or the grid leaves the
+    /// range of float, or it has more than 4,194,304 columns or rows.</exception>
     public static TriangleMesh FromHeights(IReadOnlyList<float> heights, int columns, Vector2 spacing)
     {
         Guard.NotNull(heights, nameof(heights));
@@ -78,10 +69,9 @@ public sealed partial class TriangleMesh
 
     /// <summary>The same triangles with their vertices moved, as those of a body that bends.</summary>
     /// <param name="vertices">As many as there are, finite. Copied.</param>
-    /// <returns>
-    /// A mesh with the same triangle numbers and scale. Its tree keeps its form and is fitted to the new places, which
-    /// is faster than a new one; build anew where triangles have moved far from their neighbours.
-    /// </returns>
+    /// <returns>A mesh with the same triangle numbers and scale. Its tree keeps its form and is fitted to the new
+    /// places, which is faster than a new one; build anew where triangles have moved far from their
+    /// neighbours.</returns>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
     /// <exception cref="ArgumentException">There are more or fewer vertices, or one is not finite.</exception>
     public TriangleMesh WithVertices(IReadOnlyList<Vector3> vertices)

@@ -1,18 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Diagnostics;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Triangles, kept as they are given: the surface that is their union, with a tree for queries. Build it once and share
-/// it: it is immutable, and any number of shapes and threads may use it.
-/// </summary>
-/// <remarks>
-/// Triangles keep the caller's numbers; degenerate and repeated ones count like all others. The largest triangle
-/// numbers are limited by memory alone: at most 70 bytes a triangle in meshes with half as many vertices as triangles.
-/// </remarks>
+/// <summary>Triangles, kept as they are given: the surface that is their union, with a tree for queries. Build it once
+/// and share it: it is immutable, and any number of shapes and threads may use it.</summary>
+/// <remarks>Triangles keep the caller's numbers; degenerate and repeated ones count like all others. The largest
+/// triangle numbers are limited by memory alone: at most 70 bytes a triangle in meshes with half as many vertices as
+/// triangles.</remarks>
 [DebuggerDisplay("{" + nameof(TriangleCount) + "} triangles, {" + nameof(VertexCount) + "} vertices")]
 public sealed partial class TriangleMesh
 {
@@ -30,13 +22,11 @@ public sealed partial class TriangleMesh
 
     /// <summary>Builds a mesh.</summary>
     /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
-    /// <param name="indices">
-    /// Three for each triangle, at least one triangle, each at least 0 and below the number of vertices. Copied.
-    /// </param>
+    /// <param name="indices">Three for each triangle, at least one triangle, each at least 0 and below the number of
+    /// vertices. Copied.</param>
     /// <exception cref="ArgumentNullException">A list is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// <see cref="TryCreate"/> would refuse the lists; the message says why.
-    /// </exception>
+    /// <exception cref="ArgumentException"><see cref="TryCreate"/> would refuse the lists; the message says
+    /// why.</exception>
     public TriangleMesh(IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices)
     {
         Guard.NotNull(vertices, nameof(vertices));
@@ -67,15 +57,12 @@ public sealed partial class TriangleMesh
     /// <summary>The factors that the vertices are multiplied with, exactly; 1 unless <see cref="Scaled"/>.</summary>
     public Vector3 Scale { get; }
 
-    /// <summary>
-    /// Whether each edge belongs to an even number of triangles. Vertices with equal coordinates are one.
-    /// </summary>
+    /// <summary>Whether each edge belongs to an even number of triangles. Vertices with equal coordinates are
+    /// one.</summary>
     public bool IsClosed => _topology.IsClosed;
 
-    /// <summary>
-    /// Whether the triangles go along each edge as often in one direction as in the other, or once more where their
-    /// number is odd.
-    /// </summary>
+    /// <summary>Whether the triangles go along each edge as often in one direction as in the other, or once more where
+    /// their number is odd.</summary>
     public bool IsOriented => _topology.IsOriented;
 
     /// <summary>How many edges belong to one triangle alone.</summary>
@@ -90,10 +77,8 @@ public sealed partial class TriangleMesh
     /// <summary>In how many pieces the triangles hang together by common vertices.</summary>
     public int ComponentCount => _topology.Components.Length;
 
-    /// <summary>
-    /// Whether the mesh has an inside: it is closed and consistently oriented, so that triangles go along each edge as
-    /// often in one direction as in the other.
-    /// </summary>
+    /// <summary>Whether the mesh has an inside: it is closed and consistently oriented, so that triangles go along each
+    /// edge as often in one direction as in the other.</summary>
     public bool HasInside => _topology.FaultyA < 0;
 
     /// <summary>Null, or which edge keeps the mesh from having an inside, in one sentence.</summary>
@@ -109,14 +94,12 @@ public sealed partial class TriangleMesh
         }
     }
 
-    /// <summary>
-    /// The same triangles scaled about the local origin, exactly; factors of an earlier call are multiplied.
-    /// </summary>
+    /// <summary>The same triangles scaled about the local origin, exactly; factors of an earlier call are
+    /// multiplied.</summary>
     /// <param name="scale">Along the local axes; negative factors mirror.</param>
     /// <returns>A mesh that shares the vertices and has a tree of its own.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// A factor, or its product with an earlier one, is 0, NaN or infinite.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">A factor, or its product with an earlier one, is 0, NaN or
+    /// infinite.</exception>
     public TriangleMesh Scaled(Vector3 scale)
     {
         Guard.Scale(scale, nameof(scale));

@@ -1,26 +1,20 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How often a closed mesh winds around a point: the triangles that a ray along x crosses, counted with their sides.
-/// </summary>
-/// <remarks>
-/// Idea: looked at along x, a triangle winds around the point 1, -1 or 0 times; if it does, it counts if it lies ahead
-/// (Sunday, "Inclusion of a point in a polygon", 2001, in space). An edge belongs to the side on which its lower end
-/// is, so that a ray through edges and corners counts each crossing of the surface once: two triangles at an edge go
-/// along it in opposite directions, and ask the same question of it.
-/// Exactness: both questions are signs of determinants of the coordinates as given, the scale multiplied in (no
-/// rounding in double), and of the point in 106 bits. Double decides where its error bound lets it, and
-/// <see cref="ExactSum"/> else. A point on the surface has no winding number; callers ask for the distance first.
-/// The tree only leaves out triangles whose boxes the ray misses for certain.
-/// </remarks>
+/// <summary>How often a closed mesh winds around a point: the triangles that a ray along x crosses, counted with their
+/// sides.</summary>
+/// <remarks>Idea: looked at along x, a triangle winds around the point 1, -1 or 0 times; if it does, it counts if it
+/// lies ahead (Sunday, "Inclusion of a point in a polygon", 2001, in space). An edge belongs to the side on which its
+/// lower end is, so that a ray through edges and corners counts each crossing of the surface once: two triangles at an
+/// edge go along it in opposite directions, and ask the same question of it. Exactness: both questions are signs of
+/// determinants of the coordinates as given, the scale multiplied in (no rounding in double), and of the point in 106
+/// bits. Double decides where its error bound lets it, and <see cref="ExactSum"/> else. A point on the surface has no
+/// winding number; callers ask for the distance first. The tree only leaves out triangles whose boxes the ray misses
+/// for certain.</remarks>
 internal sealed class WindingNumber
 {
-    /// <summary>
-    /// Ratio to the sum of the terms' magnitudes: 32 units of 2^-53. Differences, products and sums take 16 at most
-    /// (<see cref="HullPredicates"/> counts the same), the point's low half 1 more. More costs time only.
-    /// </summary>
+    /// <summary>Ratio to the sum of the terms' magnitudes: 32 units of 2^-53. Differences, products and sums take 16 at
+    /// most (<see cref="HullPredicates"/> counts the same), the point's low half 1 more. More costs time
+    /// only.</summary>
     private const double Certain = 32.0 / (1L << 53);
 
     /// <summary>Ratio to lengths in tree units: 2^-20, some roundings of float. More costs time only.</summary>

@@ -1,25 +1,17 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// From the two faces or edges that a pair shows along its normal to the points of its manifold: both are seen along
-/// the normal, the places where they lie opposite each other are found (<see cref="ContactPlaces"/>), each gets a point
-/// of both surfaces (<see cref="SurfacePoint"/>), and four of them stay (<see cref="ContactReduction"/>).
-/// </summary>
-/// <remarks>
-/// The gap of each point is the distance of the two surfaces along the normal, so none is less than the signed
+/// <summary>From the two faces or edges that a pair shows along its normal to the points of its manifold: both are seen
+/// along the normal, the places where they lie opposite each other are found (<see cref="ContactPlaces"/>), each gets a
+/// point of both surfaces (<see cref="SurfacePoint"/>), and four of them stay
+/// (<see cref="ContactReduction"/>).</summary>
+/// <remarks>The gap of each point is the distance of the two surfaces along the normal, so none is less than the signed
 /// distance. A deepest point belongs to the manifold even where no corner or edge names it, as on the rim of a tilted
-/// disc.
-/// </remarks>
+/// disc.</remarks>
 internal static unsafe class ContactBuilder
 {
-    /// <summary>
-    /// Length, as a fraction of the size: a point is as deep as the deepest where its gap is wider by no more. Within
-    /// the promised 1e-6, above what rounding to float does to the poses of bodies that lie flat. Pinned by
-    /// ContactPropertyTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: a point is as deep as the deepest where its gap is wider by no more.
+    /// Within the promised 1e-6, above what rounding to float does to the poses of bodies that lie flat. Pinned by
+    /// ContactPropertyTests.</summary>
     public const double AsDeep = 4e-7;
 
     /// <summary>Fills a manifold, whose normal is there already.</summary>
@@ -71,10 +63,8 @@ internal static unsafe class ContactBuilder
         return true;
     }
 
-    /// <summary>
-    /// Finds the surfaces over a place, or near it: where a surface that was worked out is not the shape's own, the
-    /// place moves to where a face is flat.
-    /// </summary>
+    /// <summary>Finds the surfaces over a place, or near it: where a surface that was worked out is not the shape's
+    /// own, the place moves to where a face is flat.</summary>
     private static bool TryMeasure<TA, TB>(
         ref TA shapeA, ref TB shapeB, in ContactPlane plane, in ContactPlaces places, in ContactPlace place,
         in FlatFeature a, in FlatFeature b, out Candidate candidate)

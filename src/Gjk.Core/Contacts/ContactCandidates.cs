@@ -1,8 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// The places of which some become contact points, in order around what is shared, each with a surface of both shapes.
-/// </summary>
+/// <summary>The places of which some become contact points, in order around what is shared, each with a surface of both
+/// shapes.</summary>
 internal unsafe ref struct ContactCandidates
 {
     /// <summary>Count: one for each place, and the deepest point.</summary>
@@ -41,10 +40,8 @@ internal unsafe ref struct ContactCandidates
     /// <summary>Adds one; there is room.</summary>
     public void Add(in Candidate candidate) => _candidates[Count++] = candidate;
 
-    /// <summary>
-    /// Leaves of a finely rounded outline what is needed to stay within a length of it, beginning with the first name
-    /// towards the first of its neighbours.
-    /// </summary>
+    /// <summary>Leaves of a finely rounded outline what is needed to stay within a length of it, beginning with the
+    /// first name towards the first of its neighbours.</summary>
     public void KeepCorners(double within)
     {
         int first = 0;
@@ -88,10 +85,8 @@ internal unsafe ref struct ContactCandidates
         Count = count;
     }
 
-    /// <summary>
-    /// Leaves the corners of the convex outline, in order around it (Andrew 1979): places that moved to where a face is
-    /// flat may have left it.
-    /// </summary>
+    /// <summary>Leaves the corners of the convex outline, in order around it (Andrew 1979): places that moved to where
+    /// a face is flat may have left it.</summary>
     public void KeepOutline()
     {
         for (int i = 1; i < Count; i++)
@@ -134,25 +129,16 @@ internal unsafe ref struct ContactCandidates
 }
 
 /// <summary>A place where both shapes have a surface.</summary>
-internal readonly struct Candidate
+internal readonly struct Candidate(double u, double v, double heightA, double heightB, long id)
 {
     /// <summary>In the plane across the normal, from the deepest point.</summary>
-    public readonly double U, V;
+    public readonly double U = u, V = v;
 
     /// <summary>How far each shape reaches towards the other, margin included.</summary>
-    public readonly double HeightA, HeightB;
+    public readonly double HeightA = heightA, HeightB = heightB;
 
     /// <summary>The point's name.</summary>
-    public readonly long Id;
-
-    public Candidate(double u, double v, double heightA, double heightB, long id)
-    {
-        U = u;
-        V = v;
-        HeightA = heightA;
-        HeightB = heightB;
-        Id = id;
-    }
+    public readonly long Id = id;
 
     /// <summary>How far apart the shapes are here.</summary>
     public double Gap => -(HeightA + HeightB);

@@ -1,10 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The numbers of contact points: A's part in the upper half, B's in the lower, each a kind and a corner's id.
-/// </summary>
+/// <summary>The numbers of contact points: A's part in the upper half, B's in the lower, each a kind and a corner's
+/// id.</summary>
 internal static class ContactFeature
 {
     private const int Half = 32;
@@ -25,10 +22,8 @@ internal static class ContactFeature
     /// <summary>The number of a point.</summary>
     public static long Of(uint a, uint b) => (long)((ulong)a << Half | b);
 
-    /// <summary>
-    /// Whether one number comes before another: by their smaller halves, then by their larger ones, so that the
-    /// order of most points is that of the exchanged pair, then by A's.
-    /// </summary>
+    /// <summary>Whether one number comes before another: by their smaller halves, then by their larger ones, so that
+    /// the order of most points is that of the exchanged pair, then by A's.</summary>
     public static bool IsBefore(long one, long other)
     {
         uint a = (uint)(one >> Half & LowerHalf), b = (uint)(one & LowerHalf);

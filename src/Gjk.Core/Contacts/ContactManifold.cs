@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Up to four points where two shapes touch, and the direction in which they push each other: what <see
-/// cref="ConvexQuery"/>'s contacts fill. Kept by the caller; mutable, and a copy is independent.
-/// </summary>
+/// <summary>Up to four points where two shapes touch, and the direction in which they push each other: what
+/// <see cref="ConvexQuery"/>'s contacts fill. Kept by the caller; mutable, and a copy is independent.</summary>
 public struct ContactManifold
 {
     /// <summary>The most points that a manifold has: four carry any flat contact.</summary>
@@ -20,11 +15,9 @@ public struct ContactManifold
     /// <summary>The unit vector in which B leaves A, common to all points; zero when there are none.</summary>
     public Vector3 Normal { get; private set; }
 
-    /// <summary>
-    /// A point. They are in an order of their <see cref="ManifoldPoint.FeatureId"/>s, by the lesser half and then by
-    /// the greater one, so that it stays from frame to frame and hardly changes when A and B are exchanged. One of them
-    /// is the deepest, or as deep to within 1e-6 of the size.
-    /// </summary>
+    /// <summary>A point. They are in an order of their <see cref="ManifoldPoint.FeatureId"/>s, by the lesser half and
+    /// then by the greater one, so that it stays from frame to frame and hardly changes when A and B are exchanged. One
+    /// of them is the deepest, or as deep to within 1e-6 of the size.</summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>
     public readonly ManifoldPoint this[int index]

@@ -1,45 +1,32 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The places where two faces or edges lie opposite each other, with names that stay from frame to frame.
-/// </summary>
-/// <remarks>
-/// Of two faces these are the corners of what they share. Bodies that stand on each other share corners and edges but
-/// for their unrest: which of two such corners lies within the other face is a last bit, and a name must not follow it.
-/// So a corner that is nearer than a reach to the other's edge names the place, whichever way round they lie, and two
-/// corners nearer than that to each other name it together; what gets the same name is one place, the middle. Where
-/// edges cross that are as good as parallel there is none. The reach is a small part of the width that is shared, so
-/// that hardly any area is lost.
-/// </remarks>
+/// <summary>The places where two faces or edges lie opposite each other, with names that stay from frame to
+/// frame.</summary>
+/// <remarks>Of two faces these are the corners of what they share. Bodies that stand on each other share corners and
+/// edges but for their unrest: which of two such corners lies within the other face is a last bit, and a name must not
+/// follow it. So a corner that is nearer than a reach to the other's edge names the place, whichever way round they
+/// lie, and two corners nearer than that to each other name it together; what gets the same name is one place, the
+/// middle. Where edges cross that are as good as parallel there is none. The reach is a small part of the width that is
+/// shared, so that hardly any area is lost.</remarks>
 internal unsafe ref struct ContactPlaces
 {
     /// <summary>Count: as many as corners, or the ends of what two edges share.</summary>
     public const int Capacity = FeatureOverlap.Capacity;
 
-    /// <summary>
-    /// Length, as a fraction of the pair's size: what lies beside an edge by less is on it, so that equal faces and
-    /// parallel edges meet whatever rounding to float did to their poses. Pinned by ContactTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the pair's size: what lies beside an edge by less is on it, so that equal
+    /// faces and parallel edges meet whatever rounding to float did to their poses. Pinned by ContactTests.</summary>
     public const double Slack = 4e-7;
 
-    /// <summary>
-    /// Ratio: the slack is at most this part of the smaller feature, and what is shared with a round side is no more
-    /// than a point where it is a smaller part. Four times more or less is as good.
-    /// </summary>
+    /// <summary>Ratio: the slack is at most this part of the smaller feature, and what is shared with a round side is
+    /// no more than a point where it is a smaller part. Four times more or less is as good.</summary>
     private const double LeastPart = 1e-3;
 
-    /// <summary>
-    /// Ratio to the width that is shared: corners closer than this coincide. Four places that move by as much lose 3 %
-    /// of the largest area; a body at rest moves by 1e-3. Pinned by NameTests.
-    /// </summary>
+    /// <summary>Ratio to the width that is shared: corners closer than this coincide. Four places that move by as much
+    /// lose 3 % of the largest area; a body at rest moves by 1e-3. Pinned by NameTests.</summary>
     private const double Reach = 1.0 / 200;
 
-    /// <summary>
-    /// Ratio of the width that is shared to a disc's: below the first 16 corners leave too much of the disc out, below
-    /// the second 32. Pinned by ContactAreaTests.
-    /// </summary>
+    /// <summary>Ratio of the width that is shared to a disc's: below the first 16 corners leave too much of the disc
+    /// out, below the second 32. Pinned by ContactAreaTests.</summary>
     private const double LittleOfDisc = 1, LeastOfDisc = 0.4;
 
     /// <summary>Sine: edges that cross at less are as good as parallel. Pinned by NameTests.</summary>
@@ -102,9 +89,8 @@ internal unsafe ref struct ContactPlaces
         RemoveFlat();
     }
 
-    /// <summary>
-    /// Whether so little of a disc is shared that it was shown by too few corners; it gets more then.
-    /// </summary>
+    /// <summary>Whether so little of a disc is shared that it was shown by too few corners; it gets more
+    /// then.</summary>
     private static bool IsLittleOf(double width, ref FlatFeature a, ref FlatFeature b)
     {
         bool ofA = IsLittleOf(width, ref a), ofB = IsLittleOf(width, ref b);

@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Where a query of the signed distance ended, as contacts need it, in the pair's frame. Places across the normal are
-/// measured from the deepest point, so that no length is larger than the shapes.
-/// </summary>
+/// <summary>Where a query of the signed distance ended, as contacts need it, in the pair's frame. Places across the
+/// normal are measured from the deepest point, so that no length is larger than the shapes.</summary>
 internal struct ContactPlane
 {
     /// <summary>The pair.</summary>

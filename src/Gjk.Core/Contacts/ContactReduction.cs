@@ -1,28 +1,18 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Which four of many contact points stay, by which names, and in which order.
-/// </summary>
+/// <summary>Which four of many contact points stay, by which names, and in which order.</summary>
 /// <remarks>
-/// <para>
-/// The four span the largest area, to within a fiftieth (<see cref="LargestFour"/>). If none of them is as deep as the
-/// deepest point, the largest four that hold that point take their places, and their names stay: a can that rocks on
-/// its rim touches everywhere in turn, and what a solver knows of each quarter of the rim must not get lost. A name
-/// then stands for the part of the outline around the corner that it names.
-/// </para>
-/// <para>
-/// The points are sorted by name, so that their order stays too. A and B count alike, so that the order is that of the
-/// exchanged pair.
-/// </para>
+/// <para>The four span the largest area, to within a fiftieth (<see cref="LargestFour"/>). If none of them is as deep
+/// as the deepest point, the largest four that hold that point take their places, and their names stay: a can that
+/// rocks on its rim touches everywhere in turn, and what a solver knows of each quarter of the rim must not get lost. A
+/// name then stands for the part of the outline around the corner that it names.</para>
+/// <para>The points are sorted by name, so that their order stays too. A and B count alike, so that the order is that
+/// of the exchanged pair.</para>
 /// </remarks>
 internal static unsafe class ContactReduction
 {
-    /// <summary>
-    /// Count: of more corners, which only finely rounded outlines have, those are left out first that hardly stand out,
-    /// so that the time does not grow with the square. Pinned by ContactAreaTests.
-    /// </summary>
+    /// <summary>Count: of more corners, which only finely rounded outlines have, those are left out first that hardly
+    /// stand out, so that the time does not grow with the square. Pinned by ContactAreaTests.</summary>
     private const int Many = 24;
 
     /// <summary>Leaves what stays.</summary>

@@ -1,9 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// The corners between those that a disc is shown by. A turn of the disc is linear, so they are sums of corners that
-/// are a quarter apart, as these lie in the contact plane.
-/// </summary>
+/// <summary>The corners between those that a disc is shown by. A turn of the disc is linear, so they are sums of
+/// corners that are a quarter apart, as these lie in the contact plane.</summary>
 internal static unsafe class DiscCorners
 {
     /// <summary>Cosine and sine of a thirty-second of a turn, and of a sixty-fourth.</summary>

@@ -1,16 +1,10 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What a convex face and another face or edge share, seen along the contact normal: a convex polygon whose sides know
-/// which edge they lie on.
-/// </summary>
-/// <remarks>
-/// The one is cut by the edges of the other, one after the other (Sutherland and Hodgman 1974), which is what physics
-/// engines make contacts by (Gregorius, "Robust contact creation for physics simulation", GDC 2015). An edge is a
-/// polygon of two corners. Each cut adds a corner at most, so there is room for all.
-/// </remarks>
+/// <summary>What a convex face and another face or edge share, seen along the contact normal: a convex polygon whose
+/// sides know which edge they lie on.</summary>
+/// <remarks>The one is cut by the edges of the other, one after the other (Sutherland and Hodgman 1974), which is what
+/// physics engines make contacts by (Gregorius, "Robust contact creation for physics simulation", GDC 2015). An edge is
+/// a polygon of two corners. Each cut adds a corner at most, so there is room for all.</remarks>
 internal static unsafe class FeatureOverlap
 {
     /// <summary>Count: the corners of both, and one that a cut may add before it takes others away.</summary>
@@ -24,10 +18,8 @@ internal static unsafe class FeatureOverlap
     /// <param name="cutter">The face.</param>
     /// <param name="isACut">Whether the one that is cut is A's.</param>
     /// <param name="slack">Length: what lies beside an edge by less is not cut off.</param>
-    /// <param name="places">
-    /// Gets the corners, of which an edge has two, and those that cutting it adds twice; room for <see
-    /// cref="Capacity"/>.
-    /// </param>
+    /// <param name="places">Gets the corners, of which an edge has two, and those that cutting it adds twice; room for
+    /// <see cref="Capacity"/>.</param>
     /// <returns>How many there are.</returns>
     public static int Find(
         ref FlatFeature cut, ref FlatFeature cutter, bool isACut, double slack, ContactPlace* places)

@@ -1,31 +1,22 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A face or an edge that a core shows along a contact normal, seen along it: its corners in the plane across the
-/// normal, and how far each reaches towards the other shape. With its margin it is a surface (<see
-/// cref="SurfacePoint"/>).
-/// </summary>
+/// <summary>A face or an edge that a core shows along a contact normal, seen along it: its corners in the plane across
+/// the normal, and how far each reaches towards the other shape. With its margin it is a surface
+/// (<see cref="SurfacePoint"/>).</summary>
 internal unsafe struct FlatFeature
 {
-    /// <summary>
-    /// Length, as a fraction of the pair's size: an edge that is shorter, or a face that is narrower, has a direction
-    /// that is rounding to more than 1e-7, so the edge is a point and the face an edge. Four times more or less
-    /// is far from both.
-    /// </summary>
+    /// <summary>Length, as a fraction of the pair's size: an edge that is shorter, or a face that is narrower, has a
+    /// direction that is rounding to more than 1e-7, so the edge is a point and the face an edge. Four times more or
+    /// less is far from both.</summary>
     private const double Thin = 1e-9;
 
-    /// <summary>
-    /// Length, as a fraction of the size: tilted by so little that a margin along its normal and one along the contact
-    /// normal differ by less, a surface needs no proof. Pinned by MarginContactTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: tilted by so little that a margin along its normal and one along the
+    /// contact normal differ by less, a surface needs no proof. Pinned by MarginContactTests.</summary>
     private const double Level = 1e-7;
 
-    /// <summary>
-    /// Cosine between the inner sides of two edges that meet at 45 degrees: beyond sharper corners more than 1e-6
-    /// of the size is within a slack of both. A few times sharper ones would do no harm; blunter ones only cost time.
-    /// </summary>
+    /// <summary>Cosine between the inner sides of two edges that meet at 45 degrees: beyond sharper corners more than
+    /// 1e-6 of the size is within a slack of both. A few times sharper ones would do no harm; blunter ones only cost
+    /// time.</summary>
     private const double Sharp = -0.7;
 
     /// <summary>How many corners there are: two are an edge, more a face.</summary>
@@ -83,9 +74,8 @@ internal unsafe struct FlatFeature
         IsSure = Margin * (Secant - 1) <= Level * size && (Count > 2 || !IsOnSide);
     }
 
-    /// <summary>
-    /// Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show another.
-    /// </summary>
+    /// <summary>Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show
+    /// another.</summary>
     public readonly bool IsLevel;
 
     /// <summary>Whether its surface is known without asking the shape: without margin it is the core's own.</summary>
@@ -237,10 +227,8 @@ internal unsafe struct FlatFeature
         }
     }
 
-    /// <summary>
-    /// Finds the plane through a face's corners, by the areas of its projections (Newell); returns twice the area that
-    /// is seen, positive where the corners run counter-clockwise.
-    /// </summary>
+    /// <summary>Finds the plane through a face's corners, by the areas of its projections (Newell); returns twice the
+    /// area that is seen, positive where the corners run counter-clockwise.</summary>
     private double Tilt()
     {
         double u = 0, v = 0, h = 0;

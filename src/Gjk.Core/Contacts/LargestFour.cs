@@ -1,39 +1,27 @@
-using System;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
 /// <summary>The four corners of a convex polygon that span the largest area, to within a fiftieth.</summary>
 /// <remarks>
-/// <para>
-/// Four corners are two triangles on both sides of a diagonal. While the diagonal's other end goes round, the best
-/// corner on either side moves on and never back (Shamos 1978, by rotating calipers). The area is at most the
+/// <para>Four corners are two triangles on both sides of a diagonal. While the diagonal's other end goes round, the
+/// best corner on either side moves on and never back (Shamos 1978, by rotating calipers). The area is at most the
 /// diagonal's length times the polygon's width, so diagonals that are too short for a large one are left out: of a
-/// disc's all but the few across the middle.
-/// </para>
-/// <para>
-/// Of those that are as good the one with the first name is taken, corner by corner: a regular outline has many that
-/// are equal but for rounding, and the same ones must stay while a body rests or slides. What is as good ends in a gap
-/// between one area and the next, so that hardly one is in today and out tomorrow.
-/// </para>
+/// disc's all but the few across the middle.</para>
+/// <para>Of those that are as good the one with the first name is taken, corner by corner: a regular outline has many
+/// that are equal but for rounding, and the same ones must stay while a body rests or slides. What is as good ends in a
+/// gap between one area and the next, so that hardly one is in today and out tomorrow.</para>
 /// </remarks>
 internal readonly unsafe ref struct LargestFour
 {
-    /// <summary>
-    /// Ratio of areas: four that span this much of the largest are as good, none that spans less than the second.
-    /// More than a resting body's unrest changes areas, less than matters to what stands on them. Pinned by NameTests.
-    /// </summary>
+    /// <summary>Ratio of areas: four that span this much of the largest are as good, none that spans less than the
+    /// second. More than a resting body's unrest changes areas, less than matters to what stands on them. Pinned by
+    /// NameTests.</summary>
     private const double AsGood = 0.995, LeastGood = 0.98;
 
     /// <summary>Ratio of areas: a gap that a resting body's unrest hardly crosses. Pinned by NameTests.</summary>
     private const double Gap = 0.004;
 
-    /// <summary>
-    /// The cosine of an eighth of a turn, and one over that of a sixteenth: what an extent along one of eight
-    /// directions may miss.
-    /// </summary>
+    /// <summary>The cosine of an eighth of a turn, and one over that of a sixteenth: what an extent along one of eight
+    /// directions may miss.</summary>
     private const double HalfRoot = 0.70710678118654752, Slanted = 1.0823922002923938;
 
     /// <summary>Ratio of an area to the length's square: below it the corners are on a line.</summary>
@@ -123,10 +111,8 @@ internal readonly unsafe ref struct LargestFour
         chosen[3] = Number(Wrapped(right));
     }
 
-    /// <summary>
-    /// Finds for each two corners, of which one is given, the largest area of four that hold both, and takes note of it
-    /// at both.
-    /// </summary>
+    /// <summary>Finds for each two corners, of which one is given, the largest area of four that hold both, and takes
+    /// note of it at both.</summary>
     /// <param name="from">The first of the corners.</param>
     /// <param name="to">Behind the last one: all corners, or a single one.</param>
     /// <param name="width">No two corners are further apart; diagonals too short for a large area are left out.</param>
@@ -152,10 +138,8 @@ internal readonly unsafe ref struct LargestFour
         }
     }
 
-    /// <summary>
-    /// Twice the largest area over a diagonal: it is the base of both triangles, so their heights are all that matters,
-    /// and those are the furthest corners on its two sides.
-    /// </summary>
+    /// <summary>Twice the largest area over a diagonal: it is the base of both triangles, so their heights are all that
+    /// matters, and those are the furthest corners on its two sides.</summary>
     private double AreaOver(double u, double v)
     {
 #if NET

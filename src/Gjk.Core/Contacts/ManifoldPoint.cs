@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>A point where two shapes touch, overlap or nearly touch. Immutable.</summary>
@@ -18,20 +15,17 @@ public readonly struct ManifoldPoint
     /// <summary><see cref="PointB"/> in B's own frame.</summary>
     public readonly Vector3 LocalPointB;
 
-    /// <summary>
-    /// How far B's surface is from A's here, along the normal, in world units: negative where they overlap, never less
-    /// than the shapes' signed distance.
-    /// </summary>
+    /// <summary>How far B's surface is from A's here, along the normal, in world units: negative where they overlap,
+    /// never less than the shapes' signed distance.</summary>
     public readonly float Gap;
 
-    /// <summary>
-    /// Tells the point from the others of its manifold. Carry what a solver knows about a point from frame to frame by
-    /// it. A's part is in the upper half, B's in the lower one: a corner's id times 4 plus 1, or the id of the corner
-    /// at which an edge begins times 4 plus 2, or 0 for a face or a round side. Both are corners where two coincide,
-    /// to within a two hundredth of the width that is shared; one is where it lies on the other's face; both are edges
-    /// where these cross. A point on the outline of a round face (a disc, or one of 16 corners or more) is named by
-    /// the quarter that it is in. 0 for a pair of deepest points that no corner or edge names (round shapes).
-    /// </summary>
+    /// <summary>Tells the point from the others of its manifold. Carry what a solver knows about a point from frame to
+    /// frame by it. A's part is in the upper half, B's in the lower one: a corner's id times 4 plus 1, or the id of the
+    /// corner at which an edge begins times 4 plus 2, or 0 for a face or a round side. Both are corners where two
+    /// coincide, to within a two hundredth of the width that is shared; one is where it lies on the other's face; both
+    /// are edges where these cross. A point on the outline of a round face (a disc, or one of 16 corners or more) is
+    /// named by the quarter that it is in. 0 for a pair of deepest points that no corner or edge names (round
+    /// shapes).</summary>
     public readonly long FeatureId;
 
     internal ManifoldPoint(

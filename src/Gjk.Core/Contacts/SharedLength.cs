@@ -1,15 +1,11 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The length that two edges share which lie side by side, seen along the contact normal. Edges on round sides, or with
-/// margins, need not be parallel for it: where they part, the surfaces still lie over a place between them.
-/// </summary>
-/// <remarks>
-/// Along the direction in the middle of the two both edges are intervals, and what is shared is where these overlap.
-/// Two logs that cross at a small angle touch where they cross, and rest on both ends of what they share.
-/// </remarks>
+/// <summary>The length that two edges share which lie side by side, seen along the contact normal. Edges on round
+/// sides, or with margins, need not be parallel for it: where they part, the surfaces still lie over a place between
+/// them.</summary>
+/// <remarks>Along the direction in the middle of the two both edges are intervals, and what is shared is where these
+/// overlap. Two logs that cross at a small angle touch where they cross, and rest on both ends of what they
+/// share.</remarks>
 internal readonly unsafe struct SharedLength
 {
     /// <summary>What is shared, along the middle direction.</summary>

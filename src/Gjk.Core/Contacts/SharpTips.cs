@@ -1,14 +1,11 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// Keeps places of contact to faces that are needles: what is within a slack of both edges of a sharp tip may lie far
-/// beyond it, where the shape has ended.
-/// </summary>
+/// <summary>Keeps places of contact to faces that are needles: what is within a slack of both edges of a sharp tip may
+/// lie far beyond it, where the shape has ended.</summary>
 internal static class SharpTips
 {
-    /// <summary>
-    /// Moves a place that lies beyond a tip to the tip; false where the other feature does not reach that far.
-    /// </summary>
+    /// <summary>Moves a place that lies beyond a tip to the tip; false where the other feature does not reach that
+    /// far.</summary>
     public static bool TryKeep(ref ContactPlace place, ref FlatFeature a, ref FlatFeature b, double slack)
     {
         if (!a.IsSharp && !b.IsSharp) return true;

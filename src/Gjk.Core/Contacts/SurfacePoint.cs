@@ -1,37 +1,21 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A point of a shape's surface over a place in the contact plane: how far the shape reaches there towards the other
-/// one, and the direction in which its surface looks there.
-/// </summary>
-/// <remarks>
-/// A margin is added across the surface, not along the contact normal: over a face that is tilted by t the surface lies
-/// margin / cos t above the core, and round an edge it is a cylinder, at its ends balls. The direction lets a support
-/// of the shape prove that nothing of it reaches further (<see cref="ContactProof"/>).
-/// </remarks>
-internal readonly struct SurfacePoint
+/// <summary>A point of a shape's surface over a place in the contact plane: how far the shape reaches there towards the
+/// other one, and the direction in which its surface looks there.</summary>
+/// <remarks>A margin is added across the surface, not along the contact normal: over a face that is tilted by t the
+/// surface lies margin / cos t above the core, and round an edge it is a cylinder, at its ends balls. The direction
+/// lets a support of the shape prove that nothing of it reaches further (<see cref="ContactProof"/>).</remarks>
+internal readonly struct SurfacePoint(double height, double normalU, double normalV, double normalHeight)
 {
     /// <summary>Along the contact normal, towards the other shape.</summary>
-    public readonly double Height;
+    public readonly double Height = height;
 
     /// <summary>Outward, of unit length: along the plane's axes, and along the contact normal.</summary>
-    public readonly double NormalU, NormalV, NormalHeight;
+    public readonly double NormalU = normalU, NormalV = normalV, NormalHeight = normalHeight;
 
-    public SurfacePoint(double height, double normalU, double normalV, double normalHeight)
-    {
-        Height = height;
-        NormalU = normalU;
-        NormalV = normalV;
-        NormalHeight = normalHeight;
-    }
-
-    /// <summary>
-    /// Over a place near an edge of the core: part of a cylinder of the margin's radius about it, or of a ball at an
-    /// end. Where the edge is a line of a round side, that side takes its place: as a cylinder or a cone about its
-    /// axis, it is met where a line along the contact normal meets it.
-    /// </summary>
+    /// <summary>Over a place near an edge of the core: part of a cylinder of the margin's radius about it, or of a ball
+    /// at an end. Where the edge is a line of a round side, that side takes its place: as a cylinder or a cone about
+    /// its axis, it is met where a line along the contact normal meets it.</summary>
     /// <param name="p">The edge's first end.</param>
     /// <param name="q">Its other end.</param>
     /// <param name="u">The place.</param>

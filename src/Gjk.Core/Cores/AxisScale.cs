@@ -1,12 +1,8 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How a scale acts on a support map. A scale of the same size along every axis (mirrored or not) maps balls to balls,
-/// so the margin stays a margin; any other one makes the margin an ellipsoid, which then belongs to the support.
-/// </summary>
+/// <summary>How a scale acts on a support map. A scale of the same size along every axis (mirrored or not) maps balls
+/// to balls, so the margin stays a margin; any other one makes the margin an ellipsoid, which then belongs to the
+/// support.</summary>
 internal readonly struct AxisScale
 {
     public readonly Double3 Factors;
@@ -35,10 +31,8 @@ internal readonly struct AxisScale
     public unsafe OuterFrame Frame(in FaceCorners corners, in Double3 direction) => KeepsBalls ? default
         : corners.Outer == null ? new OuterFrame(Factors, direction) : corners.Outer->Stretched(Factors);
 
-    /// <summary>
-    /// The radius of a round side after the scale, which is known where the side is still round: the axis is the one
-    /// that a cylinder's line lies along, or that has the tip of a cone on it.
-    /// </summary>
+    /// <summary>The radius of a round side after the scale, which is known where the side is still round: the axis is
+    /// the one that a cylinder's line lies along, or that has the tip of a cone on it.</summary>
     private void ScaleSide(ref FaceCorners corners)
     {
         double x = Math.Abs(Factors.X), y = Math.Abs(Factors.Y), z = Math.Abs(Factors.Z);
@@ -63,10 +57,8 @@ internal readonly struct AxisScale
         error = new Double3(x.Low, y.Low, z.Low);
     }
 
-    /// <summary>
-    /// The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map itself), or a
-    /// multiple of it.
-    /// </summary>
+    /// <summary>The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map
+    /// itself), or a multiple of it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Double3 Inward(in Double3 direction)
     {
@@ -77,9 +69,8 @@ internal readonly struct AxisScale
     [MethodImpl(MethodImplOptions.NoInlining)]
     private Double3 FromUnit(in Double3 direction) => Double3.Multiply(Factors, DirectionRange.ToUnit(direction));
 
-    /// <summary>
-    /// Scales a support point outward; a margin that is an ellipsoid now is added here, and the vertex loses its id.
-    /// </summary>
+    /// <summary>Scales a support point outward; a margin that is an ellipsoid now is added here, and the vertex loses
+    /// its id.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Outward(int id, double innerMargin, in Double3 inward, ref Double3 point)
     {

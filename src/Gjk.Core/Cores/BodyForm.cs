@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A shape without its margin as the searches for a depth know it, however it is written: a hull, or a round body, that
-/// is a point, a segment, an ellipsoid or another body of revolution.
-/// </summary>
+/// <summary>A shape without its margin as the searches for a depth know it, however it is written: a hull, or a round
+/// body, that is a point, a segment, an ellipsoid or another body of revolution.</summary>
 internal struct BodyForm
 {
     /// <summary>Whether it is a round body.</summary>
@@ -14,10 +10,8 @@ internal struct BodyForm
     /// <summary>Whether a round body has no vertices; false for points and segments.</summary>
     public bool IsCurved;
 
-    /// <summary>
-    /// Turned about this line through the centre, a round body stays the same; 0 where it does about every line. Of any
-    /// length.
-    /// </summary>
+    /// <summary>Turned about this line through the centre, a round body stays the same; 0 where it does about every
+    /// line. Of any length.</summary>
     public Double3 Axis;
 
     /// <summary>Whether it is an ellipsoid that has no such line.</summary>

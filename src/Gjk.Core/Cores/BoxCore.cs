@@ -1,11 +1,7 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Any of the library's shapes that is a box, with or without a margin: a box, or a mesh whose vertices are the eight
-/// corners of its bounds.
-/// </summary>
+/// <summary>Any of the library's shapes that is a box, with or without a margin: a box, or a mesh whose vertices are
+/// the eight corners of its bounds.</summary>
 internal struct BoxCore : ISupportMap, IPlainBody
 {
     /// <summary>Half the side lengths: in double, since a scale may have been multiplied into them.</summary>

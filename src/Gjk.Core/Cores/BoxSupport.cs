@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>The support function of a box about its centre: corners by the signs of the direction.</summary>

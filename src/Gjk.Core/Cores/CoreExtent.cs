@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Measures a shape's core by its supports along the axes.</summary>
@@ -8,10 +6,8 @@ internal static class CoreExtent
     /// <summary>Ratio: 8 u, more than the squares, their sum and the root can lose (proofs/core-extent.g).</summary>
     private const double RoundingUp = 8.0 / (1L << 53);
 
-    /// <summary>
-    /// The furthest that the core's local bounding box reaches from the shape's centre: half its diagonal when the
-    /// centre is its middle. Rounded up.
-    /// </summary>
+    /// <summary>The furthest that the core's local bounding box reaches from the shape's centre: half its diagonal when
+    /// the centre is its middle. Rounded up.</summary>
     public static double Radius<T>(ref T shape)
         where T : struct, ISupportMap
     {

@@ -1,10 +1,3 @@
-using System.Runtime.CompilerServices;
-#if NET
-using System.Diagnostics;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
 /// <summary>Any of the library's shapes that is a mesh, unscaled, with or without a margin.</summary>

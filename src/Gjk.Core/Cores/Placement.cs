@@ -1,20 +1,13 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Where a shape's core is in the shape's frame: the poses that it was placed at, one after the other, composed in
-/// double. Queries add it to the pair's poses, and ask the core in its own axes. Immutable.
-/// </summary>
-/// <remarks>
-/// The core's centre is placed in double-double and its rounding error is kept, so a shape placed far from the local
-/// origin loses no accuracy.
-/// </remarks>
+/// <summary>Where a shape's core is in the shape's frame: the poses that it was placed at, one after the other,
+/// composed in double. Queries add it to the pair's poses, and ask the core in its own axes. Immutable.</summary>
+/// <remarks>The core's centre is placed in double-double and its rounding error is kept, so a shape placed far from the
+/// local origin loses no accuracy.</remarks>
 internal sealed class Placement
 {
-    /// <summary>
-    /// Ratio: 32 u, more than a rotation in double can lengthen a vector by: 26 u at most (proofs/placed.g).
-    /// </summary>
+    /// <summary>Ratio: 32 u, more than a rotation in double can lengthen a vector by: 26 u at most
+    /// (proofs/placed.g).</summary>
     private const double RoundingUp = 1 + 32 * RoundOff.Unit;
 
     /// <summary>Of a shape that is asked in the axes of its core.</summary>

@@ -30,8 +30,7 @@ internal enum RayForm : byte
     /// <summary>A hull with planes.</summary>
     Hull,
 
-    /// <summary>
-    /// A body of revolution that no ray meets in closed form, rounded before it was scaled unevenly: A, its axis.
-    /// </summary>
+    /// <summary>A body of revolution that no ray meets in closed form, rounded before it was scaled unevenly: A, its
+    /// axis.</summary>
     Swollen,
 }

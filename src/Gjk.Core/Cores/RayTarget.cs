@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A shape as a ray sees it: one of the bodies that have a closed form, scaled and turned. All ways to write the same
-/// shape lead to the same numbers here, and so to the same bits.
-/// </summary>
+/// <summary>A shape as a ray sees it: one of the bodies that have a closed form, scaled and turned. All ways to write
+/// the same shape lead to the same numbers here, and so to the same bits.</summary>
 internal struct RayTarget
 {
     /// <summary>Which body.</summary>
@@ -35,8 +31,8 @@ internal struct RayTarget
     /// <summary>The hull of a body that is one.</summary>
     public ConvexHull? Hull;
 
-    /// <summary>A ball about the centre. All makers write where the body is to be: a copy costs as much as a ray.
-    /// </summary>
+    /// <summary>A ball about the centre. All makers write where the body is to be: a copy costs as much as a
+    /// ray.</summary>
     public static void Ball(double radius, out RayTarget target)
     {
         target = default;
@@ -106,10 +102,8 @@ internal struct RayTarget
         }
     }
 
-    /// <summary>
-    /// Whether it is a body of revolution, its margin apart, and about which line through its centre; 0 where about
-    /// any. Of any length, before the turn.
-    /// </summary>
+    /// <summary>Whether it is a body of revolution, its margin apart, and about which line through its centre; 0 where
+    /// about any. Of any length, before the turn.</summary>
     public readonly bool TryGetAxis(out Double3 axis)
     {
         axis = Form switch

@@ -1,13 +1,7 @@
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Any of the library's shapes whose core is a segment or a point: a segment, a capsule, a point or a sphere.
-/// </summary>
+/// <summary>Any of the library's shapes whose core is a segment or a point: a segment, a capsule, a point or a
+/// sphere.</summary>
 internal struct SegmentCore : ISupportMap, ILibraryShape
 {
     /// <summary>The ends, measured from the centre.</summary>
@@ -83,9 +77,8 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     public readonly bool Has(int id) => (uint)id < (uint)_count;
 
     /// <summary>Which end of a segment is furthest: 0, also where they are level, or 1.</summary>
-    /// <param name="toFirst">
-    /// From the second end to the first: by it a segment far from its local origin is asked as exactly as one at it.
-    /// </param>
+    /// <param name="toFirst">From the second end to the first: by it a segment far from its local origin is asked as
+    /// exactly as one at it.</param>
     /// <param name="direction">Any.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int FurthestEnd(in Double3 toFirst, in Double3 direction)

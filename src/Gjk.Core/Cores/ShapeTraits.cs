@@ -1,13 +1,10 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// What a type of shape can do besides <see cref="ISupportMap"/>: the one place that queries ask, on every target. A
-/// user's type can do nothing more.
-/// </summary>
-/// <remarks>
-/// A struct of a type that is not known can only be cast to an interface through a copy on the heap, so it is done once
-/// for each type: the shape makes an object that calls it by its own type. Compilers that optimize see through it.
-/// </remarks>
+/// <summary>What a type of shape can do besides <see cref="ISupportMap"/>: the one place that queries ask, on every
+/// target. A user's type can do nothing more.</summary>
+/// <remarks>A struct of a type that is not known can only be cast to an interface through a copy on the heap, so it is
+/// done once for each type: the shape makes an object that calls it by its own type. Compilers that optimize see
+/// through it.</remarks>
 /// <typeparam name="T">The shape's type.</typeparam>
 internal class ShapeTraits<T>
     where T : struct, ISupportMap
@@ -16,11 +13,9 @@ internal class ShapeTraits<T>
     public static readonly ShapeTraits<T> Of =
         default(T) is ILibraryShape shape ? (ShapeTraits<T>)shape.MakeTraits() : new ShapeTraits<T>();
 
-    /// <summary>
-    /// Whether <see cref="ISupportMap.BoundingRadius"/> is the distance of a point of the shape, or nearly so.
+    /// <summary>Whether <see cref="ISupportMap.BoundingRadius"/> is the distance of a point of the shape, or nearly so.
     /// Tolerances follow a tight radius, so the library's own shapes report one, and decorators of these; a user's may
-    /// be generous, and is measured.
-    /// </summary>
+    /// be generous, and is measured.</summary>
     public static readonly bool AreTight = Of.IsTight;
 
     /// <summary>Whether a shape of the type may be placed, so that its core has axes of its own.</summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
 /// <summary>Any of the library's shapes that is a triangle, with or without a margin.</summary>
@@ -72,10 +66,8 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
     public readonly int SupportId(in Double3 direction) => Furthest(_toSecond, _toThird, direction);
 
     /// <summary>Which corner is furthest: 0 to 2, of level ones the first.</summary>
-    /// <param name="toSecond">
-    /// From the first corner to the second: by it a triangle far from its local origin is asked as exactly as one at
-    /// it.
-    /// </param>
+    /// <param name="toSecond">From the first corner to the second: by it a triangle far from its local origin is asked
+    /// as exactly as one at it.</param>
     /// <param name="toThird">From the first corner to the third.</param>
     /// <param name="direction">Any.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,26 +1,17 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Diagnostics;
 
 public static partial class AnswerCheck
 {
-    /// <summary>
-    /// Length, as a fraction of the larger of the size and the way: how far along the motion a cast may end early or
-    /// late; 1e-7 of the scale is promised. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the larger of the size and the way: how far along the motion a cast may end
+    /// early or late; 1e-7 of the scale is promised. Pinned by AnswerToleranceTests.</summary>
     private const double WayRatio = 1.2e-7;
 
-    /// <summary>
-    /// Length, as a fraction of the size: what passes no further away may be said to hit; 1e-9 of the scale is
-    /// promised. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: what passes no further away may be said to hit; 1e-9 of the scale is
+    /// promised. Pinned by AnswerToleranceTests.</summary>
     private const double Graze = 2e-9;
 
-    /// <summary>
-    /// Length, as a fraction of the size: curved shapes touch when they are within 1e-9 of the scale, so that the point
-    /// and the normal of a hit are known to the root of that. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: curved shapes touch when they are within 1e-9 of the scale, so that
+    /// the point and the normal of a hit are known to the root of that. Pinned by AnswerToleranceTests.</summary>
     private const double CurvedMeeting = 1e-4;
 
     /// <summary>Checks an answer of <c>ConvexQuery.Cast</c>, of shapes that move without turning.</summary>
@@ -33,13 +24,11 @@ public static partial class AnswerCheck
     /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
     /// <param name="answer">What was said.</param>
-    /// <returns>
-    /// Bounds of the fraction of the first touch, 0 and +infinity where nothing is proved. A hit is proved by a plane
-    /// that the motion has not crossed before it, and by a common point; a miss by a plane that it never crosses up to
-    /// the fraction that it tells. A hit that hardly closes in is open where rounding could have turned it. Normal and
-    /// depth of shapes that overlap at the start are held to what is said of a signed distance. The number of
-    /// iterations, and that their limit was reached, is not judged.
-    /// </returns>
+    /// <returns>Bounds of the fraction of the first touch, 0 and +infinity where nothing is proved. A hit is proved by
+    /// a plane that the motion has not crossed before it, and by a common point; a miss by a plane that it never
+    /// crosses up to the fraction that it tells. A hit that hardly closes in is open where rounding could have turned
+    /// it. Normal and depth of shapes that overlap at the start are held to what is said of a signed distance. The
+    /// number of iterations, and that their limit was reached, is not judged.</returns>
     public static CheckedAnswer Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
         in CastResult answer)

@@ -1,13 +1,9 @@
-using System;
-
 namespace Gjk.Core.Diagnostics;
 
 public static partial class AnswerCheck
 {
-    /// <summary>
-    /// Length, as a fraction of the size: how far B is moved beyond the depth, to look for a face's own direction where
-    /// the normal is rounded. Any small one will do.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: how far B is moved beyond the depth, to look for a face's own
+    /// direction where the normal is rounded. Any small one will do.</summary>
     private const double Beyond = 1.0 / (1 << 10);
 
     /// <summary>Checks an answer of <c>ConvexQuery.Distance</c>.</summary>
@@ -18,15 +14,12 @@ public static partial class AnswerCheck
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="answer">What was said.</param>
-    /// <param name="tolerance">
-    /// World units: how much the distance may be off. NaN, the default: the float's rounding and 1e-13 of the size; of
-    /// curved cores 2e-6 of the larger of size and distance. The size is the sum of the bounding radii.
-    /// </param>
-    /// <returns>
-    /// Bounds of the signed distance. A result that overlaps is held to that; one that ended beyond a largest distance,
-    /// or at the iteration limit, to its bounds and its normal, whatever its points are; one of invalid input is open.
-    /// That an iteration limit was reached, and the number of iterations, is not judged.
-    /// </returns>
+    /// <param name="tolerance">World units: how much the distance may be off. NaN, the default: the float's rounding
+    /// and 1e-13 of the size; of curved cores 2e-6 of the larger of size and distance. The size is the sum of the
+    /// bounding radii.</param>
+    /// <returns>Bounds of the signed distance. A result that overlaps is held to that; one that ended beyond a largest
+    /// distance, or at the iteration limit, to its bounds and its normal, whatever its points are; one of invalid input
+    /// is open. That an iteration limit was reached, and the number of iterations, is not judged.</returns>
     public static CheckedAnswer Distance<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
         double tolerance = double.NaN)
@@ -38,10 +31,9 @@ public static partial class AnswerCheck
         return Check(ref shapeA, poseA, ref shapeB, poseB, answer, tolerance, false);
     }
 
-    /// <summary>
-    /// Checks an answer of <c>ConvexQuery.SignedDistance</c>. Of a depth, two witnesses prove that B leaves A after so
-    /// much along the normal, and so that the depth is no larger; see <see cref="CheckStatus.ProvedAtMost"/>.
-    /// </summary>
+    /// <summary>Checks an answer of <c>ConvexQuery.SignedDistance</c>. Of a depth, two witnesses prove that B leaves A
+    /// after so much along the normal, and so that the depth is no larger; see
+    /// <see cref="CheckStatus.ProvedAtMost"/>.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
@@ -50,9 +42,8 @@ public static partial class AnswerCheck
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="answer">What was said.</param>
     /// <param name="tolerance">As for a distance.</param>
-    /// <returns>
-    /// Bounds of the signed distance. Both meet where shapes are apart, touch, or overlap by their margins alone.
-    /// </returns>
+    /// <returns>Bounds of the signed distance. Both meet where shapes are apart, touch, or overlap by their margins
+    /// alone.</returns>
     public static CheckedAnswer SignedDistance<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
         double tolerance = double.NaN)
@@ -139,10 +130,8 @@ public static partial class AnswerCheck
     private static bool HasBounds(GjkStatus status) =>
         status is GjkStatus.Separated or GjkStatus.BeyondMaxDistance or GjkStatus.IterationLimit;
 
-    /// <summary>
-    /// A lower bound of the signed distance: moved out along the normal and a little beyond, B has a distance again,
-    /// and no signed distance changes by more than B moves.
-    /// </summary>
+    /// <summary>A lower bound of the signed distance: moved out along the normal and a little beyond, B has a distance
+    /// again, and no signed distance changes by more than B moves.</summary>
     private static double Leaving<TA, TB>(
         ref TA a, ref TB b, in PosedPair pair, in DistanceResult answer, double allowed)
         where TA : struct, ISupportMap

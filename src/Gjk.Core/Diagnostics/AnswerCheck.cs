@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// Checks an answer of <see cref="ConvexQuery"/>, without its solvers: proved, refuted or open, with bounds that hold
-/// whatever the answer says. For those who must not trust a solver.
-/// </summary>
+/// <summary>Checks an answer of <see cref="ConvexQuery"/>, without its solvers: proved, refuted or open, with bounds
+/// that hold whatever the answer says. For those who must not trust a solver.</summary>
 /// <remarks>
 /// <para>
 /// What is proved, is proved by two kinds of witness. A direction: two supports show that the shapes are no nearer than
@@ -23,51 +18,38 @@ namespace Gjk.Core.Diagnostics;
 /// </remarks>
 public static partial class AnswerCheck
 {
-    /// <summary>
-    /// Ratio to the distance: its rounding to float, 2^-24 and then some, as promised. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Ratio to the distance: its rounding to float, 2^-24 and then some, as promised. Pinned by
+    /// AnswerToleranceTests.</summary>
     private const double DistanceRatio = 1.2e-7;
 
-    /// <summary>
-    /// Length, as a fraction of the size: ten times the promised 1e-14, since the check's own rounding comes on top.
-    /// Shapes that are nearer share a point as far as it can tell. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: ten times the promised 1e-14, since the check's own rounding comes
+    /// on top. Shapes that are nearer share a point as far as it can tell. Pinned by AnswerToleranceTests.</summary>
     private const double LengthRatio = 1e-13;
 
-    /// <summary>
-    /// Length, as a fraction of the larger of the size and the distance: what is promised for curved cores. The size is
-    /// at least half the scale that promises are measured by, so it is doubled. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the larger of the size and the distance: what is promised for curved cores.
+    /// The size is at least half the scale that promises are measured by, so it is doubled. Pinned by
+    /// AnswerToleranceTests.</summary>
     private const double CurvedRatio = 2e-6;
 
-    /// <summary>
-    /// Length, as a fraction of the size: curved shapes that are nearer touch, as is promised, 1e-9 of the scale.
-    /// Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: curved shapes that are nearer touch, as is promised, 1e-9 of the
+    /// scale. Pinned by AnswerToleranceTests.</summary>
     private const double CurvedTouch = 2e-9;
 
-    /// <summary>
-    /// Lengths, as fractions of the size: shapes that overlap by about as much may not be said to be apart; 1e-9 of the
-    /// scale is promised, of curved cores 1e-6. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Lengths, as fractions of the size: shapes that overlap by about as much may not be said to be apart;
+    /// 1e-9 of the scale is promised, of curved cores 1e-6. Pinned by AnswerToleranceTests.</summary>
     private const double Deep = 1e-8, CurvedDeep = 1e-5;
 
-    /// <summary>
-    /// Ratio to what counts as touching: a tetrahedron with corners so far out holds a ball of several times that. Two
-    /// would do; a larger one refutes less.
-    /// </summary>
+    /// <summary>Ratio to what counts as touching: a tetrahedron with corners so far out holds a ball of several times
+    /// that. Two would do; a larger one refutes less.</summary>
     private const double BallRatio = 8;
 
-    /// <summary>
-    /// Length, as a fraction of the size: how far a point may be off its shape beside its rounding to float; 1.2e-7 of
-    /// the scale is promised. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: how far a point may be off its shape beside its rounding to float;
+    /// 1.2e-7 of the scale is promised. Pinned by AnswerToleranceTests.</summary>
     private const double PointRatio = 2.4e-7;
 
-    /// <summary>
-    /// Length, as a fraction of size and distance: by how much the planes across a normal that was rounded to float can
-    /// be nearer: 1.1e-7 radians times the width, which is at most twice the size. Pinned by AnswerToleranceTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of size and distance: by how much the planes across a normal that was rounded to
+    /// float can be nearer: 1.1e-7 radians times the width, which is at most twice the size. Pinned by
+    /// AnswerToleranceTests.</summary>
     private const double TiltRatio = 3e-7;
 
     /// <summary>A pure number: how far a normal's length may be from 1. Pinned by AnswerToleranceTests.</summary>
@@ -76,10 +58,8 @@ public static partial class AnswerCheck
     /// <summary>Ratio: what rounding a point's three coordinates to float can move it by.</summary>
     private const double FloatRatio = 1.0 / (1 << 24);
 
-    /// <summary>
-    /// Ratio: what the way from the world into a local frame can move a point by in double, some ten roundings. It is
-    /// seen only where both shapes are points, and a larger one is as good.
-    /// </summary>
+    /// <summary>Ratio: what the way from the world into a local frame can move a point by in double, some ten
+    /// roundings. It is seen only where both shapes are points, and a larger one is as good.</summary>
     private const double DoubleRatio = 32 * RoundOff.Unit;
 
     /// <summary>Length: below it a float has no digits; the least one is 1.4e-45.</summary>
@@ -93,10 +73,9 @@ public static partial class AnswerCheck
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="answer">What was said.</param>
-    /// <returns>
-    /// Bounds of the signed distance. Shapes that are nearer than 1e-13 of their size (curved: 2e-9) may be said to
-    /// overlap: that is open where a plane proves them apart, and else proved; that they do not is open then.
-    /// </returns>
+    /// <returns>Bounds of the signed distance. Shapes that are nearer than 1e-13 of their size (curved: 2e-9) may be
+    /// said to overlap: that is open where a plane proves them apart, and else proved; that they do not is open
+    /// then.</returns>
     public static CheckedAnswer Overlaps<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, bool answer)
         where TA : struct, ISupportMap
@@ -137,10 +116,8 @@ public static partial class AnswerCheck
         claims.Add(walk.Upper <= slack, walk.Lower > slack);
     }
 
-    /// <summary>
-    /// Whether the shapes overlap by more than any rounding, that of a depth to float included: a ball lies in their
-    /// difference, since the corners of a regular tetrahedron do.
-    /// </summary>
+    /// <summary>Whether the shapes overlap by more than any rounding, that of a depth to float included: a ball lies in
+    /// their difference, since the corners of a regular tetrahedron do.</summary>
     private static bool IsDeep<TA, TB>(ref TA a, ref TB b, in PosedPair pair, in WitnessWalk walk)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

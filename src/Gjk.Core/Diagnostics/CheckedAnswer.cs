@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core.Diagnostics;
 
 /// <summary>What <see cref="AnswerCheck"/> says of an answer.</summary>
@@ -11,10 +9,8 @@ public enum CheckStatus : byte
     /// <summary>All that it says holds, within the tolerance.</summary>
     Proved = 1,
 
-    /// <summary>
-    /// Of a depth: the shapes overlap, and along the normal they part after what it says. That no other way out is
-    /// shorter is not proved.
-    /// </summary>
+    /// <summary>Of a depth: the shapes overlap, and along the normal they part after what it says. That no other way
+    /// out is shorter is not proved.</summary>
     ProvedAtMost = 2,
 
     /// <summary>Something that it says does not hold, by more than the tolerance.</summary>
@@ -27,10 +23,8 @@ public readonly struct CheckedAnswer
     /// <summary>What is proved.</summary>
     public readonly CheckStatus Status;
 
-    /// <summary>
-    /// The true number is not below this: the distance or signed distance, of a cast the fraction of the first touch,
-    /// of a ray the distance along it. It needs no trust in the answer.
-    /// </summary>
+    /// <summary>The true number is not below this: the distance or signed distance, of a cast the fraction of the first
+    /// touch, of a ray the distance along it. It needs no trust in the answer.</summary>
     public readonly double LowerBound;
 
     /// <summary>The true number is not above this; +infinity where nothing is known.</summary>

@@ -1,31 +1,20 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// Two posed shapes as <see cref="AnswerCheck"/> sees them, with a composition of its own: in the world's axes, B
-/// measured from A, in double, with a bound for all that rounding does to a support.
-/// </summary>
+/// <summary>Two posed shapes as <see cref="AnswerCheck"/> sees them, with a composition of its own: in the world's
+/// axes, B measured from A, in double, with a bound for all that rounding does to a support.</summary>
 internal struct PosedPair
 {
-    /// <summary>
-    /// Ratio to the shapes' sizes: 48 roundings. A matrix of quotients is off by 12 as a map, which counts once, since
-    /// a direction goes in and a point comes out by the same one; the two ways through it cost 16 more, and the choice
-    /// of the furthest point 8, of 36. Pinned by AnswerBoundTests.
-    /// </summary>
+    /// <summary>Ratio to the shapes' sizes: 48 roundings. A matrix of quotients is off by 12 as a map, which counts
+    /// once, since a direction goes in and a point comes out by the same one; the two ways through it cost 16 more, and
+    /// the choice of the furthest point 8, of 36. Pinned by AnswerBoundTests.</summary>
     private const double TurnError = 48 * RoundOff.Unit;
 
-    /// <summary>
-    /// Ratio to the lengths that are added: 16 roundings, of which sums take 4, a dot product 3 and a weighted mean 6.
-    /// Pinned by AnswerBoundTests.
-    /// </summary>
+    /// <summary>Ratio to the lengths that are added: 16 roundings, of which sums take 4, a dot product 3 and a weighted
+    /// mean 6. Pinned by AnswerBoundTests.</summary>
     private const double SumError = 16 * RoundOff.Unit;
 
-    /// <summary>
-    /// Ratio of the centres' distances from their local origins to the sizes: beyond it the centres are placed in
-    /// double-double, so that their offset is no part of the error. Pinned by AnswerBoundTests.
-    /// </summary>
+    /// <summary>Ratio of the centres' distances from their local origins to the sizes: beyond it the centres are placed
+    /// in double-double, so that their offset is no part of the error. Pinned by AnswerBoundTests.</summary>
     private const double FarCenter = 4;
 
     /// <summary>Ratio to the offset of centres that were placed in double-double, which loses some 2^-100.</summary>
@@ -111,10 +100,8 @@ internal struct PosedPair
         return one > 0 && one <= double.MaxValue;
     }
 
-    /// <summary>
-    /// How far apart the planes across a unit direction stand that touch A and B; negative where they reach past each
-    /// other.
-    /// </summary>
+    /// <summary>How far apart the planes across a unit direction stand that touch A and B; negative where they reach
+    /// past each other.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="unit">From A to B.</param>

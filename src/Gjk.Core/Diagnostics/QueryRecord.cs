@@ -1,20 +1,14 @@
-using System;
-using System.Numerics;
 using System.Text;
 
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// One query as one line of text, and back, to the last bit: what to paste into a bug report or a test when an answer
-/// looks wrong.
-/// </summary>
-/// <remarks>
-/// The line is <c>gjk1</c>, then each shape with its pose: a kind with its numbers; for a scaled shape <c>*</c> and
-/// three factors, for a rounded one <c>+</c> and the radius, for a placed one <c>&gt;</c>, the rotation (x y z w) and
-/// the position, in the order in which they apply; then <c>@</c>, the pose's rotation and position; then, for a shape
-/// that moves, <c>~</c>, its velocity and its angular velocity. A mesh is written as its hull's corners. Numbers are in
-/// invariant culture and read back as the same bits. Immutable.
-/// </remarks>
+/// <summary>One query as one line of text, and back, to the last bit: what to paste into a bug report or a test when an
+/// answer looks wrong.</summary>
+/// <remarks>The line is <c>gjk1</c>, then each shape with its pose: a kind with its numbers; for a scaled shape
+/// <c>*</c> and three factors, for a rounded one <c>+</c> and the radius, for a placed one <c>&gt;</c>, the rotation (x
+/// y z w) and the position, in the order in which they apply; then <c>@</c>, the pose's rotation and position; then,
+/// for a shape that moves, <c>~</c>, its velocity and its angular velocity. A mesh is written as its hull's corners.
+/// Numbers are in invariant culture and read back as the same bits. Immutable.</remarks>
 public readonly struct QueryRecord
 {
     private const string Tag = "gjk1";

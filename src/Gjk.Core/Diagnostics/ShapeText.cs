@@ -1,15 +1,12 @@
-using System;
 using System.Globalization;
-using System.Numerics;
 using System.Text;
 
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// A <see cref="ConvexShape"/> as words of a record. Numbers that a scale was multiplied into are doubles, and are
-/// written as such. After the shape's own numbers come <c>*</c> with a scale, <c>+</c> with a radius that it was
-/// rounded by, and <c>&gt;</c> with a rotation and a position that it was placed at, in the order in which they apply.
-/// </summary>
+/// <summary>A <see cref="ConvexShape"/> as words of a record. Numbers that a scale was multiplied into are doubles, and
+/// are written as such. After the shape's own numbers come <c>*</c> with a scale, <c>+</c> with a radius that it was
+/// rounded by, and <c>&gt;</c> with a rotation and a position that it was placed at, in the order in which they
+/// apply.</summary>
 internal static class ShapeText
 {
     public static void Write(StringBuilder text, in ConvexShape shape)
@@ -82,9 +79,8 @@ internal static class ShapeText
         return new ConvexShape(parts);
     }
 
-    /// <summary>
-    /// Factors behind a shape's own numbers are kept as they are; later ones scale what was decorated.
-    /// </summary>
+    /// <summary>Factors behind a shape's own numbers are kept as they are; later ones scale what was
+    /// decorated.</summary>
     private static ConvexShape Scaled(RecordReader words, in ConvexShape shape)
     {
         Double3 factors = words.Vector();

@@ -1,14 +1,11 @@
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// A weighted mean of up to four points that is near the origin: the witness of an upper bound. Whatever the weights
-/// are, as long as none is negative, it lies in everything convex that holds the points.
-/// </summary>
+/// <summary>A weighted mean of up to four points that is near the origin: the witness of an upper bound. Whatever the
+/// weights are, as long as none is negative, it lies in everything convex that holds the points.</summary>
 internal struct WitnessMean
 {
-    /// <summary>
-    /// A pure number: to solve once more does not mend a weight so far below 0. Only speed depends on it.
-    /// </summary>
+    /// <summary>A pure number: to solve once more does not mend a weight so far below 0. Only speed depends on
+    /// it.</summary>
     private const double Outside = -0.01;
 
     private Double3 _p0, _p1, _p2;
@@ -40,10 +37,8 @@ internal struct WitnessMean
         return _squared < before;
     }
 
-    /// <summary>
-    /// The direction in which to look for a nearer mean: away from the origin, across the points. It is the direction
-    /// of the mean, but does not lose it where the mean is a small difference of long vectors.
-    /// </summary>
+    /// <summary>The direction in which to look for a nearer mean: away from the origin, across the points. It is the
+    /// direction of the mean, but does not lose it where the mean is a small difference of long vectors.</summary>
     public readonly Double3 Across()
     {
         if (Count == 2)
@@ -77,10 +72,8 @@ internal struct WitnessMean
     private void TryTriangle(in Double3 p, in Double3 a, in Double3 b) =>
         TryWeights(3, p, a, b, default, Double3.Cross(a - p, b - p));
 
-    /// <summary>
-    /// The weights of the origin, or of what is nearest to it in the plane, by Cramer's rule. What that leaves of the
-    /// mean is solved for once more: needles need it.
-    /// </summary>
+    /// <summary>The weights of the origin, or of what is nearest to it in the plane, by Cramer's rule. What that leaves
+    /// of the mean is solved for once more: needles need it.</summary>
     /// <param name="count">Three or four points.</param>
     /// <param name="p">One of them.</param>
     /// <param name="a">The second.</param>

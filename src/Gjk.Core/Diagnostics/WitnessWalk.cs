@@ -1,32 +1,22 @@
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// Looks for the two witnesses of a signed distance: a direction across which planes stand far apart, and two points
-/// that are near each other.
-/// </summary>
+/// <summary>Looks for the two witnesses of a signed distance: a direction across which planes stand far apart, and two
+/// points that are near each other.</summary>
 /// <remarks>
-/// <para>
-/// Gilbert's iteration in its plainest form ("An iterative procedure for computing the minimum of a quadratic form on a
-/// convex set", 1966): the support across the nearest mean so far makes the next means (<see cref="WitnessMean"/>).
-/// Begun at the normal of a right answer it takes a few supports. It has none of the solvers' tolerances, features and
-/// handovers, since nothing rests on how it ends.
-/// </para>
-/// <para>
-/// Each bound is true when it is written: the lower one is the gap across some direction, the upper one the distance of
-/// two weighted means of supports, and both give way by the noise of the pair. A poor search leaves them apart, and
-/// what was asked stays open.
-/// </para>
-/// <para>
-/// It ends where the bounds decide what was asked, where neither of two directions finds a nearer mean, and after
-/// MostSupports at the latest. NaN and infinity end it with the bounds at hand.
-/// </para>
+/// <para>Gilbert's iteration in its plainest form ("An iterative procedure for computing the minimum of a quadratic
+/// form on a convex set", 1966): the support across the nearest mean so far makes the next means
+/// (<see cref="WitnessMean"/>). Begun at the normal of a right answer it takes a few supports. It has none of the
+/// solvers' tolerances, features and handovers, since nothing rests on how it ends.</para>
+/// <para>Each bound is true when it is written: the lower one is the gap across some direction, the upper one the
+/// distance of two weighted means of supports, and both give way by the noise of the pair. A poor search leaves them
+/// apart, and what was asked stays open.</para>
+/// <para>It ends where the bounds decide what was asked, where neither of two directions finds a nearer mean, and after
+/// MostSupports at the latest. NaN and infinity end it with the bounds at hand.</para>
 /// </remarks>
 internal struct WitnessWalk
 {
-    /// <summary>
-    /// Count: curved shapes that nearly touch take some thirty. A larger one is only slower; a quarter of it leaves
-    /// more answers open. Pinned by AnswerCheckTests.
-    /// </summary>
+    /// <summary>Count: curved shapes that nearly touch take some thirty. A larger one is only slower; a quarter of it
+    /// leaves more answers open. Pinned by AnswerCheckTests.</summary>
     private const int MostSupports = 64;
 
     /// <summary>The signed distance is not below.</summary>
@@ -38,9 +28,8 @@ internal struct WitnessWalk
     /// <summary>The signed distance is not above.</summary>
     public double Upper;
 
-    /// <summary>
-    /// The gap between the planes across the hint, as it is, without the noise; NaN where the hint is no direction.
-    /// </summary>
+    /// <summary>The gap between the planes across the hint, as it is, without the noise; NaN where the hint is no
+    /// direction.</summary>
     public double HintGap;
 
     /// <summary>Looks for witnesses until they decide whether the signed distance is between two numbers.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>An axis-aligned box, both ends included. Immutable.</summary>
@@ -13,9 +10,8 @@ public readonly struct Aabb : IEquatable<Aabb>
     public readonly Vector3 Max;
 
     /// <summary>Makes a box.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// A coordinate is NaN or infinite, or a maximum lies below its minimum.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">A coordinate is NaN or infinite, or a maximum lies below its
+    /// minimum.</exception>
     public Aabb(Vector3 min, Vector3 max)
     {
         Min = Guard.Finite(min, nameof(min));

@@ -1,21 +1,14 @@
-using System;
 using System.Globalization;
-using System.Numerics;
-using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// A vector of three doubles. The library's inputs and outputs are <see cref="Vector3"/>; directions and support points
-/// are doubles, because a support taken in a rounded direction can be the wrong vertex.
-/// </summary>
+/// <summary>A vector of three doubles. The library's inputs and outputs are <see cref="Vector3"/>; directions and
+/// support points are doubles, because a support taken in a rounded direction can be the wrong vertex.</summary>
 /// <remarks>Immutable. No method throws; NaN and infinities pass through as IEEE 754 has it.</remarks>
 public readonly struct Double3 : IEquatable<Double3>
 {
-    /// <summary>
-    /// A pure number: a component that is smaller than this share of the largest is what rounding to double leaves.
-    /// Pinned by TextTests.
-    /// </summary>
+    /// <summary>A pure number: a component that is smaller than this share of the largest is what rounding to double
+    /// leaves. Pinned by TextTests.</summary>
     private const double RoundingNoise = 1e-14;
 
     /// <summary>The x component.</summary>
@@ -69,10 +62,8 @@ public readonly struct Double3 : IEquatable<Double3>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 Multiply(in Double3 a, in Double3 b) => new(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
 
-    /// <summary>
-    /// Writes a vector where it is to be. Mono makes a new vector elsewhere, cleared, and copies it, and the next step
-    /// waits for that.
-    /// </summary>
+    /// <summary>Writes a vector where it is to be. Mono makes a new vector elsewhere, cleared, and copies it, and the
+    /// next step waits for that.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static unsafe void Write(double x, double y, double z, out Double3 v)
     {
@@ -155,9 +146,8 @@ public readonly struct Double3 : IEquatable<Double3>
     /// <inheritdoc/>
     public override int GetHashCode() => (X.GetHashCode() * 397 ^ Y.GetHashCode()) * 397 ^ Z.GetHashCode();
 
-    /// <summary>
-    /// The components in invariant culture, as many digits as a reader needs to get the same doubles back.
-    /// </summary>
+    /// <summary>The components in invariant culture, as many digits as a reader needs to get the same doubles
+    /// back.</summary>
     public override string ToString() => $"<{Text(X, "R")}, {Text(Y, "R")}, {Text(Z, "R")}>";
 
     /// <summary>The components for people: nine digits, and 0 for one that is rounding beside the largest.</summary>

@@ -1,22 +1,15 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// The corners that a shape shows of a face, in order around it: see
-/// <see cref="ISupportMap.GetFace"/>. It lives on the stack
-/// of a query.
-/// </summary>
+/// <summary>The corners that a shape shows of a face, in order around it: see <see cref="ISupportMap.GetFace"/>. It
+/// lives on the stack of a query.</summary>
 public unsafe ref struct FaceCorners
 {
-    /// <summary>
-    /// How many corners there is room for; further ones are left out. A face with more is shown by some of them, spread
-    /// evenly around it.
-    /// </summary>
+    /// <summary>How many corners there is room for; further ones are left out. A face with more is shown by some of
+    /// them, spread evenly around it.</summary>
     public const int Capacity = 64;
 
-    /// <summary>
-    /// Count: a disc is shown by every fourth corner of a polygon that fills the room. Two such polygons, turned
-    /// against each other, share 97 % of what discs share. Pinned by ContactAreaTests.
-    /// </summary>
+    /// <summary>Count: a disc is shown by every fourth corner of a polygon that fills the room. Two such polygons,
+    /// turned against each other, share 97 % of what discs share. Pinned by ContactAreaTests.</summary>
     internal const int DiscStep = 4;
 
     private readonly FaceCorner* _corners;
@@ -38,10 +31,8 @@ public unsafe ref struct FaceCorners
     /// <summary>The round side of the core that a single edge lies on.</summary>
     internal RoundSide Side { get; set; }
 
-    /// <summary>
-    /// The distance of that side's axis from the last corner, across the side; 0 where there is none, or an unknown
-    /// one.
-    /// </summary>
+    /// <summary>The distance of that side's axis from the last corner, across the side; 0 where there is none, or an
+    /// unknown one.</summary>
     internal double SideRadius { get; set; }
 
     /// <summary>The same from the first corner, which is a cone's tip.</summary>
@@ -55,9 +46,8 @@ public unsafe ref struct FaceCorners
 
     /// <summary>Adds the next corner around the face.</summary>
     /// <param name="point">Measured from the shape's <see cref="ISupportMap.Center"/>, in its local frame.</param>
-    /// <param name="id">
-    /// What tells the corner from the shape's others, from 0 to 2^30 - 1: contact points carry it from frame to frame.
-    /// </param>
+    /// <param name="id">What tells the corner from the shape's others, from 0 to 2^30 - 1: contact points carry it from
+    /// frame to frame.</param>
     public void Add(in Double3 point, int id)
     {
         if (_corners == null || Count == Capacity) return;
@@ -70,10 +60,8 @@ public unsafe ref struct FaceCorners
     /// <summary>The direction in which the face is asked for as it is outside.</summary>
     internal readonly Double3 SeenFrom(in Double3 direction) => Outer == null ? direction : Outer->Direction;
 
-    /// <summary>
-    /// How far a unit normal looks along the direction: to be compared with that of others, whatever the direction's
-    /// length.
-    /// </summary>
+    /// <summary>How far a unit normal looks along the direction: to be compared with that of others, whatever the
+    /// direction's length.</summary>
     internal readonly double Along(in Double3 normal, in Double3 direction) =>
         Outer == null ? Double3.Dot(normal, direction) : Outer->Cosine(normal);
 
@@ -94,19 +82,13 @@ public unsafe ref struct FaceCorners
 }
 
 /// <summary>A corner of a face.</summary>
-internal struct FaceCorner
+internal struct FaceCorner(in Double3 point, int id)
 {
     /// <summary>The corner itself.</summary>
-    public Double3 Point;
+    public Double3 Point = point;
 
     /// <summary>What tells it from the others.</summary>
-    public readonly int Id;
-
-    public FaceCorner(in Double3 point, int id)
-    {
-        Point = point;
-        Id = id;
-    }
+    public readonly int Id = id;
 }
 
 /// <summary>What an edge that a shape shows is a line of.</summary>

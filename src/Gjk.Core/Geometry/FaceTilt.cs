@@ -1,15 +1,11 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Which faces and edges lie level enough across a direction to carry contact points.</summary>
 internal static unsafe class FaceTilt
 {
-    /// <summary>
-    /// Cosine and sine: a face's normal may be 60 degrees off the direction, an edge may rise by 30 degrees. Steeper
-    /// ones leave within a maximal gap hardly more than the deepest point, and their heights are ill conditioned.
-    /// Pinned by ContactTests.
-    /// </summary>
+    /// <summary>Cosine and sine: a face's normal may be 60 degrees off the direction, an edge may rise by 30 degrees.
+    /// Steeper ones leave within a maximal gap hardly more than the deepest point, and their heights are ill
+    /// conditioned. Pinned by ContactTests.</summary>
     public const double LeastCosine = 0.5, MostSine = 0.5;
 
     /// <summary>Ratio: one over that cosine, and a little for rounding.</summary>

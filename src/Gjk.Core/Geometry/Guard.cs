@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>The checks that constructors share; each throws with the name of the argument it refuses.</summary>

@@ -1,8 +1,3 @@
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
 /// <summary>A vector with a 0 behind it, so that it can be read as a register of four doubles.</summary>

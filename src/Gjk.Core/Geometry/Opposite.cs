@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>The opposite of a vector of floats, whose zeros stay 0.</summary>

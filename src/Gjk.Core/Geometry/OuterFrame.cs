@@ -1,11 +1,8 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How the frame in which a shape keeps its faces is seen from outside where an uneven scale lies between. Angles are
-/// not the same there: what lies level inside may be steep outside, and hidden by what is more level.
-/// </summary>
+/// <summary>How the frame in which a shape keeps its faces is seen from outside where an uneven scale lies between.
+/// Angles are not the same there: what lies level inside may be steep outside, and hidden by what is more
+/// level.</summary>
 internal readonly struct OuterFrame
 {
     /// <summary>The images of the inner axes, at most of unit length; their size says nothing.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Two unit vectors that span the plane across a third; the three are right-handed.</summary>

@@ -1,23 +1,10 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A quaternion of doubles, of any length: the rotation in the middle of a motion, or of a shape inside a shape, which
-/// a float would round by more than the tolerance. See <see cref="RotationD"/> for the matrix.
-/// </summary>
-internal struct QuaternionD
+/// <summary>A quaternion of doubles, of any length: the rotation in the middle of a motion, or of a shape inside a
+/// shape, which a float would round by more than the tolerance. See <see cref="RotationD"/> for the matrix.</summary>
+internal struct QuaternionD(double x, double y, double z, double w)
 {
-    public double X, Y, Z, W;
-
-    public QuaternionD(double x, double y, double z, double w)
-    {
-        X = x;
-        Y = y;
-        Z = z;
-        W = w;
-    }
+    public double X = x, Y = y, Z = z, W = w;
 
     /// <summary>No rotation.</summary>
     public static QuaternionD Identity => new(0, 0, 0, 1);

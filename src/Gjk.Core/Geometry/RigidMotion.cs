@@ -1,17 +1,10 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How a shape moves over the fractions from 0 to 1: its position along a straight line, its rotation at a constant
-/// rate about that position.
-/// </summary>
-/// <remarks>
-/// At the fraction f the position is Pose.Position + f * Velocity, and the rotation that of the pose, followed by a
-/// turn about the world axis AngularVelocity by f * |AngularVelocity| radians. Immutable. <c>default(RigidMotion)</c>
-/// has no pose, and a query on it returns <see cref="CastStatus.InvalidInput"/>.
-/// </remarks>
+/// <summary>How a shape moves over the fractions from 0 to 1: its position along a straight line, its rotation at a
+/// constant rate about that position.</summary>
+/// <remarks>At the fraction f the position is Pose.Position + f * Velocity, and the rotation that of the pose, followed
+/// by a turn about the world axis AngularVelocity by f * |AngularVelocity| radians. Immutable.
+/// <c>default(RigidMotion)</c> has no pose, and a query on it returns <see cref="CastStatus.InvalidInput"/>.</remarks>
 public readonly struct RigidMotion
 {
     /// <summary>Where the shape is at the fraction 0.</summary>

@@ -1,22 +1,13 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Where a shape is: world = Rotation * local + Position. Position is in world units; any finite float is accepted.
-/// </summary>
-/// <remarks>
-/// Immutable. <c>default(RigidPose)</c> has no rotation at all (the zero quaternion) and a query on it returns
-/// <see cref="GjkStatus.InvalidInput"/>; use <see cref="Identity"/>.
-/// </remarks>
+/// <summary>Where a shape is: world = Rotation * local + Position. Position is in world units; any finite float is
+/// accepted.</summary>
+/// <remarks>Immutable. <c>default(RigidPose)</c> has no rotation at all (the zero quaternion) and a query on it returns
+/// <see cref="GjkStatus.InvalidInput"/>; use <see cref="Identity"/>.</remarks>
 public readonly struct RigidPose : IEquatable<RigidPose>
 {
-    /// <summary>
-    /// How far |q| may be from 1 (a pure number). It admits what a chain of float products drifts to and refuses what
-    /// was never meant as a rotation. Pinned by RigidPoseTests.
-    /// </summary>
+    /// <summary>How far |q| may be from 1 (a pure number). It admits what a chain of float products drifts to and
+    /// refuses what was never meant as a rotation. Pinned by RigidPoseTests.</summary>
     internal const double UnitTolerance = 1e-3;
 
     /// <summary>The squares of the shortest and the longest quaternion that is accepted.</summary>
@@ -25,10 +16,8 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <inheritdoc cref="MinSquaredNorm"/>
     internal const double MaxSquaredNorm = (1 + UnitTolerance) * (1 + UnitTolerance);
 
-    /// <summary>
-    /// The rotation, kept as given. It need not be of unit length to the last bit: every query divides by its squared
-    /// length in double.
-    /// </summary>
+    /// <summary>The rotation, kept as given. It need not be of unit length to the last bit: every query divides by its
+    /// squared length in double.</summary>
     public readonly Quaternion Rotation;
 
     /// <summary>The world position of the local origin.</summary>
@@ -37,9 +26,8 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <summary>Makes a pose.</summary>
     /// <param name="rotation">A quaternion whose length is within 1e-3 of 1.</param>
     /// <param name="position">Finite.</param>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// A component is NaN or infinite, or the quaternion is not of unit length.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">A component is NaN or infinite, or the quaternion is not of unit
+    /// length.</exception>
     public RigidPose(Quaternion rotation, Vector3 position)
     {
         if (!IsRotation(rotation))
@@ -72,23 +60,18 @@ public readonly struct RigidPose : IEquatable<RigidPose>
     /// <summary>The local direction of one in the world.</summary>
     public Vector3 InverseTransformDirection(Vector3 world) => (Vector3)new RotationD(Rotation).InverseRotate(world);
 
-    /// <summary>
-    /// The pose of the world in the local frame. Its rotation is exact, its position rounded to float; one after the
-    /// other leaves a point where it is but for rounding.
-    /// </summary>
+    /// <summary>The pose of the world in the local frame. Its rotation is exact, its position rounded to float; one
+    /// after the other leaves a point where it is but for rounding.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The position is beyond the range of float.</exception>
     public RigidPose Inverse() => new(
         Quaternion.Conjugate(Rotation), (Vector3)new RotationD(Rotation).InverseRotate(-(Double3)Position));
 
-    /// <summary>
-    /// Where a child is in the world: its pose in its parent's frame, followed by the parent's; computed in double and
-    /// rounded to float.
-    /// </summary>
+    /// <summary>Where a child is in the world: its pose in its parent's frame, followed by the parent's; computed in
+    /// double and rounded to float.</summary>
     /// <param name="parent">Pose of the parent in the world.</param>
     /// <param name="child">Pose of the child in the parent's frame.</param>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The position is beyond the range of float, or one of the poses is a <c>default</c> struct.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The position is beyond the range of float, or one of the poses is
+    /// a <c>default</c> struct.</exception>
     public static RigidPose operator *(in RigidPose parent, in RigidPose child)
     {
         QuaternionD q = (QuaternionD)parent.Rotation * child.Rotation;
@@ -100,10 +83,8 @@ public readonly struct RigidPose : IEquatable<RigidPose>
 
     /// <summary>The pose of a matrix in the order of System.Numerics: row vectors, the position last.</summary>
     /// <param name="matrix">A rotation and a translation, without scale, mirror, shear or projection.</param>
-    /// <exception cref="ArgumentException">
-    /// It is something else: a row is further from unit length, or from a right angle to the others, than 1e-3, or it
-    /// is NaN, mirrors or projects.
-    /// </exception>
+    /// <exception cref="ArgumentException">It is something else: a row is further from unit length, or from a right
+    /// angle to the others, than 1e-3, or it is NaN, mirrors or projects.</exception>
     public static RigidPose FromMatrix(in Matrix4x4 matrix)
     {
         var x = new Vector3(matrix.M11, matrix.M12, matrix.M13);
@@ -143,9 +124,8 @@ public readonly struct RigidPose : IEquatable<RigidPose>
                 $"{position}, rotation ({Rotation.X:G9}, {Rotation.Y:G9}, {Rotation.Z:G9}, {Rotation.W:G9})");
     }
 
-    /// <summary>
-    /// False for what no constructor made: a <c>default</c> struct, or one whose bytes were overwritten.
-    /// </summary>
+    /// <summary>False for what no constructor made: a <c>default</c> struct, or one whose bytes were
+    /// overwritten.</summary>
     internal bool IsValid => IsRotation(Rotation) && Guard.IsFinite(Position);
 
     /// <summary>Whether a quaternion of this squared length counts as a rotation; false for NaN.</summary>

@@ -1,27 +1,17 @@
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A rotation matrix in double, from a quaternion that is divided by its own squared length, so that one of floats, a
-/// few units in the last place off unit length, still gives a rotation to 1e-16.
-/// </summary>
+/// <summary>A rotation matrix in double, from a quaternion that is divided by its own squared length, so that one of
+/// floats, a few units in the last place off unit length, still gives a rotation to 1e-16.</summary>
 internal struct RotationD
 {
-    /// <summary>
-    /// Row and column. A column is followed by a 0, so that it can be read as a register of four doubles.
-    /// </summary>
+    /// <summary>Row and column. A column is followed by a 0, so that it can be read as a register of four
+    /// doubles.</summary>
     public double M00, M10, M20, _end0, M01, M11, M21, _end1, M02, M12, M22, _end2;
 
     public RotationD(in QuaternionD q) => Set(out this, q.X, q.Y, q.Z, q.W, 2 / q.LengthSquared);
 
-    /// <summary>
-    /// The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985), written where it is to be,
-    /// without a copy.
-    /// </summary>
+    /// <summary>The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985), written where it
+    /// is to be, without a copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Set(out RotationD matrix, double x, double y, double z, double w, double s)
     {

@@ -1,16 +1,9 @@
 namespace Gjk.Core;
 
 /// <summary>A vector of three <see cref="DoubleDouble"/>.</summary>
-internal readonly struct VectorDD
+internal readonly struct VectorDD(in DoubleDouble x, in DoubleDouble y, in DoubleDouble z)
 {
-    public readonly DoubleDouble X, Y, Z;
-
-    public VectorDD(in DoubleDouble x, in DoubleDouble y, in DoubleDouble z)
-    {
-        X = x;
-        Y = y;
-        Z = z;
-    }
+    public readonly DoubleDouble X = x, Y = y, Z = z;
 
     public static implicit operator VectorDD(in Double3 v) => new(v.X, v.Y, v.Z);
 

@@ -1,15 +1,10 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// A vector of each of four pairs, one pair per lane. Every operation is that of <see cref="Double3"/>, product by
-/// product and sum by sum, so a lane has the bits that its pair would have alone.
-/// </summary>
+/// <summary>A vector of each of four pairs, one pair per lane. Every operation is that of <see cref="Double3"/>,
+/// product by product and sum by sum, so a lane has the bits that its pair would have alone.</summary>
 internal readonly struct WideVector
 {
     public readonly Lanes X, Y, Z;

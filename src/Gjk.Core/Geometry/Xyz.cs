@@ -3,18 +3,11 @@ global using Xyz = System.Runtime.Intrinsics.Vector256<double>;
 #else
 global using Xyz = Gjk.Core.Double3;
 #endif
-using System.Numerics;
-#if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Gjk.Core;
 
-/// <summary>
-/// Three doubles to compute with: a register whose last lane is nobody's where there are such, or a
-/// <see cref="Double3"/>. What is written with either has the same bits.
-/// </summary>
+/// <summary>Three doubles to compute with: a register whose last lane is nobody's where there are such, or a
+/// <see cref="Double3"/>. What is written with either has the same bits.</summary>
 internal static class XyzExtensions
 {
 #if NET
@@ -50,9 +43,8 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Plus(this Xyz v, Xyz w, double s, out Xyz sum) => sum = v + w * s;
 
-    /// <summary>
-    /// A point of a core and the margin along a unit normal, in the shape's frame and in world units.
-    /// </summary>
+    /// <summary>A point of a core and the margin along a unit normal, in the shape's frame and in world
+    /// units.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void OnSurface(
         this Xyz onCore, Xyz normal, double margin, in Double3 center, double unit, out Xyz point) =>

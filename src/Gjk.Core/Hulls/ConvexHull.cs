@@ -1,37 +1,24 @@
-using System;
-using System.Collections.Generic;
-using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
-using System.Numerics;
-using System.Runtime.CompilerServices;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// The convex hull of a cloud of points: its corners without repeats, their neighbours, and the surface as triangles.
-/// Immutable; share one between as many shapes and threads as you like.
-/// </summary>
-/// <remarks>
-/// Exact: a point is left out only if it is inside the hull of the others, on a facet or on an edge, decided without
-/// rounding. So in no direction does the support value differ from the cloud's. Clouds that span only a point, a
-/// segment or a plane are hulls too.
-/// Time grows with n log n for usual clouds; 10^5 random points take well under a second.
-/// </remarks>
+/// <summary>The convex hull of a cloud of points: its corners without repeats, their neighbours, and the surface as
+/// triangles. Immutable; share one between as many shapes and threads as you like.</summary>
+/// <remarks>Exact: a point is left out only if it is inside the hull of the others, on a facet or on an edge, decided
+/// without rounding. So in no direction does the support value differ from the cloud's. Clouds that span only a point,
+/// a segment or a plane are hulls too. Time grows with n log n for usual clouds; 10^5 random points take well under a
+/// second.</remarks>
 [DebuggerDisplay("{" + nameof(VertexCount) + "} vertices")]
 public sealed class ConvexHull
 {
     /// <summary>The corners.</summary>
     internal readonly HullVertices Vertices;
 
-    /// <summary>
-    /// The neighbours of vertex i are <see cref="Neighbors"/> from NeighborStart[i] up to, not including,
-    /// NeighborStart[i + 1]; ascending.
-    /// </summary>
-    /// <remarks>
-    /// The edges of the triangles. They leave no false summit: near a vertex the hull is the cone over the edges that
-    /// meet there, coplanar triangles or not; where no neighbour is higher in a direction, nothing in that cone is, and
-    /// so nothing in the hull.
-    /// </remarks>
+    /// <summary>The neighbours of vertex i are <see cref="Neighbors"/> from NeighborStart[i] up to, not including,
+    /// NeighborStart[i + 1]; ascending.</summary>
+    /// <remarks>The edges of the triangles. They leave no false summit: near a vertex the hull is the cone over the
+    /// edges that meet there, coplanar triangles or not; where no neighbour is higher in a direction, nothing in that
+    /// cone is, and so nothing in the hull.</remarks>
     internal readonly int[] NeighborStart, Neighbors;
 
     /// <summary>The corners of triangle i are those from 3 i on.</summary>
@@ -40,16 +27,12 @@ public sealed class ConvexHull
     /// <summary>Which corners can be furthest in a direction.</summary>
     internal readonly HullCells Cells;
 
-    /// <summary>
-    /// Relative. A computed distance is too small by at most 4 u with u = 2^-53 (1 u for each difference, 1.5 u for
-    /// squares and sum, 1 u for the root, rounded up); 8 u is more (proofs/hull-radius.g).
-    /// </summary>
+    /// <summary>Relative. A computed distance is too small by at most 4 u with u = 2^-53 (1 u for each difference, 1.5
+    /// u for squares and sum, 1 u for the root, rounded up); 8 u is more (proofs/hull-radius.g).</summary>
     private const double RadiusSlack = 8.0 / (1L << 53);
 
-    /// <summary>
-    /// Whether the corners are the eight of <see cref="Bounds"/>, and lie at exactly half the extents on either side of
-    /// <see cref="Center"/>.
-    /// </summary>
+    /// <summary>Whether the corners are the eight of <see cref="Bounds"/>, and lie at exactly half the extents on
+    /// either side of <see cref="Center"/>.</summary>
     internal readonly bool IsExactBox;
 
 #if NET
@@ -74,9 +57,8 @@ public sealed class ConvexHull
     /// <summary>Builds the hull of a cloud.</summary>
     /// <param name="points">At least one; repeats and points inside are fine. Copied.</param>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// The list is empty, or a coordinate is NaN or infinite; the message names the index.
-    /// </exception>
+    /// <exception cref="ArgumentException">The list is empty, or a coordinate is NaN or infinite; the message names the
+    /// index.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The list's count is negative.</exception>
     public ConvexHull(IReadOnlyList<Vector3> points)
         : this(new DistinctPoints(CheckedCopy(points)))
@@ -112,18 +94,15 @@ public sealed class ConvexHull
             && Bounds.Max - Center == Cells.Stretch && Center - Bounds.Min == Cells.Stretch;
     }
 
-    /// <summary>
-    /// How many corners the hull has, at least one. They are numbered from 0 in the order in which they first occur in
-    /// the cloud.
-    /// </summary>
+    /// <summary>How many corners the hull has, at least one. They are numbered from 0 in the order in which they first
+    /// occur in the cloud.</summary>
     public int VertexCount => Vertices.Count;
 
     /// <summary>What the cloud spans: 0 a point, 1 a segment, 2 a flat polygon, 3 a solid.</summary>
     public int Dimension => Vertices.Dimension;
 
-    /// <summary>
-    /// How many triangles the surface has. A flat polygon has both sides; a segment and a point have none.
-    /// </summary>
+    /// <summary>How many triangles the surface has. A flat polygon has both sides; a segment and a point have
+    /// none.</summary>
     public int TriangleCount => Triangles.Length / 3;
 
     /// <summary>The smallest axis-aligned box around the hull.</summary>
@@ -132,9 +111,8 @@ public sealed class ConvexHull
     /// <summary>The middle of <see cref="Bounds"/>.</summary>
     public Double3 Center { get; }
 
-    /// <summary>
-    /// The largest distance of a corner from <see cref="Center"/>, rounded up: the ball around it does hold the hull.
-    /// </summary>
+    /// <summary>The largest distance of a corner from <see cref="Center"/>, rounded up: the ball around it does hold
+    /// the hull.</summary>
     public double BoundingRadius { get; }
 
     /// <summary>Builds the hull of a cloud, or says why it cannot.</summary>
@@ -177,10 +155,8 @@ public sealed class ConvexHull
         return _sources[id];
     }
 
-    /// <summary>
-    /// The corners of a triangle of the surface, counter-clockwise seen from outside. Facets with more than three
-    /// corners are cut into several triangles.
-    /// </summary>
+    /// <summary>The corners of a triangle of the surface, counter-clockwise seen from outside. Facets with more than
+    /// three corners are cut into several triangles.</summary>
     /// <param name="index">From 0 to <see cref="TriangleCount"/> - 1.</param>
     /// <param name="a">The first corner's id.</param>
     /// <param name="b">The second corner's id.</param>
@@ -195,9 +171,8 @@ public sealed class ConvexHull
         c = Triangles[3 * index + 2];
     }
 
-    /// <summary>
-    /// How many corners share an edge of a triangle with this one; on a segment the ends are neighbours.
-    /// </summary>
+    /// <summary>How many corners share an edge of a triangle with this one; on a segment the ends are
+    /// neighbours.</summary>
     /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
     public int NeighborCount(int id)

@@ -1,16 +1,10 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The faces of a hull as contacts take them: triangles that lie in one plane, or would but for the rounding of their
-/// corners, joined to a convex polygon. Immutable.
-/// </summary>
-/// <remarks>
-/// A cap that a program computed by sine and cosine, or that was turned in float, is flat to the eye and a fan of
-/// tilted triangles to exact predicates; a body that stands on it needs all of its rim. The corners stay the hull's
-/// own, so contact points lie on the hull whatever was joined.
-/// </remarks>
+/// <summary>The faces of a hull as contacts take them: triangles that lie in one plane, or would but for the rounding
+/// of their corners, joined to a convex polygon. Immutable.</summary>
+/// <remarks>A cap that a program computed by sine and cosine, or that was turned in float, is flat to the eye and a fan
+/// of tilted triangles to exact predicates; a body that stands on it needs all of its rim. The corners stay the hull's
+/// own, so contact points lie on the hull whatever was joined.</remarks>
 internal sealed class HullFaces
 {
     private readonly ConvexHull _hull;

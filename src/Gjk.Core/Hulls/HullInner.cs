@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>How large a ball about its centre a hull holds.</summary>
@@ -8,10 +6,8 @@ internal static class HullInner
     /// <summary>Ratio: more than the rounding of a plane takes away.</summary>
     private const double RoundingDown = 1 - 16 * RoundOff.Unit;
 
-    /// <summary>
-    /// The least distance of a facet's plane from the centre, rounded down; negative where the centre is outside, 0 for
-    /// a flat hull.
-    /// </summary>
+    /// <summary>The least distance of a facet's plane from the centre, rounded down; negative where the centre is
+    /// outside, 0 for a flat hull.</summary>
     public static double Radius(ConvexHull hull)
     {
         if (hull.Dimension < 3) return 0;

@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Chooses the point from which a hull counts its coordinates, so that no digit is spent on its distance from the local
-/// origin.
-/// </summary>
+/// <summary>Chooses the point from which a hull counts its coordinates, so that no digit is spent on its distance from
+/// the local origin.</summary>
 /// <remarks>
 /// A support compares dot products, and their rounding grows with the coordinates. For a mesh modelled far from its
 /// local origin that rounding would exceed the differences between its vertices. Per axis there are two cases.

@@ -1,20 +1,14 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The planes of a solid hull's facets, measured from its centre: the hull is where no plane is exceeded. Immutable.
-/// </summary>
+/// <summary>The planes of a solid hull's facets, measured from its centre: the hull is where no plane is exceeded.
+/// Immutable.</summary>
 /// <remarks>
 /// A normal is computed in double-double and rounded once, so that even the plane of a sliver supports the hull to
 /// within rounding; each is proved to do so when it is made. Triangles that lie in one plane share it.
-/// <para>
-/// Planes that support a hull need not tell where it ends: those of a disc that was turned by 90 degrees in double are
-/// parallel but for rounding, and meet anywhere. What rounding adds to them, e, they add to the hull up to the ratio of
-/// its size to the depth of a point inside: the hull grown about that point by 1 + e / depth holds all of it. So a hull
-/// without a point that is deep enough has no planes.
-/// </para>
+/// <para>Planes that support a hull need not tell where it ends: those of a disc that was turned by 90 degrees in
+/// double are parallel but for rounding, and meet anywhere. What rounding adds to them, e, they add to the hull up to
+/// the ratio of its size to the depth of a point inside: the hull grown about that point by 1 + e / depth holds all of
+/// it. So a hull without a point that is deep enough has no planes.</para>
 /// </remarks>
 internal sealed class HullPlanes
 {
@@ -24,35 +18,26 @@ internal sealed class HullPlanes
     /// <summary>Doubles in a block: the normals' x, y and z, and the offsets, of four planes.</summary>
     public const int BlockDoubles = 4 * Lanes;
 
-    /// <summary>
-    /// Count: up to this many triangles, to clip a ray by all planes is taken to be faster than to cast it. Estimated
-    /// from the price of a plane and of a support, not measured; pinned by RayHullTests.
-    /// </summary>
+    /// <summary>Count: up to this many triangles, to clip a ray by all planes is taken to be faster than to cast it.
+    /// Estimated from the price of a plane and of a support, not measured; pinned by RayHullTests.</summary>
     private const int MostTriangles = 512;
 
-    /// <summary>
-    /// Length, as a fraction of the hull's radius: how far above a plane a corner may seem to be. Rounding makes it 4
-    /// u. Pinned by RayHullTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the hull's radius: how far above a plane a corner may seem to be. Rounding
+    /// makes it 4 u. Pinned by RayHullTests.</summary>
     private const double Above = 8 * RoundOff.Unit;
 
-    /// <summary>
-    /// Ratio to the hull's radius: how far a hull's inner point must be from all planes. A plane and its evaluation are
-    /// off by 11 u of the radius, and the hull reaches two radii from the point: so the planes' hull is within 1.2e-9
-    /// of the radius, which is the 1e-9 of the size that a ray is promised. Pinned by RayHullTests.
-    /// </summary>
+    /// <summary>Ratio to the hull's radius: how far a hull's inner point must be from all planes. A plane and its
+    /// evaluation are off by 11 u of the radius, and the hull reaches two radii from the point: so the planes' hull is
+    /// within 1.2e-9 of the radius, which is the 1e-9 of the size that a ray is promised. Pinned by
+    /// RayHullTests.</summary>
     private const double LeastDepth = 2e-6;
 
-    /// <summary>
-    /// Ratio: normals whose components differ by less, and whose planes do, are one plane's. Two facets that truly
-    /// differ by so little cannot be told apart in double. Pinned by RayHullTests.
-    /// </summary>
+    /// <summary>Ratio: normals whose components differ by less, and whose planes do, are one plane's. Two facets that
+    /// truly differ by so little cannot be told apart in double. Pinned by RayHullTests.</summary>
     private const double SamePlane = 4 * RoundOff.Unit;
 
-    /// <summary>
-    /// Blocks of four: x, x, x, x, y, y, y, y, z, z, z, z and the offsets. The normals are of unit length. The last
-    /// block is filled up with copies of its first plane.
-    /// </summary>
+    /// <summary>Blocks of four: x, x, x, x, y, y, y, y, z, z, z, z and the offsets. The normals are of unit length. The
+    /// last block is filled up with copies of its first plane.</summary>
     public readonly double[] Blocks;
 
     private HullPlanes(double[] blocks) => Blocks = blocks;
@@ -77,9 +62,8 @@ internal sealed class HullPlanes
         return new HullPlanes(Pack(normals, offsets));
     }
 
-    /// <summary>
-    /// A point inside, measured from the centre: of n corners the mean is 1/n of the hull's width below any plane.
-    /// </summary>
+    /// <summary>A point inside, measured from the centre: of n corners the mean is 1/n of the hull's width below any
+    /// plane.</summary>
     private static Double3 MeanCorner(ConvexHull hull)
     {
         Double3 sum = default;

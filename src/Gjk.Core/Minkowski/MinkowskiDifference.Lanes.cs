@@ -1,15 +1,9 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
-
 namespace Gjk.Core;
 
-/// <remarks>
-/// Boxes and meshes, the commonest pairs, are asked in registers of four doubles: x, y, z and a 0. Each product and sum
-/// is that of the general support, so the answers have the same bits. Whether a pair is one of these is known when the
-/// code is compiled.
-/// </remarks>
+/// <remarks>Boxes and meshes, the commonest pairs, are asked in registers of four doubles: x, y, z and a 0. Each
+/// product and sum is that of the general support, so the answers have the same bits. Whether a pair is one of these is
+/// known when the code is compiled.</remarks>
 internal static partial class MinkowskiDifference
 {
     private const int XyzBits = 7;

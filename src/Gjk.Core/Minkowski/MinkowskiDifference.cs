@@ -1,17 +1,12 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The support function of the Minkowski difference: the two shapes intersect exactly when A - B holds the origin, and
-/// its point nearest the origin is the vector between the closest points (Gilbert, Johnson and Keerthi 1988).
-/// </summary>
+/// <summary>The support function of the Minkowski difference: the two shapes intersect exactly when A - B holds the
+/// origin, and its point nearest the origin is the vector between the closest points (Gilbert, Johnson and Keerthi
+/// 1988).</summary>
 internal static partial class MinkowskiDifference
 {
-    /// <summary>
-    /// The vertex of A - B that lies furthest against <paramref name="normal"/>, that is nearest the origin along it:
-    /// A's furthest point against the normal less B's furthest point along it.
-    /// </summary>
+    /// <summary>The vertex of A - B that lies furthest against <paramref name="normal"/>, that is nearest the origin
+    /// along it: A's furthest point against the normal less B's furthest point along it.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="frame">Where B is, seen from A.</param>

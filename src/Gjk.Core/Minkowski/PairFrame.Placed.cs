@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <remarks>Cores that are placed in the frames of their shapes: the frame is that of the cores.</remarks>

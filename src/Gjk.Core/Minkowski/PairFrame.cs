@@ -1,51 +1,32 @@
-using System;
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What a query knows about its pair before it solves: B's pose in A's frame, the margins, the sizes and whether all of
-/// it is valid. A's centre is the origin.
-/// </summary>
-/// <remarks>
-/// It is composed once per query, in double, from the differences of the positions and rotations. Positions far from
-/// the world's origin cancel before anything is rounded, and shapes far from their own local origin are measured from
-/// their centres.
-/// Lengths are in solver units. One unit is <see cref="Unit"/> world units, which is 1 for all pairs of ordinary size
-/// (<see cref="IsOrdinary"/>); the others are brought to unit size by a power of two, which rounds nothing
-/// (<see cref="UnitSized{T}"/>).
-/// </remarks>
+/// <summary>What a query knows about its pair before it solves: B's pose in A's frame, the margins, the sizes and
+/// whether all of it is valid. A's centre is the origin.</summary>
+/// <remarks>It is composed once per query, in double, from the differences of the positions and rotations. Positions
+/// far from the world's origin cancel before anything is rounded, and shapes far from their own local origin are
+/// measured from their centres. Lengths are in solver units. One unit is <see cref="Unit"/> world units, which is 1 for
+/// all pairs of ordinary size (<see cref="IsOrdinary"/>); the others are brought to unit size by a power of two, which
+/// rounds nothing (<see cref="UnitSized{T}"/>).</remarks>
 internal partial struct PairFrame
 {
-    /// <summary>
-    /// Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised 1e-14 of
-    /// the scale, so it is done in double-double. A smaller ratio would only
-    /// cost time. Pinned by PairFrameTests.CentersThatAreEightRadiiOffAreFar.
-    /// </summary>
+    /// <summary>Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised
+    /// 1e-14 of the scale, so it is done in double-double. A smaller ratio would only cost time. Pinned by
+    /// PairFrameTests.CentersThatAreEightRadiiOffAreFar.</summary>
     public const double FarCenter = 4;
 
-    /// <summary>
-    /// Ratio to the centres' distances from their local origins: 2^-90, more than double-double loses when it rotates
-    /// them (proofs/extended-place.g). Centres no further apart coincide. No shape with an extent is so small: its
-    /// corners are floats, at least 2^-25 of the offset apart. Pinned by PairFrameTests.CentersThatNearlyCoincideDo.
-    /// </summary>
+    /// <summary>Ratio to the centres' distances from their local origins: 2^-90, more than double-double loses when it
+    /// rotates them (proofs/extended-place.g). Centres no further apart coincide. No shape with an extent is so small:
+    /// its corners are floats, at least 2^-25 of the offset apart. Pinned by
+    /// PairFrameTests.CentersThatNearlyCoincideDo.</summary>
     private const double ExtendedError = 1.0 / (1L << 45) / (1L << 45);
 
-    /// <summary>
-    /// Length: larger sizes and distances count as invalid input. It is far above every shape that is made of floats,
-    /// and its square is a finite double. Pinned by
-    /// PairFrameTests.LengthsEndAtTheLargestMagnitude.
-    /// </summary>
+    /// <summary>Length: larger sizes and distances count as invalid input. It is far above every shape that is made of
+    /// floats, and its square is a finite double. Pinned by PairFrameTests.LengthsEndAtTheLargestMagnitude.</summary>
     public const double MaxMagnitude = 1e150;
 
-    /// <summary>
-    /// Lengths: 2^-60 and 2^60. In between, the eighth power of a length, the highest that a solver forms, neither
-    /// overflows nor comes near the denormal numbers. Pinned by
-    /// PairFrameTests.SizesOfUpToSixtyPowersOfTwoAreOrdinary.
-    /// </summary>
+    /// <summary>Lengths: 2^-60 and 2^60. In between, the eighth power of a length, the highest that a solver forms,
+    /// neither overflows nor comes near the denormal numbers. Pinned by
+    /// PairFrameTests.SizesOfUpToSixtyPowersOfTwoAreOrdinary.</summary>
     private const double LeastOrdinary = 1.0 / (1L << 60), MostOrdinary = 1L << 60;
 
     /// <summary>B's axes in A's frame.</summary>
@@ -78,17 +59,15 @@ internal partial struct PairFrame
     /// <summary>The shapes' margins.</summary>
     public double MarginA, MarginB;
 
-    /// <summary>
-    /// The shapes' bounding radii, which may be generous: good for early rejections, not for tolerances.
-    /// </summary>
+    /// <summary>The shapes' bounding radii, which may be generous: good for early rejections, not for
+    /// tolerances.</summary>
     public double RadiusA, RadiusB;
 
     /// <summary>World units per solver unit: a power of two.</summary>
     public double Unit;
 
-    /// <summary>
-    /// An upper bound of every length in the frame, at most a few times the largest; NaN for invalid input.
-    /// </summary>
+    /// <summary>An upper bound of every length in the frame, at most a few times the largest; NaN for invalid
+    /// input.</summary>
     public double Magnitude;
 
     /// <summary>Whether both poses are rotations.</summary>
@@ -100,9 +79,8 @@ internal partial struct PairFrame
     /// <summary>The rotations of the cores in the shapes' frames, if one is placed.</summary>
     private QuaternionD _turnA, _turnB;
 
-    /// <summary>
-    /// Whether both poses are rotations, and every length is finite, not negative and below the largest magnitude.
-    /// </summary>
+    /// <summary>Whether both poses are rotations, and every length is finite, not negative and below the largest
+    /// magnitude.</summary>
     public readonly bool IsValid =>
         _areRotations & Magnitude <= MaxMagnitude & MarginA >= 0 & MarginB >= 0 & RadiusA >= 0 & RadiusB >= 0;
 
@@ -140,9 +118,8 @@ internal partial struct PairFrame
         }
     }
 
-    /// <summary>
-    /// Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the composition.
-    /// </summary>
+    /// <summary>Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the
+    /// composition.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Compose<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame)
         where TA : struct, ISupportMap
@@ -187,9 +164,8 @@ internal partial struct PairFrame
     /// <summary>The power of two that brings the magnitude to between 1 and 2.</summary>
     public readonly double UnitFactor => Magnitude > 0 ? 1 / PowerOfTwo.AtMost(Magnitude) : 1;
 
-    /// <summary>
-    /// Measures the shapes whose bounding radii may be generous, by a support in each direction of each axis.
-    /// </summary>
+    /// <summary>Measures the shapes whose bounding radii may be generous, by a support in each direction of each
+    /// axis.</summary>
     public void TightenRadii<TA, TB>(ref TA a, ref TB b)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -206,9 +182,8 @@ internal partial struct PairFrame
         radius = Math.Min(radius, CoreExtent.Radius(ref core) + margin);
     }
 
-    /// <summary>
-    /// The frame in units in which its magnitude is between 1 and 2, for <see cref="UnitSized{T}"/> shapes.
-    /// </summary>
+    /// <summary>The frame in units in which its magnitude is between 1 and 2, for <see cref="UnitSized{T}"/>
+    /// shapes.</summary>
     public void ToUnitSize(double factor)
     {
         Translation *= factor;

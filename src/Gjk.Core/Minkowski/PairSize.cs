@@ -1,17 +1,10 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The size that a pair's tolerances are fractions of: for each shape the distance of its furthest point from its
-/// centre, margin included, added.
-/// </summary>
-/// <remarks>
-/// The library's shapes know theirs. A shape of a user may report any bounding radius that is large enough, and a
-/// tolerance must not grow with it: such a shape is measured by the support points that it gives in the course of the
-/// query, which are what its rounding errors come from.
-/// </remarks>
+/// <summary>The size that a pair's tolerances are fractions of: for each shape the distance of its furthest point from
+/// its centre, margin included, added.</summary>
+/// <remarks>The library's shapes know theirs. A shape of a user may report any bounding radius that is large enough,
+/// and a tolerance must not grow with it: such a shape is measured by the support points that it gives in the course of
+/// the query, which are what its rounding errors come from.</remarks>
 internal struct PairSize
 {
     private double _a, _b;

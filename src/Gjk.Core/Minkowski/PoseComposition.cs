@@ -1,9 +1,3 @@
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
-#endif
-
 namespace Gjk.Core;
 
 /// <summary>The rotations of a pair: A's in the world, B's seen from A, and back.</summary>
@@ -122,10 +116,8 @@ internal static class PoseComposition
             + (Avx2.Permute4x64(a, 0b01_00_10_01) ^ XyzSigns) * Avx2.Permute4x64(b, 0b01_01_00_10)
             + Avx2.Permute4x64(a, 0b10_01_00_10) * Avx2.Permute4x64(b, 0b10_00_10_01);
 
-    /// <summary>
-    /// A rotation matrix by its diagonals (00 11 22), (10 21 02) and (01 12 20), which is how it comes out of the
-    /// cyclic products of a quaternion; as <see cref="RotationD.Set"/>, product by product.
-    /// </summary>
+    /// <summary>A rotation matrix by its diagonals (00 11 22), (10 21 02) and (01 12 20), which is how it comes out of
+    /// the cyclic products of a quaternion; as <see cref="RotationD.Set"/>, product by product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Diagonals(
         Vector256<double> q, Vector256<double> w, double scale, out Vector256<double> main,

@@ -1,9 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// A shape multiplied by a power of two, for pairs so small or so large that the solvers' products would leave the
-/// range of double. Nothing is rounded by it, so the answer has the bits that it would have if double had no limits.
-/// </summary>
+/// <summary>A shape multiplied by a power of two, for pairs so small or so large that the solvers' products would leave
+/// the range of double. Nothing is rounded by it, so the answer has the bits that it would have if double had no
+/// limits.</summary>
 /// <typeparam name="T">The shape inside.</typeparam>
 internal readonly struct UnitSized<T> : ISupportMap, ILibraryShape
     where T : struct, ISupportMap

@@ -1,14 +1,8 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Two balls (or points), in closed form: the line through their centres gives the distance and all points. It is done
-/// in the world's axes, so no rotation stands between the positions and the answer. Any pair of shapes of which the
-/// margins leave nothing comes here, whatever its types, so all of them have the same bits.
-/// </summary>
+/// <summary>Two balls (or points), in closed form: the line through their centres gives the distance and all points. It
+/// is done in the world's axes, so no rotation stands between the positions and the answer. Any pair of shapes of which
+/// the margins leave nothing comes here, whatever its types, so all of them have the same bits.</summary>
 internal static class Balls
 {
     /// <summary>Nothing is left of either shape without its margin.</summary>

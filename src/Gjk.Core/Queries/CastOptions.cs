@@ -1,10 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Which contacts end a cast, a ray or a time of impact. Immutable; <c>default</c>: every contact does.
-/// </summary>
+/// <summary>Which contacts end a cast, a ray or a time of impact. Immutable; <c>default</c>: every contact
+/// does.</summary>
 public readonly struct CastOptions : IEquatable<CastOptions>
 {
     private CastOptions(float allowedDepth)
@@ -19,17 +16,13 @@ public readonly struct CastOptions : IEquatable<CastOptions>
     /// <summary>World units: how deep they may get; at least 0.</summary>
     public float AllowedDepth { get; }
 
-    /// <summary>
-    /// A contact counts only if the motion, up to the largest fraction, takes the shapes deeper into each other than is
-    /// allowed, and deeper than they are at the start. So what overlaps at the start may slide and leave, and a body
-    /// that slides over the seam of two flush tiles is not stopped. The fraction of a contact that counts is still the
-    /// one at which the shapes first share a point.
-    /// </summary>
-    /// <param name="allowedDepth">
-    /// World units, at least 0. What positions in float are off by, some 1e-6 of the sizes and coordinates, is too
-    /// little to see and enough for seams. A millionth of the way after the contact is allowed on top of it: what
-    /// rounding does to a motion along a surface.
-    /// </param>
+    /// <summary>A contact counts only if the motion, up to the largest fraction, takes the shapes deeper into each
+    /// other than is allowed, and deeper than they are at the start. So what overlaps at the start may slide and leave,
+    /// and a body that slides over the seam of two flush tiles is not stopped. The fraction of a contact that counts is
+    /// still the one at which the shapes first share a point.</summary>
+    /// <param name="allowedDepth">World units, at least 0. What positions in float are off by, some 1e-6 of the sizes
+    /// and coordinates, is too little to see and enough for seams. A millionth of the way after the contact is allowed
+    /// on top of it: what rounding does to a motion along a surface.</param>
     /// <exception cref="ArgumentOutOfRangeException">The depth is negative, NaN or infinite.</exception>
     public static CastOptions OnlyDeeper(float allowedDepth = 0)
     {

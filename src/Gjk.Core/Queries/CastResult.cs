@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>When and where two moving shapes first touch. Immutable.</summary>
@@ -9,27 +6,22 @@ public readonly struct CastResult
     /// <summary>What was found; what is valid under it, <see cref="CastStatus"/> says.</summary>
     public readonly CastStatus Status;
 
-    /// <summary>
-    /// The part of the motion, from 0, after which the shapes first share a point, rounded to float; of a time of
-    /// impact a part, rounded down, before which they share none.
-    /// </summary>
+    /// <summary>The part of the motion, from 0, after which the shapes first share a point, rounded to float; of a time
+    /// of impact a part, rounded down, before which they share none.</summary>
     public readonly float Fraction;
 
-    /// <summary>
-    /// A point that they share then, on A as it has moved, in the world; of a time of impact A's point nearest to B.
-    /// </summary>
+    /// <summary>A point that they share then, on A as it has moved, in the world; of a time of impact A's point nearest
+    /// to B.</summary>
     public readonly Vector3 Point;
 
-    /// <summary>
-    /// The unit vector from A to B at the hit, perpendicular to the planes that touch. Of shapes that overlap at the
-    /// start it is the direction in which B leaves A by the shortest way, as <c>SignedDistance</c> gives it.
-    /// </summary>
+    /// <summary>The unit vector from A to B at the hit, perpendicular to the planes that touch. Of shapes that overlap
+    /// at the start it is the direction in which B leaves A by the shortest way, as <c>SignedDistance</c> gives
+    /// it.</summary>
     public readonly Vector3 Normal;
 
-    /// <summary>
-    /// World units: how deep the shapes overlap at the start; 0 for a hit and a miss. Moved along <see cref="Normal"/>
-    /// by this, B only touches A. Where <c>SignedDistance</c> has no room for its search, the depth may be less.
-    /// </summary>
+    /// <summary>World units: how deep the shapes overlap at the start; 0 for a hit and a miss. Moved along
+    /// <see cref="Normal"/> by this, B only touches A. Where <c>SignedDistance</c> has no room for its search, the
+    /// depth may be less.</summary>
     public readonly float Depth;
 
     /// <summary>How many times both shapes were asked for a support point.</summary>

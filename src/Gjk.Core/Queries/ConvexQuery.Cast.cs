@@ -1,14 +1,9 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 public static unsafe partial class ConvexQuery
 {
-    /// <summary>
-    /// When two shapes that move without turning first touch: both are translated over the fractions from 0 to 1.
-    /// </summary>
+    /// <summary>When two shapes that move without turning first touch: both are translated over the fractions from 0 to
+    /// 1.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
@@ -17,20 +12,16 @@ public static unsafe partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
-    /// <param name="maxFraction">
-    /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
-    /// 0.
-    /// </param>
+    /// <param name="maxFraction">How much of the motion is looked at: 1 for all of it, more for the same motion
+    /// continued; less than 0 counts as 0.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
-    /// <returns>
-    /// The first fraction at which the closed shapes share a point, the point, and the normal. The fraction is the true
-    /// one, rounded to float; along the motion it is exact to 1e-7 of the size or the way, whichever is larger. On
-    /// curved cores (cylinder, cone, ellipsoid) shapes touch when they are within 1e-9 of the size. Shapes that overlap
-    /// at the start give <see cref="CastStatus.OverlappingAtStart"/> with normal and depth, those of
+    /// <returns>The first fraction at which the closed shapes share a point, the point, and the normal. The fraction is
+    /// the true one, rounded to float; along the motion it is exact to 1e-7 of the size or the way, whichever is
+    /// larger. On curved cores (cylinder, cone, ellipsoid) shapes touch when they are within 1e-9 of the size. Shapes
+    /// that overlap at the start give <see cref="CastStatus.OverlappingAtStart"/> with normal and depth, those of
     /// <c>SignedDistance</c>. Shapes that only touch there, whose signed distance is 0, are a hit at 0 if the motion
     /// takes them into each other (curved cores by more than counts as touching), and a miss if they slide or part. A
-    /// point that is cast is a ray, with what <c>RayCast</c> says of those that pass the surface closely.
-    /// </returns>
+    /// point that is cast is a ray, with what <c>RayCast</c> says of those that pass the surface closely.</returns>
     public static CastResult Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
         float maxFraction = 1, in CastOptions options = default)
@@ -41,9 +32,8 @@ public static unsafe partial class ConvexQuery
         return Cast(a, poseA, translationA, b, poseB, translationB, ref unused, maxFraction, options);
     }
 
-    /// <summary>
-    /// As the first, beginning where the last query of the pair ended: faster for pairs that move little.
-    /// </summary>
+    /// <summary>As the first, beginning where the last query of the pair ended: faster for pairs that move
+    /// little.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
@@ -52,10 +42,8 @@ public static unsafe partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B at the start.</param>
     /// <param name="translationB">Its motion.</param>
-    /// <param name="warmStart">
-    /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
-    /// uses.
-    /// </param>
+    /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated. It may be the
+    /// one that <c>Distance</c> uses.</param>
     /// <param name="maxFraction">See the first overload.</param>
     /// <param name="options">See the first overload.</param>
     /// <returns>See the first overload. Within the accuracy that of the cold query.</returns>
@@ -80,10 +68,8 @@ public static unsafe partial class ConvexQuery
         }
     }
 
-    /// <summary>
-    /// When two bodies that do not turn touch. A contact at the start has the status OverlappingAtStart and no normal,
-    /// touching included.
-    /// </summary>
+    /// <summary>When two bodies that do not turn touch. A contact at the start has the status OverlappingAtStart and no
+    /// normal, touching included.</summary>
     private struct CastQuestion : IPairSolver<CastResult>
     {
         private readonly WarmStart* _warm;

@@ -1,7 +1,3 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 // Two balls (or points) that move: a line against a ball about A's centre with both radii, measured from the point of
@@ -9,11 +5,9 @@ namespace Gjk.Core;
 // touch at the start is what the distance says.
 public static partial class ConvexQuery
 {
-    /// <summary>
-    /// Ratio to the way and the radii: what rounding does to the place of the line, 32 roundings, where 20 are the most
-    /// (proofs/ball-line.g). A line that passes the ball by less touches it. Pinned by
-    /// CastToleranceTests.BallsThatPassByThirtyTwoRoundingsTouch.
-    /// </summary>
+    /// <summary>Ratio to the way and the radii: what rounding does to the place of the line, 32 roundings, where 20 are
+    /// the most (proofs/ball-line.g). A line that passes the ball by less touches it. Pinned by
+    /// CastToleranceTests.BallsThatPassByThirtyTwoRoundingsTouch.</summary>
     private const double BallLineError = 32 * RoundOff.Unit;
 
     [MethodImpl(MethodImplOptions.NoInlining)]

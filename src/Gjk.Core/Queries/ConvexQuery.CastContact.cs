@@ -1,17 +1,11 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 // What a contact means for a cast: one at the start, which may be touching, overlapping or on its way apart, and one
 // on the way that may be passed. A cast that starts apart and passes nothing does not come here.
 public static unsafe partial class ConvexQuery
 {
-    /// <summary>
-    /// Ratio to the way: 2^-20, sixteen roundings to float: how far the projection of a motion onto a surface may point
-    /// into it. Pinned by CastOptionsTests.
-    /// </summary>
+    /// <summary>Ratio to the way: 2^-20, sixteen roundings to float: how far the projection of a motion onto a surface
+    /// may point into it. Pinned by CastOptionsTests.</summary>
     private const double AllowedSlope = 1.0 / (1 << 20);
 
     /// <summary>A contact as a cast has found it, and as it is when it has been looked at.</summary>
@@ -32,9 +26,8 @@ public static unsafe partial class ConvexQuery
             Normal = found.Normal;
         }
 
-        /// <summary>
-        /// Asks how deep the shapes overlap at the start. Where they only touch, a normal that is known stays.
-        /// </summary>
+        /// <summary>Asks how deep the shapes overlap at the start. Where they only touch, a normal that is known
+        /// stays.</summary>
         /// <returns>Whether they do by more than touching.</returns>
         public bool LookAtStart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap

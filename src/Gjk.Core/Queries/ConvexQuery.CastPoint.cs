@@ -1,7 +1,3 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 // A cast in which one of the shapes is a point is a ray, and has its closed forms. Any type that is a point comes

@@ -1,32 +1,24 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 public static unsafe partial class ConvexQuery
 {
-    /// <summary>
-    /// Where two convex shapes touch: the signed distance, and up to four points that a solver needs to keep one on
-    /// the other.
-    /// </summary>
+    /// <summary>Where two convex shapes touch: the signed distance, and up to four points that a solver needs to keep
+    /// one on the other.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
-    /// <param name="maxGap">
-    /// Points further apart than this are left out, in world units; at least 0, and less or NaN counts as 0. A little
-    /// more than the shapes can move in a frame, or than a body rocks, keeps the corners of one that is about to touch.
-    /// </param>
-    /// <param name="manifold">
-    /// Gets the points: none when the shapes are further apart than <paramref name="maxGap"/> or invalid. A
-    /// face on a face has up to four, an edge on a face two, as have parallel cylinders, a corner one. Of all fours
-    /// that hold a point as deep as the deepest, to within 1e-6 of the size, they span at least 95 % of the largest
-    /// area; a face of more than 64 corners takes part by 64 of them, and there it can be less. Shapes whose face, edge
-    /// or corner there is unknown or round (spheres, ellipsoids, those that show none) have the one
-    /// pair of deepest points. Every pair of points lies along the manifold's normal.
-    /// </param>
+    /// <param name="maxGap">Points further apart than this are left out, in world units; at least 0, and less or NaN
+    /// counts as 0. A little more than the shapes can move in a frame, or than a body rocks, keeps the corners of one
+    /// that is about to touch.</param>
+    /// <param name="manifold">Gets the points: none when the shapes are further apart than <paramref name="maxGap"/> or
+    /// invalid. A face on a face has up to four, an edge on a face two, as have parallel cylinders, a corner one. Of
+    /// all fours that hold a point as deep as the deepest, to within 1e-6 of the size, they span at least 95 % of the
+    /// largest area; a face of more than 64 corners takes part by 64 of them, and there it can be less. Shapes whose
+    /// face, edge or corner there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of
+    /// deepest points. Every pair of points lies along the manifold's normal.</param>
     /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
     public static DistanceResult Contacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, out ContactManifold manifold)
@@ -38,19 +30,16 @@ public static unsafe partial class ConvexQuery
         return AskContacts(a, poseA, b, poseB, maxGap, null, &plane, ref manifold);
     }
 
-    /// <summary>
-    /// As the first, beginning where the last query of the pair ended: faster for pairs that move little.
-    /// </summary>
+    /// <summary>As the first, beginning where the last query of the pair ended: faster for pairs that move
+    /// little.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
-    /// <param name="warmStart">
-    /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
-    /// and <c>SignedDistance</c> use.
-    /// </param>
+    /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated. It may be the
+    /// one that <c>Distance</c> and <c>SignedDistance</c> use.</param>
     /// <param name="maxGap">See the first overload.</param>
     /// <param name="manifold">See the first overload.</param>
     /// <returns>As <c>SignedDistance</c> gives it. Within the accuracy that of the cold query.</returns>
@@ -76,10 +65,8 @@ public static unsafe partial class ConvexQuery
             return AskContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold);
     }
 
-    /// <summary>
-    /// The points of a pair along a direction near its normal: where the faces or edges that both show along it lie
-    /// opposite each other.
-    /// </summary>
+    /// <summary>The points of a pair along a direction near its normal: where the faces or edges that both show along
+    /// it lie opposite each other.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Its pose.</param>
     /// <param name="b">The second shape.</param>

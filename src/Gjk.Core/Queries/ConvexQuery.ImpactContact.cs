@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 // What a contact means for a time of impact. Bodies that turn may leave a contact and come back, so it is followed

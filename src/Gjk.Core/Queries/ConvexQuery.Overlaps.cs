@@ -2,10 +2,8 @@ namespace Gjk.Core;
 
 public static partial class ConvexQuery
 {
-    /// <summary>
-    /// Whether two convex shapes share a point, touching included: exactly when <c>Distance(a, b)</c> says
-    /// <see cref="GjkStatus.Overlapping"/>, for supports in double.
-    /// </summary>
+    /// <summary>Whether two convex shapes share a point, touching included: exactly when <c>Distance(a, b)</c> says
+    /// <see cref="GjkStatus.Overlapping"/>, for supports in double.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>

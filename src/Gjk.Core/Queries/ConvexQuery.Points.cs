@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 // A point is a shape, too, the least of all, so these ask the pair queries: contains is overlaps, and both speak of
@@ -11,9 +9,8 @@ public static partial class ConvexQuery
     /// <param name="shape">The shape.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world.</param>
-    /// <returns>
-    /// Exactly what <c>Overlaps</c> says of the shape and the point; false too when the input is invalid.
-    /// </returns>
+    /// <returns>Exactly what <c>Overlaps</c> says of the shape and the point; false too when the input is
+    /// invalid.</returns>
     public static bool Contains<T>(in T shape, in RigidPose pose, Vector3 point)
         where T : struct, ISupportMap =>
         Guard.IsFinite(point) && Overlaps(shape, pose, default(PointShape), new RigidPose(point));
@@ -50,10 +47,8 @@ public static partial class ConvexQuery
     /// <param name="shape">The shape: A of the result.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="point">In the world: B of the result.</param>
-    /// <returns>
-    /// What <c>SignedDistance</c> says of the shape and a <see cref="PointShape"/>, bit for bit: PointA is the nearest
-    /// point of the surface, and the point is PointA + Normal · Distance, with either sign.
-    /// </returns>
+    /// <returns>What <c>SignedDistance</c> says of the shape and a <see cref="PointShape"/>, bit for bit: PointA is the
+    /// nearest point of the surface, and the point is PointA + Normal · Distance, with either sign.</returns>
     public static DistanceResult SignedDistance<T>(in T shape, in RigidPose pose, Vector3 point)
         where T : struct, ISupportMap =>
         Guard.IsFinite(point)

@@ -1,7 +1,3 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 public static partial class ConvexQuery
@@ -12,24 +8,20 @@ public static partial class ConvexQuery
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
-    /// <param name="maxDistance">
-    /// World units: how far the ray reaches, +infinity for all the way; less than 0 counts as 0.
-    /// </param>
+    /// <param name="maxDistance">World units: how far the ray reaches, +infinity for all the way; less than 0 counts as
+    /// 0.</param>
     /// <param name="options">Which contacts are passed; by default none. The depth is that of the point.</param>
-    /// <returns>
-    /// The first point of the ray that is in the closed shape, or <see cref="CastStatus.Miss"/>, or
+    /// <returns>The first point of the ray that is in the closed shape, or <see cref="CastStatus.Miss"/>, or
     /// <see cref="CastStatus.OverlappingAtStart"/> where the origin is inside. The distance is the true one, rounded to
     /// float: within 1e-7 of the size or the way, whichever is larger, however far away the ray begins; the normal is
     /// within 1e-6 of the true one where there is only one, of cylinders and cones with thin margins within 1e-5. Hit
     /// or miss is what exact geometry says, but for rays that pass the surface within 1e-9 of the size; one that is so
     /// near all along, as in the plane of a hull that is as flat as that, may meet it anywhere there. From an origin on
-    /// the surface, where the signed distance is 0, a ray that goes in hits at 0, and one that slides or leaves misses.
-    /// </returns>
-    /// <remarks>
-    /// Spheres, capsules, boxes, cylinders, cones, ellipsoids, triangles, and hulls of up to some 250 corners have
-    /// closed forms, scaled and placed, too. The rest is cast as a point: shapes of your own, shapes rounded that are
-    /// not spheres or capsules then, and flat ones.
-    /// </remarks>
+    /// the surface, where the signed distance is 0, a ray that goes in hits at 0, and one that slides or leaves
+    /// misses.</returns>
+    /// <remarks>Spheres, capsules, boxes, cylinders, cones, ellipsoids, triangles, and hulls of up to some 250 corners
+    /// have closed forms, scaled and placed, too. The rest is cast as a point: shapes of your own, shapes rounded that
+    /// are not spheres or capsules then, and flat ones.</remarks>
     public static RayCastResult RayCast<T>(
         in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity,
         in CastOptions options = default)

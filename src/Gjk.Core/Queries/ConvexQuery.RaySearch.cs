@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 // Rays without a closed form: a point is cast along the ray. A ray that begins far away begins anew where it is about
@@ -19,11 +16,10 @@ public static partial class ConvexQuery
     /// <summary>Where a point that is cast meets a core.</summary>
     private struct RayQuestion : IPairSolver<RayMeeting>
     {
-        /// <summary>
-        /// Ratio of the origin's distance to the radius, beyond which the ray begins anew: from further away, rounding
-        /// could carry the point through a flat shape. Pinned by TheClosedFormAgreesWithTheCast in RayCastTests, from
-        /// below; four times as much would still round by less than what counts as touching.
-        /// </summary>
+        /// <summary>Ratio of the origin's distance to the radius, beyond which the ray begins anew: from further away,
+        /// rounding could carry the point through a flat shape. Pinned by TheClosedFormAgreesWithTheCast in
+        /// RayCastTests, from below; four times as much would still round by less than what counts as
+        /// touching.</summary>
         private const double FarOrigin = 3;
 
         /// <summary>Ratio to the radius: how far from the foot it begins then, outside the ball.</summary>

@@ -1,33 +1,22 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 public static unsafe partial class ConvexQuery
 {
-    /// <summary>
-    /// Ratio to the pair's size, which is at most 1.74 times its scale: the default tolerance, at most 1e-5 of the
-    /// scale. Pinned by TimeOfImpactTests.
-    /// </summary>
+    /// <summary>Ratio to the pair's size, which is at most 1.74 times its scale: the default tolerance, at most 1e-5 of
+    /// the scale. Pinned by TimeOfImpactTests.</summary>
     internal const double DefaultTolerance = 5e-6;
 
-    /// <summary>
-    /// Ratio to the pair's size: a finer tolerance would reach down to what counts as touching for curved cores (4e-10
-    /// of the size). Pinned by ImpactToleranceTests.
-    /// </summary>
+    /// <summary>Ratio to the pair's size: a finer tolerance would reach down to what counts as touching for curved
+    /// cores (4e-10 of the size). Pinned by ImpactToleranceTests.</summary>
     private const double LeastTolerance = 1e-8;
 
-    /// <summary>
-    /// Ratio to what rounding does to a gap: tolerances are at least this, so that the floor of a step, a 64th of it,
-    /// is no less than rounding. Pinned by ImpactToleranceTests.
-    /// </summary>
+    /// <summary>Ratio to what rounding does to a gap: tolerances are at least this, so that the floor of a step, a 64th
+    /// of it, is no less than rounding. Pinned by ImpactToleranceTests.</summary>
     private const double RoundingTolerance = 64;
 
-    /// <summary>
-    /// Ratio: 2^-24, no more than from a float to the one before, and more than half of that. A smaller one would do as
-    /// well, since what is left is rounded down. Pinned by WhatDoesNotTurnIsCast in TimeOfImpactTests.
-    /// </summary>
+    /// <summary>Ratio: 2^-24, no more than from a float to the one before, and more than half of that. A smaller one
+    /// would do as well, since what is left is rounded down. Pinned by WhatDoesNotTurnIsCast in
+    /// TimeOfImpactTests.</summary>
     private const double OneFloat = 1.0 / (1 << 24);
 
     /// <summary>When two shapes that move and turn at constant rates first come within a tolerance.</summary>
@@ -37,27 +26,22 @@ public static unsafe partial class ConvexQuery
     /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
-    /// <param name="tolerance">
-    /// The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the longest side of the larger shape,
-    /// or, for two points, of the arms that they turn on or the way between them. Not finer than 1e-8 of the sizes and
-    /// 1e-13 of the distances and ways.
-    /// </param>
-    /// <param name="maxFraction">
-    /// How much of the motion is looked at: 1 for all of it, more for the same motion continued; less than 0 counts as
-    /// 0.
-    /// </param>
+    /// <param name="tolerance">The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the longest
+    /// side of the larger shape, or, for two points, of the arms that they turn on or the way between them. Not finer
+    /// than 1e-8 of the sizes and 1e-13 of the distances and ways.</param>
+    /// <param name="maxFraction">How much of the motion is looked at: 1 for all of it, more for the same motion
+    /// continued; less than 0 counts as 0.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
-    /// <returns>
-    /// Hit: the shapes are proved apart before the fraction, and at it their distance is at most the tolerance; the
-    /// point is on A as it has moved. The fraction is rounded down to a float. Where the shapes move by more than the
-    /// tolerance between two floats (some 1e-7 of the way up to there), the distance may be larger by twice that. Miss:
-    /// they are proved apart up to the largest fraction. OverlappingAtStart: they overlap at 0, by the depth and along
-    /// the normal that <c>SignedDistance</c> says. Shapes that only touch at 0 are a hit there if the motion takes them
-    /// into each other by more than the tolerance before they part; else the contact is passed, and a later one is
-    /// found. Shapes that are within the tolerance at the start and part at once do not hit. IterationLimit: they are
-    /// apart up to the fraction, or no deeper than is passed, and 1024 steps or a million radians have been spent.
-    /// Where neither turns, hit and miss are those of <c>Cast</c>, and the fraction is the float before its.
-    /// </returns>
+    /// <returns>Hit: the shapes are proved apart before the fraction, and at it their distance is at most the
+    /// tolerance; the point is on A as it has moved. The fraction is rounded down to a float. Where the shapes move by
+    /// more than the tolerance between two floats (some 1e-7 of the way up to there), the distance may be larger by
+    /// twice that. Miss: they are proved apart up to the largest fraction. OverlappingAtStart: they overlap at 0, by
+    /// the depth and along the normal that <c>SignedDistance</c> says. Shapes that only touch at 0 are a hit there if
+    /// the motion takes them into each other by more than the tolerance before they part; else the contact is passed,
+    /// and a later one is found. Shapes that are within the tolerance at the start and part at once do not hit.
+    /// IterationLimit: they are apart up to the fraction, or no deeper than is passed, and 1024 steps or a million
+    /// radians have been spent. Where neither turns, hit and miss are those of <c>Cast</c>, and the fraction is the
+    /// float before its.</returns>
     public static CastResult TimeOfImpact<TA, TB>(
         in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance = 0, float maxFraction = 1,
         in CastOptions options = default)
@@ -68,19 +52,16 @@ public static unsafe partial class ConvexQuery
         return TimeOfImpact(a, motionA, b, motionB, ref unused, tolerance, maxFraction, options);
     }
 
-    /// <summary>
-    /// As the first, beginning where the last query of the pair ended: faster for pairs that move little.
-    /// </summary>
+    /// <summary>As the first, beginning where the last query of the pair ended: faster for pairs that move
+    /// little.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
     /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
-    /// <param name="warmStart">
-    /// Kept by the caller, one per pair, in the same order of A and B; updated. It may be the one that <c>Distance</c>
-    /// uses.
-    /// </param>
+    /// <param name="warmStart">Kept by the caller, one per pair, in the same order of A and B; updated. It may be the
+    /// one that <c>Distance</c> uses.</param>
     /// <param name="tolerance">See the first overload.</param>
     /// <param name="maxFraction">See the first overload.</param>
     /// <param name="options">See the first overload.</param>

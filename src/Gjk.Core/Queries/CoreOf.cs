@@ -1,11 +1,7 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The core that a shape can be unwrapped to, so that its supports need not switch on its kind. Which kinds a type can
-/// have is known when the code is compiled.
-/// </summary>
+/// <summary>The core that a shape can be unwrapped to, so that its supports need not switch on its kind. Which kinds a
+/// type can have is known when the code is compiled.</summary>
 internal static class CoreOf
 {
     /// <summary>Whether a shape is placed, so that its core has axes of its own.</summary>

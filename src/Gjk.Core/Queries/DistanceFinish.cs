@@ -1,25 +1,17 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>Makes results of what the solvers find: adds the margins, finds the points and rounds.</summary>
 internal static class DistanceFinish
 {
-    /// <summary>
-    /// Ratio of the distance to a shape's size and to its offset from its local origin: further apart, a point of it
-    /// that is reached from the other shape over the distance would lie beside it by rounding alone, so it is placed
-    /// from its own pose. Here rounding is 2^-33 of the size, so a few times as much would do no harm, and less would
-    /// only cost time. WitnessPointTests have all distances.
-    /// </summary>
+    /// <summary>Ratio of the distance to a shape's size and to its offset from its local origin: further apart, a point
+    /// of it that is reached from the other shape over the distance would lie beside it by rounding alone, so it is
+    /// placed from its own pose. Here rounding is 2^-33 of the size, so a few times as much would do no harm, and less
+    /// would only cost time. WitnessPointTests have all distances.</summary>
     public const double FarApart = 1 << 20;
 
-    /// <summary>
-    /// Ratio of the radii: where B is smaller than A by more, the points are placed from B's pose. Up to here, what
-    /// rounding in A's frame does to them is far below B's floats; 2^20 is too much, as PointPlacementTests show, and
-    /// less only costs time.
-    /// </summary>
+    /// <summary>Ratio of the radii: where B is smaller than A by more, the points are placed from B's pose. Up to here,
+    /// what rounding in A's frame does to them is far below B's floats; 2^20 is too much, as PointPlacementTests show,
+    /// and less only costs time.</summary>
     public const double MuchSmaller = 1 << 10;
 
     /// <summary>Adds the margins, finds the points and rounds.</summary>
@@ -89,10 +81,8 @@ internal static class DistanceFinish
             out result, status, (float)distance, bound, worldA, worldB, normal, localA, localB, state.Iterations);
     }
 
-    /// <summary>
-    /// The lower bound of the better of the plane and the feature. The plane is the feature's but for a walk in
-    /// extended precision that ended on an older, better one.
-    /// </summary>
+    /// <summary>The lower bound of the better of the plane and the feature. The plane is the feature's but for a walk
+    /// in extended precision that ended on an older, better one.</summary>
     private static float BoundOf(
         in SolverState state, in PairFrame frame, double scale, bool isSigned, bool isTouching)
     {
@@ -106,10 +96,9 @@ internal static class DistanceFinish
         return isTouching ? Math.Min(bound, 0) : bound;
     }
 
-    /// <summary>
-    /// Whether B's own pose places the points better than A's: where B is much smaller, and where the curve of a core
-    /// or the end of the iterations keeps them apart by far more than rounding, where B is smaller at all.
-    /// </summary>
+    /// <summary>Whether B's own pose places the points better than A's: where B is much smaller, and where the curve of
+    /// a core or the end of the iterations keeps them apart by far more than rounding, where B is smaller at
+    /// all.</summary>
     private static bool IsMuchSmallerB(in SolverState state, in PairFrame frame)
     {
         double ratio = state.IsCurved || state.Verdict == Verdict.Undecided ? 1 : MuchSmaller;
@@ -125,9 +114,8 @@ internal static class DistanceFinish
     public static bool IsFarApart(double distance, double radius, in Double3 center) =>
         distance > FarApart * radius && distance > FarApart * center.SumOfMagnitudes;
 
-    /// <summary>
-    /// A common point, given on both cores, and placed from the pose that the two points of shapes apart would be.
-    /// </summary>
+    /// <summary>A common point, given on both cores, and placed from the pose that the two points of shapes apart would
+    /// be.</summary>
     private static DistanceResult Common(
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, Xyz onA, Xyz onB)
     {
@@ -155,9 +143,8 @@ internal static class DistanceFinish
     public static Double3 ToWorld(in RigidPose pose, in Double3 local) =>
         new RotationD(pose.Rotation).Rotate(local) + pose.Position;
 
-    /// <summary>
-    /// The separating plane's gap less everything that rounding can have added to it, and then rounded down.
-    /// </summary>
+    /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded
+    /// down.</summary>
     private static float LowerBound(
         double coreGap, in SolverState state, in PairFrame frame, bool isSigned = false)
     {

@@ -1,55 +1,42 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The answer of <see cref="ConvexQuery"/>'s distance and signed distance. Lengths and points are in world units and
-/// the world frame unless the name says otherwise. What is valid under which status: see <see cref="GjkStatus"/>.
-/// </summary>
+/// <summary>The answer of <see cref="ConvexQuery"/>'s distance and signed distance. Lengths and points are in world
+/// units and the world frame unless the name says otherwise. What is valid under which status: see
+/// <see cref="GjkStatus"/>.</summary>
 public readonly struct DistanceResult
 {
     /// <summary>What was found.</summary>
     public readonly GjkStatus Status;
 
-    /// <summary>
-    /// The distance between the shapes, rounded to float: at least 0; 0 when overlapping. A signed distance is then
-    /// minus the depth.
-    /// </summary>
+    /// <summary>The distance between the shapes, rounded to float: at least 0; 0 when overlapping. A signed distance is
+    /// then minus the depth.</summary>
     public readonly float Distance;
 
-    /// <summary>
-    /// A proved lower bound of the distance: the gap between two parallel planes that separate the shapes, evaluated in
-    /// double and rounded down. Of a signed distance it is negative when the shapes overlap, and the true signed
-    /// distance is not below it.
-    /// </summary>
+    /// <summary>A proved lower bound of the distance: the gap between two parallel planes that separate the shapes,
+    /// evaluated in double and rounded down. Of a signed distance it is negative when the shapes overlap, and the true
+    /// signed distance is not below it.</summary>
     public readonly float LowerBound;
 
-    /// <summary>
-    /// The point of A that is closest to B; of a signed distance, when overlapping, the one that is deepest in B.
-    /// </summary>
+    /// <summary>The point of A that is closest to B; of a signed distance, when overlapping, the one that is deepest in
+    /// B.</summary>
     public readonly Vector3 PointA;
 
     /// <summary>The point of B that is closest to A, or deepest in it.</summary>
     public readonly Vector3 PointB;
 
-    /// <summary>
-    /// The unit vector from A to B, perpendicular to the separating planes; zero when overlapping. Of a signed distance
-    /// it is then the direction in which B leaves A by the shortest way.
-    /// </summary>
+    /// <summary>The unit vector from A to B, perpendicular to the separating planes; zero when overlapping. Of a signed
+    /// distance it is then the direction in which B leaves A by the shortest way.</summary>
     public readonly Vector3 Normal;
 
-    /// <summary>
-    /// <see cref="PointA"/> in A's own frame, where far from the world's origin a float holds it better.
-    /// </summary>
+    /// <summary><see cref="PointA"/> in A's own frame, where far from the world's origin a float holds it
+    /// better.</summary>
     public readonly Vector3 LocalPointA;
 
     /// <summary><see cref="PointB"/> in B's own frame.</summary>
     public readonly Vector3 LocalPointB;
 
-    /// <summary>
-    /// How many times both shapes were asked for a support point, the one that proved the end included.
-    /// </summary>
+    /// <summary>How many times both shapes were asked for a support point, the one that proved the end
+    /// included.</summary>
     public readonly int Iterations;
 
     internal DistanceResult(
@@ -67,10 +54,8 @@ public readonly struct DistanceResult
         Iterations = iterations;
     }
 
-    /// <summary>
-    /// Writes a result where it is to be, without the copies that a constructor makes on Mono, each of which costs as
-    /// much as a support.
-    /// </summary>
+    /// <summary>Writes a result where it is to be, without the copies that a constructor makes on Mono, each of which
+    /// costs as much as a support.</summary>
     internal static unsafe void Write(
         out DistanceResult result, GjkStatus status, float distance, float lowerBound, in Xyz pointA, in Xyz pointB,
         in Xyz normal, in Xyz localPointA, in Xyz localPointB, int iterations)
@@ -99,10 +84,8 @@ public readonly struct DistanceResult
         public int Iterations;
     }
 
-    /// <summary>
-    /// True when the status says that the shapes share a point, touching included. Where a query ended at its limit,
-    /// they do if the distance is below 0.
-    /// </summary>
+    /// <summary>True when the status says that the shapes share a point, touching included. Where a query ended at its
+    /// limit, they do if the distance is below 0.</summary>
     public bool IsOverlapping => Status == GjkStatus.Overlapping;
 
     /// <summary>The same answer with A and B exchanged.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>The distance of a pair.</summary>

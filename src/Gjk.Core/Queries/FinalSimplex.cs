@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The simplex that a distance query ended with: up to four pairs of support points whose weighted sums are the closest
-/// points of the two cores (a common point when they overlap). Immutable.
-/// </summary>
+/// <summary>The simplex that a distance query ended with: up to four pairs of support points whose weighted sums are
+/// the closest points of the two cores (a common point when they overlap). Immutable.</summary>
 public readonly struct FinalSimplex
 {
     private readonly Simplex _simplex;

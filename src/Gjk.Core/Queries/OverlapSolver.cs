@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>Whether a pair overlaps.</summary>
@@ -41,10 +38,8 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
             _ => GjkStatus.IterationLimit,
         };
 
-    /// <summary>
-    /// Whether valid shapes are so far apart that their balls show it, wherever their centres are turned to: by more
-    /// than rounding could close. No rotation is looked at.
-    /// </summary>
+    /// <summary>Whether valid shapes are so far apart that their balls show it, wherever their centres are turned to:
+    /// by more than rounding could close. No rotation is looked at.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool AreBallsApart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
         where TA : struct, ISupportMap

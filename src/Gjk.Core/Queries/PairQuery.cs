@@ -1,16 +1,11 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The road of every question about a pair: compose the frame, refuse invalid input, solve the cores, finish.
-/// </summary>
-/// <remarks>
-/// Cores are unwrapped first: what is read right after it was written waits for it, and the frame takes its time. The
-/// frame is that of the cores, in their own axes, so below it nothing knows of placements. Each pair of cores has a
-/// method of its own, whose frame holds no more than these two. Ahead-of-time compilers would make all of them, so for
-/// netstandard shapes are solved as they are; the bits are the same.
-/// </remarks>
+/// <summary>The road of every question about a pair: compose the frame, refuse invalid input, solve the cores,
+/// finish.</summary>
+/// <remarks>Cores are unwrapped first: what is read right after it was written waits for it, and the frame takes its
+/// time. The frame is that of the cores, in their own axes, so below it nothing knows of placements. Each pair of cores
+/// has a method of its own, whose frame holds no more than these two. Ahead-of-time compilers would make all of them,
+/// so for netstandard shapes are solved as they are; the bits are the same.</remarks>
 internal static class PairQuery
 {
     /// <summary>Asks a solver about two shapes.</summary>
@@ -141,10 +136,8 @@ internal static class PairQuery
         solver.Solve(ref unitA, ref unitB, ref frame, ref state);
     }
 
-    /// <summary>
-    /// A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a shape's
-    /// own mistakes.
-    /// </summary>
+    /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a
+    /// shape's own mistakes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
 #if NET
     public static ref T Inward<T>(in T shape)

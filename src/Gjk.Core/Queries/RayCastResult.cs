@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>Where a ray first meets a shape. Immutable.</summary>
@@ -9,25 +6,19 @@ public readonly struct RayCastResult
     /// <summary>What was found; what is valid under it, <see cref="CastStatus"/> says.</summary>
     public readonly CastStatus Status;
 
-    /// <summary>
-    /// World units along the ray from its origin, rounded to float; 0 where it begins in the shape, the largest
-    /// distance at a miss.
-    /// </summary>
+    /// <summary>World units along the ray from its origin, rounded to float; 0 where it begins in the shape, the
+    /// largest distance at a miss.</summary>
     public readonly float Distance;
 
     /// <summary>The point of the ray at that distance, in the world.</summary>
     public readonly Vector3 Point;
 
-    /// <summary>
-    /// The unit normal of the shape's surface there, outward. Where the ray begins in the shape it is that of the
-    /// nearest point of the surface, the shortest way out.
-    /// </summary>
+    /// <summary>The unit normal of the shape's surface there, outward. Where the ray begins in the shape it is that of
+    /// the nearest point of the surface, the shortest way out.</summary>
     public readonly Vector3 Normal;
 
-    /// <summary>
-    /// World units: how deep in the shape the ray begins; 0 for a hit and a miss. Where <c>SignedDistance</c> has no
-    /// room for its search, it may be less.
-    /// </summary>
+    /// <summary>World units: how deep in the shape the ray begins; 0 for a hit and a miss. Where <c>SignedDistance</c>
+    /// has no room for its search, it may be less.</summary>
     public readonly float Depth;
 
     /// <summary>How many times the shape was asked for a support point: 0 where a closed form answers.</summary>

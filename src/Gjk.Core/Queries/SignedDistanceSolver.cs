@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>The signed distance of a pair.</summary>
@@ -14,9 +11,8 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
     /// <summary>Gets the simplex, if that is wanted.</summary>
     public FinalSimplex* Simplex;
 
-    /// <summary>
-    /// Gets where the contact is, if that is wanted; a normal of length 0 where nothing but the result says it.
-    /// </summary>
+    /// <summary>Gets where the contact is, if that is wanted; a normal of length 0 where nothing but the result says
+    /// it.</summary>
     public ContactPlane* Plane;
 
     /// <summary>Gets how curved shapes touch, if that is wanted and they only touch.</summary>

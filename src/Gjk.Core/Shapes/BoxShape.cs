@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>A box about the local origin, its faces square to the local axes.</summary>

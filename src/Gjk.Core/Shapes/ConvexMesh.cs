@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs nothing.
-/// </summary>
+/// <summary>The convex hull of a cloud of vertices. Copies share the hull, so making one from a hull costs
+/// nothing.</summary>
 public readonly struct ConvexMesh : ISupportMap, IPlainBody
 {
     private readonly ConvexHull? _hull;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 public readonly partial struct ConvexShape
@@ -64,13 +60,11 @@ public readonly partial struct ConvexShape
     public static ConvexShape Mesh(IReadOnlyList<Vector3> vertices) => Mesh(new ConvexHull(vertices));
 
     /// <summary>A shape of your own, for scenes, batches and compounds. Each support costs an interface call.</summary>
-    /// <param name="shape">
-    /// It must not change; a struct is boxed once. Two such shapes are equal when they are made of the same object.
-    /// </param>
+    /// <param name="shape">It must not change; a struct is boxed once. Two such shapes are equal when they are made of
+    /// the same object.</param>
     /// <exception cref="ArgumentNullException">There is no shape.</exception>
-    /// <exception cref="ArgumentException">
-    /// Its centre, margin or bounding radius is NaN or infinite, or one of the two is negative.
-    /// </exception>
+    /// <exception cref="ArgumentException">Its centre, margin or bounding radius is NaN or infinite, or one of the two
+    /// is negative.</exception>
     public static ConvexShape Custom(ISupportMap shape)
     {
         if (Guard.NotNull(shape, nameof(shape)) is ConvexShape known) return known;

@@ -1,17 +1,12 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 public readonly partial struct ConvexShape
 {
     /// <summary>The same shape scaled about the local origin. Factors of an earlier call are multiplied.</summary>
-    /// <param name="scale">
-    /// Along the local axes; negative factors mirror. Uneven factors make an ellipsoid of a sphere and of every margin.
-    /// </param>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// A factor is 0, NaN or infinite, or leaves the range of float when it is multiplied with an earlier one.
-    /// </exception>
+    /// <param name="scale">Along the local axes; negative factors mirror. Uneven factors make an ellipsoid of a sphere
+    /// and of every margin.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A factor is 0, NaN or infinite, or leaves the range of float when
+    /// it is multiplied with an earlier one.</exception>
     /// <exception cref="InvalidOperationException">This is a <c>default</c> struct.</exception>
     public ConvexShape Scaled(Vector3 scale)
     {
@@ -50,9 +45,8 @@ public readonly partial struct ConvexShape
         return new(parts);
     }
 
-    /// <summary>
-    /// The same shape widened by a radius: its Minkowski sum with a ball. Radii of earlier calls are added.
-    /// </summary>
+    /// <summary>The same shape widened by a radius: its Minkowski sum with a ball. Radii of earlier calls are
+    /// added.</summary>
     /// <param name="radius">In local units.</param>
     /// <exception cref="ArgumentOutOfRangeException">The radius is negative, NaN or infinite.</exception>
     /// <exception cref="InvalidOperationException">This is a <c>default</c> struct.</exception>

@@ -27,9 +27,8 @@ public readonly partial struct ConvexShape
     /// <summary>The opposite of equality.</summary>
     public static bool operator !=(in ConvexShape a, in ConvexShape b) => !a.Equals(b);
 
-    /// <summary>
-    /// The kind and its numbers, for people to read. <see cref="QueryRecord"/> writes a text that can be read back.
-    /// </summary>
+    /// <summary>The kind and its numbers, for people to read. <see cref="QueryRecord"/> writes a text that can be read
+    /// back.</summary>
     public override string ToString()
     {
         ref readonly ShapeParts p = ref _parts;

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 // The supports of shapes that are placed or scaled are methods of their own: Mono clears the copy of a shape whenever

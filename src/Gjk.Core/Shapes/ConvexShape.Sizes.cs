@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 // The numbers that it was made from, in world units; of a decorated shape (IsDecorated) those of what is

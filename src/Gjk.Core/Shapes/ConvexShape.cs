@@ -1,17 +1,10 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Any of the library's shapes as one type, scaled, rounded and placed in any order: what a scene stores, and the one
-/// closed instantiation of the queries that an ahead-of-time compiler needs.
-/// </summary>
-/// <remarks>
-/// Immutable. Scales are multiplied in where the product is exact (points, segments, triangles, boxes, ellipsoids); a
-/// mesh, cylinder or cone, and a capsule scaled unevenly, keep their factors and apply them to each support.
-/// </remarks>
+/// <summary>Any of the library's shapes as one type, scaled, rounded and placed in any order: what a scene stores, and
+/// the one closed instantiation of the queries that an ahead-of-time compiler needs.</summary>
+/// <remarks>Immutable. Scales are multiplied in where the product is exact (points, segments, triangles, boxes,
+/// ellipsoids); a mesh, cylinder or cone, and a capsule scaled unevenly, keep their factors and apply them to each
+/// support.</remarks>
 public readonly partial struct ConvexShape
     : ISupportMap, IPlacedShape<ConvexShape>, IEquatable<ConvexShape>
 {
@@ -100,10 +93,8 @@ public readonly partial struct ConvexShape
     /// <summary>The factors that are still applied to each support; 1 where the scale was multiplied in.</summary>
     public Vector3 Scale => (Vector3)_parts.Scale;
 
-    /// <summary>
-    /// True when the shape is rounded or placed, or was before it was scaled, so that <see cref="Kind"/>,
-    /// <see cref="Hull"/> and <see cref="Scale"/> do not say all about it.
-    /// </summary>
+    /// <summary>True when the shape is rounded or placed, or was before it was scaled, so that <see cref="Kind"/>,
+    /// <see cref="Hull"/> and <see cref="Scale"/> do not say all about it.</summary>
     public bool IsDecorated => _parts.Layer is not null || _parts.Placement is not null || _parts.Rounding > 0;
 
     /// <inheritdoc/>
@@ -112,9 +103,8 @@ public readonly partial struct ConvexShape
     /// <inheritdoc/>
     public double Margin => _margin;
 
-    /// <summary>
-    /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
-    /// </summary>
+    /// <summary>As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query
+    /// accepts.</summary>
     public double BoundingRadius => _parts.Kind == ShapeKind.None ? double.NaN
         : _parts.Placement is null ? _boundingRadius
         : _parts.Placement.Radius(_boundingRadius, _margin);

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>An ellipsoid about the local origin, its axes along the local ones. A radius of 0 flattens it.</summary>

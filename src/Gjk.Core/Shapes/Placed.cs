@@ -1,14 +1,9 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Any shape turned and moved inside the local frame: a capsule along x, a collider beside its object's origin.
-/// </summary>
-/// <remarks>
-/// The shape's centre is placed in double-double and its rounding error is kept, so a shape placed far from the local
-/// origin loses no accuracy. Queries ask the shape inside in its own axes, so they stay as fast.
-/// </remarks>
+/// <summary>Any shape turned and moved inside the local frame: a capsule along x, a collider beside its object's
+/// origin.</summary>
+/// <remarks>The shape's centre is placed in double-double and its rounding error is kept, so a shape placed far from
+/// the local origin loses no accuracy. Queries ask the shape inside in its own axes, so they stay as fast.</remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
 public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     where T : struct, ISupportMap
@@ -48,9 +43,8 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     /// <inheritdoc/>
     public double Margin => _inner.Margin;
 
-    /// <summary>
-    /// As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query accepts.
-    /// </summary>
+    /// <summary>As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query
+    /// accepts.</summary>
     public double BoundingRadius => _placement is null ? double.NaN
         : IsPlaced ? _placement.Radius(Core.BoundingRadius, Margin) : _inner.BoundingRadius;
 

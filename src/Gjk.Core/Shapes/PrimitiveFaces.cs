@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The faces, edges and corners that the primitives show in a direction, measured from the local origin, each written
-/// once for the shape struct and for <see cref="ConvexShape"/>.
-/// </summary>
+/// <summary>The faces, edges and corners that the primitives show in a direction, measured from the local origin, each
+/// written once for the shape struct and for <see cref="ConvexShape"/>.</summary>
 internal static class PrimitiveFaces
 {
     /// <summary>Cosines of a sixteenth, an eighth and three sixteenths of a turn.</summary>
@@ -76,10 +72,8 @@ internal static class PrimitiveFaces
         corners.SideRadius = radius * slant / height;
     }
 
-    /// <summary>
-    /// A polygon in a disc, at fixed angles, so that its ids stay; contacts that share little of the disc put more
-    /// corners between these, which take the ids between theirs.
-    /// </summary>
+    /// <summary>A polygon in a disc, at fixed angles, so that its ids stay; contacts that share little of the disc put
+    /// more corners between these, which take the ids between theirs.</summary>
     private static void Disc(double radius, double y, ref FaceCorners corners)
     {
         if (radius == 0)

@@ -1,20 +1,13 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The closed-form support functions, each written once for the shape struct and for <see cref="ConvexShape"/>. Ties go
-/// to the lowest id. Corners are compared by their differences, so that a shape far from its local origin is asked as
-/// exactly as one at it. Ericson, Real-Time Collision Detection (2004), section 9.5, has them all but the cone, which
-/// is in van den Bergen (2003), section 4.3.4.
-/// </summary>
+/// <summary>The closed-form support functions, each written once for the shape struct and for
+/// <see cref="ConvexShape"/>. Ties go to the lowest id. Corners are compared by their differences, so that a shape far
+/// from its local origin is asked as exactly as one at it. Ericson, Real-Time Collision Detection (2004), section 9.5,
+/// has them all but the cone, which is in van den Bergen (2003), section 4.3.4.</summary>
 internal static class PrimitiveSupport
 {
-    /// <summary>
-    /// Squares of lengths between which no square has lost digits or overflowed. Outside, the direction is brought to
-    /// unit size first. Pinned by DirectionLengthTests.
-    /// </summary>
+    /// <summary>Squares of lengths between which no square has lost digits or overflowed. Outside, the direction is
+    /// brought to unit size first. Pinned by DirectionLengthTests.</summary>
     private const double LeastSquare = 1e-270, MostSquare = 1e300;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -32,10 +25,8 @@ internal static class PrimitiveSupport
         return id;
     }
 
-    /// <summary>
-    /// The disc of the given radius about the y axis: the rim point in the direction, the centre where the direction
-    /// has no radial part.
-    /// </summary>
+    /// <summary>The disc of the given radius about the y axis: the rim point in the direction, the centre where the
+    /// direction has no radial part.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Disc(double radius, double dx, double dz, out double x, out double z)
     {
@@ -69,9 +60,8 @@ internal static class PrimitiveSupport
         return apex >= rim ? new Double3(0, halfHeight, 0) : new Double3(x, -halfHeight, z);
     }
 
-    /// <summary>
-    /// The unit ball's support in the direction seen by it, mapped back: D (D d / |D d|) with D = diag(radii).
-    /// </summary>
+    /// <summary>The unit ball's support in the direction seen by it, mapped back: D (D d / |D d|) with D =
+    /// diag(radii).</summary>
     public static Double3 Ellipsoid(in Double3 radii, in Double3 direction)
     {
         Double3 scaled = Double3.Multiply(radii, direction);

@@ -1,9 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// Any shape widened by a radius: its Minkowski sum with a ball. The radius only adds to the margin, so queries stay as
-/// fast.
-/// </summary>
+/// <summary>Any shape widened by a radius: its Minkowski sum with a ball. The radius only adds to the margin, so
+/// queries stay as fast.</summary>
 /// <typeparam name="T">The shape inside.</typeparam>
 public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
     where T : struct, ISupportMap

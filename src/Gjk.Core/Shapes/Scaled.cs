@@ -1,16 +1,9 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Any shape scaled along its local axes; negative factors mirror it. The products are taken in double, where they are
-/// exact for float vertices.
-/// </summary>
-/// <remarks>
-/// Uneven factors, and a shape of your own, are measured once, by six supports in the constructor. Uneven factors turn
-/// the margin's ball into an ellipsoid, which then belongs to the core.
-/// </remarks>
+/// <summary>Any shape scaled along its local axes; negative factors mirror it. The products are taken in double, where
+/// they are exact for float vertices.</summary>
+/// <remarks>Uneven factors, and a shape of your own, are measured once, by six supports in the constructor. Uneven
+/// factors turn the margin's ball into an ellipsoid, which then belongs to the core.</remarks>
 /// <typeparam name="T">The shape inside.</typeparam>
 public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     where T : struct, ISupportMap
@@ -51,10 +44,8 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     /// <inheritdoc/>
     public double Margin => _scale.Margin(_inner.Margin);
 
-    /// <summary>
-    /// The inner radius times the largest factor, or what the scaled core's supports along its axes show where that is
-    /// less; NaN in a <c>default</c> struct, which no query accepts.
-    /// </summary>
+    /// <summary>The inner radius times the largest factor, or what the scaled core's supports along its axes show where
+    /// that is less; NaN in a <c>default</c> struct, which no query accepts.</summary>
     public double BoundingRadius => _scale.Largest > 0 ? _boundingRadius : double.NaN;
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<Scaled<T>>();

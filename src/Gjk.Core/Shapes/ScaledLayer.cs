@@ -1,11 +1,8 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A <see cref="ConvexShape"/> that was rounded or placed before it was scaled, which its own numbers cannot express.
-/// Immutable. It holds the decorator that callers of the typed shapes use, so both give the same bits.
-/// </summary>
+/// <summary>A <see cref="ConvexShape"/> that was rounded or placed before it was scaled, which its own numbers cannot
+/// express. Immutable. It holds the decorator that callers of the typed shapes use, so both give the same
+/// bits.</summary>
 internal sealed class ScaledLayer : ISupportMap
 {
     /// <summary>The scaled shape.</summary>

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>The straight line between two points, both included; they may coincide.</summary>

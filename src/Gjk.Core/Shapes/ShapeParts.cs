@@ -5,11 +5,9 @@ internal struct ShapeParts
 {
     public ShapeKind Kind;
 
-    /// <summary>
-    /// Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the radii.
-    /// Cylinder and cone: A, the radius and half the height. They are doubles, because a scale may have been multiplied
-    /// in.
-    /// </summary>
+    /// <summary>Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the
+    /// radii. Cylinder and cone: A, the radius and half the height. They are doubles, because a scale may have been
+    /// multiplied in.</summary>
     public Double3 A, B, C;
 
     /// <summary>What is applied to each support; null where it was multiplied in, or nothing is scaled.</summary>
@@ -34,10 +32,8 @@ internal struct ShapeParts
     /// <summary>The shape struct of a kind without corners, made from A; null for the others.</summary>
     public ILibraryShape? Curve;
 
-    /// <summary>
-    /// A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind, the
-    /// rounding and the placement are used.
-    /// </summary>
+    /// <summary>A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind,
+    /// the rounding and the placement are used.</summary>
     public ISupportMap? Layer;
 
     /// <summary>Where all that is in the shape's frame; null where it is not placed.</summary>

@@ -1,9 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// The scale of a <see cref="ConvexShape"/> that its own numbers cannot take. Immutable; few shapes have one, so it is
-/// no part of all of them.
-/// </summary>
+/// <summary>The scale of a <see cref="ConvexShape"/> that its own numbers cannot take. Immutable; few shapes have one,
+/// so it is no part of all of them.</summary>
 internal sealed class ShapeScale
 {
     public readonly AxisScale Axes;

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>A triangle, filled; it may be degenerate (a segment or a point).</summary>

@@ -1,9 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// The vertex, edge or face of a simplex that is nearest the origin, as the plane through it that is perpendicular to
-/// the way there. A feature's distance is Height / |Normal|; nothing is divided or normalised.
-/// </summary>
+/// <summary>The vertex, edge or face of a simplex that is nearest the origin, as the plane through it that is
+/// perpendicular to the way there. A feature's distance is Height / |Normal|; nothing is divided or
+/// normalised.</summary>
 internal struct ClosestFeature
 {
     /// <summary>From the origin towards the feature and perpendicular to it, of any length.</summary>

@@ -1,46 +1,32 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The barycentric weights of the point of a simplex nearest the origin: at least 0, with sum 1. A vertex outside the
-/// nearest feature has weight 0.
-/// </summary>
-/// <remarks>
-/// Catto (GDC 2010) and Ericson (2004, section 5.1.5), with the areas taken as triple products with the face's normal,
-/// which stays accurate for needles. Total: a degenerate simplex (repeated points, collinear, flat) falls back to the
-/// best of its lower simplices, found by comparing them all. Unlike the solver's own step it assumes nothing about how
-/// the points were found.
-/// </remarks>
+/// <summary>The barycentric weights of the point of a simplex nearest the origin: at least 0, with sum 1. A vertex
+/// outside the nearest feature has weight 0.</summary>
+/// <remarks>Catto (GDC 2010) and Ericson (2004, section 5.1.5), with the areas taken as triple products with the face's
+/// normal, which stays accurate for needles. Total: a degenerate simplex (repeated points, collinear, flat) falls back
+/// to the best of its lower simplices, found by comparing them all. Unlike the solver's own step it assumes nothing
+/// about how the points were found.</remarks>
 internal static class ClosestPointWeights
 {
-    /// <summary>
-    /// Length, as a fraction of the vertices' distances from the origin: how far the weighted point of a tetrahedron
-    /// that holds the origin may be from it. A hundredth of what witness points are promised (1.2e-7); less would only
-    /// ask extended precision more often. Pinned by ClosestPointWeightsTests.NeedleTetrahedra.
-    /// </summary>
+    /// <summary>Length, as a fraction of the vertices' distances from the origin: how far the weighted point of a
+    /// tetrahedron that holds the origin may be from it. A hundredth of what witness points are promised (1.2e-7); less
+    /// would only ask extended precision more often. Pinned by ClosestPointWeightsTests.NeedleTetrahedra.</summary>
     private const double Residual = 1e-9;
 
-    /// <summary>
-    /// Squared sine of the angle at a triangle's corner, 2^-40: below it the face's weights have lost half of their
-    /// digits, and an edge may be the better answer; a larger one would only cost time. Pinned by
-    /// ClosestPointWeightsTests.NeedlesAreWeighedInExtendedPrecision.
-    /// </summary>
+    /// <summary>Squared sine of the angle at a triangle's corner, 2^-40: below it the face's weights have lost half of
+    /// their digits, and an edge may be the better answer; a larger one would only cost time. Pinned by
+    /// ClosestPointWeightsTests.NeedlesAreWeighedInExtendedPrecision.</summary>
     public const double Needle = 1.0 / (1L << 40);
 
-    /// <summary>
-    /// Ratio of a volume to the cube of the root of the vertices' squared lengths, added: 4 roundings. The determinant
-    /// of three of these vertices, whose lengths' product is at most 0.2 of that cube, is off by 1.12 roundings of the
-    /// cube at most (proofs/clear-volume.g). Pinned by ClosestPointWeightsTests.AVolumeIsClearFromFourRoundingsOn.
-    /// </summary>
+    /// <summary>Ratio of a volume to the cube of the root of the vertices' squared lengths, added: 4 roundings. The
+    /// determinant of three of these vertices, whose lengths' product is at most 0.2 of that cube, is off by 1.12
+    /// roundings of the cube at most (proofs/clear-volume.g). Pinned by
+    /// ClosestPointWeightsTests.AVolumeIsClearFromFourRoundingsOn.</summary>
     private const double ClearVolume = 4 * RoundOff.Unit;
 
-    /// <summary>
-    /// The same for the sum of the volumes: what keeps the weights' errors, a rounding or two over it, below
+    /// <summary>The same for the sum of the volumes: what keeps the weights' errors, a rounding or two over it, below
     /// <see cref="Residual"/> (proofs/clear-sum.g). Pinned by
-    /// ClosestPointWeightsTests.ASumOfVolumesIsClearFromAHundredThousandthOn.
-    /// </summary>
+    /// ClosestPointWeightsTests.ASumOfVolumesIsClearFromAHundredThousandthOn.</summary>
     private const double ClearSum = 1e-5;
 
     /// <summary>The squares of the last two, which the squares of volumes and sums are compared with.</summary>
@@ -55,9 +41,8 @@ internal static class ClosestPointWeights
         _ => Tetrahedron(s.WA, s.WB, s.WC, s.WD),
     };
 
-    /// <summary>
-    /// Reduces a simplex of any origin, about which nothing is known, to its feature nearest the origin.
-    /// </summary>
+    /// <summary>Reduces a simplex of any origin, about which nothing is known, to its feature nearest the
+    /// origin.</summary>
     /// <returns>False when the origin is inside the tetrahedron, or as near as its weights can tell.</returns>
     public static bool TrySelect(ref Simplex simplex)
     {
@@ -78,12 +63,10 @@ internal static class ClosestPointWeights
         return true;
     }
 
-    /// <summary>
-    /// The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up to
-    /// rounding the same as <see cref="Of"/>. Where the feature is far away, rounding may put the point a little beside
-    /// it; then the weights that are negative become 0. Beside a needle that would move the point far along it, so the
-    /// nearest point is looked for.
-    /// </summary>
+    /// <summary>The nearest point of a feature that a solver found, whose normal is known and whose inside holds it; up
+    /// to rounding the same as <see cref="Of"/>. Where the feature is far away, rounding may put the point a little
+    /// beside it; then the weights that are negative become 0. Beside a needle that would move the point far along it,
+    /// so the nearest point is looked for.</summary>
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
         if (s.Count == 1) return new Weights(1, 0, 0, 0);
@@ -107,10 +90,8 @@ internal static class ClosestPointWeights
         return weights.IsInside ? weights : weights.Clamped;
     }
 
-    /// <summary>
-    /// The weights of the origin in a tetrahedron that holds it clearly: by so much that rounding can neither turn the
-    /// sign of a volume nor take more than a billionth of the size from the weighted point.
-    /// </summary>
+    /// <summary>The weights of the origin in a tetrahedron that holds it clearly: by so much that rounding can neither
+    /// turn the sign of a volume nor take more than a billionth of the size from the weighted point.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryInside(in Simplex s, out Weights weights)
     {
@@ -180,10 +161,8 @@ internal static class ClosestPointWeights
         return best;
     }
 
-    /// <summary>
-    /// The origin's projection on the plane ABC in barycentric coordinates, negative or NaN where it is not a point of
-    /// the triangle.
-    /// </summary>
+    /// <summary>The origin's projection on the plane ABC in barycentric coordinates, negative or NaN where it is not a
+    /// point of the triangle.</summary>
     private static Weights FaceWeights(in Double3 a, in Double3 b, in Double3 c, out bool isNeedle)
     {
         Double3 ab = b - a, ac = c - a, normal = Double3.Cross(ab, ac);
@@ -194,9 +173,8 @@ internal static class ClosestPointWeights
         return new Weights(1 - wb - wc, wb, wc, 0);
     }
 
-    /// <summary>
-    /// The same in 106 bits: a needle's normal is what is left when products many times its size cancel.
-    /// </summary>
+    /// <summary>The same in 106 bits: a needle's normal is what is left when products many times its size
+    /// cancel.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Weights FaceWeightsExtended(VectorDD a, VectorDD b, VectorDD c)
     {
@@ -207,10 +185,8 @@ internal static class ClosestPointWeights
         return new Weights((double)(1.0 - wb - wc), (double)wb, (double)wc, 0);
     }
 
-    /// <summary>
-    /// The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum; and the least
-    /// of them, negative where the origin is outside.
-    /// </summary>
+    /// <summary>The origin in barycentric coordinates of the tetrahedron: the four signed volumes over their sum; and
+    /// the least of them, negative where the origin is outside.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Weights VolumeWeights(
         in Double3 a, in Double3 b, in Double3 c, in Double3 d, out double sum, out double least)
@@ -223,10 +199,8 @@ internal static class ClosestPointWeights
         return new Weights(va / sum, vb / sum, vc / sum, vd / sum);
     }
 
-    /// <summary>
-    /// The same with the volumes in 106 bits: those of four points nearly on a line are what is left when products many
-    /// times their size cancel.
-    /// </summary>
+    /// <summary>The same with the volumes in 106 bits: those of four points nearly on a line are what is left when
+    /// products many times their size cancel.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Weights VolumeWeightsExtended(VectorDD a, VectorDD b, VectorDD c, VectorDD d)
     {
@@ -256,17 +230,9 @@ internal static class ClosestPointWeights
 }
 
 /// <summary>Up to four barycentric weights.</summary>
-internal readonly struct Weights
+internal readonly struct Weights(double a, double b, double c, double d)
 {
-    public readonly double A, B, C, D;
-
-    public Weights(double a, double b, double c, double d)
-    {
-        A = a;
-        B = b;
-        C = c;
-        D = d;
-    }
+    public readonly double A = a, B = b, C = c, D = d;
 
     /// <summary>By position: 0 is A, 3 is D.</summary>
     public double this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
@@ -274,10 +240,8 @@ internal readonly struct Weights
     /// <summary>No weight is negative or NaN.</summary>
     public bool IsInside => A >= 0 && B >= 0 && C >= 0 && D >= 0;
 
-    /// <summary>
-    /// A face's, without negative weights and with sum 1 again. NaN and infinite weights, which a triangle without any
-    /// area has, become those of the first vertex.
-    /// </summary>
+    /// <summary>A face's, without negative weights and with sum 1 again. NaN and infinite weights, which a triangle
+    /// without any area has, become those of the first vertex.</summary>
     public Weights Clamped
     {
         get

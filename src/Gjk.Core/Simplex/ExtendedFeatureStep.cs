@@ -1,23 +1,15 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The step of the distance solver in double-double (106 bits): every sub-simplex is tried, and the nearest one that
-/// holds its own nearest point wins.
-/// </summary>
-/// <remarks>
-/// Johnson's theorem (in Gilbert, Johnson and Keerthi 1988) says that this sub-simplex exists and is unique. So no
-/// region is missed, and nothing rests on the order in which the points came, as it does in
-/// <see cref="NextSimplex"/>. The determinants of three doubles need at most 160 bits. 106 leave an error of
-/// 1e-31 of their size, which is 1e-16 of what the vertices' own rounding does.
-/// </remarks>
+/// <summary>The step of the distance solver in double-double (106 bits): every sub-simplex is tried, and the nearest
+/// one that holds its own nearest point wins.</summary>
+/// <remarks>Johnson's theorem (in Gilbert, Johnson and Keerthi 1988) says that this sub-simplex exists and is unique.
+/// So no region is missed, and nothing rests on the order in which the points came, as it does in
+/// <see cref="NextSimplex"/>. The determinants of three doubles need at most 160 bits. 106 leave an error of 1e-31 of
+/// their size, which is 1e-16 of what the vertices' own rounding does.</remarks>
 internal static class ExtendedFeatureStep
 {
-    /// <summary>
-    /// Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the tetrahedron.
-    /// </summary>
+    /// <summary>Reduces the simplex to the sub-simplex nearest the origin; false when the origin is inside the
+    /// tetrahedron.</summary>
     [MethodImpl(Jit.AtOnce)]
     public static bool TryReduce(ref Simplex simplex, out ClosestFeature feature, out DoubleDouble distanceSquared)
     {
@@ -80,10 +72,9 @@ internal static class ExtendedFeatureStep
         return inside;
     }
 
-    /// <summary>
-    /// Goes round an edge or a triangle until the vertex nearest the origin comes first. Measured from a far one, a
-    /// small height would be the difference of large products, and lose the digits that tell one feature from the next.
-    /// </summary>
+    /// <summary>Goes round an edge or a triangle until the vertex nearest the origin comes first. Measured from a far
+    /// one, a small height would be the difference of large products, and lose the digits that tell one feature from
+    /// the next.</summary>
     private static void NearestFirst(in Simplex simplex, ref int i, ref int j, ref int k)
     {
         if (j > 3) return;

@@ -1,10 +1,7 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The vertices of the feature nearest the origin, newest first: a vertex (A), an edge (A, B) or a face (A, B, C).
-/// </summary>
+/// <summary>The vertices of the feature nearest the origin, newest first: a vertex (A), an edge (A, B) or a face (A, B,
+/// C).</summary>
 internal struct FeatureVertices
 {
     /// <summary>For each set of slots, two bits: the lowest that is not in it.</summary>

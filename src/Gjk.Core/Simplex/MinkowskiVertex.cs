@@ -1,10 +1,7 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A vertex of A - B, and the slot of the <see cref="Simplex"/> that holds the support points that it was made from.
-/// </summary>
+/// <summary>A vertex of A - B, and the slot of the <see cref="Simplex"/> that holds the support points that it was made
+/// from.</summary>
 internal struct MinkowskiVertex
 {
     public double X, Y, Z;
@@ -27,9 +24,8 @@ internal struct MinkowskiVertex
         get => new(X, Y, Z);
     }
 
-    /// <summary>
-    /// Takes another's place number by number, which stays in registers where a copy of the whole would not.
-    /// </summary>
+    /// <summary>Takes another's place number by number, which stays in registers where a copy of the whole would
+    /// not.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(in MinkowskiVertex other)
     {

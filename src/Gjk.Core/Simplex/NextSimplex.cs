@@ -1,28 +1,19 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Muratori's step ("Implementing GJK", 2006), for the distance and the boolean: given the feature that was nearest the
-/// origin and the vertex found beyond it, which vertices make the next one, and what is its normal?
-/// </summary>
+/// <summary>Muratori's step ("Implementing GJK", 2006), for the distance and the boolean: given the feature that was
+/// nearest the origin and the vertex found beyond it, which vertices make the next one, and what is its
+/// normal?</summary>
 /// <remarks>
-/// <para>
-/// A is the newest vertex, as in his drawings. The way GJK grows a simplex saves most of the tests. The old feature was
-/// the nearest before and A lies beyond it, so the new one contains A: an edge AB, a face ABC or A alone. And the
-/// origin cannot be behind the old face BCD. Tests that he may leave out for the boolean are put back (Ericson 2004,
-/// section 5.1), because a distance needs the nearest feature and not just a good direction.
-/// </para>
-/// <para>
-/// Where he winds each triangle away from the origin, the side is kept as a sign (<see
-/// cref="FeatureVertices.Winding"/>): no vertex moves, and no branch is taken that no processor could predict.
-/// </para>
-/// <para>
-/// The normal is built from the feature: for a face the cross product of two edges, for an edge a double cross product,
-/// for a vertex the vertex itself. A nearly cancelled vector is never used, so near contact the normal stays
+/// <para>A is the newest vertex, as in his drawings. The way GJK grows a simplex saves most of the tests. The old
+/// feature was the nearest before and A lies beyond it, so the new one contains A: an edge AB, a face ABC or A alone.
+/// And the origin cannot be behind the old face BCD. Tests that he may leave out for the boolean are put back (Ericson
+/// 2004, section 5.1), because a distance needs the nearest feature and not just a good direction.</para>
+/// <para>Where he winds each triangle away from the origin, the side is kept as a sign (<see
+/// cref="FeatureVertices.Winding"/>): no vertex moves, and no branch is taken that no processor could predict.</para>
+/// <para>The normal is built from the feature: for a face the cross product of two edges, for an edge a double cross
+/// product, for a vertex the vertex itself. A nearly cancelled vector is never used, so near contact the normal stays
 /// perpendicular to the feature to the last bits. <see cref="ExtendedFeatureStep"/> is the same step in extended
-/// precision.
-/// </para>
+/// precision.</para>
 /// </remarks>
 internal static class NextSimplex
 {
@@ -33,13 +24,10 @@ internal static class NextSimplex
     /// <param name="simplex">The last feature's vertices, none to three; then the new one's.</param>
     /// <param name="newest">Found beyond it.</param>
     /// <param name="feature">Gets the new feature's normal and height.</param>
-    /// <param name="nearest">
-    /// Whether to compare, where the origin sees several faces of a tetrahedron; otherwise the first will do.
-    /// </param>
-    /// <returns>
-    /// False when the origin is inside (or on the hidden side of every face of) the tetrahedron; the vertices then stay
-    /// as they were.
-    /// </returns>
+    /// <param name="nearest">Whether to compare, where the origin sees several faces of a tetrahedron; otherwise the
+    /// first will do.</param>
+    /// <returns>False when the origin is inside (or on the hidden side of every face of) the tetrahedron; the vertices
+    /// then stay as they were.</returns>
     [MethodImpl(Jit.Step)]
     public static bool TryAdvance(
         ref FeatureVertices simplex, in MinkowskiVertex newest, ref ClosestFeature feature, bool nearest)
@@ -61,10 +49,8 @@ internal static class NextSimplex
         return true;
     }
 
-    /// <summary>
-    /// Keeps the whole vertex, edge or triangle when the origin is beside that, not beside a part of it: for a simplex
-    /// that was the nearest feature of a pair before the pair moved.
-    /// </summary>
+    /// <summary>Keeps the whole vertex, edge or triangle when the origin is beside that, not beside a part of it: for a
+    /// simplex that was the nearest feature of a pair before the pair moved.</summary>
     [MethodImpl(Jit.Step)]
     public static bool TryKeepAll(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
@@ -127,9 +113,8 @@ internal static class NextSimplex
         else KeepVertex(ref simplex, ref feature, ax, ay, az);
     }
 
-    /// <summary>
-    /// The origin is above or below ABC, beside AB or AC, or behind A; BC was tested when A was not there.
-    /// </summary>
+    /// <summary>The origin is above or below ABC, beside AB or AC, or behind A; BC was tested when A was not
+    /// there.</summary>
     [MethodImpl(Jit.Step)]
     private static void Triangle(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
@@ -166,10 +151,8 @@ internal static class NextSimplex
             ref simplex, ref feature, ax, ay, az, simplex.B.X - ax, simplex.B.Y - ay, simplex.B.Z - az);
     }
 
-    /// <summary>
-    /// The inside of AB, of which b is ab: (ab × a) × ab is perpendicular to AB to the last bits, however near the
-    /// origin is.
-    /// </summary>
+    /// <summary>The inside of AB, of which b is ab: (ab × a) × ab is perpendicular to AB to the last bits, however near
+    /// the origin is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void KeepEdge(
         ref FeatureVertices simplex, ref ClosestFeature feature, double ax, double ay, double az, double bx, double by,
@@ -197,10 +180,8 @@ internal static class NextSimplex
         feature.NormalSquared = nx * nx + ny * ny + nz * nz;
     }
 
-    /// <summary>
-    /// The face of the tetrahedron that the origin is beyond: its corners other than the newest become B and C. False
-    /// when it is beyond none.
-    /// </summary>
+    /// <summary>The face of the tetrahedron that the origin is beyond: its corners other than the newest become B and
+    /// C. False when it is beyond none.</summary>
     [MethodImpl(Jit.Step)]
     private static bool TryTakeFace(ref FeatureVertices simplex, in MinkowskiVertex newest, bool nearest)
     {
@@ -229,9 +210,8 @@ internal static class NextSimplex
         return true;
     }
 
-    /// <summary>
-    /// (b × c) · a in numbers: Mono keeps numbers in registers, and each vector in memory, cleared and copied.
-    /// </summary>
+    /// <summary>(b × c) · a in numbers: Mono keeps numbers in registers, and each vector in memory, cleared and
+    /// copied.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Triple(
         double bx, double by, double bz, double cx, double cy, double cz, double ax, double ay, double az) =>

@@ -1,34 +1,24 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The surface of A - B as directions of one cell see it, so that a surface of any number of faces can be proved part
-/// by part in little memory.
-/// </summary>
+/// <summary>The surface of A - B as directions of one cell see it, so that a surface of any number of faces can be
+/// proved part by part in little memory.</summary>
 /// <remarks>
-/// <para>
-/// A cell is what half-spaces leave of all directions: those n with n·d at most 0 for each of its cuts d. Each cut is a
-/// vertex at infinity, in the direction d. The surface with it is that of A - B and all rays along the cuts, which no
-/// direction of the cell sees and which hide A - B from all others. So a cut is an ordinary step of the expansion: the
-/// faces whose normals lie beyond it go, and their rim is joined to the ray. The faces that are left have normals of
-/// the cell, and where all their heights are at least r, no direction of the cell has a shorter way out than r.
-/// </para>
-/// <para>
-/// Two cells that a cut divides share its great circle, and rounding turns a border by a few units in the last place:
-/// what lies between them moves a height by as little as a rounding of the size does.
-/// </para>
+/// <para>A cell is what half-spaces leave of all directions: those n with n·d at most 0 for each of its cuts d. Each
+/// cut is a vertex at infinity, in the direction d. The surface with it is that of A - B and all rays along the cuts,
+/// which no direction of the cell sees and which hide A - B from all others. So a cut is an ordinary step of the
+/// expansion: the faces whose normals lie beyond it go, and their rim is joined to the ray. The faces that are left
+/// have normals of the cell, and where all their heights are at least r, no direction of the cell has a shorter way out
+/// than r.</para>
+/// <para>Two cells that a cut divides share its great circle, and rounding turns a border by a few units in the last
+/// place: what lies between them moves a height by as little as a rounding of the size does.</para>
 /// </remarks>
 internal unsafe partial struct Polytope
 {
     /// <summary>Count: each halves a cell, so the last one is far smaller than any face that double can tell.</summary>
     public const int MostCuts = 48;
 
-    /// <summary>
-    /// Cosine: a normal counts as beyond a cut when it leans over it by more than this, some roundings. Another amount
-    /// moves a few faces from one cell to its neighbour.
-    /// </summary>
+    /// <summary>Cosine: a normal counts as beyond a cut when it leans over it by more than this, some roundings.
+    /// Another amount moves a few faces from one cell to its neighbour.</summary>
     private const double CutNoise = 64 * RoundOff.Unit;
 
     /// <summary>The key of a face between three rays, which no direction sees: above all others.</summary>
@@ -63,9 +53,8 @@ internal unsafe partial struct Polytope
         return true;
     }
 
-    /// <summary>
-    /// Begins the cell across a cut: the tetrahedron, the cuts before that one, and that one turned round.
-    /// </summary>
+    /// <summary>Begins the cell across a cut: the tetrahedron, the cuts before that one, and that one turned
+    /// round.</summary>
     /// <param name="cut">The cut's number; those after it are forgotten.</param>
     /// <returns>False when there is no room; the surface is then no longer closed.</returns>
     public bool TryCross(int cut)
@@ -78,9 +67,8 @@ internal unsafe partial struct Polytope
         return isWhole;
     }
 
-    /// <summary>
-    /// A cut between the two faces below a height whose normals are about the furthest from each other.
-    /// </summary>
+    /// <summary>A cut between the two faces below a height whose normals are about the furthest from each
+    /// other.</summary>
     /// <param name="limit">There is such a face.</param>
     public readonly Double3 Halving(double limit)
     {

@@ -1,9 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics.X86;
-#endif
-
 namespace Gjk.Core;
 
 /// <remarks>The normals and heights of faces.</remarks>
@@ -33,11 +27,9 @@ internal unsafe partial struct Polytope
         return SlotOf(key);
     }
 
-    /// <summary>
-    /// What orders faces by height and knows their slots: h |h|, of an offset d and a normal n as d |d| / n², so that
-    /// no root is drawn, with the slot for the last nine bits. Heights that differ by less than one part in 2^43 may
-    /// change places; that is below float's rounding, which a depth ends with.
-    /// </summary>
+    /// <summary>What orders faces by height and knows their slots: h |h|, of an offset d and a normal n as d |d| / n²,
+    /// so that no root is drawn, with the slot for the last nine bits. Heights that differ by less than one part in
+    /// 2^43 may change places; that is below float's rounding, which a depth ends with.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double KeyOf(double square, int slot) =>
         BitConverter.Int64BitsToDouble((BitConverter.DoubleToInt64Bits(square) & ~SlotBits) | (long)slot);
@@ -83,13 +75,11 @@ internal unsafe partial struct Polytope
         return (most - least <= normal.SumOfMagnitudes * _level && _keys[index] >= lowest) || TryMend(index, lowest);
     }
 
-    /// <summary>
-    /// Mends a face whose normal rounding has turned. Where its corners are not level, as a needle's, the normal is
-    /// computed in 106 bits; where even that is none, it is that of the neighbour. And no new face is nearer the origin
-    /// than the one that was taken away, since with the vertex it lies on one side of a plane: where its height is
-    /// less, as between vertices that nearly coincide, the normal is turned to its point that is nearest the origin,
-    /// along which its height is the most.
-    /// </summary>
+    /// <summary>Mends a face whose normal rounding has turned. Where its corners are not level, as a needle's, the
+    /// normal is computed in 106 bits; where even that is none, it is that of the neighbour. And no new face is nearer
+    /// the origin than the one that was taken away, since with the vertex it lies on one side of a plane: where its
+    /// height is less, as between vertices that nearly coincide, the normal is turned to its point that is nearest the
+    /// origin, along which its height is the most.</summary>
     /// <returns>False when the face is one of the first four, and has no normal.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private readonly bool TryMend(int index, double lowest)

@@ -1,36 +1,24 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A closed surface of triangles between points of A - B, which grows by one point at a time (van den Bergen 2001): the
-/// faces that the point lies above go, and their rim is joined to the point.
-/// </summary>
+/// <summary>A closed surface of triangles between points of A - B, which grows by one point at a time (van den Bergen
+/// 2001): the faces that the point lies above go, and their rim is joined to the point.</summary>
 /// <remarks>
-/// <para>
-/// Each face keeps a height: the least of its vertices' offsets from the origin along its normal, negative when the
-/// origin is outside. However rounding has turned the normal, the whole face lies no nearer the origin than that. So
-/// where all heights are at least r and positive, the surface is closed and the ball of radius r is inside it; the
-/// surface need not be convex, and rounding may leave it dented.
-/// </para>
-/// <para>
-/// Closed is a matter of bookkeeping alone: each edge is run through once in each direction. A search of the faces
-/// that go, depth first and edge by edge in turn, comes to their rim's edges in their own order, so each new face lies
-/// beside the next. Where they have an island or more between them it does not; then edges are paired by their
-/// vertices, and any pairing keeps the surface closed.
-/// </para>
-/// <para>
-/// New faces are made four at a time, in slots behind all others, since four normals cost hardly more than one where
-/// the processor has lanes for them (<c>Polytope.Lanes.cs</c>, with the bits of the same steps one by one). Slots of
-/// faces that are gone come back when all are used. The memory is the caller's stack.
-/// </para>
+/// <para>Each face keeps a height: the least of its vertices' offsets from the origin along its normal, negative when
+/// the origin is outside. However rounding has turned the normal, the whole face lies no nearer the origin than that.
+/// So where all heights are at least r and positive, the surface is closed and the ball of radius r is inside it; the
+/// surface need not be convex, and rounding may leave it dented.</para>
+/// <para>Closed is a matter of bookkeeping alone: each edge is run through once in each direction. A search of the
+/// faces that go, depth first and edge by edge in turn, comes to their rim's edges in their own order, so each new face
+/// lies beside the next. Where they have an island or more between them it does not; then edges are paired by their
+/// vertices, and any pairing keeps the surface closed.</para>
+/// <para>New faces are made four at a time, in slots behind all others, since four normals cost hardly more than one
+/// where the processor has lanes for them (<c>Polytope.Lanes.cs</c>, with the bits of the same steps one by one). Slots
+/// of faces that are gone come back when all are used. The memory is the caller's stack.</para>
 /// </remarks>
 internal unsafe partial struct Polytope
 {
-    /// <summary>
-    /// Counts: vertices and faces that there is room for; 40 kilobytes. A surface of so many vertices has at most 284
-    /// faces. Pinned by StackTests.
-    /// </summary>
+    /// <summary>Counts: vertices and faces that there is room for; 40 kilobytes. A surface of so many vertices has at
+    /// most 284 faces. Pinned by StackTests.</summary>
     public const int Room = 144, MostFaces = 336;
 
     private const int BytesPerVertex = 96, BytesPerFace = 64, Alignment = 64;

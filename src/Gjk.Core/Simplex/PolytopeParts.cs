@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>A vertex of A - B, with the support points that it is made from; each can be read as four lanes.</summary>
@@ -37,16 +34,12 @@ internal unsafe struct PolytopeFace
     /// <summary>The indices of its vertices.</summary>
     public fixed ushort Vertices[4];
 
-    /// <summary>
-    /// What lies across the edge from vertex k to the next: the other face's number times 4, plus the number of the
-    /// edge there.
-    /// </summary>
+    /// <summary>What lies across the edge from vertex k to the next: the other face's number times 4, plus the number
+    /// of the edge there.</summary>
     public fixed ushort Twins[4];
 
-    /// <summary>
-    /// How far it is from the origin along its normal: the least of its vertices' heights, negative when the origin is
-    /// outside.
-    /// </summary>
+    /// <summary>How far it is from the origin along its normal: the least of its vertices' heights, negative when the
+    /// origin is outside.</summary>
     public readonly double Height
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,20 +1,10 @@
-using System.Runtime.CompilerServices;
-#if NET
-using System.Diagnostics;
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// One to four vertices of the Minkowski difference. A is the newest, as in Muratori's drawings (2006); a triangle is
-/// kept wound so that (B - A) × (C - A) points away from the origin.
-/// </summary>
-/// <remarks>
-/// A vertex is written once, into a slot; A, B, C and D are slot numbers, so that reordering moves four small integers.
-/// Coordinates are written and read one double at a time: a wide load of what narrow stores have just written would
-/// wait for them to leave the core.
-/// </remarks>
+/// <summary>One to four vertices of the Minkowski difference. A is the newest, as in Muratori's drawings (2006); a
+/// triangle is kept wound so that (B - A) × (C - A) points away from the origin.</summary>
+/// <remarks>A vertex is written once, into a slot; A, B, C and D are slot numbers, so that reordering moves four small
+/// integers. Coordinates are written and read one double at a time: a wide load of what narrow stores have just written
+/// would wait for them to leave the core.</remarks>
 internal unsafe struct Simplex
 {
     /// <summary>The slots of the vertices, newest first.</summary>
@@ -97,9 +87,8 @@ internal unsafe struct Simplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Clear() => A = B = C = D = Count = 0;
 
-    /// <summary>
-    /// Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be room.
-    /// </summary>
+    /// <summary>Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be
+    /// room.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Push(in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {

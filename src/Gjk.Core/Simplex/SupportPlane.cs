@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A plane n·x = value that has the whole Minkowski difference on its far side, as a support point proves: value / |n|
-/// is a lower bound of the distance of the cores.
-/// </summary>
+/// <summary>A plane n·x = value that has the whole Minkowski difference on its far side, as a support point proves:
+/// value / |n| is a lower bound of the distance of the cores.</summary>
 internal struct SupportPlane
 {
     /// <summary>From the origin to the plane, of any length.</summary>

@@ -1,30 +1,20 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The direction in which a round side and what another shape shows of itself are furthest apart.
-/// </summary>
+/// <summary>The direction in which a round side and what another shape shows of itself are furthest apart.</summary>
 /// <remarks>
-/// <para>
-/// Near the line that it shows, a cylinder's or a cone's side is the hull of two balls about its axis; a sharp edge is
-/// one of two balls without radius. The gap along a direction is the least of the four gaps between such balls, and
-/// each of them is linear in the direction. So it is largest where two or four of them are equal: across the side,
+/// <para>Near the line that it shows, a cylinder's or a cone's side is the hull of two balls about its axis; a sharp
+/// edge is one of two balls without radius. The gap along a direction is the least of the four gaps between such balls,
+/// and each of them is linear in the direction. So it is largest where two or four of them are equal: across the side,
 /// towards an end of the other, across the other, towards an end of the side, or across both. A face adds its own
-/// normal.
-/// </para>
-/// <para>
-/// All of it is closed form, so the direction depends on the shapes alone and not on where a search began. What the
-/// shapes do not show is not looked at: whoever uses the direction asks them how far it separates them.
-/// </para>
+/// normal.</para>
+/// <para>All of it is closed form, so the direction depends on the shapes alone and not on where a search began. What
+/// the shapes do not show is not looked at: whoever uses the direction asks them how far it separates them.</para>
 /// </remarks>
 internal ref struct BestNormal
 {
-    /// <summary>
-    /// Length: gaps that differ by less are equal, and the earlier direction stays. Rounding turns the axes of bodies
-    /// that were placed in parallel by 1e-7, which costs a gap the square of that. Four times more or less turns the
-    /// normal by no more than 1e-6.
-    /// </summary>
+    /// <summary>Length: gaps that differ by less are equal, and the earlier direction stays. Rounding turns the axes of
+    /// bodies that were placed in parallel by 1e-7, which costs a gap the square of that. Four times more or less turns
+    /// the normal by no more than 1e-6.</summary>
     private const double Equal = 1e-12;
 
     private readonly Double3 _known;

@@ -1,34 +1,23 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// GJK's distance algorithm (Gilbert, Johnson and Keerthi 1988, in the geometric form of Muratori 2006). It walks over
-/// features of the Minkowski difference A - B, each nearer the origin than the last, until a support plane proves that
-/// none is nearer.
-/// </summary>
+/// <summary>GJK's distance algorithm (Gilbert, Johnson and Keerthi 1988, in the geometric form of Muratori 2006). It
+/// walks over features of the Minkowski difference A - B, each nearer the origin than the last, until a support plane
+/// proves that none is nearer.</summary>
 /// <remarks>
-/// <para>
-/// Each round asks for the vertex w that is furthest against the current feature's normal n. The whole difference lies
-/// beyond the plane n·x = n·w, so n·w / |n| is a lower bound of the distance, and the feature itself is an upper bound.
-/// When the two meet, the answer is proved. Otherwise w joins the simplex, which is reduced to its feature nearest the
-/// origin.
-/// </para>
-/// <para>
-/// Two things differ from the textbook. Nothing is divided: heights are compared with normals of any length. And where
-/// rounding could turn the answer, this solver leaves the verdict open and <see cref="GjkExtendedPrecision"/> decides:
-/// when the distance stops falling before the bounds meet, when the origin is enclosed but the determinants are not
-/// certain, and when it is enclosed after a plane had separated. So what is decided here is proved in double.
-/// </para>
-/// <para>
-/// It terminates because the distance falls strictly from round to round, or the loop hands over, and there are
-/// finitely many features. MaxIterations is a backstop.
-/// </para>
-/// <para>
-/// Verdicts. Apart: both bounds met. Enclosed: the origin is inside the tetrahedron, or nearer the feature than
+/// <para>Each round asks for the vertex w that is furthest against the current feature's normal n. The whole difference
+/// lies beyond the plane n·x = n·w, so n·w / |n| is a lower bound of the distance, and the feature itself is an upper
+/// bound. When the two meet, the answer is proved. Otherwise w joins the simplex, which is reduced to its feature
+/// nearest the origin.</para>
+/// <para>Two things differ from the textbook. Nothing is divided: heights are compared with normals of any length. And
+/// where rounding could turn the answer, this solver leaves the verdict open and <see cref="GjkExtendedPrecision"/>
+/// decides: when the distance stops falling before the bounds meet, when the origin is enclosed but the determinants
+/// are not certain, and when it is enclosed after a plane had separated. So what is decided here is proved in
+/// double.</para>
+/// <para>It terminates because the distance falls strictly from round to round, or the loop hands over, and there are
+/// finitely many features. MaxIterations is a backstop.</para>
+/// <para>Verdicts. Apart: both bounds met. Enclosed: the origin is inside the tetrahedron, or nearer the feature than
 /// rounding can tell. Beyond: a plane is further than asked. Undecided: the caller is to hand over. Contradiction: a
-/// support point was NaN, or lay behind one that the same support had given before.
-/// </para>
+/// support point was NaN, or lay behind one that the same support had given before.</para>
 /// </remarks>
 internal static class GjkDistance
 {
@@ -51,10 +40,8 @@ internal static class GjkDistance
         Behind,
     }
 
-    /// <summary>
-    /// Runs the loop from <c>state.Feature.Normal</c> (cold), or from <c>state.Simplex</c> when that has vertices
-    /// (warm).
-    /// </summary>
+    /// <summary>Runs the loop from <c>state.Feature.Normal</c> (cold), or from <c>state.Simplex</c> when that has
+    /// vertices (warm).</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, double maxDistance, ref SolverState state, ref TTrace trace)
@@ -128,10 +115,8 @@ internal static class GjkDistance
         }
     }
 
-    /// <summary>
-    /// Two cores that are points, as those of spheres are (their margins are all of their radii): what the loop would
-    /// find in its one round, in closed form.
-    /// </summary>
+    /// <summary>Two cores that are points, as those of spheres are (their margins are all of their radii): what the
+    /// loop would find in its one round, in closed form.</summary>
     public static void SolvePoints(in PairFrame frame, ref SolverState state)
     {
         state.Simplex.Push(-frame.Translation, default, default, 0, 0);
@@ -242,10 +227,8 @@ internal static class GjkDistance
         trace.OnReduced(new TracedSimplex(copy.Simplex, frame, isExtended: false));
     }
 
-    /// <summary>
-    /// Finds the nearest feature of a warm start's simplex, of which not all vertices are part; false when that settles
-    /// the query already.
-    /// </summary>
+    /// <summary>Finds the nearest feature of a warm start's simplex, of which not all vertices are part; false when
+    /// that settles the query already.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static bool TryReselect(ref SolverState state)
     {

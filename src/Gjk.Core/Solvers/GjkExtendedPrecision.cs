@@ -1,25 +1,15 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The distance solver that decides what double cannot. It takes the same walk as <see cref="GjkDistance"/>, with a
-/// simplex step of 106 bits that assumes nothing (<see cref="ExtendedFeatureStep"/>).
-/// </summary>
+/// <summary>The distance solver that decides what double cannot. It takes the same walk as <see cref="GjkDistance"/>,
+/// with a simplex step of 106 bits that assumes nothing (<see cref="ExtendedFeatureStep"/>).</summary>
 /// <remarks>
-/// <para>
-/// The vertices of A - B are taken as doubles, which lie within a few units in the last place of where they are. Moving
-/// vertices by that much moves the distance by no more. On these points the step is as good as exact.
-/// </para>
-/// <para>
-/// It terminates because the distance, compared in 106 bits, falls strictly, or the walk ends. When it ends with the
-/// bounds apart, the support function contradicts itself. About one pair in a thousand of the hard families gets here,
-/// and none of the ordinary ones. It costs some microseconds.
-/// </para>
-/// <para>
-/// Verdicts are those of <see cref="GjkDistance"/>. Undecided is final here, and means that the iterations ran out.
-/// </para>
+/// <para>The vertices of A - B are taken as doubles, which lie within a few units in the last place of where they are.
+/// Moving vertices by that much moves the distance by no more. On these points the step is as good as exact.</para>
+/// <para>It terminates because the distance, compared in 106 bits, falls strictly, or the walk ends. When it ends with
+/// the bounds apart, the support function contradicts itself. About one pair in a thousand of the hard families gets
+/// here, and none of the ordinary ones. It costs some microseconds.</para>
+/// <para>Verdicts are those of <see cref="GjkDistance"/>. Undecided is final here, and means that the iterations ran
+/// out.</para>
 /// </remarks>
 internal static class GjkExtendedPrecision
 {

@@ -1,32 +1,21 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// GJK's boolean algorithm (Muratori 2006): do two cores without margins share a point? It answers only what rounding
-/// cannot change, and leaves the rest open.
-/// </summary>
+/// <summary>GJK's boolean algorithm (Muratori 2006): do two cores without margins share a point? It answers only what
+/// rounding cannot change, and leaves the rest open.</summary>
 /// <remarks>
-/// <para>
-/// Each round asks for the vertex that is furthest against the last normal. If even that one lies beyond the origin,
-/// the plane through it separates. Otherwise the vertex joins the simplex, and <see cref="NextSimplex"/> says where to
-/// search next.
-/// </para>
-/// <para>
-/// It differs from the textbook in what it calls certain. Cores are apart only when the plane's gap exceeds all
+/// <para>Each round asks for the vertex that is furthest against the last normal. If even that one lies beyond the
+/// origin, the plane through it separates. Otherwise the vertex joins the simplex, and <see cref="NextSimplex"/> says
+/// where to search next.</para>
+/// <para>It differs from the textbook in what it calls certain. Cores are apart only when the plane's gap exceeds all
 /// rounding, and the origin is enclosed only when four determinants are certain. Contact within some 1e-14 of the size
-/// is Undecided and goes to the distance solver, so the two never disagree for supports in double.
-/// </para>
-/// <para>
-/// Muratori's step can cycle on degenerate input, which is the endless loop of implementations that trust it. MaxRounds
-/// ends it as Undecided, which costs time and nothing else.
-/// </para>
+/// is Undecided and goes to the distance solver, so the two never disagree for supports in double.</para>
+/// <para>Muratori's step can cycle on degenerate input, which is the endless loop of implementations that trust it.
+/// MaxRounds ends it as Undecided, which costs time and nothing else.</para>
 /// </remarks>
 internal static class GjkOverlap
 {
-    /// <summary>
-    /// Count: more than hulls of thousands of vertices need; reached by cycles only. Pinned by CostGuardTests.
-    /// </summary>
+    /// <summary>Count: more than hulls of thousands of vertices need; reached by cycles only. Pinned by
+    /// CostGuardTests.</summary>
     private const int MaxRounds = 40;
 
     /// <summary>Apart, Enclosed or Undecided.</summary>

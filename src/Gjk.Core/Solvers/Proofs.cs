@@ -1,18 +1,12 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What the solvers call proved: bounds that meet, an origin that is certainly inside, a point near enough to touch.
-/// Each is a comparison with a named tolerance of <see cref="GjkTolerances"/>.
-/// </summary>
+/// <summary>What the solvers call proved: bounds that meet, an origin that is certainly inside, a point near enough to
+/// touch. Each is a comparison with a named tolerance of <see cref="GjkTolerances"/>.</summary>
 internal static class Proofs
 {
-    /// <summary>
-    /// The gap between the feature and the plane is nothing beside the distance, or beside what rounding does. For
-    /// curved cores that of the shapes is meant: beside long margins, more than counts as touching would be nothing.
-    /// </summary>
+    /// <summary>The gap between the feature and the plane is nothing beside the distance, or beside what rounding does.
+    /// For curved cores that of the shapes is meant: beside long margins, more than counts as touching would be
+    /// nothing.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsClosed(
         double gap, in ClosestFeature feature, bool curved, double noise, double margins)
@@ -23,9 +17,8 @@ internal static class Proofs
         return Math.Abs(gap) <= least || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
-    /// <summary>
-    /// The other two corners of a triangle lie no further above the plane than the bounds may be apart.
-    /// </summary>
+    /// <summary>The other two corners of a triangle lie no further above the plane than the bounds may be
+    /// apart.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsLevel(in FeatureVertices vertices, in ClosestFeature feature, double plane, double level)
     {
@@ -34,10 +27,8 @@ internal static class Proofs
         return IsClosed(b, feature, false, level, 0) && IsClosed(c, feature, false, level, 0);
     }
 
-    /// <summary>
-    /// The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding could
-    /// turn; either way round.
-    /// </summary>
+    /// <summary>The origin lies inside each of the three faces at A, and BCD's plane beyond it, by more than rounding
+    /// could turn; either way round.</summary>
     public static bool IsCertainlyInside(Double3 a, Double3 b, Double3 c, Double3 d)
     {
         if (ClosestPointWeights.IsInside(a, b, c, d)) return true;
@@ -46,10 +37,8 @@ internal static class Proofs
             && IsCertain(a, d - a, b - a) && IsCertain(-b, c - b, d - b);
     }
 
-    /// <summary>
-    /// The verdict on a tetrahedron that seems to hold the origin. Signs that rounding could turn decide nothing, but a
-    /// point of the simplex near enough does.
-    /// </summary>
+    /// <summary>The verdict on a tetrahedron that seems to hold the origin. Signs that rounding could turn decide
+    /// nothing, but a point of the simplex near enough does.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Enclose(ref SolverState state, double touchSquared)
     {
@@ -68,21 +57,18 @@ internal static class Proofs
         return true;
     }
 
-    /// <summary>
-    /// The verdict on a feature that seems no further than rounding can tell from contact. The normal of a needle of a
-    /// triangle may be rounding itself, and then its height says nothing, so a point of the feature must prove it. A
-    /// distance that is NaN for another reason than a height of 0 over 0 comes from a shape.
-    /// </summary>
+    /// <summary>The verdict on a feature that seems no further than rounding can tell from contact. The normal of a
+    /// needle of a triangle may be rounding itself, and then its height says nothing, so a point of the feature must
+    /// prove it. A distance that is NaN for another reason than a height of 0 over 0 comes from a shape.</summary>
     public static void Touch(ref SolverState state, double distanceSquared, double touchSquared)
     {
         if (!(state.Feature.Height == 0 || distanceSquared >= 0)) state.Verdict = Verdict.Contradiction;
         else state.Verdict = HoldsPointNear(ref state, touchSquared) ? Verdict.Enclosed : Verdict.Undecided;
     }
 
-    /// <summary>
-    /// The shapes' supports disagree by the gap. A small gap is the support's own rounding (one that computes in float,
-    /// say): the feature stands, and the plane says how far to trust it. A large one, or NaN, is no convex shape.
-    /// </summary>
+    /// <summary>The shapes' supports disagree by the gap. A small gap is the support's own rounding (one that computes
+    /// in float, say): the feature stands, and the plane says how far to trust it. A large one, or NaN, is no convex
+    /// shape.</summary>
     public static void SettleStall(ref SolverState state, double plane, double gap)
     {
         double limit = GjkTolerances.Contradiction * state.Size.Value;
@@ -92,10 +78,8 @@ internal static class Proofs
         state.Plane.Set(state.Feature, Math.Min(plane, state.Feature.Height));
     }
 
-    /// <summary>
-    /// The signed gap between the shapes: that of the cores less the margins, in solver units. What is at the very edge
-    /// of touching is there in every query only if all of them round it alike.
-    /// </summary>
+    /// <summary>The signed gap between the shapes: that of the cores less the margins, in solver units. What is at the
+    /// very edge of touching is there in every query only if all of them round it alike.</summary>
     /// <param name="state">With its nearest feature.</param>
     /// <param name="frame">With the margins.</param>
     /// <param name="scale">One over the length of the feature's normal.</param>
@@ -103,9 +87,7 @@ internal static class Proofs
     public static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
         state.Feature.Height * scale - frame.MarginA - frame.MarginB;
 
-    /// <summary>
-    /// Whether shapes that are so far apart touch. Every query asks this, so that all of them agree.
-    /// </summary>
+    /// <summary>Whether shapes that are so far apart touch. Every query asks this, so that all of them agree.</summary>
     /// <param name="state">With the size and the verdict.</param>
     /// <param name="distance">As <see cref="DistanceOf"/> says.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -120,10 +102,9 @@ internal static class Proofs
             && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;
     }
 
-    /// <summary>
-    /// A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can still
-    /// prove what a sign leaves open where the origin lies on a face or an edge, as it does for flush boxes.
-    /// </summary>
+    /// <summary>A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can
+    /// still prove what a sign leaves open where the origin lies on a face or an edge, as it does for flush
+    /// boxes.</summary>
     private static bool HoldsPointNear(ref SolverState state, double touchSquared)
     {
         state.Weights = ClosestPointWeights.Of(state.Simplex);

@@ -1,50 +1,35 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The normal along which another body touches a round side: of two parallel cylinders it is the direction from the
-/// one's axis to the other's, of an edge beside a cylinder that from the axis to the edge. The searches for curved
-/// cores end within a part of a length, which leaves the angle round such a side open by its root, up to 1e-3: it would
-/// be another one for each begin of a search, and the contacts of a body at rest would change with every frame.
-/// </summary>
-/// <remarks>
-/// What both shapes show tells of the sides' axes, of the edges and the faces (<see cref="BestNormal"/>). Nothing of it
-/// is assumed: the direction is taken if a support proves that it separates the bodies at least as far as the plane
-/// that is known, and if there are points along it, which supports a little to both sides give, or the known ones.
-/// </remarks>
+/// <summary>The normal along which another body touches a round side: of two parallel cylinders it is the direction
+/// from the one's axis to the other's, of an edge beside a cylinder that from the axis to the edge. The searches for
+/// curved cores end within a part of a length, which leaves the angle round such a side open by its root, up to 1e-3:
+/// it would be another one for each begin of a search, and the contacts of a body at rest would change with every
+/// frame.</summary>
+/// <remarks>What both shapes show tells of the sides' axes, of the edges and the faces (<see cref="BestNormal"/>).
+/// Nothing of it is assumed: the direction is taken if a support proves that it separates the bodies at least as far as
+/// the plane that is known, and if there are points along it, which supports a little to both sides give, or the known
+/// ones.</remarks>
 internal static class SideNormal
 {
-    /// <summary>
-    /// Length: bodies that are further apart than this need no sharp normal. As far as a maximal gap usually reaches;
-    /// more costs time. Pinned by RestingSideTests.
-    /// </summary>
+    /// <summary>Length: bodies that are further apart than this need no sharp normal. As far as a maximal gap usually
+    /// reaches; more costs time. Pinned by RestingSideTests.</summary>
     private const double Near = 0.1;
 
-    /// <summary>
-    /// Ratio: how far the supports at both ends lean, small against the slope of any end and large against rounding.
-    /// Four times more or less changes nothing.
-    /// </summary>
+    /// <summary>Ratio: how far the supports at both ends lean, small against the slope of any end and large against
+    /// rounding. Four times more or less changes nothing.</summary>
     private const double Lean = 1e-3;
 
-    /// <summary>
-    /// Length: ends that are this level are of one line. Between the rounding of two poses, 1e-7, which the axes of
-    /// bodies that were placed in parallel are off by, and what leaning costs on a rounded side. Pinned by
-    /// ParallelContactTests.
-    /// </summary>
+    /// <summary>Length: ends that are this level are of one line. Between the rounding of two poses, 1e-7, which the
+    /// axes of bodies that were placed in parallel are off by, and what leaning costs on a rounded side. Pinned by
+    /// ParallelContactTests.</summary>
     private const double Level = 4e-7;
 
-    /// <summary>
-    /// Length: the two points are this near to one line along the normal; a rounding to float, and less than the line
-    /// of a short body's ends may be off. Pinned by PointPlacementTests.
-    /// </summary>
+    /// <summary>Length: the two points are this near to one line along the normal; a rounding to float, and less than
+    /// the line of a short body's ends may be off. Pinned by PointPlacementTests.</summary>
     private const double Beside = 1.0 / (1 << 23);
 
-    /// <summary>
-    /// Length: how far a point may be moved round a side; its square, over the side's radius, is what it leaves the
-    /// surface by. Four times more or less changes nothing but how many are moved.
-    /// </summary>
+    /// <summary>Length: how far a point may be moved round a side; its square, over the side's radius, is what it
+    /// leaves the surface by. Four times more or less changes nothing but how many are moved.</summary>
     private const double Aside = 1e-5;
 
     /// <summary>Cosine: a search is never off by more.</summary>
@@ -127,14 +112,10 @@ internal static class SideNormal
         state.Plane.Set(state.Feature, Math.Min(gap, state.Feature.Height));
     }
 
-    /// <summary>
-    /// Brings the points that are known onto one line along the normal: the one on the round side moves, by so little
-    /// that it stays on its surface.
-    /// </summary>
-    /// <returns>
-    /// False where they are too far from such a line, are not the furthest along it, or one would leave the side at its
-    /// end.
-    /// </returns>
+    /// <summary>Brings the points that are known onto one line along the normal: the one on the round side moves, by so
+    /// little that it stays on its surface.</summary>
+    /// <returns>False where they are too far from such a line, are not the furthest along it, or one would leave the
+    /// side at its end.</returns>
     private static bool TryMove<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, double gap, bool isOfA,
         ref SolverState state)

@@ -1,11 +1,7 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What a solver starts from and what it found, in A's frame from A's centre, before margins and rounding to float: the
-/// common currency of the fast and the extended-precision solver.
-/// </summary>
+/// <summary>What a solver starts from and what it found, in A's frame from A's centre, before margins and rounding to
+/// float: the common currency of the fast and the extended-precision solver.</summary>
 internal struct SolverState
 {
     public Verdict Verdict;
@@ -13,15 +9,12 @@ internal struct SolverState
     /// <summary>Whether a support point had no id: a curved core, whose supports never repeat.</summary>
     public bool IsCurved;
 
-    /// <summary>
-    /// The nearest feature of the cores' Minkowski difference, or the tetrahedron that holds the origin.
-    /// </summary>
+    /// <summary>The nearest feature of the cores' Minkowski difference, or the tetrahedron that holds the
+    /// origin.</summary>
     public Simplex Simplex;
 
-    /// <summary>
-    /// The feature's normal: from the origin to the feature, so from B to A, of any length; zero height when
-    /// overlapping.
-    /// </summary>
+    /// <summary>The feature's normal: from the origin to the feature, so from B to A, of any length; zero height when
+    /// overlapping.</summary>
     public ClosestFeature Feature;
 
     /// <summary>The weights of the simplex in the nearest point, or in the common one.</summary>
@@ -47,10 +40,8 @@ internal struct SolverState
         }
     }
 
-    /// <summary>
-    /// What rounding, or the end of a walk along a curved core, leaves open: a gap between two bounds below it counts
-    /// as closed.
-    /// </summary>
+    /// <summary>What rounding, or the end of a walk along a curved core, leaves open: a gap between two bounds below it
+    /// counts as closed.</summary>
     public readonly double Noise
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -76,9 +67,8 @@ internal struct SolverState
         PairSize.Begin<TA, TB>(frame, out state.Size);
     }
 
-    /// <summary>
-    /// Whether a support says anything that the tolerances depend on, so that See must be told of it.
-    /// </summary>
+    /// <summary>Whether a support says anything that the tolerances depend on, so that See must be told of
+    /// it.</summary>
     /// <param name="ids">Both ids; negative where one is.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool Matters<TA, TB>(int ids)

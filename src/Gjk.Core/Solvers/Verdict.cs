@@ -1,8 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// What a solver can say about two cores; <see cref="GjkStatus"/> is what a query says about two shapes.
-/// </summary>
+/// <summary>What a solver can say about two cores; <see cref="GjkStatus"/> is what a query says about two
+/// shapes.</summary>
 internal enum Verdict : byte
 {
     /// <summary>Rounding leaves it open, or the iterations ran out.</summary>

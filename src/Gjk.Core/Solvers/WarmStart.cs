@@ -1,17 +1,10 @@
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What a pair remembers from one query to the next. Keep one per pair and pass it by reference; <c>default</c> is a
-/// cold start. What it holds only suggests where to begin: stale or foreign content costs time, never correctness.
-/// </summary>
-/// <remarks>
-/// Mutable, 48 bytes, no references. It holds the ids of the last simplex's support vertices, which are asked from the
-/// shapes anew, and the last normal for shapes without vertices.
-/// </remarks>
+/// <summary>What a pair remembers from one query to the next. Keep one per pair and pass it by reference;
+/// <c>default</c> is a cold start. What it holds only suggests where to begin: stale or foreign content costs time,
+/// never correctness.</summary>
+/// <remarks>Mutable, 48 bytes, no references. It holds the ids of the last simplex's support vertices, which are asked
+/// from the shapes anew, and the last normal for shapes without vertices.</remarks>
 public struct WarmStart
 {
     private int _count;
@@ -22,16 +15,13 @@ public struct WarmStart
     /// <summary>Back to a cold start.</summary>
     public void Clear() => this = default;
 
-    /// <summary>
-    /// Squared length: what is stored is a unit vector rounded to float; anything that is longer than this, or NaN, was
-    /// not stored by a query. A larger limit would only believe a stray normal, which is a guess like any other.
-    /// Pinned by PairFrameTests.AKeptNormalIsTheFirst.
-    /// </summary>
+    /// <summary>Squared length: what is stored is a unit vector rounded to float; anything that is longer than this, or
+    /// NaN, was not stored by a query. A larger limit would only believe a stray normal, which is a guess like any
+    /// other. Pinned by PairFrameTests.AKeptNormalIsTheFirst.</summary>
     internal const double LongestNormal = 2;
 
-    /// <summary>
-    /// The first search direction: the last normal in A's frame, or the cold query's where there is none.
-    /// </summary>
+    /// <summary>The first search direction: the last normal in A's frame, or the cold query's where there is
+    /// none.</summary>
     internal readonly Double3 FirstNormal(in PairFrame frame)
     {
         var normal = new Double3(_x, _y, _z);
@@ -39,10 +29,8 @@ public struct WarmStart
         return squared > 0 && squared <= LongestNormal ? normal : frame.FirstNormal;
     }
 
-    /// <summary>
-    /// Puts the remembered vertices, as they are now, into the empty simplex; leaves it empty when the shapes no longer
-    /// have them.
-    /// </summary>
+    /// <summary>Puts the remembered vertices, as they are now, into the empty simplex; leaves it empty when the shapes
+    /// no longer have them.</summary>
     internal readonly void Restore<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref Simplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

@@ -1,13 +1,8 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Sorts a part of an array of keys in place, without allocating. On Mono <see cref="Array"/>'s own sort makes a
-/// delegate in each call, so the netstandard builds have a heap sort (Williams 1964): n log n whatever the order, and
-/// equal keys cannot be told apart, so that both give the same result.
-/// </summary>
+/// <summary>Sorts a part of an array of keys in place, without allocating. On Mono <see cref="Array"/>'s own sort makes
+/// a delegate in each call, so the netstandard builds have a heap sort (Williams 1964): n log n whatever the order, and
+/// equal keys cannot be told apart, so that both give the same result.</summary>
 internal static class InPlaceSort
 {
     public static void Sort(ulong[] keys, int start, int count)

@@ -1,9 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// Places along the Morton curve, 10 bits per axis: what is near on it is near in space (Lauterbach et al. 2009, "Fast
-/// BVH construction on GPUs").
-/// </summary>
+/// <summary>Places along the Morton curve, 10 bits per axis: what is near on it is near in space (Lauterbach et al.
+/// 2009, "Fast BVH construction on GPUs").</summary>
 internal static class MortonCurve
 {
     /// <summary>Bits per axis.</summary>
@@ -12,10 +10,8 @@ internal static class MortonCurve
     /// <summary>Cells per axis.</summary>
     private const int Cells = 1 << BitsPerAxis;
 
-    /// <summary>
-    /// The cell of a point, in a world that begins at a corner, with so many cells per unit; in double, where no
-    /// difference of floats overflows.
-    /// </summary>
+    /// <summary>The cell of a point, in a world that begins at a corner, with so many cells per unit; in double, where
+    /// no difference of floats overflows.</summary>
     public static uint Cell(in Double3 point, in Double3 corner, in Double3 cellsPerUnit)
     {
         Double3 cell = Double3.Multiply(point - corner, cellsPerUnit);
@@ -25,10 +21,8 @@ internal static class MortonCurve
     /// <summary>Cells per unit of a side; 0 where it has no length.</summary>
     public static double PerUnit(double side) => side > 0 ? Cells / side : 0;
 
-    /// <summary>
-    /// Where the highest bit in which the ends differ changes; the middle of a range of one cell. The keys are sorted,
-    /// the cell in the upper half.
-    /// </summary>
+    /// <summary>Where the highest bit in which the ends differ changes; the middle of a range of one cell. The keys are
+    /// sorted, the cell in the upper half.</summary>
     public static int Split(ulong[] curve, int begin, int end)
     {
         uint first = (uint)(curve[begin] >> 32), last = (uint)(curve[end - 1] >> 32);

@@ -1,12 +1,7 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Sorts 64-bit keys by their upper half. Where these are equal, keys that come in the order of their lower halves stay
-/// in it, so such input ends up sorted by the whole key.
-/// </summary>
+/// <summary>Sorts 64-bit keys by their upper half. Where these are equal, keys that come in the order of their lower
+/// halves stay in it, so such input ends up sorted by the whole key.</summary>
 internal static class SortKeys
 {
     public const int DigitBits = 11;

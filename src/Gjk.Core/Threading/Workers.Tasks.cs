@@ -1,6 +1,3 @@
-using System;
-using System.Threading;
-
 namespace Gjk.Core;
 
 public sealed partial class Workers

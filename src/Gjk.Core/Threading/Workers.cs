@@ -1,33 +1,23 @@
-using System;
 using System.Runtime.ExceptionServices;
-using System.Threading;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// Threads that share the work of a scene or a batch with the thread that asks. Make one, keep it, pass it to every
-/// call that should use it, and dispose of it.
-/// </summary>
-/// <remarks>
-/// Thread-safe: calls from several threads take turns. The results do not depend on it: work is cut into the same parts
-/// for any number of threads, and each part has its own place for what it finds. The threads are background threads;
-/// they wait without using the processor but for a moment after each task. A call that has begun its work ends when all
-/// threads have left it, whatever happens: <see cref="Thread.Interrupt"/> on the caller takes effect where the caller
-/// waits next. While a call waits for its turn, it ends with the usual <see cref="ThreadInterruptedException"/>, and
-/// nothing is done.
-/// </remarks>
+/// <summary>Threads that share the work of a scene or a batch with the thread that asks. Make one, keep it, pass it to
+/// every call that should use it, and dispose of it.</summary>
+/// <remarks>Thread-safe: calls from several threads take turns. The results do not depend on it: work is cut into the
+/// same parts for any number of threads, and each part has its own place for what it finds. The threads are background
+/// threads; they wait without using the processor but for a moment after each task. A call that has begun its work ends
+/// when all threads have left it, whatever happens: <see cref="Thread.Interrupt"/> on the caller takes effect where the
+/// caller waits next. While a call waits for its turn, it ends with the usual <see cref="ThreadInterruptedException"/>,
+/// and nothing is done.</remarks>
 public sealed partial class Workers : IDisposable
 {
-    /// <summary>
-    /// Count of threads: more than any machine that shares memory makes use of here, and few enough to be started
-    /// anywhere. Pinned by WorkerCountTests.
-    /// </summary>
+    /// <summary>Count of threads: more than any machine that shares memory makes use of here, and few enough to be
+    /// started anywhere. Pinned by WorkerCountTests.</summary>
     private const int MostThreads = 1024;
 
-    /// <summary>
-    /// Count of pauses, some tens of microseconds, that a thread waits awake before it sleeps: the parts of one frame
-    /// follow each other faster than threads wake. A matter of speed only.
-    /// </summary>
+    /// <summary>Count of pauses, some tens of microseconds, that a thread waits awake before it sleeps: the parts of
+    /// one frame follow each other faster than threads wake. A matter of speed only.</summary>
     private const int PausesAwake = 200;
 
     /// <summary>Processor pauses between two looks at what is waited for.</summary>
@@ -46,9 +36,8 @@ public sealed partial class Workers : IDisposable
     private volatile bool _disposed;
 
     /// <summary>Starts the threads, one less than there are processors.</summary>
-    /// <exception cref="InvalidOperationException">
-    /// The system refused a thread; those before it have ended again.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">The system refused a thread; those before it have ended
+    /// again.</exception>
     public Workers()
         : this(Math.Min(Environment.ProcessorCount, MostThreads))
     {
@@ -57,9 +46,8 @@ public sealed partial class Workers : IDisposable
     /// <summary>Starts the threads.</summary>
     /// <param name="threadCount">How many threads work at once, the caller's included; from 1 to 1024.</param>
     /// <exception cref="ArgumentOutOfRangeException">The count is less than 1 or more than 1024.</exception>
-    /// <exception cref="InvalidOperationException">
-    /// The system refused a thread; those before it have ended again.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">The system refused a thread; those before it have ended
+    /// again.</exception>
     public Workers(int threadCount)
         : this(threadCount, thread => thread.Start())
     {
@@ -187,9 +175,8 @@ public sealed partial class Workers : IDisposable
         Monitor.Exit(_gate);
     }
 
-    /// <summary>
-    /// Lets nobody in any more and waits until all are out. A thread that did not wake in time is not waited for.
-    /// </summary>
+    /// <summary>Lets nobody in any more and waits until all are out. A thread that did not wake in time is not waited
+    /// for.</summary>
     private void Close(ref bool wasInterrupted)
     {
         EnterGate(ref wasInterrupted);
@@ -214,9 +201,8 @@ public sealed partial class Workers : IDisposable
         Monitor.Exit(_gate);
     }
 
-    /// <summary>
-    /// Enters the gate, which nobody holds for long, although the caller may be interrupted meanwhile.
-    /// </summary>
+    /// <summary>Enters the gate, which nobody holds for long, although the caller may be interrupted
+    /// meanwhile.</summary>
     private void EnterGate(ref bool wasInterrupted)
     {
         while (true)

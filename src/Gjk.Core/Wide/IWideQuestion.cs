@@ -1,7 +1,4 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace Gjk.Core;
 
 /// <summary>What is asked about the pairs of a batch.</summary>
@@ -82,9 +79,8 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
 
     public double Reach => ProvedDistance.ShapeReach(0);
 
-    /// <summary>
-    /// Balls that are apart need no walk (<c>OverlapSolver.AreBallsApart</c>); hulls without margins are as fast alone.
-    /// </summary>
+    /// <summary>Balls that are apart need no walk (<c>OverlapSolver.AreBallsApart</c>); hulls without margins are as
+    /// fast alone.</summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
         ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);

@@ -1,6 +1,4 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
@@ -13,9 +11,8 @@ internal interface IWideSide
 
     /// <summary>The furthest vertex of each, measured from its centre, and its slot.</summary>
     /// <param name="direction">A direction for each.</param>
-    /// <param name="live">
-    /// One bit for each lane whose answer is wanted. The others, whose directions have not changed, answer as before.
-    /// </param>
+    /// <param name="live">One bit for each lane whose answer is wanted. The others, whose directions have not changed,
+    /// answer as before.</param>
     /// <param name="slots">Names the vertices, for <see cref="Vertex"/>.</param>
     WideVector Support(in WideVector direction, uint live, out Vector256<long> slots);
 

@@ -1,9 +1,4 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
-
 namespace Gjk.Core;
 
 /// <summary>A part of a batch: its pairs by kind, four at a time where that is faster, else one by one.</summary>
@@ -12,10 +7,8 @@ internal readonly unsafe ref struct WideBatch
     /// <summary>Count of pairs in a part at most.</summary>
     public const int MostPairs = 256;
 
-    /// <summary>
-    /// Count: fewer pairs of a kind than this are asked one by one, since four cost as much as two alone. A matter of
-    /// speed only.
-    /// </summary>
+    /// <summary>Count: fewer pairs of a kind than this are asked one by one, since four cost as much as two alone. A
+    /// matter of speed only.</summary>
     private const int LeastPairs = 3;
 
     /// <summary>Count: kinds of pairs, by their routes and the kinds of their cores.</summary>

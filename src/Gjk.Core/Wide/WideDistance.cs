@@ -1,21 +1,16 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
 /// <summary>The walk of <see cref="GjkDistance"/> for four pairs at once, one pair per lane of a register.</summary>
 /// <remarks>
-/// <para>
-/// Each operation is the scalar walk's, in its order, without fused products, so each lane has the bits of its pair
-/// alone. The lanes go in step until the last has ended; a lane that has ended keeps what it had.
-/// </para>
-/// <para>
-/// Only plain ends are told here: the bounds have met, a plane is further than asked, the origin is enclosed and no
-/// plane had separated, the feature touches the origin. What ends otherwise (a tilted face, a plane behind the feature,
-/// a distance that stopped falling) has no mask and is asked again alone, where extended precision decides.
-/// </para>
+/// <para>Each operation is the scalar walk's, in its order, without fused products, so each lane has the bits of its
+/// pair alone. The lanes go in step until the last has ended; a lane that has ended keeps what it had.</para>
+/// <para>Only plain ends are told here: the bounds have met, a plane is further than asked, the origin is enclosed and
+/// no plane had separated, the feature touches the origin. What ends otherwise (a tilted face, a plane behind the
+/// feature, a distance that stopped falling) has no mask and is asked again alone, where extended precision
+/// decides.</para>
 /// </remarks>
 internal static class WideDistance
 {

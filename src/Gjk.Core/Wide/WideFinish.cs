@@ -1,17 +1,11 @@
 #if NET
-using System;
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
 using static Gjk.Core.WideLanes;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// The results of four walks, as <c>ConvexQuery.Finish</c> and <see cref="ClosestPointWeights"/> have them; lanes that
-/// need more than the plain case are left to the scalar query.
-/// </summary>
+/// <summary>The results of four walks, as <c>ConvexQuery.Finish</c> and <see cref="ClosestPointWeights"/> have them;
+/// lanes that need more than the plain case are left to the scalar query.</summary>
 internal static unsafe class WideFinish
 {
     /// <summary>Finds the points, adds the margins and rounds.</summary>
@@ -85,9 +79,8 @@ internal static unsafe class WideFinish
         return Select(isFace, onFace, isVertex | onEdge);
     }
 
-    /// <summary>
-    /// As <see cref="ClosestPointWeights.TryInside"/>, with W, the newest vertex, last; which lanes clearly are inside.
-    /// </summary>
+    /// <summary>As <see cref="ClosestPointWeights.TryInside"/>, with W, the newest vertex, last; which lanes clearly
+    /// are inside.</summary>
     private static Lanes WeightsOfInside(ref WidePairs s, ref WideResults r)
     {
         // The order of the scalar tetrahedron: the newest vertex, and the others wound away from the origin.

@@ -1,14 +1,10 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// Composes the frames of four pairs, as <see cref="PairFrame"/> and <see cref="PoseComposition"/> do one.
-/// </summary>
+/// <summary>Composes the frames of four pairs, as <see cref="PairFrame"/> and <see cref="PoseComposition"/> do
+/// one.</summary>
 internal static unsafe class WideFrame
 {
     /// <summary>Reads the poses and the shapes' sizes, composes, and sets the walk to its beginning.</summary>

@@ -1,15 +1,12 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
 /// <summary>The loop of <see cref="GjkOverlap"/> for four pairs without margins at once.</summary>
-/// <remarks>
-/// As there, only what rounding cannot change is answered: a plane's gap that exceeds all rounding, or four volumes
-/// that do. The rest is asked again alone. It need not take the same way as the scalar loop, because both are certain.
-/// </remarks>
+/// <remarks>As there, only what rounding cannot change is answered: a plane's gap that exceeds all rounding, or four
+/// volumes that do. The rest is asked again alone. It need not take the same way as the scalar loop, because both are
+/// certain.</remarks>
 internal static class WideOverlap
 {
     /// <summary>Count of rounds: as many as the scalar loop's; the rest is for the query alone.</summary>

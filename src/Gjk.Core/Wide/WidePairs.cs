@@ -1,14 +1,10 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// Four pairs in the course of a walk: the <see cref="PairFrame"/>, the nearest feature and its vertices, and what has
-/// become of each, as masks of lanes.
-/// </summary>
+/// <summary>Four pairs in the course of a walk: the <see cref="PairFrame"/>, the nearest feature and its vertices, and
+/// what has become of each, as masks of lanes.</summary>
 internal struct WidePairs
 {
     /// <summary>As in <see cref="PairFrame"/>.</summary>
@@ -50,15 +46,13 @@ internal struct WidePairs
     /// <summary>Masks: still walking; a plane has shown the cores apart.</summary>
     public Lanes Live, Separated;
 
-    /// <summary>
-    /// Masks of the ends: the bounds have met; a plane is further than asked; the origin is inside the tetrahedron of W
-    /// and the three vertices; the feature touches the origin. What ended in no way is for the scalar query.
-    /// </summary>
+    /// <summary>Masks of the ends: the bounds have met; a plane is further than asked; the origin is inside the
+    /// tetrahedron of W and the three vertices; the feature touches the origin. What ended in no way is for the scalar
+    /// query.</summary>
     public Lanes Closed, Beyond, Inside, Touching;
 
-    /// <summary>
-    /// The vertices of A - B made of a point of each shape, measured from its centre in its own axes.
-    /// </summary>
+    /// <summary>The vertices of A - B made of a point of each shape, measured from its centre in its own
+    /// axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly WideVector Vertex(in WideVector onA, in WideVector onB) =>
         onA - (Rotation.Rotate(onB) + Translation);

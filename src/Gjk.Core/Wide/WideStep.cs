@@ -1,6 +1,4 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using static Gjk.Core.WideLanes;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
@@ -30,10 +28,8 @@ internal static class WideStep
         s.Height = squared;
     }
 
-    /// <summary>
-    /// Chooses the face that the origin sees for the lanes that have four vertices, moves the older vertices up in the
-    /// others, and reduces all to their nearest features.
-    /// </summary>
+    /// <summary>Chooses the face that the origin sees for the lanes that have four vertices, moves the older vertices
+    /// up in the others, and reduces all to their nearest features.</summary>
     /// <param name="s">The four pairs.</param>
     /// <param name="nearest">As in <see cref="NextSimplex.TryAdvance"/>.</param>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]

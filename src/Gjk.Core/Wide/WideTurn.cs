@@ -1,6 +1,4 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;

@@ -1,6 +1,4 @@
 #if NET
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>How far apart each pair is, from where it ended the last time.</summary>

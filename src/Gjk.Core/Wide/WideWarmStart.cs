@@ -1,17 +1,12 @@
 #if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
 using static Gjk.Core.WideLanes;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
 /// <summary>Where four warm queries begin, and what they leave: <see cref="WarmStart"/> in lanes.</summary>
-/// <remarks>
-/// A lane is taken only where the whole of the old feature is the nearest of itself still, as it is for pairs that move
-/// little; the others are asked alone.
-/// </remarks>
+/// <remarks>A lane is taken only where the whole of the old feature is the nearest of itself still, as it is for pairs
+/// that move little; the others are asked alone.</remarks>
 internal static unsafe class WideWarmStart
 {
     /// <summary>Count: those of a tetrahedron.</summary>
@@ -33,10 +28,8 @@ internal static unsafe class WideWarmStart
         s.NormalSquared = s.Normal.LengthSquared;
     }
 
-    /// <summary>
-    /// Places the remembered vertices where they are now: as <see cref="WarmStart.Restore"/> and what follows it. There
-    /// are four in each lane, or one to three.
-    /// </summary>
+    /// <summary>Places the remembered vertices where they are now: as <see cref="WarmStart.Restore"/> and what follows
+    /// it. There are four in each lane, or one to three.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Restore<TA, TB>(ref TA a, ref TB b, ref WarmStart starts, int* index, ref WidePairs s)
         where TA : struct, IWideSide

@@ -1,10 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// An object of a scene and when a moving shape meets it. Immutable. Ordered by fraction; at the same fraction by id.
-/// </summary>
+/// <summary>An object of a scene and when a moving shape meets it. Immutable. Ordered by fraction; at the same fraction
+/// by id.</summary>
 public readonly struct CastHit : IComparable<CastHit>
 {
     /// <summary>The object; B of <see cref="Result"/>.</summary>

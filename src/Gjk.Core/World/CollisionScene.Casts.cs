@@ -1,34 +1,24 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>
-    /// The object that a shape meets first when it is translated; of several at the same fraction, rounded to float,
-    /// the one with the least id. The shape is none of the scene's, and the objects rest.
-    /// </summary>
+    /// <summary>The object that a shape meets first when it is translated; of several at the same fraction, rounded to
+    /// float, the one with the least id. The shape is none of the scene's, and the objects rest.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
     /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
     /// <param name="id">The object (B), or -1 where there is none.</param>
-    /// <param name="result">
-    /// When they first touch, with the bits of <c>ConvexQuery.Cast</c>; a miss where there is none. An object whose
-    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its fraction, up to which nothing is
-    /// proved to be in the way.
-    /// </param>
-    /// <param name="maxFraction">
-    /// How much of the motion is looked at: at least 0; 1 for all of it, more for the same motion continued.
-    /// </param>
+    /// <param name="result">When they first touch, with the bits of <c>ConvexQuery.Cast</c>; a miss where there is
+    /// none. An object whose query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its fraction, up
+    /// to which nothing is proved to be in the way.</param>
+    /// <param name="maxFraction">How much of the motion is looked at: at least 0; 1 for all of it, more for the same
+    /// motion continued.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>Whether the shape meets an object, or may.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The motion is not finite, or the fraction is negative or NaN.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The motion is not finite, or the fraction is negative or
+    /// NaN.</exception>
     public bool TryFindCastHit(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, out int id, out CastResult result,
         float maxFraction = 1, in QueryFilter filter = default, in CastOptions options = default)
@@ -48,9 +38,8 @@ public sealed partial class CollisionScene
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>Whether the shape meets an object, or may.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The motion is not finite, or the fraction is negative or NaN.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The motion is not finite, or the fraction is negative or
+    /// NaN.</exception>
     public bool TryFindCastHit(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, out CastHit hit, float maxFraction = 1,
         in QueryFilter filter = default, in CastOptions options = default)
@@ -67,17 +56,14 @@ public sealed partial class CollisionScene
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
     /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
-    /// <param name="results">
-    /// Emptied first; then the objects by fraction, at the same fraction by id, those whose query ends with <see
-    /// cref="CastStatus.IterationLimit"/> among them.
-    /// </param>
+    /// <param name="results">Emptied first; then the objects by fraction, at the same fraction by id, those whose query
+    /// ends with <see cref="CastStatus.IterationLimit"/> among them.</param>
     /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// The motion is not finite, or the fraction is negative or NaN.
-    /// </exception>
+    /// <exception cref="ArgumentOutOfRangeException">The motion is not finite, or the fraction is negative or
+    /// NaN.</exception>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     public void FindCastHits(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, List<CastHit> results, float maxFraction = 1,

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-
 namespace Gjk.Core;
 
 public sealed partial class CollisionScene
@@ -15,12 +11,10 @@ public sealed partial class CollisionScene
     /// <summary>The gap that the contacts are for.</summary>
     private float _contactGap;
 
-    /// <summary>
-    /// The pairs that overlap, touching included, and how deep: with the bits of <c>ConvexQuery.SignedDistance</c>. Of
-    /// objects that are not convex each pair of parts that overlaps has a depth of its own, as
-    /// <c>ConcaveQuery.FindDepths</c> gives it. A pair whose objects have not moved since the last call keeps its
-    /// answer, which costs next to nothing.
-    /// </summary>
+    /// <summary>The pairs that overlap, touching included, and how deep: with the bits of
+    /// <c>ConvexQuery.SignedDistance</c>. Of objects that are not convex each pair of parts that overlaps has a depth
+    /// of its own, as <c>ConcaveQuery.FindDepths</c> gives it. A pair whose objects have not moved since the last call
+    /// keeps its answer, which costs next to nothing.</summary>
     /// <param name="results">Emptied first; then the pairs, sorted by ids and parts.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
@@ -37,12 +31,10 @@ public sealed partial class CollisionScene
         }
     }
 
-    /// <summary>
-    /// The contact points of all pairs that overlap or are no further apart than a gap: with the bits of
+    /// <summary>The contact points of all pairs that overlap or are no further apart than a gap: with the bits of
     /// <c>ConvexQuery.Contacts</c>; of objects that are not convex one manifold for each pair of parts, with the bits
     /// of <c>ConcaveQuery.FindContacts</c>. A pair whose objects have not moved since the last call with the same gap
-    /// keeps its answer, which costs next to nothing.
-    /// </summary>
+    /// keeps its answer, which costs next to nothing.</summary>
     /// <param name="maxGap">At least 0: points, and pairs, further apart are left out.</param>
     /// <param name="results">Emptied first; then the pairs, sorted by ids and parts.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>

@@ -1,27 +1,19 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>
-    /// Ratio: by how much the search for the nearest object widens while it finds none. A matter of speed only.
-    /// </summary>
+    /// <summary>Ratio: by how much the search for the nearest object widens while it finds none. A matter of speed
+    /// only.</summary>
     private const float SearchGrowth = 4;
 
     private readonly List<int> _near = [];
 
-    /// <summary>
-    /// The object nearest to one, of those that it is tested against (<see cref="ObjectSettings"/>); of several the one
-    /// with the least id.
-    /// </summary>
+    /// <summary>The object nearest to one, of those that it is tested against (<see cref="ObjectSettings"/>); of
+    /// several the one with the least id.</summary>
     /// <param name="id">The object.</param>
     /// <param name="other">The nearest other object, or -1 where there is none.</param>
-    /// <param name="result">
-    /// The distance from the object (A) to the other (B), as <see cref="ConvexQuery"/> has it.
-    /// </param>
+    /// <param name="result">The distance from the object (A) to the other (B), as <see cref="ConvexQuery"/> has
+    /// it.</param>
     /// <returns>False when there is no such object.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public bool TryFindNearest(int id, out int other, out DistanceResult result)
@@ -43,16 +35,13 @@ public sealed partial class CollisionScene
         return TryFindNearest(ref search, _objects.Bounds[slot], id, out nearest);
     }
 
-    /// <summary>
-    /// The object nearest to a shape that is none of the scene's; of several at the same distance the one with the
-    /// least id.
-    /// </summary>
+    /// <summary>The object nearest to a shape that is none of the scene's; of several at the same distance the one with
+    /// the least id.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="id">The nearest object (B), or -1 where there is none.</param>
-    /// <param name="result">
-    /// The distance, with the bits of <c>ConvexQuery.Distance</c>; <c>default</c> where there is none.
-    /// </param>
+    /// <param name="result">The distance, with the bits of <c>ConvexQuery.Distance</c>; <c>default</c> where there is
+    /// none.</param>
     /// <param name="maxDistance">At least 0: objects further away are not found. Infinite for all.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <returns>Whether there is such an object.</returns>
@@ -114,10 +103,8 @@ public sealed partial class CollisionScene
         for (int i = 0; i < _near.Count; i++) search.Look(_near[i]);
     }
 
-    /// <summary>
-    /// A little more than a distance, so that equals are found and the one of several does not depend on the order of
-    /// the search.
-    /// </summary>
+    /// <summary>A little more than a distance, so that equals are found and the one of several does not depend on the
+    /// order of the search.</summary>
     internal static float JustBeyond(float distance) => distance * MarginSlack + float.Epsilon;
 
     private static Aabb Widened(in Aabb box, float reach)

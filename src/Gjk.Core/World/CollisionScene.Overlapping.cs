@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
 public sealed partial class CollisionScene
@@ -8,9 +5,8 @@ public sealed partial class CollisionScene
     /// <summary>The objects that overlap a shape that is none of the scene's, touching included.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct.</param>
     /// <param name="pose">Its pose in the world.</param>
-    /// <param name="ids">
-    /// Emptied first; then the objects, sorted: those of which <c>ConvexQuery.Overlaps</c> says so, the shape first.
-    /// </param>
+    /// <param name="ids">Emptied first; then the objects, sorted: those of which <c>ConvexQuery.Overlaps</c> says so,
+    /// the shape first.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentNullException">There is no list.</exception>

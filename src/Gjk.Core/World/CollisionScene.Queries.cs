@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-
 namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>
-    /// Ratio: four times float's rounding, which a margin meets twice, when it is widened by this and when it is added
-    /// to a bound.
-    /// </summary>
+    /// <summary>Ratio: four times float's rounding, which a margin meets twice, when it is widened by this and when it
+    /// is added to a bound.</summary>
     private const float MarginSlack = 1 + 4f / (1 << 24);
 
     private readonly List<ObjectPair> _candidates = [];
@@ -22,9 +16,8 @@ public sealed partial class CollisionScene
     /// <param name="distance">At least 0; may be infinite.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
-    /// <exception cref="InvalidOperationException">
-    /// There are more pairs than <see cref="IBroadPhase"/> can find.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">There are more pairs than <see cref="IBroadPhase"/> can
+    /// find.</exception>
     public void CollectCandidates(List<ObjectPair> candidates, float distance = 0)
     {
         Guard.NotNull(candidates, nameof(candidates));
@@ -39,9 +32,8 @@ public sealed partial class CollisionScene
     /// <param name="results">Emptied first; then the pairs that overlap, in the order of the candidates.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">A list is missing.</exception>
-    /// <exception cref="ArgumentException">
-    /// The two lists are the same, or there is no object with one of the ids; the message names the pair.
-    /// </exception>
+    /// <exception cref="ArgumentException">The two lists are the same, or there is no object with one of the ids; the
+    /// message names the pair.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindOverlapsAmong(List<ObjectPair> candidates, List<ObjectPair> results, Workers? workers = null)
     {
@@ -79,22 +71,19 @@ public sealed partial class CollisionScene
         CopyOverlaps(results);
     }
 
-    /// <summary>
-    /// The pairs no further apart than a distance, and how far. A pair whose objects have not moved since the last call
-    /// reported it keeps its answer, bit for bit. The query of any other pair that the last call reported begins
-    /// where that one ended; so the results are those of <see cref="ConvexQuery"/> within the accuracy, not always to
-    /// the last bit. They depend on what was reported for the pair before, and are the same bits for every broad phase
-    /// and bound.
-    /// </summary>
+    /// <summary>The pairs no further apart than a distance, and how far. A pair whose objects have not moved since the
+    /// last call reported it keeps its answer, bit for bit. The query of any other pair that the last call reported
+    /// begins where that one ended; so the results are those of <see cref="ConvexQuery"/> within the accuracy, not
+    /// always to the last bit. They depend on what was reported for the pair before, and are the same bits for every
+    /// broad phase and bound.</summary>
     /// <param name="distance">At least 0; infinite for all pairs.</param>
     /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
-    /// <exception cref="InvalidOperationException">
-    /// There are more pairs than <see cref="IBroadPhase"/> can find.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">There are more pairs than <see cref="IBroadPhase"/> can
+    /// find.</exception>
     public void FindPairsWithin(float distance, List<PairDistance> results, Workers? workers = null)
     {
         Guard.NotNull(results, nameof(results));
@@ -106,10 +95,8 @@ public sealed partial class CollisionScene
                 results.Add(DistanceOf(i));
     }
 
-    /// <summary>
-    /// The distance between two objects, from where the last question about this pair ended; within the accuracy that
-    /// of <see cref="ConvexQuery"/>, not always to the last bit.
-    /// </summary>
+    /// <summary>The distance between two objects, from where the last question about this pair ended; within the
+    /// accuracy that of <see cref="ConvexQuery"/>, not always to the last bit.</summary>
     /// <param name="idA">The first object.</param>
     /// <param name="idB">The second object, another one.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with one of the ids, or no longer.</exception>

@@ -1,22 +1,14 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
-
 namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>
-    /// The object that a ray meets first; of several at the same distance, rounded to float, the one with the least id.
-    /// Where the ray begins in objects, that is one of these, at distance 0.
-    /// </summary>
+    /// <summary>The object that a ray meets first; of several at the same distance, rounded to float, the one with the
+    /// least id. Where the ray begins in objects, that is one of these, at distance 0.</summary>
     /// <param name="ray">The ray.</param>
     /// <param name="id">The object, or -1 where there is none.</param>
-    /// <param name="result">
-    /// Where the ray meets it, with the bits of <c>ConvexQuery.RayCast</c>; a miss where there is none. An object whose
-    /// query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its distance, up to which nothing is
-    /// proved to be in the way.
-    /// </param>
+    /// <param name="result">Where the ray meets it, with the bits of <c>ConvexQuery.RayCast</c>; a miss where there is
+    /// none. An object whose query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its distance, up
+    /// to which nothing is proved to be in the way.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>Whether the ray meets an object, or may.</returns>
@@ -49,10 +41,8 @@ public sealed partial class CollisionScene
 
     /// <summary>All objects that a ray meets, as it would without the others.</summary>
     /// <param name="ray">The ray.</param>
-    /// <param name="results">
-    /// Emptied first; then the objects by distance, at the same distance by id, those whose query ends with <see
-    /// cref="CastStatus.IterationLimit"/> among them.
-    /// </param>
+    /// <param name="results">Emptied first; then the objects by distance, at the same distance by id, those whose query
+    /// ends with <see cref="CastStatus.IterationLimit"/> among them.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
@@ -74,9 +64,8 @@ public sealed partial class CollisionScene
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
-    /// <exception cref="ArgumentException">
-    /// There are fewer results than rays, or a ray is a <c>default</c> struct; the message names the ray.
-    /// </exception>
+    /// <exception cref="ArgumentException">There are fewer results than rays, or a ray is a <c>default</c> struct; the
+    /// message names the ray.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindFirstRayHits(
         RayQuery[] rays, RayHit[] results, Workers? workers = null, in QueryFilter filter = default,

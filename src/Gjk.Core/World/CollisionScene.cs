@@ -1,18 +1,11 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Posed shapes, and the questions that are asked of all of them: which overlap, which are within a distance, which is
-/// nearest. A broad phase leaves the queries only the pairs that are worth one.
-/// </summary>
-/// <remarks>
-/// Mutable and not thread-safe; with <see cref="Workers"/> it uses several threads inside a call. Results come sorted
-/// by id and are the same for every broad phase, and to the last bit for one thread or many. Ids count up from 0 and
-/// are never given twice. A refused call changes nothing. Nothing is allocated once the internal buffers and the
-/// caller's lists have their size.
-/// </remarks>
+/// <summary>Posed shapes, and the questions that are asked of all of them: which overlap, which are within a distance,
+/// which is nearest. A broad phase leaves the queries only the pairs that are worth one.</summary>
+/// <remarks>Mutable and not thread-safe; with <see cref="Workers"/> it uses several threads inside a call. Results come
+/// sorted by id and are the same for every broad phase, and to the last bit for one thread or many. Ids count up from 0
+/// and are never given twice. A refused call changes nothing. Nothing is allocated once the internal buffers and the
+/// caller's lists have their size.</remarks>
 public sealed partial class CollisionScene
 {
     private readonly SceneObjects _objects = new();
@@ -41,9 +34,8 @@ public sealed partial class CollisionScene
     }
 
     /// <summary>Makes an empty scene with a broad phase of your own.</summary>
-    /// <param name="broadPhase">
-    /// An empty one, which is the scene's from now on. The scene's answers are as right as its pairs and its sweeps.
-    /// </param>
+    /// <param name="broadPhase">An empty one, which is the scene's from now on. The scene's answers are as right as its
+    /// pairs and its sweeps.</param>
     /// <exception cref="ArgumentNullException">There is no broad phase.</exception>
     /// <exception cref="ArgumentException">It has objects.</exception>
     public CollisionScene(IBroadPhase broadPhase)
@@ -102,25 +94,22 @@ public sealed partial class CollisionScene
     /// <param name="settings">What it is tested against, and a tag; by default all others, and 0.</param>
     /// <returns>Its id: the next number, from 0.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="InvalidOperationException">
-    /// There are 16,777,216 objects, or 2,147,483,647 ids were given out.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">There are 16,777,216 objects, or 2,147,483,647 ids were given
+    /// out.</exception>
     public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
         return Add(shape, new ShapeBounds(shape), pose, settings);
     }
 
-    /// <summary>
-    /// Adds an object that need not be convex: a surface, a solid or a compound. Answers about it name its parts.
-    /// </summary>
+    /// <summary>Adds an object that need not be convex: a surface, a solid or a compound. Answers about it name its
+    /// parts.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="settings">What it is tested against, and a tag; by default all others, and 0.</param>
     /// <returns>Its id: the next number, from 0.</returns>
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="InvalidOperationException">
-    /// There are 16,777,216 objects, or 2,147,483,647 ids were given out.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">There are 16,777,216 objects, or 2,147,483,647 ids were given
+    /// out.</exception>
     public int Add(in AnyShape shape, in RigidPose pose, in ObjectSettings settings = default)
     {
         if (shape.Kind == AnyShapeKind.Convex) return Add(AnyShape.ConvexOf(shape), pose, settings);

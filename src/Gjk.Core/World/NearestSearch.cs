@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>The search for the object of a scene that is nearest to a shape.</summary>

@@ -1,16 +1,10 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How a <see cref="CollisionScene"/> treats an object beside its shape and pose. Immutable; <c>default</c> is an
-/// object that is tested against all others.
-/// </summary>
-/// <remarks>
-/// Two objects are tested against each other when not both are static, and each is in a group that the other's mask
-/// admits: the rule of most physics engines, so that their filters can be used as they are. The finders of the scene
-/// honour it; a question that names both objects is answered in any case.
-/// </remarks>
+/// <summary>How a <see cref="CollisionScene"/> treats an object beside its shape and pose. Immutable; <c>default</c> is
+/// an object that is tested against all others.</summary>
+/// <remarks>Two objects are tested against each other when not both are static, and each is in a group that the other's
+/// mask admits: the rule of most physics engines, so that their filters can be used as they are. The finders of the
+/// scene honour it; a question that names both objects is answered in any case.</remarks>
 public readonly struct ObjectSettings : IEquatable<ObjectSettings>
 {
     /// <summary>The group of objects that were given none.</summary>
@@ -20,10 +14,8 @@ public readonly struct ObjectSettings : IEquatable<ObjectSettings>
     private readonly uint _groupFromDefault, _maskFromAll;
 
     /// <summary>Makes settings.</summary>
-    /// <param name="isStatic">
-    /// Whether the object is one of those that are never tested against each other, such as walls and floors. It can be
-    /// moved all the same.
-    /// </param>
+    /// <param name="isStatic">Whether the object is one of those that are never tested against each other, such as
+    /// walls and floors. It can be moved all the same.</param>
     /// <param name="groups">The groups that it is in, one bit each.</param>
     /// <param name="mask">The groups that it is tested against, one bit each.</param>
     /// <param name="tag">A number of your own, which the scene keeps for you.</param>

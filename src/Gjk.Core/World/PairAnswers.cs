@@ -1,11 +1,7 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The answers of a frame, one for each pair, and those of the frame before, which pairs keep that have not moved.
-/// </summary>
+/// <summary>The answers of a frame, one for each pair, and those of the frame before, which pairs keep that have not
+/// moved.</summary>
 /// <typeparam name="T">An answer.</typeparam>
 internal sealed class PairAnswers<T> : PairFrames
     where T : struct

@@ -12,10 +12,8 @@ public readonly struct PairContacts
     /// <summary>The points, at least one.</summary>
     public readonly ContactManifold Manifold;
 
-    /// <summary>
-    /// The part of A; -1 where it is convex. What a solver knows of a point belongs to the pair, the two parts and the
-    /// point's name.
-    /// </summary>
+    /// <summary>The part of A; -1 where it is convex. What a solver knows of a point belongs to the pair, the two parts
+    /// and the point's name.</summary>
     public readonly int PartA;
 
     /// <summary>The part of B, likewise.</summary>

@@ -1,12 +1,9 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// What a frame leaves to the next one about each of its pairs: the warm start, and whether the pair was reported.
-/// </summary>
-/// <remarks>
-/// Which pairs a frame looks at depends on their bounds, which pairs it reports does not. So only the warm start of a
-/// pair that was reported may be seen in a result; see <see cref="SceneDistanceJob"/>.
-/// </remarks>
+/// <summary>What a frame leaves to the next one about each of its pairs: the warm start, and whether the pair was
+/// reported.</summary>
+/// <remarks>Which pairs a frame looks at depends on their bounds, which pairs it reports does not. So only the warm
+/// start of a pair that was reported may be seen in a result; see <see cref="SceneDistanceJob"/>.</remarks>
 internal sealed class PairWarmStarts : PairFrames
 {
     private Frame _now = new();

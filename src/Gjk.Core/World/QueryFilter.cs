@@ -1,16 +1,11 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Which objects of a <see cref="CollisionScene"/> a question sees whose shape or ray is not in the scene. Immutable;
-/// <c>default</c> sees all.
-/// </summary>
-/// <remarks>
-/// The rule is that of <see cref="ObjectSettings"/>: the question is in groups that an object's mask admits, and the
-/// object is in a group that the question's mask admits. Here, all bits set means that the half of the rule does not
-/// apply; so objects in no group, and objects whose masks are empty, are seen too unless something is said.
-/// </remarks>
+/// <summary>Which objects of a <see cref="CollisionScene"/> a question sees whose shape or ray is not in the scene.
+/// Immutable; <c>default</c> sees all.</summary>
+/// <remarks>The rule is that of <see cref="ObjectSettings"/>: the question is in groups that an object's mask admits,
+/// and the object is in a group that the question's mask admits. Here, all bits set means that the half of the rule
+/// does not apply; so objects in no group, and objects whose masks are empty, are seen too unless something is
+/// said.</remarks>
 public readonly struct QueryFilter : IEquatable<QueryFilter>
 {
     // Stored so that a default struct has the default values.
@@ -20,17 +15,15 @@ public readonly struct QueryFilter : IEquatable<QueryFilter>
     private readonly Predicate<int>? _sees;
 
     /// <summary>Makes a filter.</summary>
-    /// <param name="groups">
-    /// The groups that the question is in, one bit each; all bits: masks are not looked at.
-    /// </param>
+    /// <param name="groups">The groups that the question is in, one bit each; all bits: masks are not looked
+    /// at.</param>
     /// <param name="mask">The groups that it sees, one bit each; all bits: groups are not looked at.</param>
     /// <param name="seesStatic">Whether it sees static objects.</param>
     /// <param name="seesMoving">Whether it sees the others.</param>
     /// <param name="ignoredId">An object that it does not see, such as the one that asks; -1 for none.</param>
-    /// <param name="sees">
-    /// Says of an object, by its id, whether it is seen, if nothing else says that it is not; null: it is. It may be
-    /// called from several threads, in any order, and must not use the scene. What it throws passes through.
-    /// </param>
+    /// <param name="sees">Says of an object, by its id, whether it is seen, if nothing else says that it is not; null:
+    /// it is. It may be called from several threads, in any order, and must not use the scene. What it throws passes
+    /// through.</param>
     public QueryFilter(
         uint groups = uint.MaxValue, uint mask = uint.MaxValue, bool seesStatic = true, bool seesMoving = true,
         int ignoredId = -1, Predicate<int>? sees = null)

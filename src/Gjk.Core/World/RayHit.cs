@@ -1,10 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// An object of a scene and where a ray meets it. Immutable. Ordered by distance; at the same distance by id.
-/// </summary>
+/// <summary>An object of a scene and where a ray meets it. Immutable. Ordered by distance; at the same distance by
+/// id.</summary>
 public readonly struct RayHit : IComparable<RayHit>
 {
     /// <summary>The object, or -1 where the ray meets none.</summary>

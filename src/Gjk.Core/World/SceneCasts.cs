@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>A shape that moves through a scene.</summary>

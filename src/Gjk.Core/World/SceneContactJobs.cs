@@ -1,16 +1,7 @@
-#if NET
-using System;
-#endif
-using System.Collections.Generic;
-#if NET
-using System.Runtime.InteropServices;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Which of a scene's pairs are no further apart than a gap. Pairs that are not convex are not asked.
-/// </summary>
+/// <summary>Which of a scene's pairs are no further apart than a gap. Pairs that are not convex are not
+/// asked.</summary>
 internal readonly struct SceneWithinJob(
     SceneObjects objects, List<ObjectPair> pairs, bool[] areWithin, float maxGap) : IPartJob
 {

@@ -1,11 +1,3 @@
-#if NET
-using System;
-#endif
-using System.Collections.Generic;
-#if NET
-using System.Runtime.InteropServices;
-#endif
-
 namespace Gjk.Core;
 
 /// <summary>Which of a scene's pairs overlap; those that are not convex may be left out.</summary>
@@ -55,21 +47,18 @@ internal readonly struct SceneOverlapJob(
 }
 
 /// <summary>How far apart a scene's pairs are, from where each was in the frame before.</summary>
-/// <remarks>
-/// The bits of an answer depend on the answers that were reported for the pair, and on nothing else. A pair that was
-/// reported in the frame before begins where it ended. A pair that was not may have been looked at or not, which
-/// depends on the bounds; what it remembers is used only to see quickly that it still is too far apart, and else it
-/// begins cold. A pair that was reported and whose objects have not moved since keeps its answer.
-/// </remarks>
+/// <remarks>The bits of an answer depend on the answers that were reported for the pair, and on nothing else. A pair
+/// that was reported in the frame before begins where it ended. A pair that was not may have been looked at or not,
+/// which depends on the bounds; what it remembers is used only to see quickly that it still is too far apart, and else
+/// it begins cold. A pair that was reported and whose objects have not moved since keeps its answer.</remarks>
 internal readonly struct SceneDistanceJob(
     SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance)
     : IPartJob
 {
-    /// <summary>
-    /// Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much leaves no
-    /// doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. More costs time
-    /// only; no pair is known that needs as much (CandidateBitsTests has those that come exactly to the distance).
-    /// </summary>
+    /// <summary>Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much
+    /// leaves no doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. More
+    /// costs time only; no pair is known that needs as much (CandidateBitsTests has those that come exactly to the
+    /// distance).</summary>
     private const double ClearlyBeyond = 1e-6;
 
     public void Run(int begin, int end)

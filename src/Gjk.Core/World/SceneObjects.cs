@@ -1,12 +1,8 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The objects of a scene in arrays, ordered by id. An id is the next number ever; its slot is the same until so many
-/// objects were removed that the arrays are closed up, which keeps the order, so pairs sorted by slot are always sorted
-/// by id.
-/// </summary>
+/// <summary>The objects of a scene in arrays, ordered by id. An id is the next number ever; its slot is the same until
+/// so many objects were removed that the arrays are closed up, which keeps the order, so pairs sorted by slot are
+/// always sorted by id.</summary>
 internal sealed class SceneObjects
 {
     /// <summary>By slot.</summary>

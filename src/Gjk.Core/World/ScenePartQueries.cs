@@ -1,13 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The objects of a scene that are not convex, and the queries about them. The jobs ask the convex pairs first, for
-/// which an object that is not convex is invalid input, and then these, each with a scratch of its own.
-/// </summary>
+/// <summary>The objects of a scene that are not convex, and the queries about them. The jobs ask the convex pairs
+/// first, for which an object that is not convex is invalid input, and then these, each with a scratch of its
+/// own.</summary>
 internal sealed class ScenePartQueries(SceneObjects objects)
 {
     /// <summary>By slot; empty while all objects are convex.</summary>

@@ -1,12 +1,8 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
 /// <summary>The first object that a ray meets, of those that the broad phase shows.</summary>
-/// <remarks>
-/// Each object is asked about the whole ray, never about the part before the best one: what it answers then is what it
-/// answers alone, to the last bit.
-/// </remarks>
+/// <remarks>Each object is asked about the whole ray, never about the part before the best one: what it answers then is
+/// what it answers alone, to the last bit.</remarks>
 internal struct FirstRayHit(
     SceneObjects objects, in RayQuery ray, in QueryFilter filter, in CastOptions options) : ISweepVisitor
 {

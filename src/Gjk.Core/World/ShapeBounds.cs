@@ -1,35 +1,23 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What is known of a shape's extent in its own frame, so that its bounds in the world cost a few dozen operations at
-/// any pose: the smallest box around the core with its margin, and a ball about the box's centre.
-/// </summary>
-/// <remarks>
-/// Immutable. For those who use a broad phase alone; a <see cref="CollisionScene"/> does it by itself.
-/// </remarks>
+/// <summary>What is known of a shape's extent in its own frame, so that its bounds in the world cost a few dozen
+/// operations at any pose: the smallest box around the core with its margin, and a ball about the box's
+/// centre.</summary>
+/// <remarks>Immutable. For those who use a broad phase alone; a <see cref="CollisionScene"/> does it by
+/// itself.</remarks>
 public readonly struct ShapeBounds
 {
-    /// <summary>
-    /// Ratio to the coordinates, outward: four times float's rounding, 2^-24. One covers the bound's own rounding, one
-    /// that of a margin added to it in a broad phase, and the rest what shapes may be apart and still touch. Pinned by
-    /// ShapeBoundsTests.
-    /// </summary>
+    /// <summary>Ratio to the coordinates, outward: four times float's rounding, 2^-24. One covers the bound's own
+    /// rounding, one that of a margin added to it in a broad phase, and the rest what shapes may be apart and still
+    /// touch. Pinned by ShapeBoundsTests.</summary>
     private const double FloatSlack = 4.0 / (1 << 24);
 
-    /// <summary>
-    /// Ratio to the position and to the local centre, outward: what rounding in double does to the rotated centre, 26
-    /// roundings at most (proofs/world-bounds.g), and as much again.
-    /// </summary>
+    /// <summary>Ratio to the position and to the local centre, outward: what rounding in double does to the rotated
+    /// centre, 26 roundings at most (proofs/world-bounds.g), and as much again.</summary>
     private const double DoubleSlack = 64.0 / (1L << 53);
 
-    /// <summary>
-    /// Ratio to the ball's radius, outward: five times how far apart curved shapes still touch. Pinned by
-    /// ShapeBoundsTests.
-    /// </summary>
+    /// <summary>Ratio to the ball's radius, outward: five times how far apart curved shapes still touch. Pinned by
+    /// ShapeBoundsTests.</summary>
     private const double TouchSlack = 5 * GjkTolerances.TouchCurved;
 
     private readonly Double3 _center;
@@ -84,10 +72,8 @@ public readonly struct ShapeBounds
     /// <summary>The radius of a ball about the centre of <see cref="BoxAt"/> that holds the shape.</summary>
     internal double Radius => _radius;
 
-    /// <summary>
-    /// A box that holds the shape at a pose: the box around the turned local box, or that around the ball, whichever is
-    /// narrower along each axis; rounded outward.
-    /// </summary>
+    /// <summary>A box that holds the shape at a pose: the box around the turned local box, or that around the ball,
+    /// whichever is narrower along each axis; rounded outward.</summary>
     public Aabb BoxAt(in RigidPose pose)
     {
         var rotation = new RotationD(pose.Rotation);

@@ -1,19 +1,13 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Warm starts by pair, for questions about single pairs: an open-addressing table (Knuth, volume 3, section 6.4,
-/// algorithm L) that forgets what was not asked for in the last frame.
-/// </summary>
+/// <summary>Warm starts by pair, for questions about single pairs: an open-addressing table (Knuth, volume 3, section
+/// 6.4, algorithm L) that forgets what was not asked for in the last frame.</summary>
 internal sealed class WarmStartTable
 {
     private const int FirstCapacity = 64;
 
-    /// <summary>
-    /// Count: a table this long, 16 MB, is emptied rather than doubled; else asking for ever more pairs of a scene at
-    /// rest would fill the memory.
-    /// </summary>
+    /// <summary>Count: a table this long, 16 MB, is emptied rather than doubled; else asking for ever more pairs of a
+    /// scene at rest would fill the memory.</summary>
     private const int MaxCapacity = 1 << 18;
 
     /// <summary>2^64 divided by the golden ratio, which spreads multiples evenly (Knuth, section 6.4).</summary>

@@ -1,22 +1,15 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The box of a range of parts: along the axes, or of triangles along their spread, whichever has less surface.
-/// </summary>
-/// <remarks>
-/// A box is written in float and still holds its parts: the axes are rounded first, and the parts are then measured
-/// along the rounded axes, in double, from the rounded centre. <see cref="Outward"/> covers what double loses then and
-/// the rounding of the half side.
-/// </remarks>
+/// <summary>The box of a range of parts: along the axes, or of triangles along their spread, whichever has less
+/// surface.</summary>
+/// <remarks>A box is written in float and still holds its parts: the axes are rounded first, and the parts are then
+/// measured along the rounded axes, in double, from the rounded centre. <see cref="Outward"/> covers what double loses
+/// then and the rounding of the half side.</remarks>
 internal sealed class BoxFit
 {
-    /// <summary>
-    /// Ratio to the half side and to the radius: 2^-23, twice what rounding to float takes; double's own errors, below
-    /// 2^-49 of the radius, vanish in the rest. Less would lose a part's corner, as BoxLanesTests shows; four times as
-    /// much costs time only.
-    /// </summary>
+    /// <summary>Ratio to the half side and to the radius: 2^-23, twice what rounding to float takes; double's own
+    /// errors, below 2^-49 of the radius, vanish in the rest. Less would lose a part's corner, as BoxLanesTests shows;
+    /// four times as much costs time only.</summary>
     private const double Outward = 1.0 / (1 << 23);
 
     /// <summary>Ratio to the origin's distance: 2^-50, eight times what measuring from it rounds away.</summary>

@@ -1,14 +1,11 @@
-using System.Numerics;
 #if NET
-using System.Runtime.CompilerServices;
 using Floats = System.Runtime.Intrinsics.Vector256<float>;
 #endif
 
 namespace Gjk.Core;
 
-/// <summary>
-/// The eight boxes of a node against one box: lower bounds of the distances, and of the ways until they meet.
-/// </summary>
+/// <summary>The eight boxes of a node against one box: lower bounds of the distances, and of the ways until they
+/// meet.</summary>
 /// <remarks>
 /// Idea: the gap between two boxes along any direction is no more than their distance, and the gaps along the three
 /// axes of one box make a bound together, by Pythagoras (Gottschalk, Lin and Manocha, "OBBTree", 1996; Larsen et al.,
@@ -101,13 +98,10 @@ internal static unsafe class BoxLanes
         }
     }
 
-    /// <summary>
-    /// Lower bounds of the ways along which a box moves until it meets the eight boxes; +infinity where it does not.
-    /// </summary>
-    /// <remarks>
-    /// Along each axis of a node's box the gap is closed at no more than the way's own part along it, and a box that
-    /// has passed stays behind it. Both speeds are widened by <see cref="SpeedError"/>.
-    /// </remarks>
+    /// <summary>Lower bounds of the ways along which a box moves until it meets the eight boxes; +infinity where it
+    /// does not.</summary>
+    /// <remarks>Along each axis of a node's box the gap is closed at no more than the way's own part along it, and a
+    /// box that has passed stays behind it. Both speeds are widened by <see cref="SpeedError"/>.</remarks>
     /// <param name="node">The node's boxes.</param>
     /// <param name="factor">Pair units per tree unit.</param>
     /// <param name="q">The box at the start, in the node's frame and pair units.</param>
@@ -159,10 +153,8 @@ internal static unsafe class BoxLanes
         }
     }
 
-    /// <summary>
-    /// Ratio: 16 u. The rounding of a unit vector, u, its product with an axis, 3 u, and that the axis itself is off
-    /// by 4 u. Pinned by BoxLanesTests.
-    /// </summary>
+    /// <summary>Ratio: 16 u. The rounding of a unit vector, u, its product with an axis, 3 u, and that the axis itself
+    /// is off by 4 u. Pinned by BoxLanesTests.</summary>
     private const float SpeedError = 16f / (1 << 24);
 
     /// <summary>Ratios: 8 u, for a quotient and a product with this.</summary>

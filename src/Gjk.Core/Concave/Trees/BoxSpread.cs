@@ -1,14 +1,9 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How the surfaces of triangles are spread: the moments of area about a point, and the axes along which they spread
-/// most and least (Gottschalk, Lin and Manocha, "OBBTree", 1996).
-/// </summary>
-/// <remarks>
-/// It only proposes axes: whatever they are, the box along them is measured from the corners themselves.
-/// </remarks>
+/// <summary>How the surfaces of triangles are spread: the moments of area about a point, and the axes along which they
+/// spread most and least (Gottschalk, Lin and Manocha, "OBBTree", 1996).</summary>
+/// <remarks>It only proposes axes: whatever they are, the box along them is measured from the corners
+/// themselves.</remarks>
 internal struct BoxSpread
 {
     /// <summary>Count: each sweep of rotations doubles the digits, so eight are more than enough.</summary>

@@ -1,20 +1,14 @@
-using System.Runtime.CompilerServices;
 #if NET
-using System.Runtime.Intrinsics;
 using Floats = System.Runtime.Intrinsics.Vector256<float>;
-#else
-using System;
 #endif
 
 namespace Gjk.Core;
 
 #if !NET
 /// <summary>One lane, where there is no wide register. Each operation is rounded to float, as in a register.</summary>
-internal readonly struct Floats
+internal readonly struct Floats(float value)
 {
-    public readonly float Value;
-
-    public Floats(float value) => Value = value;
+    public readonly float Value = value;
 
     // The square of 24 bits fits into 53, so that double and then float rounds as float alone.
     public static Floats operator +(Floats a, Floats b) => new((float)((double)a.Value + b.Value));
@@ -27,10 +21,8 @@ internal readonly struct Floats
 }
 #endif
 
-/// <summary>
-/// The arithmetic that prunes: eight floats at once in .NET, one after another in the netstandard builds. Nothing is
-/// fused and every step is rounded to float, so that the lanes are the same bits everywhere.
-/// </summary>
+/// <summary>The arithmetic that prunes: eight floats at once in .NET, one after another in the netstandard builds.
+/// Nothing is fused and every step is rounded to float, so that the lanes are the same bits everywhere.</summary>
 internal static unsafe class FloatLanes
 {
 #if NET

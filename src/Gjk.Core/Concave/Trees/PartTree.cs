@@ -1,14 +1,11 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// A tree over the parts of a shape: nodes of eight oriented boxes in float, leaves of a few parts. Each box holds its
-/// parts for certain: a part's points p have |(p - centre) · axis| &lt;= half side along each of the three axes as they
-/// are stored, which are perpendicular and of unit length but for float's rounding.
-/// </summary>
-/// <remarks>
-/// Lengths are in units of a power of two, and measured from <see cref="Origin"/>, so that no square of one leaves the
-/// range of float. Lane 0 of node 0 is the whole. Immutable once built, but for the tree of a single part.
-/// </remarks>
+/// <summary>A tree over the parts of a shape: nodes of eight oriented boxes in float, leaves of a few parts. Each box
+/// holds its parts for certain: a part's points p have |(p - centre) · axis| &lt;= half side along each of the three
+/// axes as they are stored, which are perpendicular and of unit length but for float's rounding.</summary>
+/// <remarks>Lengths are in units of a power of two, and measured from <see cref="Origin"/>, so that no square of one
+/// leaves the range of float. Lane 0 of node 0 is the whole. Immutable once built, but for the tree of a single
+/// part.</remarks>
 internal sealed class PartTree
 {
     /// <summary>How many boxes a node has.</summary>

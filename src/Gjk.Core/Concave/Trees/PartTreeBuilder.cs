@@ -1,18 +1,12 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Builds a <see cref="PartTree"/> from the top: a range of parts is halved, the one with the largest surface times
-/// count first, until a node has eight. A cut is where surface times count is least, of 16 bins along the longest axis
-/// of the middles (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
-/// </summary>
-/// <remarks>
-/// Cost: each level looks at each part a few times. Bins say nothing about equal middles, and about some sequences
-/// split off one part at a time; below <see cref="MostUneven"/> levels ranges are halved by their count, so that the
-/// depth is at most that and the logarithm of the count.
-/// Everything that decides is double, so that the tree is the same on every target.
-/// </remarks>
+/// <summary>Builds a <see cref="PartTree"/> from the top: a range of parts is halved, the one with the largest surface
+/// times count first, until a node has eight. A cut is where surface times count is least, of 16 bins along the longest
+/// axis of the middles (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).</summary>
+/// <remarks>Cost: each level looks at each part a few times. Bins say nothing about equal middles, and about some
+/// sequences split off one part at a time; below <see cref="MostUneven"/> levels ranges are halved by their count, so
+/// that the depth is at most that and the logarithm of the count. Everything that decides is double, so that the tree
+/// is the same on every target.</remarks>
 internal sealed class PartTreeBuilder
 {
     private const int Bins = 16;
@@ -95,10 +89,8 @@ internal sealed class PartTreeBuilder
         _children[node * PartTree.Lanes + lane] = child;
     }
 
-    /// <summary>
-    /// A node over a range, which is cut until there are eight parts of it, or until what is left fills a node each: a
-    /// node with few boxes takes as much memory as a full one.
-    /// </summary>
+    /// <summary>A node over a range, which is cut until there are eight parts of it, or until what is left fills a node
+    /// each: a node with few boxes takes as much memory as a full one.</summary>
     private int Split(int begin, int end, int depth)
     {
         int[] starts = new int[PartTree.Lanes], ends = new int[PartTree.Lanes];

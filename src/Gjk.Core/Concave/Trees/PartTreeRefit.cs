@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Fits a tree to parts that have moved: the same leaves and nodes, with new boxes.</summary>

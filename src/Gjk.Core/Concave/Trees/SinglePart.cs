@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>Writes the tree of one part, which a convex shape is to the searches.</summary>

@@ -1,19 +1,12 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii and the
-/// distance of the trees' origins, so that all lengths in it are a few units at most.
-/// </summary>
+/// <summary>Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii
+/// and the distance of the trees' origins, so that all lengths in it are a few units at most.</summary>
 internal struct TreeFrame
 {
-    /// <summary>
-    /// Ratio to the radii and the distance of the origins: 2^-18, 64 units of u = 2^-24. What float's rounding does to
-    /// a bound of <see cref="BoxLanes"/> is no more than that; its header counts. Pinned by BoxLanesTests.
-    /// </summary>
+    /// <summary>Ratio to the radii and the distance of the origins: 2^-18, 64 units of u = 2^-24. What float's rounding
+    /// does to a bound of <see cref="BoxLanes"/> is no more than that; its header counts. Pinned by
+    /// BoxLanesTests.</summary>
     public const float Slack = 1f / (1 << 18);
 
     /// <summary>Ratio to the positions: 2^-45; double rounds less away where trees lie far from poses.</summary>

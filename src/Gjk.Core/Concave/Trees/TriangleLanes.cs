@@ -1,5 +1,4 @@
 #if NET
-using System.Runtime.CompilerServices;
 using Floats = System.Runtime.Intrinsics.Vector256<float>;
 #endif
 
@@ -42,18 +41,15 @@ internal readonly struct Lanes3
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 }
 
-/// <summary>
-/// Eight pairs of triangles: how far apart they seem, and a bound below which they are not. An edge of one and an edge
-/// of the other (9), a corner over the inside of the other (6): Ericson, "Real-Time Collision Detection", 5.1.9.
-/// </summary>
-/// <remarks>
-/// What is found only proposes a direction. The bound is the gap between the two planes across it that the corners
-/// leave, so that it holds however the direction was found; pairs that pierce each other have none.
-/// Rounding, with u = 2^-24, M the largest coordinate and |w| the sum of the direction's: a corner is rounded by u M in
-/// each coordinate, its product with w by 3 u M |w|; both corners' by 8 u M |w|, their difference by 2 u M |w| more.
-/// <see cref="CornerError"/> is 16 u. The square, the squared length and the quotient take 6 u, which
-/// <see cref="BoxLanes.Squared"/> has room for. What underflows before is far below the room, 2^-45 of the sizes.
-/// </remarks>
+/// <summary>Eight pairs of triangles: how far apart they seem, and a bound below which they are not. An edge of one and
+/// an edge of the other (9), a corner over the inside of the other (6): Ericson, "Real-Time Collision Detection",
+/// 5.1.9.</summary>
+/// <remarks>What is found only proposes a direction. The bound is the gap between the two planes across it that the
+/// corners leave, so that it holds however the direction was found; pairs that pierce each other have none. Rounding,
+/// with u = 2^-24, M the largest coordinate and |w| the sum of the direction's: a corner is rounded by u M in each
+/// coordinate, its product with w by 3 u M |w|; both corners' by 8 u M |w|, their difference by 2 u M |w| more. <see
+/// cref="CornerError"/> is 16 u. The square, the squared length and the quotient take 6 u, which <see
+/// cref="BoxLanes.Squared"/> has room for. What underflows before is far below the room, 2^-45 of the sizes.</remarks>
 internal static unsafe class TriangleLanes
 {
     /// <summary>Floats of eight triangles: x, y and z of each corner, eight each.</summary>

@@ -1,13 +1,9 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// SHA-256 (FIPS 180-4) of a cloud: of all coordinates as floats, lowest byte first on every machine.
-/// </summary>
-/// <remarks>
-/// The runtime's own is no choice: on Linux it is OpenSSL's, and a program ends at once where that is not installed.
-/// </remarks>
+/// <summary>SHA-256 (FIPS 180-4) of a cloud: of all coordinates as floats, lowest byte first on every
+/// machine.</summary>
+/// <remarks>The runtime's own is no choice: on Linux it is OpenSSL's, and a program ends at once where that is not
+/// installed.</remarks>
 internal sealed class CloudDigest
 {
     private const int BlockWords = 16, Rounds = 64;

@@ -1,16 +1,10 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// From distinct points to their hull: finds out whether they span a point, a segment, a polygon or a solid, and
-/// calls the method for it.
-/// </summary>
-/// <remarks>
-/// Rounded measures choose good starting points (far apart), exact predicates decide what they span. So a cloud that
-/// is flat but for one bit is a solid, and a cloud that is exactly flat is a polygon. Not thread-safe: one per build.
-/// </remarks>
+/// <summary>From distinct points to their hull: finds out whether they span a point, a segment, a polygon or a solid,
+/// and calls the method for it.</summary>
+/// <remarks>Rounded measures choose good starting points (far apart), exact predicates decide what they span. So a
+/// cloud that is flat but for one bit is a solid, and a cloud that is exactly flat is a polygon. Not thread-safe: one
+/// per build.</remarks>
 internal sealed class ConvexHullBuilder
 {
     private readonly Vector3[] _points;
@@ -54,19 +48,16 @@ internal sealed class ConvexHullBuilder
         return HullFacets.Build(surface, _points.Length);
     }
 
-    /// <summary>
-    /// On a line the lexicographic order is the order along it, so the ends are its first and its last.
-    /// </summary>
+    /// <summary>On a line the lexicographic order is the order along it, so the ends are its first and its
+    /// last.</summary>
     private HullMesh Segment(int first)
     {
         int last = FirstInLexicographicOrder(-1);
         return new HullMesh(1, [Math.Min(first, last), Math.Max(first, last)], [], _points.Length);
     }
 
-    /// <summary>
-    /// Projects along an axis that is not parallel to the plane; there is one, because the three points are not on a
-    /// line.
-    /// </summary>
+    /// <summary>Projects along an axis that is not parallel to the plane; there is one, because the three points are
+    /// not on a line.</summary>
     private HullMesh Polygon(int a, int b, int c)
     {
         int axis = 0;

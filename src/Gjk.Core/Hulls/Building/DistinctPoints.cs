@@ -1,24 +1,14 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A cloud without repeats, in the order of first occurrence. Two points are the same when their coordinates are equal;
-/// -0 equals 0 and is kept as 0.
-/// </summary>
-/// <remarks>
-/// A hash table finds the repeats. Its hash is public, so points can be made that collide; therefore the steps along
-/// the table are counted, and the points are sorted instead when there are too many. The result is the same, and the
-/// time is n log n at most.
-/// </remarks>
+/// <summary>A cloud without repeats, in the order of first occurrence. Two points are the same when their coordinates
+/// are equal; -0 equals 0 and is kept as 0.</summary>
+/// <remarks>A hash table finds the repeats. Its hash is public, so points can be made that collide; therefore the steps
+/// along the table are counted, and the points are sorted instead when there are too many. The result is the same, and
+/// the time is n log n at most.</remarks>
 internal sealed class DistinctPoints
 {
-    /// <summary>
-    /// Steps along the table per point, on average, after which the points are sorted. A half full table needs less
-    /// than one for points that were not made to collide. Pinned by HullCostTests.
-    /// </summary>
+    /// <summary>Steps along the table per point, on average, after which the points are sorted. A half full table needs
+    /// less than one for points that were not made to collide. Pinned by HullCostTests.</summary>
     private const int MostSteps = 16;
 
     /// <summary>The points, each once.</summary>
@@ -97,10 +87,8 @@ internal sealed class DistinctPoints
     private static Vector3 WithoutNegativeZeros(Vector3 p) =>
         new(p.X == 0 ? 0 : p.X, p.Y == 0 ? 0 : p.Y, p.Z == 0 ? 0 : p.Z);
 
-    /// <summary>
-    /// Multiplications by odd constants and shifts spread lattices, whose coordinates differ in few high bits, over
-    /// the low bits.
-    /// </summary>
+    /// <summary>Multiplications by odd constants and shifts spread lattices, whose coordinates differ in few high bits,
+    /// over the low bits.</summary>
     private static uint Hash(Vector3 p)
     {
         unchecked

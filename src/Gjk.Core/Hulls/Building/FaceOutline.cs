@@ -1,12 +1,7 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The convex outline of a face's corners, seen along its normal (Andrew 1979: lower and upper chain of the corners in
-/// the order of one coordinate).
-/// </summary>
+/// <summary>The convex outline of a face's corners, seen along its normal (Andrew 1979: lower and upper chain of the
+/// corners in the order of one coordinate).</summary>
 internal sealed class FaceOutline
 {
     private readonly Vector3[] _points;
@@ -71,16 +66,9 @@ internal sealed class FaceOutline
     private static bool TurnsLeft(in Corner a, in Corner b, in Corner c) =>
         (b.U - a.U) * (c.V - b.V) > (b.V - a.V) * (c.U - b.U);
 
-    private readonly struct Corner
+    private readonly struct Corner(double u, double v, int id)
     {
-        public readonly double U, V;
-        public readonly int Id;
-
-        public Corner(double u, double v, int id)
-        {
-            U = u;
-            V = v;
-            Id = id;
-        }
+        public readonly double U = u, V = v;
+        public readonly int Id = id;
     }
 }

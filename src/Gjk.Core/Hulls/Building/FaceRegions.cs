@@ -1,36 +1,24 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>Joins the triangles of a hull that lie in one plane, to within rounding, to convex polygons.</summary>
-/// <remarks>
-/// A region begins with the largest triangle that is left, whose plane is the best known, and grows over edges as long
-/// as the corners lie in that plane. Its polygon is the outline of its corners seen along the normal.
-/// </remarks>
+/// <remarks>A region begins with the largest triangle that is left, whose plane is the best known, and grows over edges
+/// as long as the corners lie in that plane. Its polygon is the outline of its corners seen along the normal.</remarks>
 internal sealed class FaceRegions
 {
-    /// <summary>
-    /// Length, as a fraction of the hull's size: how far beside a region's plane a corner may lie. Corners that a
-    /// program rounded to float lie within 1e-7; what is joined beyond that is a bump no higher than the contact points
-    /// are meant to be exact. Pinned by HullFacesTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the hull's size: how far beside a region's plane a corner may lie. Corners
+    /// that a program rounded to float lie within 1e-7; what is joined beyond that is a bump no higher than the contact
+    /// points are meant to be exact. Pinned by HullFacesTests.</summary>
     private const double Flatness = 1e-6;
 
-    /// <summary>
-    /// Cosine: what is tilted by more, some 8 degrees, is another face, however thin the hull is. Pinned by
-    /// HullFacesTests.
-    /// </summary>
+    /// <summary>Cosine: what is tilted by more, some 8 degrees, is another face, however thin the hull is. Pinned by
+    /// HullFacesTests.</summary>
     private const double SameSide = 0.99;
 
     public readonly int[] FaceStart, Corners, VertexStart, VertexFaces;
     public readonly Double3[] Normals;
 
-    /// <summary>
-    /// Ratio to a coordinate: 2^-23, twice its rounding to float, which far from the local origin is what is left of
-    /// flatness. Pinned by HullFacesTests.
-    /// </summary>
+    /// <summary>Ratio to a coordinate: 2^-23, twice its rounding to float, which far from the local origin is what is
+    /// left of flatness. Pinned by HullFacesTests.</summary>
     private const double FloatRounding = 1.0 / (1 << 23);
 
     private const int None = -1;
@@ -131,10 +119,8 @@ internal sealed class FaceRegions
         }
     }
 
-    /// <summary>
-    /// The triangles on the other side of an edge, which run along it the other way: one of a solid, of a flat hull the
-    /// one beside it and one on its back.
-    /// </summary>
+    /// <summary>The triangles on the other side of an edge, which run along it the other way: one of a solid, of a flat
+    /// hull the one beside it and one on its back.</summary>
     private void CollectBeyond(int triangle, int edge)
     {
         _beyond.Clear();

@@ -1,16 +1,12 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Which corners share an edge of a triangle: the lists of neighbours in one array, each list ascending.
-/// </summary>
+/// <summary>Which corners share an edge of a triangle: the lists of neighbours in one array, each list
+/// ascending.</summary>
 internal static class HullAdjacency
 {
     /// <param name="mesh">Corners and triangles.</param>
-    /// <param name="start">
-    /// The neighbours of corner i are those from start[i] up to, not including, start[i + 1].
-    /// </param>
+    /// <param name="start">The neighbours of corner i are those from start[i] up to, not including, start[i +
+    /// 1].</param>
     /// <param name="neighbors">All lists, one after the other.</param>
     public static void Build(HullMesh mesh, out int[] start, out int[] neighbors)
     {

@@ -1,11 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The sign of the volume that four points span, for the points on which a plane's rounded test cannot tell. Exact.
-/// </summary>
+/// <summary>The sign of the volume that four points span, for the points on which a plane's rounded test cannot tell.
+/// Exact.</summary>
 /// <remarks>
 /// Four stages, each asked only where the one before cannot tell:
 /// 1. double, with an error bound of these four points, not of the whole cloud;
@@ -19,18 +15,14 @@ namespace Gjk.Core;
 /// </remarks>
 internal sealed class HullDeterminant
 {
-    /// <summary>
-    /// Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term suffers: 3 for the three
-    /// differences, 2 for the products, 3 for the sums, 8 u in all; 16 u leaves room for second orders and for the
-    /// rounding of the bound itself (proofs/hull-plane.g). Pinned by HullPredicatesTests.
-    /// </summary>
+    /// <summary>Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term suffers: 3 for the
+    /// three differences, 2 for the products, 3 for the sums, 8 u in all; 16 u leaves room for second orders and for
+    /// the rounding of the bound itself (proofs/hull-plane.g). Pinned by HullPredicatesTests.</summary>
     private const double ErrorFactor = 16.0 / (1L << 53);
 
-    /// <summary>
-    /// As above, in double-double. In units of 2^-106 a product suffers 7 (proofs/extended-product.g) and a sum 3, so a
-    /// term 7 + 3 + 7 + 3 + 3 = 23; 128 leaves room for what those figures leave out, and for the rounding of the bound
-    /// itself (proofs/hull-extended.g).
-    /// </summary>
+    /// <summary>As above, in double-double. In units of 2^-106 a product suffers 7 (proofs/extended-product.g) and a
+    /// sum 3, so a term 7 + 3 + 7 + 3 + 3 = 23; 128 leaves room for what those figures leave out, and for the rounding
+    /// of the bound itself (proofs/hull-extended.g).</summary>
     private const double ExtendedErrorFactor = 128.0 / (1L << 53) / (1L << 53);
 
     private readonly ExactSum _sum = new();
@@ -41,10 +33,8 @@ internal sealed class HullDeterminant
     /// <summary>How many of them had to be summed exactly.</summary>
     public long SumCount { get; private set; }
 
-    /// <summary>
-    /// 1 when p is strictly above the plane through a, b and c, seen from where they are counter-clockwise; 0 in it, -1
-    /// below.
-    /// </summary>
+    /// <summary>1 when p is strictly above the plane through a, b and c, seen from where they are counter-clockwise; 0
+    /// in it, -1 below.</summary>
     public int Sign(in Vector3 a, in Vector3 b, in Vector3 c, in Vector3 p)
     {
         Count++;
@@ -93,10 +83,8 @@ internal sealed class HullDeterminant
         Add(-a, b, c);
     }
 
-    /// <summary>
-    /// Adds the determinant with rows p, q, r, whose components are floats, or differences of floats that need no
-    /// rounding.
-    /// </summary>
+    /// <summary>Adds the determinant with rows p, q, r, whose components are floats, or differences of floats that need
+    /// no rounding.</summary>
     private void Add(in Double3 p, in Double3 q, in Double3 r)
     {
         _sum.AddProduct(p.X, q.Y, r.Z);

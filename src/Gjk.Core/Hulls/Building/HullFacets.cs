@@ -1,17 +1,11 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Joins the coplanar triangles of a solid hull into facets, leaves out what is not a strict corner, and cuts the
-/// facets into triangles again.
-/// </summary>
-/// <remarks>
-/// An edge is sharp when the faces on both sides are not coplanar. Sharp edges are the edges of the polytope, or
-/// pieces of them, so a vertex with none lies inside a facet, with two it lies on an edge between two others, and
+/// <summary>Joins the coplanar triangles of a solid hull into facets, leaves out what is not a strict corner, and cuts
+/// the facets into triangles again.</summary>
+/// <remarks>An edge is sharp when the faces on both sides are not coplanar. Sharp edges are the edges of the polytope,
+/// or pieces of them, so a vertex with none lies inside a facet, with two it lies on an edge between two others, and
 /// with three or more it is a strict corner. The sharp edges around a facet are one loop, because a facet is convex;
-/// without the points that are no corners the loop is a strictly convex polygon.
-/// </remarks>
+/// without the points that are no corners the loop is a strictly convex polygon.</remarks>
 internal static class HullFacets
 {
     private const int SharpEdgesOfCorner = 3;

@@ -1,11 +1,7 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Grows a hull by one point at a time, in any order. Keeps, for every point outside, one face that the point is above.
-/// </summary>
+/// <summary>Grows a hull by one point at a time, in any order. Keeps, for every point outside, one face that the point
+/// is above.</summary>
 /// <remarks>
 /// Every face has a list of points strictly above it. The faces strictly below a new point are a connected patch,
 /// found by a walk over neighbours. The patch is replaced by the cone from its border (the horizon) to the point. The
@@ -45,16 +41,12 @@ internal sealed class HullGrowth
         public int Next;
     }
 
-    /// <summary>
-    /// Faces. A cone of up to this many is searched from end to end, which is faster than a walk. Any number is
-    /// correct; it bounds the tests per point and step. Pinned by HullCostTests.
-    /// </summary>
+    /// <summary>Faces. A cone of up to this many is searched from end to end, which is faster than a walk. Any number
+    /// is correct; it bounds the tests per point and step. Pinned by HullCostTests.</summary>
     private const int ScanLimit = 16;
 
-    /// <summary>
-    /// In tests that double decides: the time that a determinant and an exact sum take. Measured, to a factor of two.
-    /// They only say when the order is changed.
-    /// </summary>
+    /// <summary>In tests that double decides: the time that a determinant and an exact sum take. Measured, to a factor
+    /// of two. They only say when the order is changed.</summary>
     private const int DeterminantWork = 8, SumWork = 64;
 
     private const int None = -1;
@@ -93,9 +85,8 @@ internal sealed class HullGrowth
     /// <summary>The faces that the last step added.</summary>
     public List<int> NewFaces => _cone;
 
-    /// <summary>
-    /// The work done so far, in tests of a point against a plane. A test counts for more where double could not tell.
-    /// </summary>
+    /// <summary>The work done so far, in tests of a point against a plane. A test counts for more where double could
+    /// not tell.</summary>
     public long Work => _tests
         + DeterminantWork * (_determinant.Count - _determinantsBefore)
         + SumWork * (_determinant.SumCount - _sumsBefore);
@@ -186,10 +177,8 @@ internal sealed class HullGrowth
         foreach (int face in _cone) Surface.Link(3 * face + 1, 3 * _coneFaceFrom[Surface.Origin(3 * face + 1)] + 2);
     }
 
-    /// <summary>
-    /// Lists a point with some new face that is strictly below it, if there is one. Walks over the faces of the patch
-    /// that the point sees, from one of them to the horizon.
-    /// </summary>
+    /// <summary>Lists a point with some new face that is strictly below it, if there is one. Walks over the faces of
+    /// the patch that the point sees, from one of them to the horizon.</summary>
     private void ListByWalk(int point, int start)
     {
         HullSurface.Face[] faces = Surface.Faces;

@@ -1,9 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// What building a hull yields: the strict corners in the order of first occurrence, and a closed surface of triangles
-/// over them.
-/// </summary>
+/// <summary>What building a hull yields: the strict corners in the order of first occurrence, and a closed surface of
+/// triangles over them.</summary>
 internal sealed class HullMesh
 {
     /// <summary>0 point, 1 segment, 2 flat polygon, 3 solid.</summary>
@@ -12,10 +10,8 @@ internal sealed class HullMesh
     /// <summary>Indices into the distinct points, ascending.</summary>
     public readonly int[] Corners;
 
-    /// <summary>
-    /// Three corner numbers (not point indices) a triangle, counter-clockwise seen from outside; empty below dimension
-    /// 2.
-    /// </summary>
+    /// <summary>Three corner numbers (not point indices) a triangle, counter-clockwise seen from outside; empty below
+    /// dimension 2.</summary>
     public readonly int[] Triangles;
 
     /// <param name="dimension">0 to 3.</param>

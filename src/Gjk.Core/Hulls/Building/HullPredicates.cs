@@ -1,41 +1,26 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// On which side of a line or a plane does a point of the cloud lie? The answers are exact for every finite float,
-/// denormal or huge.
-/// </summary>
-/// <remarks>
-/// A test against a plane is done in double first. The error bound belongs to the plane and holds for the whole
-/// cloud, so a test costs three products.
-/// <see cref="HullDeterminant"/> decides where double cannot tell. On a coarse lattice (<see
-/// cref="IsCoarseLattice"/>) determinants are exact in double: grids, where every other test is an exact zero, cost
-/// no more than random points. Not thread-safe: one per build.
-/// </remarks>
+/// <summary>On which side of a line or a plane does a point of the cloud lie? The answers are exact for every finite
+/// float, denormal or huge.</summary>
+/// <remarks>A test against a plane is done in double first. The error bound belongs to the plane and holds for the
+/// whole cloud, so a test costs three products. <see cref="HullDeterminant"/> decides where double cannot tell. On a
+/// coarse lattice (<see cref="IsCoarseLattice"/>) determinants are exact in double: grids, where every other test is an
+/// exact zero, cost no more than random points. Not thread-safe: one per build.</remarks>
 internal sealed class HullPredicates
 {
-    /// <summary>
-    /// Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term of the height suffers: 2 for
-    /// the two differences of the normal, 1 for their product, 1 for the subtraction, 1 for the difference p - A, 1 for
-    /// the product, 2 for the sum, 8 u in all; 16 u leaves room for second orders and for the rounding of the bound
-    /// itself (proofs/hull-plane.g). Pinned by HullPredicatesTests, which asks for exact answers on nearly flat
-    /// quadruples.
-    /// </summary>
+    /// <summary>Relative to the sum of the magnitudes of the terms. In units of u = 2^-53 a term of the height suffers:
+    /// 2 for the two differences of the normal, 1 for their product, 1 for the subtraction, 1 for the difference p - A,
+    /// 1 for the product, 2 for the sum, 8 u in all; 16 u leaves room for second orders and for the rounding of the
+    /// bound itself (proofs/hull-plane.g). Pinned by HullPredicatesTests, which asks for exact answers on nearly flat
+    /// quadruples.</summary>
     private const double PlaneErrorFactor = 16.0 / (1L << 53);
 
-    /// <summary>
-    /// As above, for the two products of a planar test: 4 u is proved enough (3 u + 16 u^2 in Shewchuk 1997; with
-    /// the differences of doubles proofs/hull-line.g), 8 u leaves room.
-    /// </summary>
+    /// <summary>As above, for the two products of a planar test: 4 u is proved enough (3 u + 16 u^2 in Shewchuk 1997;
+    /// with the differences of doubles proofs/hull-line.g), 8 u leaves room.</summary>
     private const double LineErrorFactor = 8.0 / (1L << 53);
 
-    /// <summary>
-    /// A determinant of differences up to 2^16 units is below 6 * 2^48 &lt; 2^53, so that every step of it is exact
-    /// in double.
-    /// </summary>
+    /// <summary>A determinant of differences up to 2^16 units is below 6 * 2^48 &lt; 2^53, so that every step of it is
+    /// exact in double.</summary>
     private const double CoarseLatticeSteps = 1 << 16;
 
     private readonly Vector3[] _points;
@@ -84,10 +69,8 @@ internal sealed class HullPredicates
         };
     }
 
-    /// <summary>
-    /// 1 strictly above the plane, 0 in it, -1 below. The height, by the length of the normal, is rounded and only
-    /// good for comparing.
-    /// </summary>
+    /// <summary>1 strictly above the plane, 0 in it, -1 below. The height, by the length of the normal, is rounded and
+    /// only good for comparing.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Side(in HullPlane plane, int point, out double height)
     {
@@ -100,9 +83,8 @@ internal sealed class HullPredicates
         return _exactInDouble ? 0 : Determinant.Sign(_points[plane.A], _points[plane.B], _points[plane.C], p);
     }
 
-    /// <summary>
-    /// 1 when c lies to the left of the line from a to b in the plane of two axes, 0 on it, -1 to the right.
-    /// </summary>
+    /// <summary>1 when c lies to the left of the line from a to b in the plane of two axes, 0 on it, -1 to the
+    /// right.</summary>
     public int Turn(int a, int b, int c, int axisU, int axisV)
     {
         double au = Coordinate(a, axisU), av = Coordinate(a, axisV);
@@ -134,9 +116,8 @@ internal sealed class HullPredicates
         _ => _points[point].Z,
     };
 
-    /// <summary>
-    /// True when all coordinates are multiples of one power of two that fits into the extent at most 2^16 times.
-    /// </summary>
+    /// <summary>True when all coordinates are multiples of one power of two that fits into the extent at most 2^16
+    /// times.</summary>
     private static bool IsCoarseLattice(Vector3[] points, double extent)
     {
         // The smallest power of two with which the extent is short enough: multiples of a larger one are multiples of

@@ -1,16 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A closed surface of triangles, which can be removed and added. Holds the faces' planes and their half-edges.
-/// </summary>
-/// <remarks>
-/// Half-edge 3 f + e is edge e of face f. It leads from its origin to the origin of the face's next half-edge.
-/// Not thread-safe: one per build.
-/// </remarks>
+/// <summary>A closed surface of triangles, which can be removed and added. Holds the faces' planes and their
+/// half-edges.</summary>
+/// <remarks>Half-edge 3 f + e is edge e of face f. It leads from its origin to the origin of the face's next half-edge.
+/// Not thread-safe: one per build.</remarks>
 internal sealed class HullSurface
 {
     public struct Face

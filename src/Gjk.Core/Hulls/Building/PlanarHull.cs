@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The hull of points that lie in one plane: a strictly convex polygon, its triangles once for each side.
-/// </summary>
-/// <remarks>
-/// Andrew's monotone chain (1979) in a projection along a coordinate axis. Dropping a coordinate keeps a plane's
-/// incidences as long as the plane is not parallel to that axis, and the projected coordinates are the given floats, so
-/// exact turns in the projection are exact turns in the plane.
-/// </remarks>
+/// <summary>The hull of points that lie in one plane: a strictly convex polygon, its triangles once for each
+/// side.</summary>
+/// <remarks>Andrew's monotone chain (1979) in a projection along a coordinate axis. Dropping a coordinate keeps a
+/// plane's incidences as long as the plane is not parallel to that axis, and the projected coordinates are the given
+/// floats, so exact turns in the projection are exact turns in the plane.</remarks>
 internal static class PlanarHull
 {
     /// <param name="predicates">Of the distinct points.</param>
@@ -37,9 +31,8 @@ internal static class PlanarHull
         return new HullMesh(2, corners, BothSides(loop), count);
     }
 
-    /// <summary>
-    /// The half of the polygon to the right of the way from the first point to the last, the last left out.
-    /// </summary>
+    /// <summary>The half of the polygon to the right of the way from the first point to the last, the last left
+    /// out.</summary>
     private static void AppendChain(HullPredicates predicates, int[] order, int axisU, int axisV, List<int> loop)
     {
         int start = loop.Count;

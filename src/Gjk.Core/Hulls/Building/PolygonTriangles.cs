@@ -1,13 +1,9 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
 /// <summary>Cuts a strictly convex polygon into triangles.</summary>
-/// <remarks>
-/// Every other corner is cut off, then every other one of those that remain, and so on. A fan would do, but its centre
-/// would neighbour all corners; here no corner has more than two neighbours per round, and a walk over the edges
-/// reaches any corner in a logarithmic number of steps.
-/// </remarks>
+/// <remarks>Every other corner is cut off, then every other one of those that remain, and so on. A fan would do, but
+/// its centre would neighbour all corners; here no corner has more than two neighbours per round, and a walk over the
+/// edges reaches any corner in a logarithmic number of steps.</remarks>
 internal static class PolygonTriangles
 {
     /// <summary>Appends n - 2 triangles with the polygon's sense of rotation. The loop is consumed.</summary>

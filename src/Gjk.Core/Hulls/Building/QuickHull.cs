@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The hull of a cloud that spans space. Adds the point furthest above some face next, which suits ordinary clouds.
-/// If that takes too long, begins again in a random order, which suits every cloud.
-/// </summary>
+/// <summary>The hull of a cloud that spans space. Adds the point furthest above some face next, which suits ordinary
+/// clouds. If that takes too long, begins again in a random order, which suits every cloud.</summary>
 /// <remarks>
 /// Any order gives the same hull (<see cref="HullGrowth"/>). The order decides about the time, and about how coplanar
 /// faces are cut before they are joined.
@@ -24,18 +20,14 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class QuickHull
 {
-    /// <summary>
-    /// Units of <see cref="HullGrowth.Work"/> per point and log2 n, after which the order is changed. Random points
-    /// on a sphere need 4, prisms 8, a log spiral of 10^4 points 260. Pinned by HullCostTests.
-    /// </summary>
+    /// <summary>Units of <see cref="HullGrowth.Work"/> per point and log2 n, after which the order is changed. Random
+    /// points on a sphere need 4, prisms 8, a log spiral of 10^4 points 260. Pinned by HullCostTests.</summary>
     public const int MostWork = 16;
 
-    /// <summary>
-    /// Faces. Takes the oldest while fewer are pending, the newest when there are more. Breadth keeps the hull evenly
-    /// refined: depth alone would finish one rim of a cylinder before the other, with vertices that neighbour a whole
-    /// rim. Depth keeps to memory that is in the cache: on a sphere of 10^6 points it halves the time. Any number is
-    /// correct.
-    /// </summary>
+    /// <summary>Faces. Takes the oldest while fewer are pending, the newest when there are more. Breadth keeps the hull
+    /// evenly refined: depth alone would finish one rim of a cylinder before the other, with vertices that neighbour a
+    /// whole rim. Depth keeps to memory that is in the cache: on a sphere of 10^6 points it halves the time. Any number
+    /// is correct.</summary>
     private const int BreadthFirstFaces = 4096;
 
     /// <summary>Builds the hull from four points that span space, d strictly below the plane through a, b, c.</summary>

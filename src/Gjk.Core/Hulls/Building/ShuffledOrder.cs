@@ -1,13 +1,10 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>A random order of a cloud's points, the same for the same cloud.</summary>
-/// <remarks>
-/// The seed is the SHA-256 of all coordinates (<see cref="CloudDigest"/>). So the order of a cloud is known only once
-/// all its points are, any change of a point changes the whole order, and no cloud can be computed for a wanted seed.
-/// Whoever wants a cloud with a bad order has to try clouds, and each is as unlikely to have one as a shuffled deck.
-/// </remarks>
+/// <remarks>The seed is the SHA-256 of all coordinates (<see cref="CloudDigest"/>). So the order of a cloud is known
+/// only once all its points are, any change of a point changes the whole order, and no cloud can be computed for a
+/// wanted seed. Whoever wants a cloud with a bad order has to try clouds, and each is as unlikely to have one as a
+/// shuffled deck.</remarks>
 internal static class ShuffledOrder
 {
     public static int[] Of(Vector3[] points)

@@ -1,21 +1,10 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The ids of a box's corners by their signs (bit 0, 1, 2 set where x, y, z is at its negative end), and the other way
-/// round. Boxes are the commonest mesh, and their support needs no dot product: the signs of the direction name the
-/// corner.
-/// </summary>
-/// <remarks>
-/// Eight numbers of four bits each, so that a look-up is a shift and touches no memory. Signs decide exactly, where a
-/// comparison of rounded dot products would not.
-/// </remarks>
+/// <summary>The ids of a box's corners by their signs (bit 0, 1, 2 set where x, y, z is at its negative end), and the
+/// other way round. Boxes are the commonest mesh, and their support needs no dot product: the signs of the direction
+/// name the corner.</summary>
+/// <remarks>Eight numbers of four bits each, so that a look-up is a shift and touches no memory. Signs decide exactly,
+/// where a comparison of rounded dot products would not.</remarks>
 internal readonly struct BoxCorners
 {
     /// <summary>Of a box whose ids are the signs.</summary>

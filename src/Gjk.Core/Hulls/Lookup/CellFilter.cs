@@ -1,30 +1,17 @@
-using System;
-#if NET
-using System.Diagnostics;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Finds out which vertices of a list cannot be furthest anywhere in a part of the direction cube. See <see
-/// cref="HullCellLists"/> for the proof.
-/// </summary>
+/// <summary>Finds out which vertices of a list cannot be furthest anywhere in a part of the direction cube. See
+/// <see cref="HullCellLists"/> for the proof.</summary>
 internal sealed class CellFilter
 {
-    /// <summary>
-    /// Points of a part where the furthest vertex of the list, a champion, is known: three rows of three. Champions
-    /// beat most others.
-    /// </summary>
+    /// <summary>Points of a part where the furthest vertex of the list, a champion, is known: three rows of three.
+    /// Champions beat most others.</summary>
     public const int Samples = 9;
 
-    /// <summary>
-    /// In stretched units. A computed dot product of the scan is off by at most 36 u, u = 2^-53: three products of up
-    /// to 4 and two sums. For two of them, for stretching, and for the comparison here, 278 u is enough
+    /// <summary>In stretched units. A computed dot product of the scan is off by at most 36 u, u = 2^-53: three
+    /// products of up to 4 and two sums. For two of them, for stretching, and for the comparison here, 278 u is enough
     /// (proofs/cell-slack.g). This is 8192 u, which also covers the corners of a rectangle that is clipped a hundred
-    /// times. Pinned by HullLookupTests.
-    /// </summary>
+    /// times. Pinned by HullLookupTests.</summary>
     private const double Slack = 1.0 / (1L << 40);
 
     /// <summary>Count: the samples, filled up to whole registers.</summary>
@@ -90,9 +77,8 @@ internal sealed class CellFilter
         samples[at + first + 2 * step] = champion2;
     }
 
-    /// <summary>
-    /// Copies a list without the vertices that one of the champions beats everywhere; gives the number that is left.
-    /// </summary>
+    /// <summary>Copies a list without the vertices that one of the champions beats everywhere; gives the number that is
+    /// left.</summary>
     public int Copy(int[] samples, int firstSample, int[] list, int from, int count, int[] target, int to)
     {
         Distinct(samples, firstSample);
@@ -105,10 +91,8 @@ internal sealed class CellFilter
         return kept - to;
     }
 
-    /// <summary>
-    /// Drops the vertices that lie below some other wherever in the part, one here and another there; gives the number
-    /// that is left.
-    /// </summary>
+    /// <summary>Drops the vertices that lie below some other wherever in the part, one here and another there; gives
+    /// the number that is left.</summary>
     public int Clip(int[] samples, int firstSample, int[] list, int from, int count)
     {
         Distinct(samples, firstSample);
@@ -145,9 +129,8 @@ internal sealed class CellFilter
         }
     }
 
-    /// <summary>
-    /// Some champion is higher by more than the slack at the part's corners, and so everywhere between them.
-    /// </summary>
+    /// <summary>Some champion is higher by more than the slack at the part's corners, and so everywhere between
+    /// them.</summary>
     private bool IsBeaten(int i)
     {
         double u = _points[3 * i + _axisU], v = _points[3 * i + _axisV];
@@ -179,9 +162,8 @@ internal sealed class CellFilter
 #endif
     }
 
-    /// <summary>
-    /// Clips by the champions and by the rest of the list: what was kept so far, and what comes after.
-    /// </summary>
+    /// <summary>Clips by the champions and by the rest of the list: what was kept so far, and what comes
+    /// after.</summary>
     private bool IsClipped(int i, int[] list, int from, int kept, int next, int end)
     {
         _clip.Start(_u, _v, _halfU, _halfV);

@@ -1,16 +1,13 @@
 namespace Gjk.Core;
 
 /// <summary>How directions are drawn on the faces of a cube, or on the sides of a square for a flat hull.</summary>
-/// <remarks>
-/// Cube: face 2 axis + (0 for +, 1 for -), and u and v are the other two coordinates in the order of the axes. Square:
-/// the same with the two axes that matter, one row, and the third axis as v, along which nothing changes.
-/// </remarks>
+/// <remarks>Cube: face 2 axis + (0 for +, 1 for -), and u and v are the other two coordinates in the order of the axes.
+/// Square: the same with the two axes that matter, one row, and the third axis as v, along which nothing
+/// changes.</remarks>
 internal readonly struct CellGrid
 {
-    /// <summary>
-    /// Cell side: how far each cell is widened. The look-up finds a direction's cell with an error of 2^-44 sides at
-    /// most (proofs/cell-widening.g).
-    /// </summary>
+    /// <summary>Cell side: how far each cell is widened. The look-up finds a direction's cell with an error of 2^-44
+    /// sides at most (proofs/cell-widening.g).</summary>
     private const double Widening = 1.0 / (1 << 30);
 
     public readonly int Faces, Columns, Rows;

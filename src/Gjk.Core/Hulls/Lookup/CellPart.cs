@@ -1,26 +1,14 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// A rectangle of cells on a face of the direction cube, with the vertices that can be furthest in its directions.
-/// </summary>
-internal readonly struct CellPart
+/// <summary>A rectangle of cells on a face of the direction cube, with the vertices that can be furthest in its
+/// directions.</summary>
+internal readonly struct CellPart(int face, int column, int endColumn, int row, int endRow, int from = 0, int count = 0)
 {
     /// <summary>Which face, and where on it: from a column and row up to, not including, others.</summary>
-    public readonly int Face, Column, EndColumn, Row, EndRow;
+    public readonly int Face = face, Column = column, EndColumn = endColumn, Row = row, EndRow = endRow;
 
     /// <summary>Where the list of vertices lies, and how many there are.</summary>
-    public readonly int From, Count;
-
-    public CellPart(int face, int column, int endColumn, int row, int endRow, int from = 0, int count = 0)
-    {
-        Face = face;
-        Column = column;
-        EndColumn = endColumn;
-        Row = row;
-        EndRow = endRow;
-        From = from;
-        Count = count;
-    }
+    public readonly int From = from, Count = count;
 
     public int Columns => EndColumn - Column;
 

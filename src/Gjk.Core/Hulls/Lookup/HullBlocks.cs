@@ -1,20 +1,9 @@
-#if NET
-using System;
-using System.Diagnostics;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
 /// <summary>The best of a run of blocks: the lowest slot among those whose dot product is largest.</summary>
-/// <remarks>
-/// The dot product is (x dx + y dy) + z dz, three products and two sums rounded one by one, in every path: a fused
-/// multiply-add in one of them would break ties differently. A block is x of four vertices, then y, then z (<see
-/// cref="HullCells"/>).
-/// </remarks>
+/// <remarks>The dot product is (x dx + y dy) + z dz, three products and two sums rounded one by one, in every path: a
+/// fused multiply-add in one of them would break ties differently. A block is x of four vertices, then y, then z
+/// (<see cref="HullCells"/>).</remarks>
 internal static class HullBlocks
 {
     /// <summary>The dot product of the vertex in a slot.</summary>
@@ -57,9 +46,8 @@ internal static class HullBlocks
         return slot;
     }
 
-    /// <summary>
-    /// Each lane keeps its first highest; of the lanes that tie for the whole run's highest the lowest slot wins.
-    /// </summary>
+    /// <summary>Each lane keeps its first highest; of the lanes that tie for the whole run's highest the lowest slot
+    /// wins.</summary>
     private static int BestOfMany(ref float coordinates, int block, int end, double x, double y, double z)
     {
         Vector256<double> dx = Vector256.Create(x), dy = Vector256.Create(y), dz = Vector256.Create(z);
@@ -98,10 +86,8 @@ internal static class HullBlocks
     public static uint LanesOf(Vector256<double> v, Vector256<double> value) =>
         Vector256.Equals(v, value).ExtractMostSignificantBits();
 
-    /// <summary>
-    /// The larger of two lanes by one instruction; what it does with NaN and with the sign of 0 does not matter to the
-    /// comparisons that follow.
-    /// </summary>
+    /// <summary>The larger of two lanes by one instruction; what it does with NaN and with the sign of 0 does not
+    /// matter to the comparisons that follow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
 #if NET

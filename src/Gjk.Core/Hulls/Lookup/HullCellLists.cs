@@ -1,42 +1,28 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Makes the lists of <see cref="HullCells"/>: for each cell of the direction cube the vertices that can be furthest in
-/// its directions.
-/// </summary>
+/// <summary>Makes the lists of <see cref="HullCells"/>: for each cell of the direction cube the vertices that can be
+/// furthest in its directions.</summary>
 /// <remarks>
-/// <para>
-/// The lists are made from the top down. A face of the cube starts with all vertices. All parts are cut in two again
-/// and again until they are cells. A part's list is the list of the part that it was cut from, less the vertices that
-/// are beaten everywhere in the part.
-/// </para>
-/// <para>
-/// Why no list can lack the vertex that the scan finds: a vertex p is dropped only if in every direction of the part
-/// some other vertex q is higher than p by more than a slack, which exceeds the rounding of two dot products. So in
-/// every direction of the part the computed dot product of some q is larger than that of p, and p is not what the scan
-/// finds. This does not depend on which q are tried or on what else was dropped. Nothing is assumed about edges or
-/// neighbours.
-/// </para>
-/// <para>
-/// "Everywhere" is decided in two ways. The height of q above p is a linear function of u and v. Its least value on a
-/// rectangle is that at the centre less what it changes along half of each side. If that exceeds the slack for one q, p
-/// goes. In the end, when lists are short, the rectangle is clipped by the half planes in which each q is not higher.
-/// If nothing is left, p goes. All is measured in stretched units: the largest component of a direction is 1, and no
-/// coordinate exceeds 4.
-/// </para>
-/// <para>
-/// A vertex whose cone of directions is long and thin, as on the rim of a prism, is in many lists. When the lists of a
-/// cut would take too much memory, the parts stay as they are, and their cells share a list.
-/// </para>
+/// <para>The lists are made from the top down. A face of the cube starts with all vertices. All parts are cut in two
+/// again and again until they are cells. A part's list is the list of the part that it was cut from, less the vertices
+/// that are beaten everywhere in the part.</para>
+/// <para>Why no list can lack the vertex that the scan finds: a vertex p is dropped only if in every direction of the
+/// part some other vertex q is higher than p by more than a slack, which exceeds the rounding of two dot products. So
+/// in every direction of the part the computed dot product of some q is larger than that of p, and p is not what the
+/// scan finds. This does not depend on which q are tried or on what else was dropped. Nothing is assumed about edges or
+/// neighbours.</para>
+/// <para>"Everywhere" is decided in two ways. The height of q above p is a linear function of u and v. Its least value
+/// on a rectangle is that at the centre less what it changes along half of each side. If that exceeds the slack for one
+/// q, p goes. In the end, when lists are short, the rectangle is clipped by the half planes in which each q is not
+/// higher. If nothing is left, p goes. All is measured in stretched units: the largest component of a direction is 1,
+/// and no coordinate exceeds 4.</para>
+/// <para>A vertex whose cone of directions is long and thin, as on the rim of a prism, is in many lists. When the lists
+/// of a cut would take too much memory, the parts stay as they are, and their cells share a list.</para>
 /// </remarks>
 internal sealed class HullCellLists
 {
-    /// <summary>
-    /// Count: a longer list is not stored; searching the tree takes no longer. Measured by the SupportAlone benchmark.
-    /// </summary>
+    /// <summary>Count: a longer list is not stored; searching the tree takes no longer. Measured by the SupportAlone
+    /// benchmark.</summary>
     private const int LongestList = 512;
 
     /// <summary>Count: up to this many candidates are clipped by each other; the cost is quadratic.</summary>
@@ -140,9 +126,8 @@ internal sealed class HullCellLists
         }
     }
 
-    /// <summary>
-    /// Cuts all parts in two. False when none can be cut, or when the lists would take too much memory.
-    /// </summary>
+    /// <summary>Cuts all parts in two. False when none can be cut, or when the lists would take too much
+    /// memory.</summary>
     private bool TryCut(CellFilter filter)
     {
         int most = MaxEntriesPerVertex * _count, used = 0;
@@ -181,17 +166,14 @@ internal sealed class HullCellLists
         return isCut;
     }
 
-    /// <summary>
-    /// Whether the lists of a part's cells will be too long: if each vertex is in one cell only, and if each crosses
-    /// the part in a line. Cutting on would be in vain.
-    /// </summary>
+    /// <summary>Whether the lists of a part's cells will be too long: if each vertex is in one cell only, and if each
+    /// crosses the part in a line. Cutting on would be in vain.</summary>
     private static bool IsHopeless(in CellPart part) =>
         part.Count > LongestList / 2 * part.Cells
         && (double)part.Count * part.Count > 4.0 * LongestList * LongestList * part.Cells;
 
-    /// <summary>
-    /// Of a half's nine points the part knows six; the champions of the three in the middle are looked for.
-    /// </summary>
+    /// <summary>Of a half's nine points the part knows six; the champions of the three in the middle are looked
+    /// for.</summary>
     private void InheritSamples(CellFilter filter, in CellPart part, int at, int half, int[] samples, int to)
     {
         bool byColumns = part.Columns >= part.Rows;

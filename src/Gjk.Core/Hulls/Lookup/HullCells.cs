@@ -1,26 +1,17 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Which vertices can be furthest in a direction: a map from directions to short lists of candidates, made once per
-/// hull.
-/// </summary>
+/// <summary>Which vertices can be furthest in a direction: a map from directions to short lists of candidates, made
+/// once per hull.</summary>
 /// <remarks>
-/// <para>
-/// The sphere of directions is drawn on the faces of a cube. Each face is cut into Side × Side cells. Each cell has a
-/// list of the vertices that can be furthest in one of its directions (<see cref="HullCellLists"/> says how it is made
-/// and why nothing is missed). A support is one look-up and a few dot products, whatever the hull's size. A cube map of
-/// start vertices for hill climbing is known from PhysX; here nothing is left to climb.
-/// </para>
-/// <para>
-/// Directions are first stretched by the hull's extents, so that a needle is treated as a round hull. The lists are
-/// stored as blocks of four vertices with coordinates and ids. Ids ascend in a list, and the last block is filled up
-/// with copies of the list's first vertex. Where the list would be long, because a flat face has many corners there,
+/// <para>The sphere of directions is drawn on the faces of a cube. Each face is cut into Side × Side cells. Each cell
+/// has a list of the vertices that can be furthest in one of its directions (<see cref="HullCellLists"/> says how it is
+/// made and why nothing is missed). A support is one look-up and a few dot products, whatever the hull's size. A cube
+/// map of start vertices for hill climbing is known from PhysX; here nothing is left to climb.</para>
+/// <para>Directions are first stretched by the hull's extents, so that a needle is treated as a round hull. The lists
+/// are stored as blocks of four vertices with coordinates and ids. Ids ascend in a list, and the last block is filled
+/// up with copies of the list's first vertex. Where the list would be long, because a flat face has many corners there,
 /// the cell has none, and <see cref="Tree"/> is searched. The directions of a flat hull form a circle, which is drawn
-/// on the sides of a square. A hull that gains nothing by cells has a single list, of all vertices.
-/// </para>
+/// on the sides of a square. A hull that gains nothing by cells has a single list, of all vertices.</para>
 /// </remarks>
 internal sealed class HullCells
 {
@@ -30,29 +21,23 @@ internal sealed class HullCells
     /// <summary>Floats per block: x, y, z of four vertices.</summary>
     public const int BlockFloats = 3 * Lanes;
 
-    /// <summary>
-    /// Count: up to this many vertices a scan of all of them is no slower than finding the cell. Measured by the
-    /// SupportAlone benchmark.
-    /// </summary>
+    /// <summary>Count: up to this many vertices a scan of all of them is no slower than finding the cell. Measured by
+    /// the SupportAlone benchmark.</summary>
 #if NET
     private const int ScanLimit = HullScan.MostVertices;
 #else
     private const int ScanLimit = 12;
 #endif
 
-    /// <summary>
-    /// Count: cells along an edge of the cube; 6 · 64² cells hold the lists of 10^5 vertices with some ten candidates
-    /// each.
-    /// </summary>
+    /// <summary>Count: cells along an edge of the cube; 6 · 64² cells hold the lists of 10^5 vertices with some ten
+    /// candidates each.</summary>
     private const int MaxSide = 64;
 
     /// <summary>Count: vertices per cell of a flat hull.</summary>
     private const int FlatVerticesPerCell = 2;
 
-    /// <summary>
-    /// How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are not
-    /// touched in vain.
-    /// </summary>
+    /// <summary>How a support is found: what the look-up asks first, kept beside the arrays so that a small hull's are
+    /// not touched in vain.</summary>
     public readonly LookupKind Kind;
 
     /// <summary>The blocks of a hull that is scanned as a whole.</summary>
@@ -79,19 +64,16 @@ internal sealed class HullCells
     /// <summary>The ids of the corners of a hull that is a box; others have none.</summary>
     public readonly BoxCorners Corners;
 
-    /// <summary>
-    /// The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Cells can share blocks. Where
-    /// both numbers are the same, the cell has no list, and they are the slot where a search of the tree starts. The
-    /// blocks of the tree's leaves come after all others.
-    /// </summary>
+    /// <summary>The blocks of cell i are those from Runs[2 i] up to, not including, Runs[2 i + 1]. Cells can share
+    /// blocks. Where both numbers are the same, the cell has no list, and they are the slot where a search of the tree
+    /// starts. The blocks of the tree's leaves come after all others.</summary>
     public readonly int[] Runs;
 
     /// <summary>Per block x of four vertices, then y, then z, counted from the hull's origin.</summary>
     public readonly float[] Coordinates;
 
-    /// <summary>
-    /// The same in the hull's own frame: what a support gives out. The same array where the hull's origin is 0.
-    /// </summary>
+    /// <summary>The same in the hull's own frame: what a support gives out. The same array where the hull's origin is
+    /// 0.</summary>
     public readonly float[] Points;
 
 #if NET
@@ -156,15 +138,13 @@ internal sealed class HullCells
         /// <summary>The vertices of the direction's cell are scanned.</summary>
         Cells,
 
-        /// <summary>
-        /// As Scan or Cells, but for a hull without extent in some direction: the direction must be prepared first.
-        /// </summary>
+        /// <summary>As Scan or Cells, but for a hull without extent in some direction: the direction must be prepared
+        /// first.</summary>
         Flat,
     }
 
-    /// <summary>
-    /// Gives each list its blocks and each cell its list; returns the first block of each list and the end.
-    /// </summary>
+    /// <summary>Gives each list its blocks and each cell its list; returns the first block of each list and the
+    /// end.</summary>
     private int[] LayOut(HullCellLists lists)
     {
         int[] starts = new int[lists.Count + 1];
@@ -184,10 +164,8 @@ internal sealed class HullCells
         for (int k = 0; k < padded; k++) Ids[first + k] = lists[list, k < length ? k : 0];
     }
 
-    /// <summary>
-    /// Adds the vertices in the order of the tree's leaves. The run of a cell without a list gets the slot where its
-    /// searches start.
-    /// </summary>
+    /// <summary>Adds the vertices in the order of the tree's leaves. The run of a cell without a list gets the slot
+    /// where its searches start.</summary>
     private void AppendTree(HullCellLists lists, HullTreeBuilder tree, int first)
     {
         int count = tree.Order.Length;

@@ -1,32 +1,21 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Prepares the direction of a support. It folds the direction into the plane of a flat hull, and it rescales
-/// directions of extreme length, whose dot products would overflow or lose digits.
-/// </summary>
-/// <remarks>
-/// A flat hull's vertices satisfy n · p = c. Dropping the axis k of the normal's largest (stretched) component changes
-/// no comparison if the direction d is replaced by e with e_i = d_i - d_k n_i / n_k: p · d and p · e differ by a
-/// constant. A support towards the plane's normal then compares what the plane leaves, not the rounding of a large
-/// common term.
-/// </remarks>
+/// <summary>Prepares the direction of a support. It folds the direction into the plane of a flat hull, and it rescales
+/// directions of extreme length, whose dot products would overflow or lose digits.</summary>
+/// <remarks>A flat hull's vertices satisfy n · p = c. Dropping the axis k of the normal's largest (stretched) component
+/// changes no comparison if the direction d is replaced by e with e_i = d_i - d_k n_i / n_k: p · d and p · e differ by
+/// a constant. A support towards the plane's normal then compares what the plane leaves, not the rounding of a large
+/// common term.</remarks>
 internal readonly struct HullDirection
 {
-    /// <summary>
-    /// What a prepared direction is multiplied by, along each axis: half the hull's extents; 0 for the axis that is
-    /// folded away. The products say how much each component can contribute to a dot product.
-    /// </summary>
+    /// <summary>What a prepared direction is multiplied by, along each axis: half the hull's extents; 0 for the axis
+    /// that is folded away. The products say how much each component can contribute to a dot product.</summary>
     public readonly Double3 Stretch;
 
-    /// <summary>
-    /// The reach of a direction is the sum of the magnitudes of its components, without those along which the hull has
-    /// no extent. From 2^-700 to 2^800 it is safe: half extents are 2^-150 to 2^128 and coordinates four times that, so
-    /// that nothing overflows, and underflow costs at most 2^-1073, which is 2^-220 of the largest product. Pinned by
-    /// HullDirectionLengthTests.
-    /// </summary>
+    /// <summary>The reach of a direction is the sum of the magnitudes of its components, without those along which the
+    /// hull has no extent. From 2^-700 to 2^800 it is safe: half extents are 2^-150 to 2^128 and coordinates four times
+    /// that, so that nothing overflows, and underflow costs at most 2^-1073, which is 2^-220 of the largest product.
+    /// Pinned by HullDirectionLengthTests.</summary>
     private const double LeastSafe = 1.9010815379079637e-211, MostSafe = 6.6680144328798543e240;
 
     private readonly Double3 _extents, _fold;
@@ -60,10 +49,8 @@ internal readonly struct HullDirection
 
     private int Components => (Stretch.X > 0 ? 1 : 0) + (Stretch.Y > 0 ? 1 : 0) + (Stretch.Z > 0 ? 1 : 0);
 
-    /// <summary>
-    /// Whether dot products with a direction of this reach are computed without overflow and loss of digits. False for
-    /// 0 and NaN.
-    /// </summary>
+    /// <summary>Whether dot products with a direction of this reach are computed without overflow and loss of digits.
+    /// False for 0 and NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsSafe(double reach) => reach >= LeastSafe && reach <= MostSafe;
 

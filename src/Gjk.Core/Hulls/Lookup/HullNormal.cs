@@ -1,15 +1,11 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The normal of a flat hull's plane, in double-double, from three vertices that span a large triangle.
-/// </summary>
+/// <summary>The normal of a flat hull's plane, in double-double, from three vertices that span a large
+/// triangle.</summary>
 internal static class HullNormal
 {
-    /// <summary>
-    /// Relative: how far a vertex may be from the plane of the rounded normal. A computed dot product is no better.
-    /// </summary>
+    /// <summary>Relative: how far a vertex may be from the plane of the rounded normal. A computed dot product is no
+    /// better.</summary>
     private const double Roundoff = 1.0 / (1L << 52);
 
     /// <summary>The normal, or 0 where double-double cannot tell it: a polygon 2^-50 times as wide as long.</summary>

@@ -1,20 +1,12 @@
 #if NET
-using System.Diagnostics;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-
 namespace Gjk.Core;
 
 /// <summary>The furthest vertex of a hull that is scanned as a whole: the lowest of those that tie.</summary>
-/// <remarks>
-/// Up to 64 vertices, as many as a word has bits: a first pass finds the largest dot product, a second marks the
-/// vertices that have it, and the lowest bit is the answer. Neither has a branch that depends on the direction, so the
-/// supports of two hulls overlap in the processor, and each is faster than the look-up of a cell, which is a chain of
-/// dependent steps. The dot products are those of <see cref="HullBlocks"/>, rounding by rounding; the coordinates are
-/// kept as doubles to save the conversions.
-/// </remarks>
+/// <remarks>Up to 64 vertices, as many as a word has bits: a first pass finds the largest dot product, a second marks
+/// the vertices that have it, and the lowest bit is the answer. Neither has a branch that depends on the direction, so
+/// the supports of two hulls overlap in the processor, and each is faster than the look-up of a cell, which is a chain
+/// of dependent steps. The dot products are those of <see cref="HullBlocks"/>, rounding by rounding; the coordinates
+/// are kept as doubles to save the conversions.</remarks>
 internal static class HullScan
 {
     /// <summary>Count: vertices that fit the marks. Measured by the SupportAlone benchmark.</summary>
@@ -25,10 +17,8 @@ internal static class HullScan
 
     private const int MostBlocks = MostVertices / HullCells.Lanes;
 
-    /// <summary>
-    /// The coordinates in blocks as in <see cref="HullCells"/>, but of doubles, an even number of them, filled up with
-    /// the first vertex, which ties with itself and is lower.
-    /// </summary>
+    /// <summary>The coordinates in blocks as in <see cref="HullCells"/>, but of doubles, an even number of them, filled
+    /// up with the first vertex, which ties with itself and is lower.</summary>
     public static double[] Gather(HullVertices hull)
     {
         int pairs = (hull.Count + 2 * HullCells.Lanes - 1) / (2 * HullCells.Lanes);

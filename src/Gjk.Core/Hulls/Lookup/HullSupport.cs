@@ -1,20 +1,12 @@
-using System;
-using System.Runtime.CompilerServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The vertex of a hull that is furthest in a direction: the lowest id among those whose dot product, in double, is
-/// largest; of a box the corner that the signs of the direction name, which is the furthest without rounding.
-/// </summary>
-/// <remarks>
-/// <see cref="Scan"/> is the definition. It counts coordinates from the hull's origin (<see cref="HullOrigin"/>) and
-/// prepares the direction first (<see cref="HullDirection"/>). <see cref="Find"/> gets the same vertex from the
-/// direction's cell for a large hull (<see cref="HullCells"/>), and by a scan of all for a small one.
-/// </remarks>
+/// <summary>The vertex of a hull that is furthest in a direction: the lowest id among those whose dot product, in
+/// double, is largest; of a box the corner that the signs of the direction name, which is the furthest without
+/// rounding.</summary>
+/// <remarks><see cref="Scan"/> is the definition. It counts coordinates from the hull's origin
+/// (<see cref="HullOrigin"/>) and prepares the direction first (<see cref="HullDirection"/>). <see cref="Find"/> gets
+/// the same vertex from the direction's cell for a large hull (<see cref="HullCells"/>), and by a scan of all for a
+/// small one.</remarks>
 internal static class HullSupport
 {
     /// <summary>The furthest vertex of a hull.</summary>
@@ -91,10 +83,8 @@ internal static class HullSupport
         return best;
     }
 
-    /// <summary>
-    /// The slot of the furthest vertex where <see cref="Find"/> has no short cut: flat hulls, cells without a list,
-    /// ties of box corners, directions of extreme length.
-    /// </summary>
+    /// <summary>The slot of the furthest vertex where <see cref="Find"/> has no short cut: flat hulls, cells without a
+    /// list, ties of box corners, directions of extreme length.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static int FindRarely(HullCells cells, double dx, double dy, double dz)
     {
@@ -106,10 +96,8 @@ internal static class HullSupport
         return end > start ? HullBlocks.Best(cells.Coordinates, start, end, d) : cells.Tree!.Find(cells, d, start);
     }
 
-    /// <summary>
-    /// The cube's face by the largest stretched component, then the cell by the other two over it. A direction of
-    /// extreme length has the cell after the last, which is empty.
-    /// </summary>
+    /// <summary>The cube's face by the largest stretched component, then the cell by the other two over it. A direction
+    /// of extreme length has the cell after the last, which is empty.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int CubeCell(HullCells cells, double dx, double dy, double dz)
     {

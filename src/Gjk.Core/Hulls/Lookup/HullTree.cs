@@ -1,44 +1,30 @@
-using System;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A tree of boxes over a hull's vertices, searched by branch and bound. It finds the vertex of the scan where lists
-/// would be long: towards a face with thousands of corners, or along a rim.
-/// </summary>
-/// <remarks>
-/// Each node has two boxes, and its bound is the lower of theirs. One is turned so that it fits tightly, whatever the
-/// slope of the face. Its bound is taken with an allowance for rounding, in proportion to the coordinates in the node:
-/// a hull can have corners at every scale down to 10^-38 of its size, and an allowance in proportion to the hull would
-/// hide all that is small. The other box is along the axes. Its bound is computed by the operations of a vertex's dot
-/// product, in their order, from the box's furthest coordinates. Rounding is monotone, so this bound is not below the
-/// computed dot product of any vertex inside, without an allowance. A node can be left out where its bound is below
-/// the best dot product, or equal to it with no lower id inside: that is the scan's rule.
-/// </remarks>
+/// <summary>A tree of boxes over a hull's vertices, searched by branch and bound. It finds the vertex of the scan where
+/// lists would be long: towards a face with thousands of corners, or along a rim.</summary>
+/// <remarks>Each node has two boxes, and its bound is the lower of theirs. One is turned so that it fits tightly,
+/// whatever the slope of the face. Its bound is taken with an allowance for rounding, in proportion to the coordinates
+/// in the node: a hull can have corners at every scale down to 10^-38 of its size, and an allowance in proportion to
+/// the hull would hide all that is small. The other box is along the axes. Its bound is computed by the operations of a
+/// vertex's dot product, in their order, from the box's furthest coordinates. Rounding is monotone, so this bound is
+/// not below the computed dot product of any vertex inside, without an allowance. A node can be left out where its
+/// bound is below the best dot product, or equal to it with no lower id inside: that is the scan's rule.</remarks>
 internal sealed class HullTree
 {
-    /// <summary>
-    /// Count: vertices of a leaf. A scan of so many takes about as long as a visit to a node. Measured.
-    /// </summary>
+    /// <summary>Count: vertices of a leaf. A scan of so many takes about as long as a visit to a node.
+    /// Measured.</summary>
     public const int LeafVertices = 8 * HullCells.Lanes;
 
-    /// <summary>
-    /// Relative to m, the sum of |c_i d_i| over the coordinates c_i of a turned box's four vectors (centre and half
-    /// sides): how far its bound can be below a computed dot product inside. With u = 2^-53 it is at most 12 u: 3 u in
-    /// that dot product, whose terms add up to no more than m, 1 u in the centre, 3 u in the products with the
+    /// <summary>Relative to m, the sum of |c_i d_i| over the coordinates c_i of a turned box's four vectors (centre and
+    /// half sides): how far its bound can be below a computed dot product inside. With u = 2^-53 it is at most 12 u: 3
+    /// u in that dot product, whose terms add up to no more than m, 1 u in the centre, 3 u in the products with the
     /// direction and their sums, 5 u in the sum of the four and of this. The sides of the box cover whatever else is
-    /// rounded. This is 16 u. A larger one costs time alone. Pinned by HullLookupTests.
-    /// </summary>
+    /// rounded. This is 16 u. A larger one costs time alone. Pinned by HullLookupTests.</summary>
     private const double Rounding = 1.0 / (1L << 49);
 
-    /// <summary>
-    /// Absolute, 2^-1060: what products lose that are no normal numbers. Two dozen of them lose 2^-1075 each, some
-    /// times a coordinate of up to 16. The smallest dot product that counts is 2^-849: a float with a direction of the
-    /// least safe reach.
-    /// </summary>
+    /// <summary>Absolute, 2^-1060: what products lose that are no normal numbers. Two dozen of them lose 2^-1075 each,
+    /// some times a coordinate of up to 16. The smallest dot product that counts is 2^-849: a float with a direction of
+    /// the least safe reach.</summary>
     private const double Underflow = double.Epsilon * (1 << 14);
 
     /// <summary>Count: nodes that wait on the way to a leaf; 2^31 vertices have fewer.</summary>

@@ -1,30 +1,21 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Fits the boxes of a <see cref="HullTree"/>: from the root down, each node's vertices are cut in two along its
-/// longest axis.
-/// </summary>
+/// <summary>Fits the boxes of a <see cref="HullTree"/>: from the root down, each node's vertices are cut in two along
+/// its longest axis.</summary>
 internal sealed class HullTreeBuilder
 {
-    /// <summary>
-    /// Steps of a float at the node's largest coordinate: a node that is thinner than this along its parent's normal
-    /// keeps that normal. The vertices of a tilted face are rounded to floats; normals fitted to that roughness would
-    /// differ from node to node, and the bounds with them.
-    /// </summary>
+    /// <summary>Steps of a float at the node's largest coordinate: a node that is thinner than this along its parent's
+    /// normal keeps that normal. The vertices of a tilted face are rounded to floats; normals fitted to that roughness
+    /// would differ from node to node, and the bounds with them.</summary>
     private const double Roughness = 4;
 
-    /// <summary>
-    /// Stretched units: the most that counts as roughness, for meshes so far from their local origin that floats are
-    /// coarse.
-    /// </summary>
+    /// <summary>Stretched units: the most that counts as roughness, for meshes so far from their local origin that
+    /// floats are coarse.</summary>
     private const double MostRoughness = 1.0 / 64;
 
-    /// <summary>
-    /// Relative to the size of a node: what its box is enlarged by on each side. Fitting rounds by less than 128 u, u =
-    /// 2^-53, of that size: offsets, three axes that are not quite orthogonal, and sums. This is 256 u.
-    /// </summary>
+    /// <summary>Relative to the size of a node: what its box is enlarged by on each side. Fitting rounds by less than
+    /// 128 u, u = 2^-53, of that size: offsets, three axes that are not quite orthogonal, and sums. This is 256
+    /// u.</summary>
     private const double Enlargement = 1.0 / (1L << 45);
 
     private readonly HullVertices _hull;
@@ -52,18 +43,15 @@ internal sealed class HullTreeBuilder
         Build(0, 0, leaves, new Double3(0, 0, 1));
     }
 
-    /// <summary>
-    /// What coordinates are multiplied by in the nodes: powers of two, which round nothing; 0 for an axis without
-    /// extent.
-    /// </summary>
+    /// <summary>What coordinates are multiplied by in the nodes: powers of two, which round nothing; 0 for an axis
+    /// without extent.</summary>
     public Double3 Inverse { get; }
 
     /// <summary>The root first.</summary>
     public HullTreeNode[] Nodes { get; }
 
-    /// <summary>
-    /// The ids of the vertices in the order of the leaves, the same number in each but the last; they ascend in a leaf.
-    /// </summary>
+    /// <summary>The ids of the vertices in the order of the leaves, the same number in each but the last; they ascend
+    /// in a leaf.</summary>
     public int[] Order { get; }
 
     private static double InversePower(double stretch) => stretch > 0 ? 1 / PowerOfTwo.AtMost(stretch) : 0;
@@ -131,9 +119,8 @@ internal sealed class HullTreeBuilder
         return longest;
     }
 
-    /// <summary>
-    /// A unit vector along the longest chord found, and a unit normal of the plane that the vertices lie near.
-    /// </summary>
+    /// <summary>A unit vector along the longest chord found, and a unit normal of the plane that the vertices lie
+    /// near.</summary>
     private Double3 FitNormal(int from, int to, double roughness, in Double3 parentNormal, out Double3 chord)
     {
         Extreme(from, to, out int a, out int b);

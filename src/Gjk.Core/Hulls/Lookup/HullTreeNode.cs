@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace Gjk.Core;
 
 /// <summary>A node of a <see cref="HullTree"/>, two cache lines long.</summary>

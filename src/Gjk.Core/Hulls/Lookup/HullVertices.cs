@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core;
 
 /// <summary>The corners of a hull as its look-up reads them. Immutable.</summary>
@@ -8,10 +6,8 @@ internal sealed class HullVertices
     /// <summary>Coordinates by axis, counted from <see cref="Origin"/>.</summary>
     public readonly float[] X, Y, Z;
 
-    /// <summary>
-    /// What <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> are counted from. No coordinate exceeds four half
-    /// extents, so a support is as exact far from the local origin as near it.
-    /// </summary>
+    /// <summary>What <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> are counted from. No coordinate exceeds four
+    /// half extents, so a support is as exact far from the local origin as near it.</summary>
     public readonly Vector3 Origin;
 
     /// <summary>How many there are.</summary>
@@ -48,10 +44,8 @@ internal sealed class HullVertices
         }
     }
 
-    /// <summary>
-    /// A vertex in the hull's own frame. The sum is a float again: the one that <see cref="Origin"/> was subtracted
-    /// from.
-    /// </summary>
+    /// <summary>A vertex in the hull's own frame. The sum is a float again: the one that <see cref="Origin"/> was
+    /// subtracted from.</summary>
     public void GetVertex(int id, out Double3 point) => Double3.Write(
         (float)(Origin.X + X[id]), (float)(Origin.Y + Y[id]), (float)(Origin.Z + Z[id]), out point);
 

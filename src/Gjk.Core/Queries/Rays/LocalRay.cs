@@ -1,37 +1,24 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A ray as a shape sees it: in the shape's axes, and measured from the point of its line that is nearest to the
-/// shape's centre, the foot.
-/// </summary>
-/// <remarks>
-/// A hit is a root of small numbers then, however far away the ray begins: no digits are left to cancel. The foot
-/// itself is m - u (u · m), with m from the centre to the origin and u the unit direction. That loses |m| u; from an
-/// origin that is many radii away it is d × (m × d) / d², with the inner product in double-double.
-/// </remarks>
+/// <summary>A ray as a shape sees it: in the shape's axes, and measured from the point of its line that is nearest to
+/// the shape's centre, the foot.</summary>
+/// <remarks>A hit is a root of small numbers then, however far away the ray begins: no digits are left to cancel. The
+/// foot itself is m - u (u · m), with m from the centre to the origin and u the unit direction. That loses |m| u; from
+/// an origin that is many radii away it is d × (m × d) / d², with the inner product in double-double.</remarks>
 internal struct LocalRay
 {
-    /// <summary>
-    /// Ratio of the origin's distance to the radius: beyond it the foot is found in double-double. Up to it double
-    /// loses less than 1e-13 of the radius, which turns the normal of a grazed ball by less than 1e-6. Pinned by
-    /// RayAccuracyTests.
-    /// </summary>
+    /// <summary>Ratio of the origin's distance to the radius: beyond it the foot is found in double-double. Up to it
+    /// double loses less than 1e-13 of the radius, which turns the normal of a grazed ball by less than 1e-6. Pinned by
+    /// RayAccuracyTests.</summary>
     private const double FarOrigin = 256;
 
-    /// <summary>
-    /// Squared ratio: a pass that brings the line's point nearer than by a millionth may have left a ten-billionth of
-    /// what remains. Pinned by RayThinTests.
-    /// </summary>
+    /// <summary>Squared ratio: a pass that brings the line's point nearer than by a millionth may have left a
+    /// ten-billionth of what remains. Pinned by RayThinTests.</summary>
     private const double Farther = 1e-12;
 
-    /// <summary>
-    /// Ratio to the lengths that cancel: 2^-90, more than double-double loses when it turns a vector twice (some
-    /// 2^-97). What is less is nothing: a line in the plane of a face stays in it. Pinned by RayGrazeTests.
-    /// </summary>
+    /// <summary>Ratio to the lengths that cancel: 2^-90, more than double-double loses when it turns a vector twice
+    /// (some 2^-97). What is less is nothing: a line in the plane of a face stays in it. Pinned by
+    /// RayGrazeTests.</summary>
     private const double ExactError = 1.0 / (1L << 45) / (1L << 45);
 
     /// <summary>From the centre to the foot.</summary>
@@ -83,9 +70,8 @@ internal struct LocalRay
         ray.IsExact = false;
     }
 
-    /// <summary>
-    /// The ray in the axes of the body, each number of it rounded once, even where it is what larger ones leave.
-    /// </summary>
+    /// <summary>The ray in the axes of the body, each number of it rounded once, even where it is what larger ones
+    /// leave.</summary>
     /// <param name="pose">The shape's.</param>
     /// <param name="target">The body.</param>
     /// <param name="line">The ray in the world.</param>
@@ -121,13 +107,11 @@ internal struct LocalRay
             Math.Abs(rounded.Z) > error ? rounded.Z : 0);
     }
 
-    /// <summary>
-    /// Moves the point from which a line is measured to the one nearest to the centre, in axes that may be scaled.
-    /// </summary>
-    /// <remarks>
-    /// A body that is thin in its own axes is a ball or a circle in scaled ones, and the line begins there as far away
-    /// as the body is thin. Each pass leaves the rounding of the last way, so there are more until it is nothing.
-    /// </remarks>
+    /// <summary>Moves the point from which a line is measured to the one nearest to the centre, in axes that may be
+    /// scaled.</summary>
+    /// <remarks>A body that is thin in its own axes is a ball or a circle in scaled ones, and the line begins there as
+    /// far away as the body is thin. Each pass leaves the rounding of the last way, so there are more until it is
+    /// nothing.</remarks>
     /// <param name="foot">The point; moved.</param>
     /// <param name="direction">Of any length.</param>
     /// <returns>How far it was moved, in lengths of the direction.</returns>

@@ -1,14 +1,10 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>A line against a ball (Ericson 2005, section 5.3.2).</summary>
 internal static class RayBall
 {
-    /// <summary>
-    /// A ball about the centre, with a ray that is measured from its foot: half the chord is √(r² - f²).
-    /// </summary>
+    /// <summary>A ball about the centre, with a ray that is measured from its foot: half the chord is √(r² -
+    /// f²).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryFind(in LocalRay ray, double radius, out RaySpan span)
     {

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>What became of a line and a body.</summary>
@@ -21,10 +19,8 @@ internal enum RayFinding
 /// <summary>Takes a line to the closed form of a body.</summary>
 internal static class RayBody
 {
-    /// <summary>
-    /// The part of the line in the body. Flat to nothing, a body has no closed form: such hits are a matter of touching
-    /// within rounding, which the cast decides.
-    /// </summary>
+    /// <summary>The part of the line in the body. Flat to nothing, a body has no closed form: such hits are a matter of
+    /// touching within rounding, which the cast decides.</summary>
     /// <param name="target">The body.</param>
     /// <param name="ray">In the shape's axes; if it is exact, in the body's.</param>
     /// <param name="span">The part of the line, with the normal in the shape's axes.</param>

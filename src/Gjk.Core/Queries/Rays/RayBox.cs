@@ -1,6 +1,3 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>A line against a box: three slabs (Kay and Kajiya 1986; Ericson 2005, section 5.3.3).</summary>
@@ -20,10 +17,8 @@ internal static class RayBox
             | RayGraze.IsAlongSlab(half.Z, ray.Foot.Z, ray.Direction.Z, length, size);
     }
 
-    /// <summary>
-    /// The part of the line in the box. A choice between numbers is no branch: which slab the line enters last is not
-    /// to be guessed.
-    /// </summary>
+    /// <summary>The part of the line in the box. A choice between numbers is no branch: which slab the line enters last
+    /// is not to be guessed.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryFind(in LocalRay ray, in Double3 half, out RaySpan span)
     {

@@ -1,11 +1,8 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A line against a capsule (Ericson 2005, section 5.3.7): where it crosses the infinite side beside the segment, there
-/// it crosses the capsule; where it crosses the side beyond an end, it does so in the ball about that end.
-/// </summary>
+/// <summary>A line against a capsule (Ericson 2005, section 5.3.7): where it crosses the infinite side beside the
+/// segment, there it crosses the capsule; where it crosses the side beyond an end, it does so in the ball about that
+/// end.</summary>
 internal static class RayCapsule
 {
     /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>

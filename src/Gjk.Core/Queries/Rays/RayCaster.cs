@@ -1,7 +1,3 @@
-using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>A ray against a shape that has a closed form.</summary>
@@ -10,47 +6,33 @@ namespace Gjk.Core;
 /// shape's centre (<see cref="LocalRay"/>), so nothing that follows knows how far away the ray began. The body cuts an
 /// interval out of the line (<see cref="RayBody"/>). The interval says all: beyond the reach, behind the origin, or
 /// around it.
-/// <para>
-/// All of it is in double. What rounding could turn is done again or handed on: a line along a face, or one that nearly
-/// touches, is measured in double-double; an origin within 1e-9 of the surface goes to the overlap query, so that both
-/// say the same; bodies that are flat to nothing go to the cast (<see cref="CastSolver"/>).
-/// </para>
-/// <para>
-/// Sources: Ericson, Real-Time Collision Detection (2005), section 5.3, and Eberly's notes; there the interval is not
-/// measured from the foot, and grazing hits lose half the digits.
-/// </para>
+/// <para>All of it is in double. What rounding could turn is done again or handed on: a line along a face, or one that
+/// nearly touches, is measured in double-double; an origin within 1e-9 of the surface goes to the overlap query, so
+/// that both say the same; bodies that are flat to nothing go to the cast (<see cref="CastSolver"/>).</para>
+/// <para>Sources: Ericson, Real-Time Collision Detection (2005), section 5.3, and Eberly's notes; there the interval is
+/// not measured from the foot, and grazing hits lose half the digits.</para>
 /// </remarks>
 internal static class RayCaster
 {
-    /// <summary>
-    /// Length, as a fraction of the radius: an origin whose ray crosses the surface nearer than this may be on either
-    /// side. Above what the queries count as touching (<see cref="GjkTolerances.TouchCurved"/>). The overlap decides
-    /// within it, so four times more or less only changes how often it is asked.
-    /// </summary>
+    /// <summary>Length, as a fraction of the radius: an origin whose ray crosses the surface nearer than this may be on
+    /// either side. Above what the queries count as touching (<see cref="GjkTolerances.TouchCurved"/>). The overlap
+    /// decides within it, so four times more or less only changes how often it is asked.</summary>
     private const double SurfaceBand = 1e-9;
 
-    /// <summary>
-    /// Length, as a fraction of the radius: a surface that is no further along the ray is at its start, if the origin
-    /// touches it; half of what is promised. Pinned by RayStartTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the radius: a surface that is no further along the ray is at its start, if the
+    /// origin touches it; half of what is promised. Pinned by RayStartTests.</summary>
     private const double StartBand = 5e-8;
 
-    /// <summary>
-    /// Ratio to the distance and the radius: a hit that is beyond the reach by less is at its end: more than rounding
-    /// makes of it. Pinned by RayCastTests.
-    /// </summary>
+    /// <summary>Ratio to the distance and the radius: a hit that is beyond the reach by less is at its end: more than
+    /// rounding makes of it. Pinned by RayCastTests.</summary>
     private const double EndError = 32 * RoundOff.Unit;
 
-    /// <summary>
-    /// Ratio to the distances that the foot is made of: what rounding usually does to it, ten times over, and more than
-    /// it ever does (proofs/ray-foot.g). Pinned by RayAccuracyTests.
-    /// </summary>
+    /// <summary>Ratio to the distances that the foot is made of: what rounding usually does to it, ten times over, and
+    /// more than it ever does (proofs/ray-foot.g). Pinned by RayAccuracyTests.</summary>
     private const double FootError = 64 * RoundOff.Unit;
 
-    /// <summary>
-    /// Lengths: 2^-120 and 2^120. In between, the fourth powers of lengths and their quotients keep within the range of
-    /// double. Pinned by RayCastTests.
-    /// </summary>
+    /// <summary>Lengths: 2^-120 and 2^120. In between, the fourth powers of lengths and their quotients keep within the
+    /// range of double. Pinned by RayCastTests.</summary>
     private const double LeastRadius = 1.0 / (1L << 60) / (1L << 60), MostRadius = (double)(1L << 60) * (1L << 60);
 
     /// <summary>Casts the ray.</summary>
@@ -187,9 +169,8 @@ internal static class RayCaster
     }
 
     /// <summary>What the interval says of the ray.</summary>
-    /// <returns>
-    /// Whether it begins where the ray meets the body, at its start perhaps, which no reach is too short for.
-    /// </returns>
+    /// <returns>Whether it begins where the ray meets the body, at its start perhaps, which no reach is too short
+    /// for.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool Judge(
         bool isFound, in RaySpan span, double shift, double radius, double reach, ref RayMeeting hit)

@@ -1,26 +1,18 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A line against a cone about the y axis, its apex at the top: the infinite cone, cut by the plane of its base and the
-/// one through the apex (Eberly, "Intersection of a Line and a Cone", 2000).
-/// </summary>
-/// <remarks>
-/// With y counted down from the apex, and stretched by the radius over the height, the double cone is x² + z² ≤ y²: a
-/// quadratic form of the line's point f + d t. Its discriminant is written by the minors of f and d, which do not
-/// change when the line is measured from another of its points: mxy² + mzy² - mxz². Where the quadratic coefficient is
-/// positive, the line is flatter than the side, and in the double cone between the roots; the cut by y ≥ 0 leaves that
-/// of the lower one. Where it is negative, the line is steeper and passes through both: in the lower one from the
+/// <summary>A line against a cone about the y axis, its apex at the top: the infinite cone, cut by the plane of its
+/// base and the one through the apex (Eberly, "Intersection of a Line and a Cone", 2000).</summary>
+/// <remarks>With y counted down from the apex, and stretched by the radius over the height, the double cone is x² + z²
+/// ≤ y²: a quadratic form of the line's point f + d t. Its discriminant is written by the minors of f and d, which do
+/// not change when the line is measured from another of its points: mxy² + mzy² - mxz². Where the quadratic coefficient
+/// is positive, the line is flatter than the side, and in the double cone between the roots; the cut by y ≥ 0 leaves
+/// that of the lower one. Where it is negative, the line is steeper and passes through both: in the lower one from the
 /// greater root on when it goes down, up to the lesser when it goes up. Where it is nothing, the line is parallel to a
-/// side and cuts one of the two cones in a parabola: it stays inside from its only root on, or up to it.
-/// </remarks>
+/// side and cuts one of the two cones in a parabola: it stays inside from its only root on, or up to it.</remarks>
 internal static class RayCone
 {
-    /// <summary>
-    /// Ratio of the quadratic coefficient to its parts: 16 roundings, twice the most (proofs/cone-parallel.g). Below
-    /// it, its sign says nothing, and what it adds within the cone is rounding. Pinned by RayConeTests.
-    /// </summary>
+    /// <summary>Ratio of the quadratic coefficient to its parts: 16 roundings, twice the most (proofs/cone-parallel.g).
+    /// Below it, its sign says nothing, and what it adds within the cone is rounding. Pinned by RayConeTests.</summary>
     private const double Parallel = 16 * RoundOff.Unit;
 
     /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>
@@ -71,10 +63,8 @@ internal static class RayCone
         return isLeft;
     }
 
-    /// <summary>
-    /// Of all directions that are normals at the apex, one that the line comes against: from above the axis, from below
-    /// that of the side it comes from.
-    /// </summary>
+    /// <summary>Of all directions that are normals at the apex, one that the line comes against: from above the axis,
+    /// from below that of the side it comes from.</summary>
     private static Double3 ApexNormal(in Double3 d, double k)
     {
         double across = Math.Sqrt(d.X * d.X + d.Z * d.Z);

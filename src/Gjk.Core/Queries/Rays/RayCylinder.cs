@@ -1,9 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// A line against a cylinder about the y axis: its infinite side, cut by a slab (Ericson 2005, section 5.3.7; Eberly,
-/// "Intersection of a Line and a Cylinder", 2014).
-/// </summary>
+/// <summary>A line against a cylinder about the y axis: its infinite side, cut by a slab (Ericson 2005, section 5.3.7;
+/// Eberly, "Intersection of a Line and a Cylinder", 2014).</summary>
 internal static class RayCylinder
 {
     /// <summary>The line need not be measured from its foot, nor be of unit direction.</summary>
@@ -27,10 +25,9 @@ internal static class RayCylinder
         return span.Clip(halfHeight, foot.Y, direction.Y, new Double3(0, 1, 0));
     }
 
-    /// <summary>
-    /// The infinite cylinder: a circle in the plane across its axis. With f the foot and d the direction there, the
-    /// discriminant is d² r² - (f × d)²: the line misses where its distance from the axis, |f × d| / |d|, exceeds r.
-    /// </summary>
+    /// <summary>The infinite cylinder: a circle in the plane across its axis. With f the foot and d the direction
+    /// there, the discriminant is d² r² - (f × d)²: the line misses where its distance from the axis, |f × d| / |d|,
+    /// exceeds r.</summary>
     /// <param name="a">d².</param>
     /// <param name="b">f · d.</param>
     /// <param name="c">f² - r².</param>

@@ -1,8 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// A line against an ellipsoid: divided by the radii it is a line against the unit ball, with the same parameter.
-/// </summary>
+/// <summary>A line against an ellipsoid: divided by the radii it is a line against the unit ball, with the same
+/// parameter.</summary>
 internal static class RayEllipsoid
 {
     public static bool TryFind(in LocalRay ray, in Double3 radii, out RaySpan span)

@@ -1,33 +1,23 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Lines that run along a face of a body, or nearly touch a round one: rounding, not geometry, would say where they
-/// enter. Such a ray is measured again, exactly; along the facet of a hull, whose plane is rounded too, it is cast.
-/// </summary>
+/// <summary>Lines that run along a face of a body, or nearly touch a round one: rounding, not geometry, would say where
+/// they enter. Such a ray is measured again, exactly; along the facet of a hull, whose plane is rounded too, it is
+/// cast.</summary>
 internal static class RayGraze
 {
-    /// <summary>
-    /// Sine: along a plane that is steeper, what rounding does to the foot (1e-13 of the size) moves the crossing by
-    /// less than a tenth of the promise. Pinned by RayGrazeTests.
-    /// </summary>
+    /// <summary>Sine: along a plane that is steeper, what rounding does to the foot (1e-13 of the size) moves the
+    /// crossing by less than a tenth of the promise. Pinned by RayGrazeTests.</summary>
     public const double LeastSlope = 1e-5;
 
     /// <summary>Ratio to the size: four times what rounding does to the foot. Pinned by RayGrazeTests.</summary>
     public const double FootError = 4e-13;
 
-    /// <summary>
-    /// Squared ratio of half the chord to the radius: a line with a shorter chord is a tangent. At it, what rounding
-    /// does to the foot moves the entry by a tenth of the promise. Pinned by RayGrazeTests.
-    /// </summary>
+    /// <summary>Squared ratio of half the chord to the radius: a line with a shorter chord is a tangent. At it, what
+    /// rounding does to the foot moves the entry by a tenth of the promise. Pinned by RayGrazeTests.</summary>
     private const double Tangent = 1e-10;
 
-    /// <summary>
-    /// Ratio of the shortest half extent to the longest: in a flatter body the foot's rounding shows, seen by a line
-    /// along it. Pinned by RayThinTests.
-    /// </summary>
+    /// <summary>Ratio of the shortest half extent to the longest: in a flatter body the foot's rounding shows, seen by
+    /// a line along it. Pinned by RayThinTests.</summary>
     private const double Flat = 1e-3;
 
     /// <summary>Whether a line runs along a body that is flat and round.</summary>

@@ -1,17 +1,7 @@
-#if NET
-using System;
-using System.Diagnostics;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A line against a hull: cut by the planes of its facets (Cyrus and Beck 1978; Ericson 2005, section 5.3.8). Of planes
-/// that it enters through at the same parameter the first one gives the normal.
-/// </summary>
+/// <summary>A line against a hull: cut by the planes of its facets (Cyrus and Beck 1978; Ericson 2005, section 5.3.8).
+/// Of planes that it enters through at the same parameter the first one gives the normal.</summary>
 internal static class RayHull
 {
     /// <summary>Stands for an entry that rounding would choose.</summary>

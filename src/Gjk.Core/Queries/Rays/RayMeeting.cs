@@ -6,10 +6,8 @@ internal struct RayMeeting
     /// <summary>Hit, Miss, OverlappingAtStart or why there is no answer.</summary>
     public CastStatus Status;
 
-    /// <summary>
-    /// Whether the origin is so near the surface that whether the shape holds it decides the answer: Hit or Miss where
-    /// it does not.
-    /// </summary>
+    /// <summary>Whether the origin is so near the surface that whether the shape holds it decides the answer: Hit or
+    /// Miss where it does not.</summary>
     public bool IsAtSurface;
 
     /// <summary>Along the ray from its origin, in world units.</summary>

@@ -1,12 +1,7 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The roots of a t² + 2 b t + c, without cancellation: q = -(b + sign(b) √(b² - a c)), q / a and c / q (Press et al.,
-/// Numerical Recipes, 2007, section 5.6).
-/// </summary>
+/// <summary>The roots of a t² + 2 b t + c, without cancellation: q = -(b + sign(b) √(b² - a c)), q / a and c / q (Press
+/// et al., Numerical Recipes, 2007, section 5.6).</summary>
 internal static class RayQuadratic
 {
     /// <summary>Both roots.</summary>

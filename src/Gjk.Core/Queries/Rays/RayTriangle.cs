@@ -1,25 +1,18 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A line against a triangle: it passes through where the three volumes that it spans with the edges have one sign
-/// (Ericson 2005, section 5.3.4).
-/// </summary>
+/// <summary>A line against a triangle: it passes through where the three volumes that it spans with the edges have one
+/// sign (Ericson 2005, section 5.3.4).</summary>
 internal static class RayTriangle
 {
-    /// <summary>
-    /// Sine: a line that is less steep to the triangle's plane is cast instead, and so is one to a triangle that is
-    /// this much thinner than long: there a volume in double has too few digits. Pinned by RayAccuracyTests.
-    /// </summary>
+    /// <summary>Sine: a line that is less steep to the triangle's plane is cast instead, and so is one to a triangle
+    /// that is this much thinner than long: there a volume in double has too few digits. Pinned by
+    /// RayAccuracyTests.</summary>
     private const double LeastSine = 1e-5;
 
-    /// <summary>
-    /// Ratio to the triangle's width, 2^-32, and to its longest side, 2^-48: a line that passes beside an edge by less
-    /// goes through it. So what rounding does to a line through an edge that two triangles share, and to the place from
-    /// which each measures it, leaves no hole between them, and the closed triangle is missed by no line that meets it.
-    /// Both are below the 1e-9 within which hit and miss are open. Pinned by RaySeamTests.
-    /// </summary>
+    /// <summary>Ratio to the triangle's width, 2^-32, and to its longest side, 2^-48: a line that passes beside an edge
+    /// by less goes through it. So what rounding does to a line through an edge that two triangles share, and to the
+    /// place from which each measures it, leaves no hole between them, and the closed triangle is missed by no line
+    /// that meets it. Both are below the 1e-9 within which hit and miss are open. Pinned by RaySeamTests.</summary>
     private const double BesideWide = 1.0 / (1L << 32), BesideLong = 1.0 / (1L << 48);
 
     /// <summary>Whether the triangle and the line are far enough from flat.</summary>

@@ -1,50 +1,36 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How deep two bodies of revolution with parallel axes overlap. Turned about its axis a body is the same, so a way out
-/// is shortest when it lies in the plane of both axes, and there the search is one of directions on half a circle.
-/// </summary>
+/// <summary>How deep two bodies of revolution with parallel axes overlap. Turned about its axis a body is the same, so
+/// a way out is shortest when it lies in the plane of both axes, and there the search is one of directions on half a
+/// circle.</summary>
 /// <remarks>
-/// <para>
-/// Between two directions A - B lies beyond the chord from the one's support point to the other's. So no direction
-/// between them has a shorter way out than the chord's height, or than the two have, and that ends it where this is no
-/// less than the shortest way that was found. Otherwise the support point over the chord divides the two into halves.
-/// The halves are walked from one end of the half circle to the other, those still to come on a stack.
-/// </para>
-/// <para>
-/// Where the axes lean against each other, all planes through one of them are searched, each for those beside it, too:
-/// turned about its own axis, a body is the same, so a point of A - B is followed from plane to plane, and what is left
-/// of its movement is small. The chords of the points that follow give the bound; a leaning body's way out is never
-/// taken to be in a known plane.
-/// </para>
-/// <para>
-/// The general search (<see cref="GjkDepth"/>) proves the same with a surface of triangles. About a common axis it
-/// needs thousands of them, since all directions around it are equally good.
-/// </para>
-/// <para>
-/// It terminates because a support point lies above its chord by more than the noise, so that a curve of A - B is cut
-/// into finitely many pieces, and because supports are counted. Verdicts: Found when the bounds met and Apart as
+/// <para>Between two directions A - B lies beyond the chord from the one's support point to the other's. So no
+/// direction between them has a shorter way out than the chord's height, or than the two have, and that ends it where
+/// this is no less than the shortest way that was found. Otherwise the support point over the chord divides the two
+/// into halves. The halves are walked from one end of the half circle to the other, those still to come on a
+/// stack.</para>
+/// <para>Where the axes lean against each other, all planes through one of them are searched, each for those beside it,
+/// too: turned about its own axis, a body is the same, so a point of A - B is followed from plane to plane, and what is
+/// left of its movement is small. The chords of the points that follow give the bound; a leaning body's way out is
+/// never taken to be in a known plane.</para>
+/// <para>The general search (<see cref="GjkDepth"/>) proves the same with a surface of triangles. About a common axis
+/// it needs thousands of them, since all directions around it are equally good.</para>
+/// <para>It terminates because a support point lies above its chord by more than the noise, so that a curve of A - B is
+/// cut into finitely many pieces, and because supports are counted. Verdicts: Found when the bounds met and Apart as
 /// those of the general search; Contradiction when a support was NaN or lay below its chord; Undecided hands over to
-/// it, where the shapes touch by rounding or the supports are spent.
-/// </para>
+/// it, where the shapes touch by rounding or the supports are spent.</para>
 /// </remarks>
 internal static unsafe class AxialDepth
 {
-    /// <summary>
-    /// Length: what may be left between the bounds. Balls about one centre need a support for every root of it. Pinned
-    /// by CoaxialDepthTests.
-    /// </summary>
+    /// <summary>Length: what may be left between the bounds. Balls about one centre need a support for every root of
+    /// it. Pinned by CoaxialDepthTests.</summary>
     private const double Noise = 1e-7;
 
     /// <summary>Count: supports at most; balls about one centre need half of it. Pinned by CoaxialDepthTests.</summary>
     public const int MostSupports = 8192;
 
-    /// <summary>
-    /// Pure numbers: how far a shorter way out is looked for at first and at last. Only how many supports it takes
-    /// depends on them.
-    /// </summary>
+    /// <summary>Pure numbers: how far a shorter way out is looked for at first and at last. Only how many supports it
+    /// takes depends on them.</summary>
     private const double FirstStep = 0.25, LastStep = 1e-4;
 
     /// <summary>Count: pieces still to be walked; each is far shorter than the one under it.</summary>
@@ -88,10 +74,9 @@ internal static unsafe class AxialDepth
             : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Found;
     }
 
-    /// <summary>
-    /// Searches the plane, or where the bodies are only nearly coaxial one plane after the other all around the axis:
-    /// each proves those beside it as far as the slope lets it, and how ways out change where it is.
-    /// </summary>
+    /// <summary>Searches the plane, or where the bodies are only nearly coaxial one plane after the other all around
+    /// the axis: each proves those beside it as far as the slope lets it, and how ways out change where it
+    /// is.</summary>
     private static DepthVerdict Turn<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
         where TA : struct, ISupportMap
@@ -115,10 +100,8 @@ internal static unsafe class AxialDepth
         return verdict;
     }
 
-    /// <summary>
-    /// Looks for a shorter way out beside the shortest, around the axis and along it, in ever smaller steps: against
-    /// one that is longer than it need be, only narrow planes could be proved.
-    /// </summary>
+    /// <summary>Looks for a shorter way out beside the shortest, around the axis and along it, in ever smaller steps:
+    /// against one that is longer than it need be, only narrow planes could be proved.</summary>
     private static void Descend<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
         where TA : struct, ISupportMap
@@ -138,10 +121,8 @@ internal static unsafe class AxialDepth
         }
     }
 
-    /// <summary>
-    /// Proves that every way out in a plane is longer than the shortest that was found, by as much as those in the
-    /// planes beside it may be shorter.
-    /// </summary>
+    /// <summary>Proves that every way out in a plane is longer than the shortest that was found, by as much as those in
+    /// the planes beside it may be shorter.</summary>
     /// <returns>Flat where one is not.</returns>
     private static DepthVerdict Walk<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double half, int limit, ref SolverState state,

@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A direction in a plane of <see cref="AxialDepth"/> and the furthest point in it, and how that moves as the plane
-/// turns.
-/// </summary>
+/// <summary>A direction in a plane of <see cref="AxialDepth"/> and the furthest point in it, and how that moves as the
+/// plane turns.</summary>
 internal readonly struct AxialSide
 {
     /// <summary>The direction, of unit length.</summary>
@@ -33,15 +29,11 @@ internal readonly struct AxialSide
     /// <summary>What the way out in the direction costs.</summary>
     public double Height => X * PointX + Y * PointY;
 
-    /// <summary>
-    /// Whether no way out across the line through two points is shorter than that, in this plane and in those that
-    /// are turned against it by up to an angle.
-    /// </summary>
-    /// <remarks>
-    /// The furthest of points that follow each other around the axis is least across one of the lines between them.
-    /// As planes turn, the points p + δ v and q + δ u (<see cref="WayOut.Follow"/>) span a line that is
-    /// p × q / |q - p| from the origin, of which the product is a polynomial and the length no more than one.
-    /// </remarks>
+    /// <summary>Whether no way out across the line through two points is shorter than that, in this plane and in those
+    /// that are turned against it by up to an angle.</summary>
+    /// <remarks>The furthest of points that follow each other around the axis is least across one of the lines between
+    /// them. As planes turn, the points p + δ v and q + δ u (<see cref="WayOut.Follow"/>) span a line that is p × q /
+    /// |q - p| from the origin, of which the product is a polynomial and the length no more than one.</remarks>
     /// <param name="next">The side at the other end.</param>
     /// <param name="half">The angle.</param>
     /// <param name="slope">How fast a way out changes at most.</param>
@@ -63,11 +55,9 @@ internal readonly struct AxialSide
     public bool IsHigh(double half, double slope, double least) =>
         Height - half * Math.Abs(X * _movedX + Y * _movedY) >= least + Rest(this, half, slope, 0);
 
-    /// <summary>
-    /// What the second and the third term of the points' movement can take from a way out between two directions,
-    /// and as far beside them as these turn. A unit vector between them is a sum of both with weights of up to one
-    /// over the cosine of half their angle.
-    /// </summary>
+    /// <summary>What the second and the third term of the points' movement can take from a way out between two
+    /// directions, and as far beside them as these turn. A unit vector between them is a sum of both with weights of up
+    /// to one over the cosine of half their angle.</summary>
     private double Rest(in AxialSide next, double half, double slope, double turn)
     {
         double scale = 0.5 / Math.Sqrt(Math.Max(0.5 + 0.5 * (X * next.X + Y * next.Y), 0));

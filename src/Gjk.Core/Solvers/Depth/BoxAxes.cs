@@ -1,7 +1,4 @@
-using System;
-using System.Runtime.CompilerServices;
 #if NET
-using System.Runtime.Intrinsics;
 using Lane = System.Runtime.Intrinsics.Vector256<double>;
 #else
 using Lane = System.Double;
@@ -9,10 +6,9 @@ using Lane = System.Double;
 
 namespace Gjk.Core;
 
-/// <summary>
-/// What it costs to leave a box across each axis that can separate it from another: three axes at a time, across A's
-/// faces, across B's, and across each edge of A with B's three. A group has a lane more, which is no axis.
-/// </summary>
+/// <summary>What it costs to leave a box across each axis that can separate it from another: three axes at a time,
+/// across A's faces, across B's, and across each edge of A with B's three. A group has a lane more, which is no
+/// axis.</summary>
 internal static unsafe class BoxAxes
 {
     /// <summary>Counts of lanes: where the edges' begin, and of all.</summary>
@@ -50,10 +46,8 @@ internal static unsafe class BoxAxes
     public static bool IsBelow(double cost, double square, double limitSquared) =>
         cost * Math.Abs(cost) < limitSquared * square;
 
-    /// <summary>
-    /// How far B must move along each axis, on its side, to leave A behind, times the axis's length; and the squared
-    /// lengths of the axes across edges, which are unit vectors of A times those of B.
-    /// </summary>
+    /// <summary>How far B must move along each axis, on its side, to leave A behind, times the axis's length; and the
+    /// squared lengths of the axes across edges, which are unit vectors of A times those of B.</summary>
     public static void Find(
         in Double3 halfA, in Double3 halfB, in PairFrame frame, double* costs, double* squares)
     {

@@ -1,28 +1,18 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How deep two boxes overlap, by separating axes (Gottschalk, Lin and Manocha 1996): the shortest way out is across a
-/// face of A, across a face of B, or across an edge of each.
-/// </summary>
+/// <summary>How deep two boxes overlap, by separating axes (Gottschalk, Lin and Manocha 1996): the shortest way out is
+/// across a face of A, across a face of B, or across an edge of each.</summary>
 /// <remarks>
-/// <para>
-/// The Minkowski difference of two boxes has no other facets, so the least of 15 costs is the depth; nothing is walked.
-/// A cost is what is left of both extents along an axis when the centres' distance along it is taken away. It is
-/// computed from the axis as it is, with no use of what its products should be: so an axis that rounding has turned
+/// <para>The Minkowski difference of two boxes has no other facets, so the least of 15 costs is the depth; nothing is
+/// walked. A cost is what is left of both extents along an axis when the centres' distance along it is taken away. It
+/// is computed from the axis as it is, with no use of what its products should be: so an axis that rounding has turned
 /// still is a way out that costs what is computed, and nearly parallel edges need no tolerance. Only edges that are
-/// parallel to the last bit have no axis.
-/// </para>
-/// <para>
-/// Two things differ from the source. Edges are compared without a root: the square of the cost, with its sign, and the
-/// squared length of the axis. And faces come first: an edge pair is taken only where it is cheaper by more than
-/// rounding, so that a resting box keeps its face. Of equal faces the first is taken, A's before B's, x before y before
-/// z; where the centres are level along an axis, its positive direction.
-/// </para>
-/// <para>
-/// Verdicts: Enclosed, or Apart when an axis separates the boxes by more than rounding could.
-/// </para>
+/// parallel to the last bit have no axis.</para>
+/// <para>Two things differ from the source. Edges are compared without a root: the square of the cost, with its sign,
+/// and the squared length of the axis. And faces come first: an edge pair is taken only where it is cheaper by more
+/// than rounding, so that a resting box keeps its face. Of equal faces the first is taken, A's before B's, x before y
+/// before z; where the centres are level along an axis, its positive direction.</para>
+/// <para>Verdicts: Enclosed, or Apart when an axis separates the boxes by more than rounding could.</para>
 /// </remarks>
 internal static unsafe class BoxDepth
 {

@@ -1,36 +1,26 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The deepest points of two boxes: a point of each box's face, edge or corner along the way out, one opposite the
-/// other.
-/// </summary>
-/// <remarks>
-/// Across a face, the other box's corner that lies furthest behind it is one; where an edge or a face lies level with
-/// it, the middle of what lies opposite is taken (<see cref="FaceClip"/>). Across two edges it is where they pass each
-/// other.
-/// </remarks>
+/// <summary>The deepest points of two boxes: a point of each box's face, edge or corner along the way out, one opposite
+/// the other.</summary>
+/// <remarks>Across a face, the other box's corner that lies furthest behind it is one; where an edge or a face lies
+/// level with it, the middle of what lies opposite is taken (<see cref="FaceClip"/>). Across two edges it is where they
+/// pass each other.</remarks>
 internal static class BoxDepthPoints
 {
-    /// <summary>
-    /// Length, as a fraction of the size: a side that rises by less along the way out is level; and the same of its own
-    /// length. An edge that is tilted by more decides which corner is the deepest without doubt; one that is tilted by
-    /// less moves the points by less than they are promised. Pinned by DepthToleranceTests.ASideThatHardlyRisesIsLevel.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: a side that rises by less along the way out is level; and the same
+    /// of its own length. An edge that is tilted by more decides which corner is the deepest without doubt; one that is
+    /// tilted by less moves the points by less than they are promised. Pinned by
+    /// DepthToleranceTests.ASideThatHardlyRisesIsLevel.</summary>
     private const double LevelSide = 3e-8;
 
-    /// <summary>
-    /// The cosine between a side and the way out above which it is not level, even if it is too short to rise. One of
-    /// the three is at least 0.57, so anything below that and well above <see cref="LevelSide"/> will do.
-    /// </summary>
+    /// <summary>The cosine between a side and the way out above which it is not level, even if it is too short to rise.
+    /// One of the three is at least 0.57, so anything below that and well above <see cref="LevelSide"/> will
+    /// do.</summary>
     private const double Steep = 0.5;
 
-    /// <summary>
-    /// Length, as a fraction of the size: how far beside a face a point still counts as opposite, so that rounding
-    /// leaves something of what lies along its rim. Anything well above rounding, 1e-15, and well below float's
-    /// will do.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: how far beside a face a point still counts as opposite, so that
+    /// rounding leaves something of what lies along its rim. Anything well above rounding, 1e-15, and well below
+    /// float's will do.</summary>
     private const double Slack = 1e-12;
 
     /// <summary>Finds both points, from the boxes' centres and in their frames.</summary>
@@ -114,11 +104,10 @@ internal static class BoxDepthPoints
             faceSides.Half(v) + Slack * size);
     }
 
-    /// <summary>
-    /// The face that is level with the axis across two edges, so that rounding alone has preferred them to it; the axis
-    /// itself where there is none. An axis that costs no more than another but for rounding is not opposite its own
-    /// edges by that rounding over the angle between both, and which of the parallel edges it is may be rounding, too.
-    /// </summary>
+    /// <summary>The face that is level with the axis across two edges, so that rounding alone has preferred them to it;
+    /// the axis itself where there is none. An axis that costs no more than another but for rounding is not opposite
+    /// its own edges by that rounding over the angle between both, and which of the parallel edges it is may be
+    /// rounding, too.</summary>
     private static int FaceOf(in BoxPair pair, in Double3 normal)
     {
         if (pair.Axis < BoxPair.Faces) return pair.Axis;
@@ -164,17 +153,9 @@ internal static class BoxDepthPoints
     private static Sides SidesOfB(in BoxPair pair) => new(pair.X, pair.Y, pair.Z, pair.HalfB);
 
     /// <summary>A box's axes and half of its sides, which may be 0.</summary>
-    private readonly struct Sides
+    private readonly struct Sides(in Double3 x, in Double3 y, in Double3 z, in Double3 half)
     {
-        private readonly Double3 _x, _y, _z, _half;
-
-        public Sides(in Double3 x, in Double3 y, in Double3 z, in Double3 half)
-        {
-            _x = x;
-            _y = y;
-            _z = z;
-            _half = half;
-        }
+        private readonly Double3 _x = x, _y = y, _z = z, _half = half;
 
         public Double3 this[int index] => Axis(index) * Half(index);
 

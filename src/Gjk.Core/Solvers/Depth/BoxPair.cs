@@ -15,9 +15,8 @@ internal readonly struct BoxPair
     /// <summary>B's centre.</summary>
     public readonly Double3 Between;
 
-    /// <summary>
-    /// The axis's number: across A's faces, across B's, and then across A's first edge and each of B's.
-    /// </summary>
+    /// <summary>The axis's number: across A's faces, across B's, and then across A's first edge and each of
+    /// B's.</summary>
     public readonly int Axis;
 
     public BoxPair(in Double3 halfA, in Double3 halfB, in PairFrame frame, int axis)

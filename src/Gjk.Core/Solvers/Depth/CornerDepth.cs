@@ -1,42 +1,32 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// How deep a round body and a body with corners overlap, by the ways out across each corner, edge and facet: the
-/// separating axes of Gottschalk, Lin and Manocha (1996) for a pair of which only one has facets.
-/// </summary>
+/// <summary>How deep a round body and a body with corners overlap, by the ways out across each corner, edge and facet:
+/// the separating axes of Gottschalk, Lin and Manocha (1996) for a pair of which only one has facets.</summary>
 /// <remarks>
-/// <para>
-/// Where a corner lies on the axis of a round body, or in the middle of a ball, many ways out are equally long or
+/// <para>Where a corner lies on the axis of a round body, or in the middle of a ball, many ways out are equally long or
 /// nearly so, and the general search (<see cref="GjkDepth"/>) needs a face for each part of them. But they differ in
 /// little. In the shortest way out one corner alone is furthest, or the two ends of an edge, or those of a facet. Where
 /// it is a corner, the way is one of that point out of the round body, and points around have none that is shorter: so
 /// it lies in the plane of the point and the axis, or is one of two normals of an ellipsoid. Where it is an edge, the
 /// way is across it: on a circle of directions, or again one of two, since along the edge an ellipsoid looks like an
-/// ellipse and the edge like a point. A circle is searched in two halves, each like that of a pin in its hole (<see
-/// cref="AxialDepth"/>), and holds the directions across the facets beside the edge.
-/// </para>
-/// <para>
-/// All of a circle is searched, and of a point all of its ways. What is not its own is a way out as well, only a longer
-/// one than need be. So it does no harm that corners without an edge between them may be taken for its ends.
-/// </para>
-/// <para>
-/// It terminates because there are so many corners and neighbours only, and a half circle has its own end. Verdicts:
-/// Found when all was seen; Apart and Contradiction as those of the general search; Undecided, as before, when there
-/// are too many corners, the supports are spent, or an ellipsoid is flat.
-/// </para>
+/// ellipse and the edge like a point. A circle is searched in two halves, each like that of a pin in its hole
+/// (<see cref="AxialDepth"/>), and holds the directions across the facets beside the edge.</para>
+/// <para>All of a circle is searched, and of a point all of its ways. What is not its own is a way out as well, only a
+/// longer one than need be. So it does no harm that corners without an edge between them may be taken for its
+/// ends.</para>
+/// <para>It terminates because there are so many corners and neighbours only, and a half circle has its own end.
+/// Verdicts: Found when all was seen; Apart and Contradiction as those of the general search; Undecided, as before,
+/// when there are too many corners, the supports are spent, or an ellipsoid is flat.</para>
 /// </remarks>
 internal static class CornerDepth
 {
-    /// <summary>
-    /// Count: corners at most about an ellipsoid; a quarter of them where circles are searched. More would take longer
-    /// than <see cref="DepthCells"/>. Pinned by CornerDepthTests; four times more only takes longer.
-    /// </summary>
+    /// <summary>Count: corners at most about an ellipsoid; a quarter of them where circles are searched. More would
+    /// take longer than <see cref="DepthCells"/>. Pinned by CornerDepthTests; four times more only takes
+    /// longer.</summary>
     private const int MostCorners = 256;
 
-    /// <summary>
-    /// Count: a circle that takes more supports, as that across the sides of a prism about a pin, is searched once.
-    /// Only time depends on it.
-    /// </summary>
+    /// <summary>Count: a circle that takes more supports, as that across the sides of a prism about a pin, is searched
+    /// once. Only time depends on it.</summary>
     private const int Dear = 64;
 
     /// <summary>Finds the depth from what the general search has left in the state.</summary>
@@ -60,10 +50,8 @@ internal static class CornerDepth
         return verdict;
     }
 
-    /// <summary>
-    /// All ways around a corner, those across an edge or a facet at the last of its corners, and not across an edge
-    /// along a dear one: the circle is the same.
-    /// </summary>
+    /// <summary>All ways around a corner, those across an edge or a facet at the last of its corners, and not across an
+    /// edge along a dear one: the circle is the same.</summary>
     private static DepthVerdict Turn<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in PairForm form, int id, int limit, ref SolverState state,
         ref DepthBounds depth, ref Double3 dear)

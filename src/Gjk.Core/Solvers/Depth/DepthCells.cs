@@ -1,41 +1,27 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Ends a search for a depth whose surface has outgrown its room: the directions are divided into cells, and the depth
-/// is proved in each, one after the other.
-/// </summary>
+/// <summary>Ends a search for a depth whose surface has outgrown its room: the directions are divided into cells, and
+/// the depth is proved in each, one after the other.</summary>
 /// <remarks>
-/// <para>
-/// Where shapes are nearly round and lie about one centre, all ways out are nearly equally long, and each must be
+/// <para>Where shapes are nearly round and lie about one centre, all ways out are nearly equally long, and each must be
 /// proved to be no shorter than the shortest that was found. A closed surface of so many faces needs memory for all of
 /// them; a cell (<see cref="Polytope.TryCut"/>) only for its own. A cell that outgrows the room is halved: one half
 /// keeps its part of the surface, the other begins anew later. Nothing is kept of a cell that is proved but the
-/// shortest way out.
-/// </para>
-/// <para>
-/// The cells form a binary tree that is walked depth first. The cuts are the path, and one bit for each says whether
-/// its second half is being walked. As deep as the tree has been before, a cell is halved while it is small, since it
-/// can be expected to outgrow the room again, and what it knows of the other half is lost.
-/// </para>
-/// <para>
-/// It terminates because supports are counted. Verdicts: Enclosed, Apart and Contradiction as those of <see
-/// cref="GjkDepth"/>; Undecided when the supports are spent, or there was no room.
-/// </para>
+/// shortest way out.</para>
+/// <para>The cells form a binary tree that is walked depth first. The cuts are the path, and one bit for each says
+/// whether its second half is being walked. As deep as the tree has been before, a cell is halved while it is small,
+/// since it can be expected to outgrow the room again, and what it knows of the other half is lost.</para>
+/// <para>It terminates because supports are counted. Verdicts: Enclosed, Apart and Contradiction as those of
+/// <see cref="GjkDepth"/>; Undecided when the supports are spent, or there was no room.</para>
 /// </remarks>
 internal static unsafe class DepthCells
 {
-    /// <summary>
-    /// Count: supports after which the bounds are given as they are; about two milliseconds. Pinned by HullDepthTests.
-    /// </summary>
+    /// <summary>Count: supports after which the bounds are given as they are; about two milliseconds. Pinned by
+    /// HullDepthTests.</summary>
     private const int MostSupports = 3072;
 
-    /// <summary>
-    /// Count: vertices at which a cell is halved that will not fit: enough to see where its low faces are, and few to
-    /// ask for twice. Only time depends on it.
-    /// </summary>
+    /// <summary>Count: vertices at which a cell is halved that will not fit: enough to see where its low faces are, and
+    /// few to ask for twice. Only time depends on it.</summary>
     private const int EarlyVertices = 32;
 
     /// <summary>Finds the depth from what the general search has left in the state.</summary>

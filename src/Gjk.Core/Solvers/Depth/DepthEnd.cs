@@ -1,20 +1,13 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>Where the way out ends, for a search that knows its direction and its length but has no face.</summary>
-/// <remarks>
-/// Moved out along the way and a little more, B is that little apart from A, and the points where they are closest are
-/// those that touch at the end of the way. So the distance solvers find them.
-/// </remarks>
+/// <remarks>Moved out along the way and a little more, B is that little apart from A, and the points where they are
+/// closest are those that touch at the end of the way. So the distance solvers find them.</remarks>
 internal static class DepthEnd
 {
-    /// <summary>
-    /// Length, as a fraction of the size: how far apart they are then. A way that is longer than the shortest by e may
-    /// end beside their points by the root of 2 e times this. Much less would count as touching. Pinned by
-    /// CoaxialDepthTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: how far apart they are then. A way that is longer than the shortest
+    /// by e may end beside their points by the root of 2 e times this. Much less would count as touching. Pinned by
+    /// CoaxialDepthTests.</summary>
     private const double Beyond = 1.0 / (1 << 20);
 
     /// <summary>Writes the bounds and the points into the state.</summary>

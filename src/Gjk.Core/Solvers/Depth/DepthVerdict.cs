@@ -66,9 +66,8 @@ internal struct DepthBounds
         Normal = normal;
     }
 
-    /// <summary>
-    /// Writes the bounds as a feature of negative distance: as if a plane at minus the depth separated the shapes.
-    /// </summary>
+    /// <summary>Writes the bounds as a feature of negative distance: as if a plane at minus the depth separated the
+    /// shapes.</summary>
     /// <param name="state">Gets it.</param>
     /// <param name="depth">What to call the depth.</param>
     public readonly void Store(ref SolverState state, double depth)

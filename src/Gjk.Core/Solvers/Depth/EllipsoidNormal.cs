@@ -1,42 +1,31 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The surface's normal where an ellipsoid is nearest a point, by the root of one equation (Eberly, "Distance from a
-/// point to an ellipse, an ellipsoid, or a hyperellipsoid", 2013).
-/// </summary>
+/// <summary>The surface's normal where an ellipsoid is nearest a point, by the root of one equation (Eberly, "Distance
+/// from a point to an ellipse, an ellipsoid, or a hyperellipsoid", 2013).</summary>
 /// <remarks>
-/// <para>
-/// The nearest point x and the given one p satisfy p = x + t n with n = x / r², for each axis by itself. So x / r = z ρ
-/// / (u + ρ - 1) with z = p / r, ρ the squared ratio of the radius to the least one, and one unknown u = 1 + t / r² of
-/// that one; and x lies on the surface: the squares add up to 1. Of all roots the largest belongs to the nearest point.
-/// </para>
-/// <para>
-/// Two things differ from the source. The unknown is u, which is 0 and not -1 at the worst, so that nothing cancels
-/// there. And Newton's step takes the place of bisection: the sum is convex and falls, so that steps from the left
-/// never pass the root, and they end when rounding stops them. Where the point lies in the plane across the shortest
-/// axis and the sum is too small even for u = 0, x leaves the plane by as much as is missing.
-/// </para>
-/// <para>
-/// Beyond the centre another point may be the nearest of all around it, never a third one. Its u is the root next to 0
-/// from below, where the sum is convex, too: steps from the right never pass it. Where there is none, some normal comes
-/// out.
-/// </para>
+/// <para>The nearest point x and the given one p satisfy p = x + t n with n = x / r², for each axis by itself. So x / r
+/// = z ρ / (u + ρ - 1) with z = p / r, ρ the squared ratio of the radius to the least one, and one unknown u = 1 + t /
+/// r² of that one; and x lies on the surface: the squares add up to 1. Of all roots the largest belongs to the nearest
+/// point.</para>
+/// <para>Two things differ from the source. The unknown is u, which is 0 and not -1 at the worst, so that nothing
+/// cancels there. And Newton's step takes the place of bisection: the sum is convex and falls, so that steps from the
+/// left never pass the root, and they end when rounding stops them. Where the point lies in the plane across the
+/// shortest axis and the sum is too small even for u = 0, x leaves the plane by as much as is missing.</para>
+/// <para>Beyond the centre another point may be the nearest of all around it, never a third one. Its u is the root next
+/// to 0 from below, where the sum is convex, too: steps from the right never pass it. Where there is none, some normal
+/// comes out.</para>
 /// </remarks>
 internal static class EllipsoidNormal
 {
-    /// <summary>
-    /// Count: far from the root a step grows u by half of it, so that this many reach it from the least double.
-    /// </summary>
+    /// <summary>Count: far from the root a step grows u by half of it, so that this many reach it from the least
+    /// double.</summary>
     private const int MostSteps = 2048;
 
     /// <summary>The outward normal at the nearest point, of unit length.</summary>
     /// <param name="radii">All above 0.</param>
     /// <param name="point">Measured from the centre, along the axes.</param>
-    /// <param name="isOther">
-    /// Asks for the one on the other side of the centre, across the shortest axis, where no point around is nearer.
-    /// </param>
+    /// <param name="isOther">Asks for the one on the other side of the centre, across the shortest axis, where no point
+    /// around is nearer.</param>
     public static Double3 Nearest(in Double3 radii, in Double3 point, bool isOther = false)
     {
         double least = Math.Min(Math.Min(radii.X, radii.Y), radii.Z);

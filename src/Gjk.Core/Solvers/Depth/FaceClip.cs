@@ -1,18 +1,14 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// What of a segment or parallelogram lies opposite a parallelogram: clipped by its four sides, one after the other
-/// (Sutherland and Hodgman 1974).
-/// </summary>
+/// <summary>What of a segment or parallelogram lies opposite a parallelogram: clipped by its four sides, one after the
+/// other (Sutherland and Hodgman 1974).</summary>
 internal static unsafe class FaceClip
 {
     /// <summary>Count: four corners, and one more for each side that clips them; one to spare.</summary>
     private const int MostCorners = 9;
 
-    /// <summary>
-    /// The mean of the corners of what is left. A side beyond which all of it lies, as it may by rounding, cuts nothing
-    /// off.
-    /// </summary>
+    /// <summary>The mean of the corners of what is left. A side beyond which all of it lies, as it may by rounding,
+    /// cuts nothing off.</summary>
     /// <param name="middle">The middle of what is clipped.</param>
     /// <param name="first">Half of its one side.</param>
     /// <param name="second">Half of its other side; 0 for a segment.</param>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
 /// <summary>What a search over facets knows, and how much it may still do.</summary>
@@ -35,10 +33,8 @@ internal struct FacetSearch
     /// <summary>What is as high is no cheaper than the cheapest way out, but for rounding.</summary>
     public readonly double Limit => Depth.Above - Noise;
 
-    /// <summary>
-    /// Takes note of a direction whose way out costs at least so much. Where that seems to be the least, supports of
-    /// both shapes say what it does cost.
-    /// </summary>
+    /// <summary>Takes note of a direction whose way out costs at least so much. Where that seems to be the least,
+    /// supports of both shapes say what it does cost.</summary>
     /// <returns>False when the looks are spent, or the supports do not agree.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryLook<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, double height)

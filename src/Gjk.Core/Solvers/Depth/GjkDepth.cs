@@ -1,35 +1,22 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How deep two cores overlap: the shortest way for the origin out of the Minkowski difference A - B, by an expanding
-/// polytope (van den Bergen 2001).
-/// </summary>
+/// <summary>How deep two cores overlap: the shortest way for the origin out of the Minkowski difference A - B, by an
+/// expanding polytope (van den Bergen 2001).</summary>
 /// <remarks>
-/// <para>
-/// The surface of a tetrahedron of A - B grows by support points, always over its lowest face, the one of least signed
-/// offset from the origin. Two bounds end it. The surface is closed, so a ball as large as the lowest face's height is
-/// inside A - B: no way out is shorter. And the support point over that face says what the way out along its normal
-/// costs. Where the two meet, that is the depth.
-/// </para>
-/// <para>
-/// Two things differ from the source. The tetrahedron need not hold the origin, so no other query comes first: signed
-/// offsets lead the surface over the origin, or to a plane that separates the shapes. And a face's height is the least
-/// of its three vertices' offsets (<see cref="Polytope"/>), so a normal that rounding has turned weakens the bound and
-/// never the proof; such a normal is computed again in extended precision.
-/// </para>
-/// <para>
-/// It terminates because each new vertex lies above the surface by more than the noise, and there is room for a fixed
-/// number. Of several ways that are equally short the one whose face is finished first is taken; no hardware and no
-/// thread changes which that is.
-/// </para>
-/// <para>
-/// Verdicts. Found: both bounds met. Apart: a plane separates the shapes by more than rounding could. Undecided:
+/// <para>The surface of a tetrahedron of A - B grows by support points, always over its lowest face, the one of least
+/// signed offset from the origin. Two bounds end it. The surface is closed, so a ball as large as the lowest face's
+/// height is inside A - B: no way out is shorter. And the support point over that face says what the way out along its
+/// normal costs. Where the two meet, that is the depth.</para>
+/// <para>Two things differ from the source. The tetrahedron need not hold the origin, so no other query comes first:
+/// signed offsets lead the surface over the origin, or to a plane that separates the shapes. And a face's height is the
+/// least of its three vertices' offsets (<see cref="Polytope"/>), so a normal that rounding has turned weakens the
+/// bound and never the proof; such a normal is computed again in extended precision.</para>
+/// <para>It terminates because each new vertex lies above the surface by more than the noise, and there is room for a
+/// fixed number. Of several ways that are equally short the one whose face is finished first is taken; no hardware and
+/// no thread changes which that is.</para>
+/// <para>Verdicts. Found: both bounds met. Apart: a plane separates the shapes by more than rounding could. Undecided:
 /// there was no room, and the bounds are what was found. Flat: A - B has no inside, so the depth is 0 if they touch.
-/// Contradiction: a support point was NaN, or lay behind one that the same support had given before.
-/// </para>
+/// Contradiction: a support point was NaN, or lay behind one that the same support had given before.</para>
 /// </remarks>
 internal static unsafe class GjkDepth
 {
@@ -104,11 +91,9 @@ internal static unsafe class GjkDepth
         return DepthVerdict.Undecided;
     }
 
-    /// <summary>
-    /// Length: a point that the surface has already lies above a face by rounding alone, as between faces that are
-    /// level or vertices that nearly coincide. It cannot grow the surface, and bounds that are no further apart than
-    /// this are within the promise.
-    /// </summary>
+    /// <summary>Length: a point that the surface has already lies above a face by rounding alone, as between faces that
+    /// are level or vertices that nearly coincide. It cannot grow the surface, and bounds that are no further apart
+    /// than this are within the promise.</summary>
     private static double RepeatedGap(in PairFrame frame, in SolverState state, in DepthBounds depth) =>
         GjkTolerances.RepeatedGap * (depth.Above + frame.Margins) + 4 * state.DepthNoise;
 

@@ -1,26 +1,18 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The directions across an edge of A, from the normal of a facet beside it to that of the facet on its other side, and
-/// the ways out along them.
-/// </summary>
-/// <remarks>
-/// In all of them the furthest point of A is an end of the edge. That of B changes where the arc crosses the directions
-/// across an edge of B: there the support's neighbours are as far as it, and the next one is the first to be. Between
-/// two changes the way out is the product of a fixed point and a direction that turns, least at one of the two. So the
-/// arc is proved by its ends and its changes; whichever points the walk holds, they are points of A and of B, and what
-/// it calls the cost of a way out is never more than it is. Where that seems to be the least and supports say that it
-/// is more, rounding among level corners has missed a change, and the piece is walked again with the corner that the
-/// support gives; or it has missed the arc's end, whose way out is that of a facet.
-/// </remarks>
+/// <summary>The directions across an edge of A, from the normal of a facet beside it to that of the facet on its other
+/// side, and the ways out along them.</summary>
+/// <remarks>In all of them the furthest point of A is an end of the edge. That of B changes where the arc crosses the
+/// directions across an edge of B: there the support's neighbours are as far as it, and the next one is the first to
+/// be. Between two changes the way out is the product of a fixed point and a direction that turns, least at one of the
+/// two. So the arc is proved by its ends and its changes; whichever points the walk holds, they are points of A and of
+/// B, and what it calls the cost of a way out is never more than it is. Where that seems to be the least and supports
+/// say that it is more, rounding among level corners has missed a change, and the piece is walked again with the corner
+/// that the support gives; or it has missed the arc's end, whose way out is that of a facet.</remarks>
 internal struct HullArc
 {
-    /// <summary>
-    /// Squared ratio: a corner so near the edge's line does not tell the height of the plane through both to within
-    /// <see cref="HullFacet.Slack"/>. The arc is walked from both ends then.
-    /// </summary>
+    /// <summary>Squared ratio: a corner so near the edge's line does not tell the height of the plane through both to
+    /// within <see cref="HullFacet.Slack"/>. The arc is walked from both ends then.</summary>
     private const double NearEdge = 1e-10;
 
     /// <summary>Where the walk is, and in which direction it goes on, of unit length; in A's axes and in B's.</summary>

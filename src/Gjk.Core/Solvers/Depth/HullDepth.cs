@@ -1,44 +1,30 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How deep two hulls overlap, by the facets of their Minkowski difference (Gottschalk, Lin and Manocha 1996): the
-/// shortest way out is across a facet of A, a facet of B, or an edge of each.
-/// </summary>
+/// <summary>How deep two hulls overlap, by the facets of their Minkowski difference (Gottschalk, Lin and Manocha 1996):
+/// the shortest way out is across a facet of A, a facet of B, or an edge of each.</summary>
 /// <remarks>
-/// <para>
-/// For hulls that have outgrown the general search (<see cref="GjkDepth"/>): nearly round ones about one centre, where
-/// all ways out are nearly equally long. Nothing is built. A facet's way out costs its height and the other hull's
-/// extent against it, one support. An edge of A is across all directions of an arc, from the normal of the facet on its
-/// one side to that on its other side, and <see cref="HullArc"/> walks it.
-/// </para>
-/// <para>
-/// Most facets need no support: with a ball in the other hull, no way near a facet is shorter than the facet's height
-/// and that ball's radius. Along an arc the height is no less than at one of its ends; so an arc is walked from its
-/// lower end only, until what is left of it has two high ends.
-/// </para>
-/// <para>
-/// The poles of a sphere from sine and cosine are copies 1e-17 apart, and facets between them have no normal but
+/// <para>For hulls that have outgrown the general search (<see cref="GjkDepth"/>): nearly round ones about one centre,
+/// where all ways out are nearly equally long. Nothing is built. A facet's way out costs its height and the other
+/// hull's extent against it, one support. An edge of A is across all directions of an arc, from the normal of the facet
+/// on its one side to that on its other side, and <see cref="HullArc"/> walks it.</para>
+/// <para>Most facets need no support: with a ball in the other hull, no way near a facet is shorter than the facet's
+/// height and that ball's radius. Along an arc the height is no less than at one of its ends; so an arc is walked from
+/// its lower end only, until what is left of it has two high ends.</para>
+/// <para>The poles of a sphere from sine and cosine are copies 1e-17 apart, and facets between them have no normal but
 /// rounding. Facets so thin that the depth is the same without them are left out, and so are corners on the line of an
-/// edge, which is walked from both sides then.
-/// </para>
-/// <para>
-/// It terminates because looks are counted. Verdicts: Found when every facet and arc was proved to be no cheaper
+/// edge, which is walked from both sides then.</para>
+/// <para>It terminates because looks are counted. Verdicts: Found when every facet and arc was proved to be no cheaper
 /// than the cheapest way out, which a support of both hulls has confirmed; Apart as those of the general search;
-/// Undecided when the looks are spent, or rounding has led a walk astray.
-/// </para>
+/// Undecided when the looks are spent, or rounding has led a walk astray.</para>
 /// </remarks>
 internal static class HullDepth
 {
-    /// <summary>
-    /// Count: triangles of both hulls; reading those of two spheres of 4,096 corners takes a fifth of a millisecond.
-    /// </summary>
+    /// <summary>Count: triangles of both hulls; reading those of two spheres of 4,096 corners takes a fifth of a
+    /// millisecond.</summary>
     private const int MostTriangles = 1 << 14;
 
-    /// <summary>
-    /// Count: facets and changes along arcs that may be looked at; three milliseconds. Pinned by HullDepthTests.
-    /// </summary>
+    /// <summary>Count: facets and changes along arcs that may be looked at; three milliseconds. Pinned by
+    /// HullDepthTests.</summary>
     private const int MostLooks = 1 << 14;
 
     /// <summary>Ratio: the part of B's facets that tells how many looks all of them will take.</summary>

@@ -1,27 +1,21 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>A triangle of a hull, as a shape scales it: wound so that its normal points outward.</summary>
 internal struct HullFacet
 {
-    /// <summary>
-    /// Squared sine of the angle between two edges: a thinner triangle's normal is computed in 106 bits. Above it,
-    /// double turns a normal by less than 1e-13, and a height by less than that times the size. Four times more or less
-    /// only moves triangles from one to the other.
-    /// </summary>
+    /// <summary>Squared sine of the angle between two edges: a thinner triangle's normal is computed in 106 bits. Above
+    /// it, double turns a normal by less than 1e-13, and a height by less than that times the size. Four times more or
+    /// less only moves triangles from one to the other.</summary>
     private const double Thin = 1e-4;
 
-    /// <summary>
-    /// Ratio to a height: more than that. A facet that is higher than asked by less is looked at in vain.
-    /// </summary>
+    /// <summary>Ratio to a height: more than that. A facet that is higher than asked by less is looked at in
+    /// vain.</summary>
     public const double Slack = 1e-11;
 
-    /// <summary>
-    /// Squared ratio of lengths: a triangle that is thinner than that part of its distance from the shape's centre is
-    /// none. Its normal is the rounding of its corners, 1e-16, and may point anywhere; without it the depth changes by
-    /// no more. Four times more or less only moves triangles between the two. Pinned by HullDepthTests.
-    /// </summary>
+    /// <summary>Squared ratio of lengths: a triangle that is thinner than that part of its distance from the shape's
+    /// centre is none. Its normal is the rounding of its corners, 1e-16, and may point anywhere; without it the depth
+    /// changes by no more. Four times more or less only moves triangles between the two. Pinned by
+    /// HullDepthTests.</summary>
     private const double Line = 1e-24;
 
     /// <summary>The corners, measured from the shape's centre.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core;
 
 /// <summary>An angle between 0 and half a turn, by its cosine and sine.</summary>
@@ -17,9 +15,7 @@ internal struct HullTurn
     /// <summary>Of two products with directions a quarter turn apart, that with the direction between them.</summary>
     public readonly double Of(double here, double ahead) => here * Cosine + ahead * Sine;
 
-    /// <summary>
-    /// Shortens it to where a product falls to 0, that is not below 0 here, if that is sooner.
-    /// </summary>
+    /// <summary>Shortens it to where a product falls to 0, that is not below 0 here, if that is sooner.</summary>
     /// <param name="here">The product now; rounding may have made it less than 0.</param>
     /// <param name="ahead">The product a quarter turn ahead.</param>
     public bool TryShorten(double here, double ahead)

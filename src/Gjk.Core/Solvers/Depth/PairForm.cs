@@ -1,27 +1,18 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What the forms of two shapes say about their depth before anything is searched. A point leaves an ellipsoid in a
-/// direction that is known; two bodies of revolution whose axes are parallel, such as a pin in its hole, leave each
-/// other in a plane that is known; and of two hulls the facets are known.
-/// </summary>
+/// <summary>What the forms of two shapes say about their depth before anything is searched. A point leaves an ellipsoid
+/// in a direction that is known; two bodies of revolution whose axes are parallel, such as a pin in its hole, leave
+/// each other in a plane that is known; and of two hulls the facets are known.</summary>
 internal readonly struct PairForm
 {
-    /// <summary>
-    /// Length, as a fraction of the size: axes count as parallel when turning the smaller body until they are moves no
-    /// point of it further. The rounding of two quaternions does that. Twice it, and what the search in the plane
-    /// leaves, are below the promise of 1e-6. Pinned by CoaxialDepthTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: axes count as parallel when turning the smaller body until they are
+    /// moves no point of it further. The rounding of two quaternions does that. Twice it, and what the search in the
+    /// plane leaves, are below the promise of 1e-6. Pinned by CoaxialDepthTests.</summary>
     public const double Parallel = 1e-7;
 
-    /// <summary>
-    /// Length, as a fraction of the size: bodies are nearly coaxial when that and the gap between their axes are less.
-    /// Beyond, the general search has room for the valley of ways out around the axis; four times less leaves pairs
-    /// that it has no room for, and four times more holds, too. Pinned by LeaningDepthTests.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size: bodies are nearly coaxial when that and the gap between their axes
+    /// are less. Beyond, the general search has room for the valley of ways out around the axis; four times less leaves
+    /// pairs that it has no room for, and four times more holds, too. Pinned by LeaningDepthTests.</summary>
     private const double NearlyCoaxial = 4e-2;
 
     /// <summary>What is known of the way out.</summary>
@@ -68,10 +59,8 @@ internal readonly struct PairForm
         !a.HasNoAxis && !b.HasNoAxis ? AlongAxes(a, b, frame)
             : a.IsPoint || b.IsPoint ? OutOfEllipsoid(a, b, frame, frame.Translation, default, false) : default;
 
-    /// <summary>
-    /// The ways out of a round body across one corner of the other body, or across an edge: a direction, or half a
-    /// circle of them. Where points beside the corner have none that is shorter, it is among both.
-    /// </summary>
+    /// <summary>The ways out of a round body across one corner of the other body, or across an edge: a direction, or
+    /// half a circle of them. Where points beside the corner have none that is shorter, it is among both.</summary>
     /// <param name="frame">Where B is, seen from A.</param>
     /// <param name="offset">From A's centre to the corner of B, or from that of A to B's centre.</param>
     /// <param name="edge">Along the edge, of unit length; 0 for a corner.</param>

@@ -3,16 +3,12 @@ namespace Gjk.Core;
 /// <summary>What an expanded polytope says about the end of the way out.</summary>
 internal static class PolytopeEnd
 {
-    /// <summary>
-    /// Squared cosine: faces of one facet may be turned against each other by this much, some degrees: enough for
-    /// needles among them. Others are only looked at in vain.
-    /// </summary>
+    /// <summary>Squared cosine: faces of one facet may be turned against each other by this much, some degrees: enough
+    /// for needles among them. Others are only looked at in vain.</summary>
     private const double Level = 0.98;
 
-    /// <summary>
-    /// The face that holds a point of the surface: where the way out ends. Of a facet of many triangles it is the one
-    /// whose nearest point to the origin is that point.
-    /// </summary>
+    /// <summary>The face that holds a point of the surface: where the way out ends. Of a facet of many triangles it is
+    /// the one whose nearest point to the origin is that point.</summary>
     /// <param name="polytope">The surface.</param>
     /// <param name="best">A face in the plane of the facet, or near it.</param>
     /// <param name="normal">The direction of the way out, of unit length.</param>

@@ -1,16 +1,9 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The tetrahedron that an expanding polytope grows from: support points of A - B in four directions, the first along
-/// the line through the centres; or the triangle that a warm start remembers, and one point more.
-/// </summary>
-/// <remarks>
-/// Each point is looked for on both sides of what there is, the side of the origin first. Where A - B has less extent
-/// than rounding leaves certain, it is flat, and the cheapest direction seen on the way is across it.
-/// </remarks>
+/// <summary>The tetrahedron that an expanding polytope grows from: support points of A - B in four directions, the
+/// first along the line through the centres; or the triangle that a warm start remembers, and one point more.</summary>
+/// <remarks>Each point is looked for on both sides of what there is, the side of the origin first. Where A - B has less
+/// extent than rounding leaves certain, it is flat, and the cheapest direction seen on the way is across it.</remarks>
 internal static unsafe class PolytopeStart
 {
     /// <summary>Makes the surface a tetrahedron, and notes what the directions cost.</summary>
@@ -146,10 +139,9 @@ internal static unsafe class PolytopeStart
         return Double3.Cross(along, axis);
     }
 
-    /// <summary>
-    /// The normal of a triangle; of a needle, which double would lean along its length, in 106 bits. Leaning, it would
-    /// find the needle's own far corner above the triangle, and call its height the depth of what is flat.
-    /// </summary>
+    /// <summary>The normal of a triangle; of a needle, which double would lean along its length, in 106 bits. Leaning,
+    /// it would find the needle's own far corner above the triangle, and call its height the depth of what is
+    /// flat.</summary>
     private static Double3 Normal(in Double3 p, in Double3 q, in Double3 r, in SolverState state)
     {
         Double3 e = q - p, f = r - p, normal = Double3.Cross(e, f);

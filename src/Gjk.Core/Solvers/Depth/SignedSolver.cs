@@ -1,24 +1,16 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The signed distance of two cores: apart, that of the distance solvers; overlapping, the depth, as a feature of
-/// negative height.
-/// </summary>
+/// <summary>The signed distance of two cores: apart, that of the distance solvers; overlapping, the depth, as a feature
+/// of negative height.</summary>
 /// <remarks>
-/// <para>
-/// Without margins the depth is asked first: shapes that are worth the question mostly overlap, and a plane that
+/// <para>Without margins the depth is asked first: shapes that are worth the question mostly overlap, and a plane that
 /// separates them is found on the way; two boxes have a search of their own, which all shapes that are boxes share.
 /// Within the band where rounding could turn the answer, the distance decides whether the shapes touch, so that both
 /// queries agree. With margins the distance of the cores is asked first: most rounded shapes overlap by their margins
-/// alone, and then it is all that is needed.
-/// </para>
-/// <para>
-/// Verdicts: those of <see cref="GjkDistance"/> without Enclosed. Apart holds for overlapping shapes too, whose feature
-/// has a height of 0 or less; Undecided means that there was no room, and the feature and the plane are the bounds.
-/// </para>
+/// alone, and then it is all that is needed.</para>
+/// <para>Verdicts: those of <see cref="GjkDistance"/> without Enclosed. Apart holds for overlapping shapes too, whose
+/// feature has a height of 0 or less; Undecided means that there was no room, and the feature and the plane are the
+/// bounds.</para>
 /// </remarks>
 internal static class SignedSolver
 {
@@ -100,10 +92,8 @@ internal static class SignedSolver
         state.Verdict = Verdict.Apart;
     }
 
-    /// <summary>
-    /// Asks the search that is made for the pair, or else the general one. The state gets the weights of the way's end
-    /// where the depth is known.
-    /// </summary>
+    /// <summary>Asks the search that is made for the pair, or else the general one. The state gets the weights of the
+    /// way's end where the depth is known.</summary>
     private static DepthVerdict SolveDepth<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
@@ -192,10 +182,8 @@ internal static class SignedSolver
         state.Verdict = depth == DepthVerdict.Found ? Verdict.Apart : Verdict.Undecided;
     }
 
-    /// <summary>
-    /// Shapes that the distance calls touching get the direction that the search for the depth found; their depth is
-    /// less than rounding can tell.
-    /// </summary>
+    /// <summary>Shapes that the distance calls touching get the direction that the search for the depth found; their
+    /// depth is less than rounding can tell.</summary>
     private static void Touch(ref SolverState state, in ClosestFeature across, double above)
     {
         state.Feature = across;

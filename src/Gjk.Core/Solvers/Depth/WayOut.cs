@@ -1,15 +1,12 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// What the forms of two shapes say about the shortest way out of each other before anything is searched: its
-/// direction, or a plane that it lies in; the default says nothing. In A's axes.
-/// </summary>
+/// <summary>What the forms of two shapes say about the shortest way out of each other before anything is searched: its
+/// direction, or a plane that it lies in; the default says nothing. In A's axes.</summary>
 internal readonly struct WayOut
 {
-    /// <summary>
-    /// Ratio, squared, of the offset's part across the axis to all of it: 2^-100, far below what rounding does to it.
-    /// Shapes whose axes are so near each other may leave each other in any plane. Any amount below rounding will do.
-    /// </summary>
+    /// <summary>Ratio, squared, of the offset's part across the axis to all of it: 2^-100, far below what rounding does
+    /// to it. Shapes whose axes are so near each other may leave each other in any plane. Any amount below rounding
+    /// will do.</summary>
     private const double Coaxial = 1.0 / (1L << 50) / (1L << 50);
 
     /// <summary>Of unit length: the direction, or the side of the plane's axis that the way out lies on.</summary>
@@ -18,10 +15,8 @@ internal readonly struct WayOut
     /// <summary>Of unit length: the plane's axis; 0 where the direction is known.</summary>
     public readonly Double3 Axis;
 
-    /// <summary>
-    /// Length per radian: how much the shortest way out in such a plane may change as the plane turns about its axis; 0
-    /// where the way out is in this one.
-    /// </summary>
+    /// <summary>Length per radian: how much the shortest way out in such a plane may change as the plane turns about
+    /// its axis; 0 where the way out is in this one.</summary>
     public readonly double Slope;
 
     /// <summary>Both bodies' unit axes, less the plane's.</summary>
@@ -75,11 +70,9 @@ internal readonly struct WayOut
             Across * cosine + Double3.Cross(Axis, Across) * sine, Axis, Slope, _leanA, _leanB);
     }
 
-    /// <summary>
-    /// How a point of A - B moves against the plane as the plane turns, when each body turns about its own axis by as
-    /// much, which changes neither. What is left of a Taylor series behind its first, second and third term is at most
-    /// the slope times the angle, its square, and two thirds of its cube.
-    /// </summary>
+    /// <summary>How a point of A - B moves against the plane as the plane turns, when each body turns about its own
+    /// axis by as much, which changes neither. What is left of a Taylor series behind its first, second and third term
+    /// is at most the slope times the angle, its square, and two thirds of its cube.</summary>
     /// <param name="onA">The point of A, from its centre.</param>
     /// <param name="onB">The point of B, from its own, in A's axes.</param>
     /// <param name="offset">From A's centre to B's.</param>

@@ -1,62 +1,43 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// When two cores with margins that move and turn first come within a tolerance of each other: conservative advancement
-/// (Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) along planes that turn with the features
-/// (after Catto, "Continuous Collision", 2013).
-/// </summary>
+/// <summary>When two cores with margins that move and turn first come within a tolerance of each other: conservative
+/// advancement (Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) along planes that turn with
+/// the features (after Catto, "Continuous Collision", 2013).</summary>
 /// <remarks>
-/// <para>
-/// Each round asks for the distance at the fraction reached, which comes with a plane that separates the shapes. The
-/// plane goes on turning as the nearest feature does (<see cref="TurningPlane"/>). A step is tried that should end
+/// <para>Each round asks for the distance at the fraction reached, which comes with a plane that separates the shapes.
+/// The plane goes on turning as the nearest feature does (<see cref="TurningPlane"/>). A step is tried that should end
 /// just before the gap along it does; a support on each shape at its end, and a bound on how far the gap can sag in
-/// between, prove the step, or the part of it that they can. The next round begins there.
-/// </para>
-/// <para>
-/// Mirtich's bound is the largest speed of any point, so that steps shrink with the gap. The chord with its sag is of
-/// second order: steps towards a contact are Newton's, and past a near miss they go with the gap's square root. Catto's
-/// root finder trusts samples; here nothing that is not proved is passed over.
-/// </para>
-/// <para>
-/// It terminates because a step leaves no less than a floor, and a gap above the tolerance is several floors: so each
-/// step has a length that does not depend on the round. MaxSteps bounds their number where bodies spin closely past
-/// each other for many turns.
-/// </para>
-/// <para>
-/// Verdicts. Hit: at the fraction they are within the tolerance, or they touch at the start. Miss: they are not
+/// between, prove the step, or the part of it that they can. The next round begins there.</para>
+/// <para>Mirtich's bound is the largest speed of any point, so that steps shrink with the gap. The chord with its sag
+/// is of second order: steps towards a contact are Newton's, and past a near miss they go with the gap's square root.
+/// Catto's root finder trusts samples; here nothing that is not proved is passed over.</para>
+/// <para>It terminates because a step leaves no less than a floor, and a gap above the tolerance is several floors: so
+/// each step has a length that does not depend on the round. MaxSteps bounds their number where bodies spin closely
+/// past each other for many turns.</para>
+/// <para>Verdicts. Hit: at the fraction they are within the tolerance, or they touch at the start. Miss: they are not
 /// up to the end. Undecided: the steps ran out, and they are apart up to the fraction. Contradiction: as the distance
-/// has it.
-/// </para>
+/// has it.</para>
 /// </remarks>
 internal static class AdvancementSolver
 {
-    /// <summary>
-    /// Count: the largest number of distances that a query asks for. Random motions of up to ten turns take 4 in the
-    /// median and some hundreds at worst. A backstop: more would only cost time, and a quarter is enough for all that
-    /// the tests move.
-    /// </summary>
+    /// <summary>Count: the largest number of distances that a query asks for. Random motions of up to ten turns take 4
+    /// in the median and some hundreds at worst. A backstop: more would only cost time, and a quarter is enough for all
+    /// that the tests move.</summary>
     public const int MaxSteps = 1024;
 
-    /// <summary>
-    /// Counts: after so many steps, and after each four times as many, it pays to measure how far the bodies reach from
-    /// their axes, by twice as many supports as there were steps. Larger factors would only cost time. Pinned by
-    /// TimeOfImpactTests.AWheelPassesAFloor.
-    /// </summary>
+    /// <summary>Counts: after so many steps, and after each four times as many, it pays to measure how far the bodies
+    /// reach from their axes, by twice as many supports as there were steps. Larger factors would only cost time.
+    /// Pinned by TimeOfImpactTests.AWheelPassesAFloor.</summary>
     private const int MeasureAfter = 8, MeasureFactor = 4, SupportsPerStep = 2;
 
-    /// <summary>
-    /// Ratios to the tolerance: steps leave a proved gap of the floor, and aim at half of the gap that is accepted. The
-    /// rest is left for rounding the fraction to a float. Pinned by ImpactToleranceTests.
-    /// </summary>
+    /// <summary>Ratios to the tolerance: steps leave a proved gap of the floor, and aim at half of the gap that is
+    /// accepted. The rest is left for rounding the fraction to a float. Pinned by ImpactToleranceTests.</summary>
     internal const double FloorRatio = 1.0 / 64, MostAccepted = 1.0 / 2;
 
     private const double LeastAccepted = 1.0 / 8;
 
-    /// <summary>
-    /// Ratio to a fraction: 2^-23, at least the distance to the float before. Pinned by ImpactToleranceTests.
-    /// </summary>
+    /// <summary>Ratio to a fraction: 2^-23, at least the distance to the float before. Pinned by
+    /// ImpactToleranceTests.</summary>
     private const double FloatStep = 1.0 / (1 << 23);
 
     /// <summary>Moves the pair until it touches; the state and the frame are those of the end.</summary>
@@ -127,10 +108,8 @@ internal static class AdvancementSolver
         return next;
     }
 
-    /// <summary>
-    /// Goes on as long as the plane, if it stands still, separates all that the bodies can turn to: a wheel passes a
-    /// wall in one step.
-    /// </summary>
+    /// <summary>Goes on as long as the plane, if it stands still, separates all that the bodies can turn to: a wheel
+    /// passes a wall in one step.</summary>
     /// <returns>False where the other way goes further.</returns>
     internal static bool TrySweep<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end, double floor,
@@ -162,10 +141,9 @@ internal static class AdvancementSolver
         return Double3.Dot(local, point);
     }
 
-    /// <summary>
-    /// Shapes that are within the tolerance and on their way apart do not hit: resting or just parted ones could not
-    /// be moved at all. They leave if a step is proved that ends well outside the tolerance, or at the end.
-    /// </summary>
+    /// <summary>Shapes that are within the tolerance and on their way apart do not hit: resting or just parted ones
+    /// could not be moved at all. They leave if a step is proved that ends well outside the tolerance, or at the
+    /// end.</summary>
     private static bool TryLeave<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end,
         double outside, double floor, out double next)
@@ -219,15 +197,9 @@ internal static class AdvancementSolver
 }
 
 /// <summary>A part of a motion.</summary>
-internal readonly struct FractionInterval
+internal readonly struct FractionInterval(double begin, double end)
 {
-    public readonly double Begin, End;
-
-    public FractionInterval(double begin, double end)
-    {
-        Begin = begin;
-        End = end;
-    }
+    public readonly double Begin = begin, End = end;
 }
 
 /// <summary>What an advancement found.</summary>

@@ -1,9 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// What a solver can say about two cores that move. The numbers are those of <see cref="Verdict"/>, whose distance at
-/// one fraction says what the whole motion is known to be so far.
-/// </summary>
+/// <summary>What a solver can say about two cores that move. The numbers are those of <see cref="Verdict"/>, whose
+/// distance at one fraction says what the whole motion is known to be so far.</summary>
 internal enum MotionVerdict : byte
 {
     /// <summary>The search ended at its limit; up to the fraction there is no contact.</summary>

@@ -1,29 +1,19 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The place of B on the line of a cast: up to where the two are apart, from where on they touch, and where to look
-/// next.
-/// </summary>
+/// <summary>The place of B on the line of a cast: up to where the two are apart, from where on they touch, and where to
+/// look next.</summary>
 /// <remarks>
-/// <para>
-/// The distance along the line is convex. Where it falls at a place at which they are apart, they are apart before it
-/// too; so such a place may be jumped to, and is as good as one that planes have proved step by step. A place where
-/// they touch already bounds the first contact from behind.
-/// </para>
-/// <para>
-/// With margins the distance is curved: the line meets a ball about a vertex, a cylinder about an edge, a plane beside
-/// a face. If the feature that is nearest now is the one that is touched, the jump ends the cast (Ericson 2004, section
-/// 5.3, for the ray against each).
-/// </para>
+/// <para>The distance along the line is convex. Where it falls at a place at which they are apart, they are apart
+/// before it too; so such a place may be jumped to, and is as good as one that planes have proved step by step. A place
+/// where they touch already bounds the first contact from behind.</para>
+/// <para>With margins the distance is curved: the line meets a ball about a vertex, a cylinder about an edge, a plane
+/// beside a face. If the feature that is nearest now is the one that is touched, the jump ends the cast (Ericson 2004,
+/// section 5.3, for the ray against each).</para>
 /// </remarks>
 internal struct CastJump
 {
-    /// <summary>
-    /// Ratio to the line's error: how far behind a plane that was crossed its shape still counts as met. Pinned by
-    /// CastToleranceTests.
-    /// </summary>
+    /// <summary>Ratio to the line's error: how far behind a plane that was crossed its shape still counts as met.
+    /// Pinned by CastToleranceTests.</summary>
     private const double Through = 4;
 
     /// <summary>Where B is now, a length along the line.</summary>
@@ -129,10 +119,8 @@ internal struct CastJump
         Along = _isJump ? jump : _safe;
     }
 
-    /// <summary>
-    /// How far it is to where the line meets the margin about the nearest feature, as if that had no end; NaN where it
-    /// does not, or where the plane's own step is as good.
-    /// </summary>
+    /// <summary>How far it is to where the line meets the margin about the nearest feature, as if that had no end; NaN
+    /// where it does not, or where the plane's own step is as good.</summary>
     private static double AheadTo(in SolverState state, in PairFrame frame, in Double3 axis)
     {
         double radius = frame.Margins;

@@ -1,24 +1,16 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The motion of a cast, seen from A: B's centre moves along a line, and from where it is nearest to A's centre all
-/// lengths on the line are measured. So nothing cancels, however far away B begins.
-/// </summary>
+/// <summary>The motion of a cast, seen from A: B's centre moves along a line, and from where it is nearest to A's
+/// centre all lengths on the line are measured. So nothing cancels, however far away B begins.</summary>
 internal struct CastLine
 {
-    /// <summary>
-    /// Length, a fraction of the radii and of the way to the nearest point: what rounding does to the place of the
-    /// line, 32 roundings, twice the most (proofs/cast-line.g). A plane that is nearer proves no miss. Pinned by
-    /// CastToleranceTests.
-    /// </summary>
+    /// <summary>Length, a fraction of the radii and of the way to the nearest point: what rounding does to the place of
+    /// the line, 32 roundings, twice the most (proofs/cast-line.g). A plane that is nearer proves no miss. Pinned by
+    /// CastToleranceTests.</summary>
     private const double Rounding = 32 * RoundOff.Unit;
 
-    /// <summary>
-    /// Ratio to the radii: how much larger the balls are taken, so that cores that begin to touch with them are still
-    /// apart there by more than rounding. Pinned by CastToleranceTests.
-    /// </summary>
+    /// <summary>Ratio to the radii: how much larger the balls are taken, so that cores that begin to touch with them
+    /// are still apart there by more than rounding. Pinned by CastToleranceTests.</summary>
     private const double BallBand = 1e-12;
 
     /// <summary>Of the motion, of unit length.</summary>
@@ -43,10 +35,8 @@ internal struct CastLine
     /// <param name="frame">The pair at the start.</param>
     /// <param name="motion">Of B, in A's frame, for the fraction 1.</param>
     /// <param name="line">The line, where there is one and the balls meet.</param>
-    /// <returns>
-    /// Enclosed where the bounding balls overlap somewhere on it, Apart where they do not. Undecided where there is no
-    /// motion; the line then is a point, the start.
-    /// </returns>
+    /// <returns>Enclosed where the bounding balls overlap somewhere on it, Apart where they do not. Undecided where
+    /// there is no motion; the line then is a point, the start.</returns>
     public static MotionVerdict Make(in PairFrame frame, in Double3 motion, out CastLine line)
     {
         line = default;

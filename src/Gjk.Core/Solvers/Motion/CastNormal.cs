@@ -1,35 +1,24 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The normal in which a curved core is touched, and the point, sharper than the distance needs them. A normal that is
-/// wrong by an angle costs a distance only the angle's square, so a walk that ends within 1e-10 of the distance can be
-/// 1e-5 off.
-/// </summary>
-/// <remarks>
-/// Cores without margins are first moved away from the contact, along the normal that is known: the closest points
-/// stay where they are but for a small part of its error. There the textbook's walk goes on until the distance stops
-/// falling. Nothing but the last digits depend on its end, so nothing need be proved: the normal is taken if its plane
-/// is at least as good as the one that is known.
-/// </remarks>
+/// <summary>The normal in which a curved core is touched, and the point, sharper than the distance needs them. A normal
+/// that is wrong by an angle costs a distance only the angle's square, so a walk that ends within 1e-10 of the distance
+/// can be 1e-5 off.</summary>
+/// <remarks>Cores without margins are first moved away from the contact, along the normal that is known: the closest
+/// points stay where they are but for a small part of its error. There the textbook's walk goes on until the distance
+/// stops falling. Nothing but the last digits depend on its end, so nothing need be proved: the normal is taken if its
+/// plane is at least as good as the one that is known.</remarks>
 internal static class CastNormal
 {
-    /// <summary>
-    /// Ratio to the radii: how far B is moved away. A quarter of it, and four times as much, keep all that
-    /// CurvedCastTests ask.
-    /// </summary>
+    /// <summary>Ratio to the radii: how far B is moved away. A quarter of it, and four times as much, keep all that
+    /// CurvedCastTests ask.</summary>
     private const double Retreat = 1e-3;
 
-    /// <summary>
-    /// Ratio to the distance: a gap between feature and plane that costs an angle of some 4e-7. A smaller one would
-    /// only take more rounds. Pinned by CurvedCastTests.
-    /// </summary>
+    /// <summary>Ratio to the distance: a gap between feature and plane that costs an angle of some 4e-7. A smaller one
+    /// would only take more rounds. Pinned by CurvedCastTests.</summary>
     private const double Gap = 1e-13;
 
-    /// <summary>
-    /// Count: rarely more than twenty are taken; more would only cost time. Pinned by CurvedCastTests.
-    /// </summary>
+    /// <summary>Count: rarely more than twenty are taken; more would only cost time. Pinned by
+    /// CurvedCastTests.</summary>
     private const int MaxRounds = 64;
 
     /// <summary>Makes normal and point sharper; the simplex in the state is used up.</summary>

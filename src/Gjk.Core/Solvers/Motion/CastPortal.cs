@@ -1,65 +1,44 @@
-using System;
-using System.Runtime.CompilerServices;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Where a line enters the Minkowski difference of two polytopes. A triangle of three of its vertices that the line
-/// passes through, the portal, is moved towards the line's beginning until a support plane proves that it is a face
-/// (Snethen, "XenoCollide: Complex Collision Made Simple", 2008, there for rays from the inside).
-/// </summary>
+/// <summary>Where a line enters the Minkowski difference of two polytopes. A triangle of three of its vertices that the
+/// line passes through, the portal, is moved towards the line's beginning until a support plane proves that it is a
+/// face (Snethen, "XenoCollide: Complex Collision Made Simple", 2008, there for rays from the inside).</summary>
 /// <remarks>
-/// <para>
-/// Seen along the motion, the difference is a polygon and the line a point, the origin. First the origin is enclosed in
-/// a triangle of vertices, as GJK does it, in the plane; a plane along the motion with the polygon on its far side
-/// proves a miss. Then each round asks for the vertex furthest beyond the portal's plane. It takes the place of the
-/// corner without which the line still passes, and the entry comes nearer. Where nothing lies beyond, portal and plane
-/// are bounds of the entry that meet.
-/// </para>
-/// <para>
-/// It deviates from the source in what it believes. An entry is told only with its certificate: a weighted sum of the
-/// portal's corners is on the line, the support plane is there too, and the normal is that of a triangle that is no
+/// <para>Seen along the motion, the difference is a polygon and the line a point, the origin. First the origin is
+/// enclosed in a triangle of vertices, as GJK does it, in the plane; a plane along the motion with the polygon on its
+/// far side proves a miss. Then each round asks for the vertex furthest beyond the portal's plane. It takes the place
+/// of the corner without which the line still passes, and the entry comes nearer. Where nothing lies beyond, portal and
+/// plane are bounds of the entry that meet.</para>
+/// <para>It deviates from the source in what it believes. An entry is told only with its certificate: a weighted sum of
+/// the portal's corners is on the line, the support plane is there too, and the normal is that of a triangle that is no
 /// needle. A miss is told only where a plane is further off than rounding. All else (a graze, a slide, a start inside)
-/// is left to <c>CastSolver</c>, which asks for proved distances.
-/// </para>
-/// <para>
-/// It terminates because the entry comes nearer from round to round and there are finitely many faces. MaxRounds ends
-/// what rounding would turn in a circle.
-/// </para>
-/// <para>
-/// Verdicts. Hit: the line enters at the fraction, which is above 0. Miss: it does not up to the most. Undecided:
-/// the caller is to hand over.
-/// </para>
+/// is left to <c>CastSolver</c>, which asks for proved distances.</para>
+/// <para>It terminates because the entry comes nearer from round to round and there are finitely many faces. MaxRounds
+/// ends what rounding would turn in a circle.</para>
+/// <para>Verdicts. Hit: the line enters at the fraction, which is above 0. Miss: it does not up to the most. Undecided:
+/// the caller is to hand over.</para>
 /// </remarks>
 internal static class CastPortal
 {
-    /// <summary>
-    /// Count, of either loop: more than hulls of thousands of vertices need. It only decides which solver answers.
-    /// </summary>
+    /// <summary>Count, of either loop: more than hulls of thousands of vertices need. It only decides which solver
+    /// answers.</summary>
     private const int MaxRounds = 40;
 
-    /// <summary>
-    /// Ratio to the radii: how far the two bounds of the entry may be apart along the motion, and how far their point
-    /// may be from the line. A thousandth of the promise. Pinned by CastPortalTests.ATipAboveAPortalIsLevelOrATurn.
-    /// </summary>
+    /// <summary>Ratio to the radii: how far the two bounds of the entry may be apart along the motion, and how far
+    /// their point may be from the line. A thousandth of the promise. Pinned by
+    /// CastPortalTests.ATipAboveAPortalIsLevelOrATurn.</summary>
     private const double EntryGap = 1e-10;
 
-    /// <summary>
-    /// Ratio to the radii: how level the corners of a face are; then the entry is right to 1e-9 (proofs/cast-portal.g).
-    /// Pinned by CastPortalTests.ATipAboveAPortalIsLevelOrATurn.
-    /// </summary>
+    /// <summary>Ratio to the radii: how level the corners of a face are; then the entry is right to 1e-9
+    /// (proofs/cast-portal.g). Pinned by CastPortalTests.ATipAboveAPortalIsLevelOrATurn.</summary>
     private const double Level = 64 * RoundOff.Unit;
 
-    /// <summary>
-    /// Ratio to the radii: a triangle that is lower is a needle, whose normal may be wrong by more than 3e-7. Pinned by
-    /// CastPortalTests.ANeedleIsNoPortal.
-    /// </summary>
+    /// <summary>Ratio to the radii: a triangle that is lower is a needle, whose normal may be wrong by more than 3e-7.
+    /// Pinned by CastPortalTests.ANeedleIsNoPortal.</summary>
     private const double LeastHeight = 1e7 * Level;
 
-    /// <summary>
-    /// Ratio: the sine of the angle between the motion and a face; a flatter one is a graze. Pinned by
-    /// CastPortalTests.AGrazedTriangleIsNoPortal.
-    /// </summary>
+    /// <summary>Ratio: the sine of the angle between the motion and a face; a flatter one is a graze. Pinned by
+    /// CastPortalTests.AGrazedTriangleIsNoPortal.</summary>
     private const double LeastSlope = 1e-5;
 
     /// <summary>Whether the cores are polytopes that can be trusted to be.</summary>
@@ -177,20 +156,16 @@ internal static class CastPortal
         return MotionVerdict.Undecided;
     }
 
-    /// <summary>
-    /// Whether a plane has the difference on its far side, and all of the line that comes near it on this one. Rounding
-    /// may have tilted the plane against the line.
-    /// </summary>
+    /// <summary>Whether a plane has the difference on its far side, and all of the line that comes near it on this one.
+    /// Rounding may have tilted the plane against the line.</summary>
     private static bool IsBeside(in CastLine line, in Double3 side, double plane)
     {
         double tilt = Math.Abs(Double3.Dot(side, line.Axis)), free = plane - tilt * line.HalfChord;
         return free > 0 && free * free > line.Error * line.Error * side.LengthSquared;
     }
 
-    /// <summary>
-    /// The next direction, from the line to the vertex or edge, and half as much along the motion, so that vertices in
-    /// front are found before those behind.
-    /// </summary>
+    /// <summary>The next direction, from the line to the vertex or edge, and half as much along the motion, so that
+    /// vertices in front are found before those behind.</summary>
     /// <param name="portal">A vertex or an edge.</param>
     /// <param name="axis">The motion.</param>
     /// <param name="side">The part of the direction that is perpendicular to the motion.</param>
@@ -208,10 +183,8 @@ internal static class CastPortal
         return side * edge.Length + Double3.Cross(edge, across);
     }
 
-    /// <summary>
-    /// Whether the line passes between an edge and the newest vertex; if not, the edge becomes the side that it is
-    /// beyond.
-    /// </summary>
+    /// <summary>Whether the line passes between an edge and the newest vertex; if not, the edge becomes the side that
+    /// it is beyond.</summary>
     private static bool Surround(
         ref FeatureVertices portal, in MinkowskiVertex newest, in Double3 axis, ref double turn)
     {

@@ -1,53 +1,38 @@
 namespace Gjk.Core;
 
-/// <summary>
-/// When two cores with margins, one of which is translated, first touch: a ray from the origin against the Minkowski
-/// difference A - B (van den Bergen, "Ray casting against general convex objects with application to continuous
-/// collision detection", 2004).
-/// </summary>
+/// <summary>When two cores with margins, one of which is translated, first touch: a ray from the origin against the
+/// Minkowski difference A - B (van den Bergen, "Ray casting against general convex objects with application to
+/// continuous collision detection", 2004).</summary>
 /// <remarks>
-/// <para>
-/// Bounding balls first: along most lines they never meet, and before they do nothing can touch. Polytopes then go
-/// through <see cref="CastPortal"/>, which ends with a certificate or hands over. The rest is done here. Each round
+/// <para>Bounding balls first: along most lines they never meet, and before they do nothing can touch. Polytopes then
+/// go through <see cref="CastPortal"/>, which ends with a certificate or hands over. The rest is done here. Each round
 /// asks for the distance where B is now. Its answer comes with a plane that separates the shapes, proved by the
 /// supports on both sides; until B has crossed the gap along that plane's normal, the two cannot touch. So B moves on
 /// by that much, which is Newton's step for a distance that is convex along the line, and the next round begins at the
-/// simplex where this one ended. Where B moves along the plane or away from it, they never touch.
-/// </para>
-/// <para>
-/// The source moves the ray inside the distance's own loop. Here the distance is solved to its proof before anything
-/// moves, in extended precision where rounding could turn it: so a hit that is missed, or met too early, is no more
-/// possible than a wrong distance. Round shapes jump to where the line meets the margin about the nearest feature
-/// (<see cref="CastJump"/>), and what the distance says there is believed: it touches there, or the jump is taken back.
-/// </para>
-/// <para>
-/// It terminates because the place up to which they are apart moves on from round to round, or a double cannot tell the
-/// next one from it; a jump that fails is followed by a step that is proved. Towards a curved core the steps are
-/// Newton's. MaxRounds is a backstop for a line that is tangent to one.
-/// </para>
-/// <para>
-/// Verdicts. Hit: they touch at the fraction, which is 0 at the start. Miss: they do not up to the most.
-/// Undecided: the rounds ran out, and they are apart up to the fraction. Contradiction: as the distance has it.
-/// </para>
+/// simplex where this one ended. Where B moves along the plane or away from it, they never touch.</para>
+/// <para>The source moves the ray inside the distance's own loop. Here the distance is solved to its proof before
+/// anything moves, in extended precision where rounding could turn it: so a hit that is missed, or met too early, is no
+/// more possible than a wrong distance. Round shapes jump to where the line meets the margin about the nearest feature
+/// (<see cref="CastJump"/>), and what the distance says there is believed: it touches there, or the jump is taken
+/// back.</para>
+/// <para>It terminates because the place up to which they are apart moves on from round to round, or a double cannot
+/// tell the next one from it; a jump that fails is followed by a step that is proved. Towards a curved core the steps
+/// are Newton's. MaxRounds is a backstop for a line that is tangent to one.</para>
+/// <para>Verdicts. Hit: they touch at the fraction, which is 0 at the start. Miss: they do not up to the most.
+/// Undecided: the rounds ran out, and they are apart up to the fraction. Contradiction: as the distance has it.</para>
 /// </remarks>
 internal static class CastSolver
 {
-    /// <summary>
-    /// Count: a tangent to a curved core halves the way in each round, so that some 30 end it. A backstop: four times
-    /// as many would only cost time, and a quarter still is enough for all that the tests cast.
-    /// </summary>
+    /// <summary>Count: a tangent to a curved core halves the way in each round, so that some 30 end it. A backstop:
+    /// four times as many would only cost time, and a quarter still is enough for all that the tests cast.</summary>
     private const int MaxRounds = 128;
 
-    /// <summary>
-    /// Ratio to the radii: how far behind the first contact a jump may have gone, along the line. A thousandth of the
-    /// promise. Pinned by CastJumpTests.
-    /// </summary>
+    /// <summary>Ratio to the radii: how far behind the first contact a jump may have gone, along the line. A thousandth
+    /// of the promise. Pinned by CastJumpTests.</summary>
     private const double JumpGap = 1e-10;
 
-    /// <summary>
-    /// Ratio to the largest fraction: 16 roundings, what a contact exactly at the end may be told beyond it. Pinned by
-    /// CastToleranceTests.
-    /// </summary>
+    /// <summary>Ratio to the largest fraction: 16 roundings, what a contact exactly at the end may be told beyond it.
+    /// Pinned by CastToleranceTests.</summary>
     private const double LastPlaces = 16 * RoundOff.Unit;
 
     /// <summary>Moves B until it touches A.</summary>
@@ -58,9 +43,7 @@ internal static class CastSolver
     /// <param name="most">The largest fraction.</param>
     /// <param name="warmStart">Where the first round begins; updated.</param>
     /// <param name="cast">What was found.</param>
-    /// <remarks>
-    /// Where they touch does not depend on the most: it only cuts off what is beyond it.
-    /// </remarks>
+    /// <remarks>Where they touch does not depend on the most: it only cuts off what is beyond it.</remarks>
     public static void Solve<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, in Double3 motion, double most, ref WarmStart warmStart,
         out CastFinding cast)
@@ -161,9 +144,8 @@ internal static class CastSolver
         MinkowskiDifference.Move(frame, ref state.Simplex);
     }
 
-    /// <summary>
-    /// From A's core to a point of both shapes at the start: where only the margins overlap, it lies between the cores.
-    /// </summary>
+    /// <summary>From A's core to a point of both shapes at the start: where only the margins overlap, it lies between
+    /// the cores.</summary>
     private static Double3 ToCommon(in SolverState state, in PairFrame frame)
     {
         if (state.Verdict == Verdict.Enclosed || !(frame.Margins > 0)) return default;

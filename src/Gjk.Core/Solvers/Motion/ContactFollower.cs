@@ -1,39 +1,26 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// What becomes of a contact of two cores that move and turn: it ends, it gets deeper than is allowed, or it lasts.
-/// Conservative advancement as in <see cref="AdvancementSolver"/>, of bodies that are shrunk by what is allowed.
-/// </summary>
+/// <summary>What becomes of a contact of two cores that move and turn: it ends, it gets deeper than is allowed, or it
+/// lasts. Conservative advancement as in <see cref="AdvancementSolver"/>, of bodies that are shrunk by what is
+/// allowed.</summary>
 /// <remarks>
-/// <para>
-/// Each round asks for the signed distance at the fraction reached. Its plane, moved back by what is allowed, separates
-/// the shrunk bodies, and the same chord with its sag proves a step of it. So nothing gets deeper between the rounds,
-/// and bodies that slide or roll on each other go on, with the allowed depth for a gap.
-/// </para>
-/// <para>
-/// A contact ends where the plane proves a gap of twice the tolerance. It is looked for before each step, four times
-/// further each time, since a body may leave, turn, and come back with its other end within one step.
-/// </para>
-/// <para>
-/// It terminates as the advancement does: what is allowed is several floors.
-/// </para>
-/// <para>
-/// Verdicts. Hit: it gets deeper. Beyond: it ends at the fraction, and the bodies are apart there. Miss: neither,
+/// <para>Each round asks for the signed distance at the fraction reached. Its plane, moved back by what is allowed,
+/// separates the shrunk bodies, and the same chord with its sag proves a step of it. So nothing gets deeper between the
+/// rounds, and bodies that slide or roll on each other go on, with the allowed depth for a gap.</para>
+/// <para>A contact ends where the plane proves a gap of twice the tolerance. It is looked for before each step, four
+/// times further each time, since a body may leave, turn, and come back with its other end within one step.</para>
+/// <para>It terminates as the advancement does: what is allowed is several floors.</para>
+/// <para>Verdicts. Hit: it gets deeper. Beyond: it ends at the fraction, and the bodies are apart there. Miss: neither,
 /// up to the end. Undecided: the steps ran out; it is no deeper up to the fraction. Contradiction: as the signed
-/// distance has it.
-/// </para>
+/// distance has it.</para>
 /// </remarks>
 internal static class ContactFollower
 {
     /// <summary>Ratio to the tolerance: the gap at which a contact is over. Pinned by TouchingImpactTests.</summary>
     private const double Ended = 2;
 
-    /// <summary>
-    /// Ratio and count: how much further each look for the end is, and how often; 2^64 times the first in all. Pinned
-    /// by TouchingImpactTests.
-    /// </summary>
+    /// <summary>Ratio and count: how much further each look for the end is, and how often; 2^64 times the first in all.
+    /// Pinned by TouchingImpactTests.</summary>
     private const double Further = 4;
 
     private const int MaxLooks = 32;
@@ -41,10 +28,8 @@ internal static class ContactFollower
     /// <summary>Ratio to what the search for a depth leaves open: room for it. Pinned by TouchingImpactTests.</summary>
     private const double DepthRoom = 4;
 
-    /// <summary>
-    /// Count: directions in which the bodies' reach from their axes is measured, so that a wheel can roll in few steps:
-    /// the reach is up to 0.1% too large. Pinned by TouchingImpactTests.
-    /// </summary>
+    /// <summary>Count: directions in which the bodies' reach from their axes is measured, so that a wheel can roll in
+    /// few steps: the reach is up to 0.1% too large. Pinned by TouchingImpactTests.</summary>
     private const int MeasuredDirections = 64;
 
     /// <summary>Follows the contact; the frame is that of the fraction reached.</summary>
@@ -54,9 +39,8 @@ internal static class ContactFollower
     /// <param name="motion">How it moves.</param>
     /// <param name="interval">From which fraction to which.</param>
     /// <param name="tolerance">The largest gap of a hit, in solver units.</param>
-    /// <param name="allowed">
-    /// In solver units: how deep they may get, if they are not deeper at the fraction 0 already.
-    /// </param>
+    /// <param name="allowed">In solver units: how deep they may get, if they are not deeper at the fraction 0
+    /// already.</param>
     /// <param name="impact">Gets the end; its steps and iterations are counted on.</param>
     public static void Solve<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, double tolerance,

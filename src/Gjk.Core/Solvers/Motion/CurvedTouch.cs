@@ -1,32 +1,23 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Whether curved shapes that overlap by a trifle only touch. The search for a depth of curved cores ends within 1e-6
-/// of the size, a distance within 1e-9; so B is moved out of A by a known length, and the distance there is held
-/// against it.
-/// </summary>
-/// <remarks>
-/// The plane that separates the shapes there bounds the depth where B was, soundly. The bound is sharp where its normal
-/// is that of the shortest way out: one that is off by an angle costs half its square of the length. The second look
-/// begins with the first one's normal, which is sharper than that of the depth.
-/// </remarks>
+/// <summary>Whether curved shapes that overlap by a trifle only touch. The search for a depth of curved cores ends
+/// within 1e-6 of the size, a distance within 1e-9; so B is moved out of A by a known length, and the distance there is
+/// held against it.</summary>
+/// <remarks>The plane that separates the shapes there bounds the depth where B was, soundly. The bound is sharp where
+/// its normal is that of the shortest way out: one that is off by an angle costs half its square of the length. The
+/// second look begins with the first one's normal, which is sharper than that of the depth.</remarks>
 internal static class CurvedTouch
 {
-    /// <summary>
-    /// Ratio to the size: how far B is moved out, far above the depth and below the shapes' radii. Four times more or
-    /// less changes nothing but how many looks are enough. Pinned by TouchingStartTests.
-    /// </summary>
+    /// <summary>Ratio to the size: how far B is moved out, far above the depth and below the shapes' radii. Four times
+    /// more or less changes nothing but how many looks are enough. Pinned by TouchingStartTests.</summary>
     private const double Retreat = 1e-3;
 
     /// <summary>Count: looks. One is too few: pinned by RayStartTests. More are only slower.</summary>
     private const int MaxLooks = 2;
 
-    /// <summary>
-    /// Ratio to the size: what is deeper is deep, whatever the search leaves open (5e-7 where it has to divide its
-    /// surface), and is not looked at. A larger one is only slower; a quarter would do where nothing is divided.
-    /// </summary>
+    /// <summary>Ratio to the size: what is deeper is deep, whatever the search leaves open (5e-7 where it has to divide
+    /// its surface), and is not looked at. A larger one is only slower; a quarter would do where nothing is
+    /// divided.</summary>
     private const double Shallow = 4 * GjkTolerances.DepthNoiseCurved;
 
     /// <summary>Whether the shapes overlap by no more than counts as touching, and where they touch.</summary>
@@ -51,10 +42,8 @@ internal static class CurvedTouch
     /// <param name="frame">The pair.</param>
     /// <param name="state">Its signed distance.</param>
     /// <param name="touch">Gets normal and point, as sharp as those of a cast; the iterations are added.</param>
-    /// <param name="gap">
-    /// The gap between the planes across the normal, in solver units: at most the signed distance, and sharp where the
-    /// normal is that of the shortest way out.
-    /// </param>
+    /// <param name="gap">The gap between the planes across the normal, in solver units: at most the signed distance,
+    /// and sharp where the normal is that of the shortest way out.</param>
     /// <returns>False where they are deeper.</returns>
     public static bool TryLook<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in SolverState state, ref CastFinding touch, out double gap)

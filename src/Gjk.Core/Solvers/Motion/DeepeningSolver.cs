@@ -1,39 +1,25 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// Whether a shape that is translated gets deeper into another one than is allowed: the least signed distance on a part
-/// of a line, by cutting planes (Kelley, "The cutting-plane method for solving convex programs", 1960, with one
-/// unknown).
-/// </summary>
+/// <summary>Whether a shape that is translated gets deeper into another one than is allowed: the least signed distance
+/// on a part of a line, by cutting planes (Kelley, "The cutting-plane method for solving convex programs", 1960, with
+/// one unknown).</summary>
 /// <remarks>
-/// <para>
-/// The signed distance to the Minkowski difference A - B, a convex set, is a convex function, inside too. So the
+/// <para>The signed distance to the Minkowski difference A - B, a convex set, is a convex function, inside too. So the
 /// support plane that comes with each look at it bounds it from below along the whole line, and the feature bounds it
 /// from above where it was looked at. The lowest point that a falling and a rising plane leave open is looked at next.
-/// A look that is deep enough ends the search, and so do planes that leave no room for one.
-/// </para>
-/// <para>
-/// One look mostly does: a motion along a face or away from it is told by the first plane, a motion into the shape by
-/// the first place ahead. A slope may be allowed on top of the depth; it is added to the signed distance, which stays
-/// convex.
-/// </para>
-/// <para>
-/// It terminates because the room that the planes leave shrinks: a polytope has finitely many of them, and along a
-/// curved shape it falls with the square of the bracket. MaxRounds is a backstop.
-/// </para>
-/// <para>
-/// Verdicts. Hit: they get deeper, or nothing proves that they do not, so that no contact is lost. Miss: they
-/// do not. Contradiction: as the signed distance has it.
-/// </para>
+/// A look that is deep enough ends the search, and so do planes that leave no room for one.</para>
+/// <para>One look mostly does: a motion along a face or away from it is told by the first plane, a motion into the
+/// shape by the first place ahead. A slope may be allowed on top of the depth; it is added to the signed distance,
+/// which stays convex.</para>
+/// <para>It terminates because the room that the planes leave shrinks: a polytope has finitely many of them, and along
+/// a curved shape it falls with the square of the bracket. MaxRounds is a backstop.</para>
+/// <para>Verdicts. Hit: they get deeper, or nothing proves that they do not, so that no contact is lost. Miss: they do
+/// not. Contradiction: as the signed distance has it.</para>
 /// </remarks>
 internal static class DeepeningSolver
 {
-    /// <summary>
-    /// Count: a bracket is halved in each round where the shapes are round, and what is left open falls by four. Random
-    /// pairs take less than ten; more are harmless. Pinned by CastOptionsTests.
-    /// </summary>
+    /// <summary>Count: a bracket is halved in each round where the shapes are round, and what is left open falls by
+    /// four. Random pairs take less than ten; more are harmless. Pinned by CastOptionsTests.</summary>
     private const int MaxRounds = 32;
 
     /// <summary>Looks along the line until it is known.</summary>
@@ -132,10 +118,8 @@ internal static class DeepeningSolver
         return true;
     }
 
-    /// <summary>
-    /// Of curved cores: a distance leaves less open than a depth does, and a depth that is hardly more than touching is
-    /// looked at from outside. Where a slope is allowed, it is more than all that.
-    /// </summary>
+    /// <summary>Of curved cores: a distance leaves less open than a depth does, and a depth that is hardly more than
+    /// touching is looked at from outside. Where a slope is allowed, it is more than all that.</summary>
     private static void Sharpen<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 axis, in SolverState state, ref int iterations,
         ref DepthLook look)
@@ -167,34 +151,19 @@ internal static class DeepeningSolver
 }
 
 /// <summary>A part of a line, and how deep shapes may get there. Lengths in solver units.</summary>
-internal readonly struct DeepeningPart
+internal readonly struct DeepeningPart(double from, double to, double allowed, double slope)
 {
     /// <summary>The fractions; from 0 on the shapes may be as deep as they are there.</summary>
-    public readonly double From, To;
+    public readonly double From = from, To = to;
 
     /// <summary>How deep they may get at least, and how much for each length of the way on top of it.</summary>
-    public readonly double Allowed, Slope;
-
-    public DeepeningPart(double from, double to, double allowed, double slope)
-    {
-        From = from;
-        To = to;
-        Allowed = allowed;
-        Slope = slope;
-    }
+    public readonly double Allowed = allowed, Slope = slope;
 }
 
 /// <summary>A lower bound of a convex function of a length, by its value at a place and its slope.</summary>
-internal readonly struct DepthCut
+internal readonly struct DepthCut(double along, double value, double slope)
 {
-    public readonly double Along, Value, Slope;
-
-    public DepthCut(double along, double value, double slope)
-    {
-        Along = along;
-        Value = value;
-        Slope = slope;
-    }
+    public readonly double Along = along, Value = value, Slope = slope;
 
     public double At(double along) => Value + Slope * (along - Along);
 

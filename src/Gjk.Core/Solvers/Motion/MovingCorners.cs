@@ -1,28 +1,19 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// The corners of a pair's nearest feature and how they move, in A's axes at one fraction: what the rates of a
-/// <see cref="TurningPlane"/> are chosen by.
-/// </summary>
-/// <remarks>
-/// Seen from a plane with the normal n that turns at u, the corner a - b of the difference nears or leaves it by
-/// (wA - u) · (a × n) - (wB - u) · (b × n) - n · d' + u · (d × n), with a and b from the pivots and d from pivot to
-/// pivot.
-/// </remarks>
+/// <summary>The corners of a pair's nearest feature and how they move, in A's axes at one fraction: what the rates of a
+/// <see cref="TurningPlane"/> are chosen by.</summary>
+/// <remarks>Seen from a plane with the normal n that turns at u, the corner a - b of the difference nears or leaves it
+/// by (wA - u) · (a × n) - (wB - u) · (b × n) - n · d' + u · (d × n), with a and b from the pivots and d from pivot to
+/// pivot.</remarks>
 internal readonly struct MovingCorners
 {
-    /// <summary>
-    /// Ratio to the pair's size: corners of a feature that are nearer to each other say nothing of how it turns. Four
-    /// times more or less is as good: it only chooses a plane, and a step is proved along whatever plane it takes.
-    /// </summary>
+    /// <summary>Ratio to the pair's size: corners of a feature that are nearer to each other say nothing of how it
+    /// turns. Four times more or less is as good: it only chooses a plane, and a step is proved along whatever plane it
+    /// takes.</summary>
     private const double LeastEdge = 1e-5;
 
-    /// <summary>
-    /// Ratio: edges whose sine is smaller are parallel, and one of them is kept level. Four times more or less is as
-    /// good, as above.
-    /// </summary>
+    /// <summary>Ratio: edges whose sine is smaller are parallel, and one of them is kept level. Four times more or less
+    /// is as good, as above.</summary>
     private const double LeastSine = 1e-6;
 
     /// <summary>From B to A, of unit length.</summary>
@@ -57,9 +48,8 @@ internal readonly struct MovingCorners
         if (Count > 2) Set(state.Simplex, state.Simplex.C, frame, motion, out _a2, out _b2);
     }
 
-    /// <summary>
-    /// How the gap along a plane that turns at a rate changes at first: by the corner that nears most.
-    /// </summary>
+    /// <summary>How the gap along a plane that turns at a rate changes at first: by the corner that nears
+    /// most.</summary>
     public double Rate(in Double3 turn)
     {
         Double3 a = TurnA - turn, b = TurnB - turn;
@@ -69,9 +59,8 @@ internal readonly struct MovingCorners
         return least - Double3.Dot(Normal, _velocity) + Double3.Dot(turn, Double3.Cross(_between, Normal));
     }
 
-    /// <summary>
-    /// Upper bound of the second derivative of the gap between any two points along a plane that turns at a rate.
-    /// </summary>
+    /// <summary>Upper bound of the second derivative of the gap between any two points along a plane that turns at a
+    /// rate.</summary>
     public double Curvature(in Double3 turn)
     {
         double rate = turn.Length;
@@ -88,10 +77,8 @@ internal readonly struct MovingCorners
             + OfBody(TurnA, turn) * _reachA + OfBody(TurnB, turn) * _reachB;
     }
 
-    /// <summary>
-    /// The rate at which a plane stays level with the feature's corners: each edge e asks for u · (e × n) = wA · (eA ×
-    /// n) - wB · (eB × n).
-    /// </summary>
+    /// <summary>The rate at which a plane stays level with the feature's corners: each edge e asks for u · (e × n) = wA
+    /// · (eA × n) - wB · (eB × n).</summary>
     /// <param name="size">The pair's.</param>
     /// <returns>The shortest one; 0 where the corners do not ask for any.</returns>
     public Double3 Level(double size)

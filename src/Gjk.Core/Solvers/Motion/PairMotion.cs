@@ -1,23 +1,16 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// How a pair moves: the frame at any fraction, composed in double from double rotations. A pose rounded to float would
-/// be off by 6e-8 of the size and of the way.
-/// </summary>
+/// <summary>How a pair moves: the frame at any fraction, composed in double from double rotations. A pose rounded to
+/// float would be off by 6e-8 of the size and of the way.</summary>
 internal struct PairMotion
 {
-    /// <summary>
-    /// Ratio: 16 roundings of the lengths that a gap is computed from, twice what the sums and products of a rotated
-    /// support point lose. Pinned by TimeOfImpactTests.
-    /// </summary>
+    /// <summary>Ratio: 16 roundings of the lengths that a gap is computed from, twice what the sums and products of a
+    /// rotated support point lose. Pinned by TimeOfImpactTests.</summary>
     private const double RoundingRatio = 16 * RoundOff.Unit;
 
-    /// <summary>
-    /// Ratio to the reach: how much larger the balls are than they need be, so that shapes that fill them do not touch
-    /// yet where their balls do. Above the touch tolerance of curved cores, 4e-10. Pinned by TimeOfImpactTests.
-    /// </summary>
+    /// <summary>Ratio to the reach: how much larger the balls are than they need be, so that shapes that fill them do
+    /// not touch yet where their balls do. Above the touch tolerance of curved cores, 4e-10. Pinned by
+    /// TimeOfImpactTests.</summary>
     private const double BallPad = 1e-7;
 
     public TurningBody A, B;
@@ -62,15 +55,13 @@ internal struct PairMotion
     /// <summary>Upper bound of the speed of a point of one core, seen from a point of the other.</summary>
     public readonly double Speed => Velocity.Length + A.Rate * A.Reach + B.Rate * B.Reach;
 
-    /// <summary>
-    /// What rounding can do to a gap at a fraction: to the positions, the angles and the supports' values.
-    /// </summary>
+    /// <summary>What rounding can do to a gap at a fraction: to the positions, the angles and the supports'
+    /// values.</summary>
     public readonly double Rounding(double fraction, double margins) =>
         RoundingRatio * (Start.Length + A.Reach + B.Reach + margins + fraction * Speed);
 
-    /// <summary>
-    /// The fractions between which the balls about the pivots that hold the shapes overlap; outside they are apart.
-    /// </summary>
+    /// <summary>The fractions between which the balls about the pivots that hold the shapes overlap; outside they are
+    /// apart.</summary>
     /// <param name="margins">Both margins.</param>
     /// <param name="most">The largest fraction.</param>
     /// <param name="begin">The first such fraction, rounded down.</param>

@@ -1,15 +1,9 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// One body of a <see cref="PairMotion"/>: its rotation at any fraction, and how far it reaches from its pivot, the
-/// point of it that moves along a straight line.
-/// </summary>
-/// <remarks>
-/// The pivot is the body's position, or its centre where it does not turn: then its centre moves straight too, and the
-/// body reaches less far from it.
-/// </remarks>
+/// <summary>One body of a <see cref="PairMotion"/>: its rotation at any fraction, and how far it reaches from its
+/// pivot, the point of it that moves along a straight line.</summary>
+/// <remarks>The pivot is the body's position, or its centre where it does not turn: then its centre moves straight too,
+/// and the body reaches less far from it.</remarks>
 internal struct TurningBody
 {
     /// <summary>Radians per fraction 1, about the axes of the world.</summary>
@@ -67,9 +61,8 @@ internal struct TurningBody
 
     /// <summary>Measures how far the core reaches from the axis and along it.</summary>
     /// <param name="shape">The body's.</param>
-    /// <param name="directions">
-    /// How many supports are asked for around the axis: the reach is up to 2% too large for 16, 0.1% for 64.
-    /// </param>
+    /// <param name="directions">How many supports are asked for around the axis: the reach is up to 2% too large for
+    /// 16, 0.1% for 64.</param>
     public void Measure<T>(ref T shape, int directions)
         where T : struct, ISupportMap
     {

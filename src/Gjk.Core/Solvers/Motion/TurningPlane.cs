@@ -1,27 +1,17 @@
-using System;
-
 namespace Gjk.Core;
 
-/// <summary>
-/// A plane that separates a pair and turns at a rate of its own while the pair moves, with a proved lower bound of the
-/// gap along it.
-/// </summary>
+/// <summary>A plane that separates a pair and turns at a rate of its own while the pair moves, with a proved lower
+/// bound of the gap along it.</summary>
 /// <remarks>
-/// <para>
-/// Seen from the plane, every point of a body that turns moves with a bounded second derivative. The gap is the least
-/// of the differences of such points, so gap(s) - K s²/2 is concave, and between two fractions the gap is at least its
-/// chord less K/2 (s - s0)(s1 - s). Two supports, at s0 and s1, prove the whole step.
-/// </para>
-/// <para>
-/// K, in the plane's axes, which turn at u (w the bodies' rates, d from pivot to pivot, R the reach): the pivots give
-/// |u| |u × d| + 2 |u × d'|, a body (|w - u|² + |w × u|) R, since x'' = ((W - U)² + (WU - UW)) x with W and U the cross
-/// products' matrices; and where u is 0 it is |w| |w × n| R, as only what the axis turns counts.
-/// </para>
-/// <para>
-/// The rate is free. A fixed normal cuts into a face or an edge as soon as that tilts; one that keeps the corners of
-/// the nearest feature level has the true distance's own derivative, and the steps are Newton's. Catto ("Continuous
-/// Collision", 2013) fixes the axis to one body, which does that for faces only.
-/// </para>
+/// <para>Seen from the plane, every point of a body that turns moves with a bounded second derivative. The gap is the
+/// least of the differences of such points, so gap(s) - K s²/2 is concave, and between two fractions the gap is at
+/// least its chord less K/2 (s - s0)(s1 - s). Two supports, at s0 and s1, prove the whole step.</para>
+/// <para>K, in the plane's axes, which turn at u (w the bodies' rates, d from pivot to pivot, R the reach): the pivots
+/// give |u| |u × d| + 2 |u × d'|, a body (|w - u|² + |w × u|) R, since x'' = ((W - U)² + (WU - UW)) x with W and U the
+/// cross products' matrices; and where u is 0 it is |w| |w × n| R, as only what the axis turns counts.</para>
+/// <para>The rate is free. A fixed normal cuts into a face or an edge as soon as that tilts; one that keeps the corners
+/// of the nearest feature level has the true distance's own derivative, and the steps are Newton's. Catto ("Continuous
+/// Collision", 2013) fixes the axis to one body, which does that for faces only.</para>
 /// </remarks>
 internal struct TurningPlane
 {

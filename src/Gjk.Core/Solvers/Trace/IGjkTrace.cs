@@ -1,14 +1,11 @@
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// Told what a distance query does, as it does it. Implement it with a struct: the query is compiled for that type, so
-/// one whose <see cref="IsOn"/> is the constant false costs nothing, and the ordinary queries have such a one.
-/// </summary>
-/// <remarks>
-/// Everything is in A's own frame and about the cores, without their margins. Each iteration is a support, then, unless
-/// that ended the query, a reduction. When double cannot decide, the query begins again in extended precision, which
-/// <see cref="TracedSupport.IsExtended"/> tells.
-/// </remarks>
+/// <summary>Told what a distance query does, as it does it. Implement it with a struct: the query is compiled for that
+/// type, so one whose <see cref="IsOn"/> is the constant false costs nothing, and the ordinary queries have such a
+/// one.</summary>
+/// <remarks>Everything is in A's own frame and about the cores, without their margins. Each iteration is a support,
+/// then, unless that ended the query, a reduction. When double cannot decide, the query begins again in extended
+/// precision, which <see cref="TracedSupport.IsExtended"/> tells.</remarks>
 public interface IGjkTrace
 {
     /// <summary>Whether to call the other methods at all.</summary>
@@ -18,9 +15,8 @@ public interface IGjkTrace
     /// <param name="support">The direction, the two support points and what they prove.</param>
     void OnSupport(in TracedSupport support);
 
-    /// <summary>
-    /// The vertex has joined the simplex, and the simplex was reduced to its feature nearest the origin.
-    /// </summary>
+    /// <summary>The vertex has joined the simplex, and the simplex was reduced to its feature nearest the
+    /// origin.</summary>
     /// <param name="simplex">That feature.</param>
     void OnReduced(in TracedSimplex simplex);
 }

@@ -1,26 +1,19 @@
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// Told how the search for a depth grows a surface inside the Minkowski difference A - B until a face of it is a face
-/// of A - B. Implement it with a struct: the query is compiled for that type, so one whose <see cref="IsOn"/> is the
-/// constant false costs nothing, and the ordinary queries have such a one.
-/// </summary>
-/// <remarks>
-/// Everything is about the cores, without their margins: directions are in A's axes, lengths in world units, and a
-/// point of A - B is a point of A less one of B.
-/// </remarks>
+/// <summary>Told how the search for a depth grows a surface inside the Minkowski difference A - B until a face of it is
+/// a face of A - B. Implement it with a struct: the query is compiled for that type, so one whose <see cref="IsOn"/> is
+/// the constant false costs nothing, and the ordinary queries have such a one.</summary>
+/// <remarks>Everything is about the cores, without their margins: directions are in A's axes, lengths in world units,
+/// and a point of A - B is a point of A less one of B.</remarks>
 public interface IPolytopeTrace
 {
     /// <summary>Whether to call the other method at all.</summary>
     bool IsOn { get; }
 
-    /// <summary>
-    /// The search has asked what lies beyond the surface's lowest face, or has ended without a surface.
-    /// </summary>
-    /// <param name="step">
-    /// The surface as it was when it asked, and the answer. It reads the search's own memory, so it is valid during the
-    /// call only; copy what is to be kept.
-    /// </param>
+    /// <summary>The search has asked what lies beyond the surface's lowest face, or has ended without a
+    /// surface.</summary>
+    /// <param name="step">The surface as it was when it asked, and the answer. It reads the search's own memory, so it
+    /// is valid during the call only; copy what is to be kept.</param>
     void OnStep(in PolytopeStep step);
 }
 

@@ -15,9 +15,8 @@ public enum PolytopeOutcome
     /// <summary>A - B has no inside, so there is no surface to grow: the cores touch, or are apart.</summary>
     Flat,
 
-    /// <summary>
-    /// There was no room for another point. The query asks another search then, which has no surface to tell of.
-    /// </summary>
+    /// <summary>There was no room for another point. The query asks another search then, which has no surface to tell
+    /// of.</summary>
     OutOfRoom,
 
     /// <summary>The support points contradict each other, as those of no convex shape do.</summary>

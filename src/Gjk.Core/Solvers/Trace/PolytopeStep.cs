@@ -1,15 +1,9 @@
-using System;
-
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// One step of the search for a depth: a closed surface of triangles inside A - B, its lowest face, the support point
-/// beyond that face, and what is known of the depth by then.
-/// </summary>
-/// <remarks>
-/// Directions are in A's axes, lengths in world units, both without the margins. Valid during the call that it is
-/// handed to; see <see cref="IPolytopeTrace"/>.
-/// </remarks>
+/// <summary>One step of the search for a depth: a closed surface of triangles inside A - B, its lowest face, the
+/// support point beyond that face, and what is known of the depth by then.</summary>
+/// <remarks>Directions are in A's axes, lengths in world units, both without the margins. Valid during the call that it
+/// is handed to; see <see cref="IPolytopeTrace"/>.</remarks>
 public readonly ref struct PolytopeStep
 {
     private readonly Polytope _polytope;
@@ -33,10 +27,8 @@ public readonly ref struct PolytopeStep
     /// <summary>What the step led to; all but <see cref="PolytopeOutcome.Grows"/> end a search.</summary>
     public PolytopeOutcome Outcome { get; }
 
-    /// <summary>
-    /// How many faces the surface has; 0 where there is none to tell, because the search ended before it had four
-    /// points or after it ran out of room.
-    /// </summary>
+    /// <summary>How many faces the surface has; 0 where there is none to tell, because the search ended before it had
+    /// four points or after it ran out of room.</summary>
     public int FaceCount
     {
         get
@@ -50,36 +42,28 @@ public readonly ref struct PolytopeStep
     /// <summary>The number of the face nearest the origin, or -1 without a surface.</summary>
     public int LowestFace { get; }
 
-    /// <summary>
-    /// How many points of A - B were found. The last one is that of <see cref="Support"/>, which is not on the surface
-    /// yet; others may be inside it by now. The numbers stay until a search ends.
-    /// </summary>
+    /// <summary>How many points of A - B were found. The last one is that of <see cref="Support"/>, which is not on the
+    /// surface yet; others may be inside it by now. The numbers stay until a search ends.</summary>
     public int VertexCount => _polytope.VertexCount;
 
     /// <summary>How many points the search has room for.</summary>
     public int Room => Polytope.Room;
 
-    /// <summary>
-    /// The support call beyond the lowest face. Its normal is the face's, turned inward. Zeros without a surface.
-    /// </summary>
+    /// <summary>The support call beyond the lowest face. Its normal is the face's, turned inward. Zeros without a
+    /// surface.</summary>
     public TracedSupport Support { get; }
 
-    /// <summary>
-    /// The depth of the cores is at least this: the lowest face's height, so that a ball of this radius about the
-    /// origin is inside the surface. At or below 0, or negative infinity, it proves nothing yet.
-    /// </summary>
+    /// <summary>The depth of the cores is at least this: the lowest face's height, so that a ball of this radius about
+    /// the origin is inside the surface. At or below 0, or negative infinity, it proves nothing yet.</summary>
     public double Below { get; }
 
-    /// <summary>
-    /// The depth of the cores is at most this: the cheapest way out so far. Negative, it is a gap that separates them.
-    /// </summary>
+    /// <summary>The depth of the cores is at most this: the cheapest way out so far. Negative, it is a gap that
+    /// separates them.</summary>
     public double Above { get; }
 
     /// <summary>The number of the next face of the surface, or -1 after the last one.</summary>
-    /// <param name="face">
-    /// A face's number; -1 for the first. A face keeps its number until a point is found beyond it, or the numbers run
-    /// out and all that are left are dealt anew.
-    /// </param>
+    /// <param name="face">A face's number; -1 for the first. A face keeps its number until a point is found beyond it,
+    /// or the numbers run out and all that are left are dealt anew.</param>
     public int NextFace(int face)
     {
         if (LowestFace < 0 || face >= _polytope.FaceCount) return -1;

@@ -1,8 +1,7 @@
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// A triangle of the surface that grows inside A - B. Its corners run counterclockwise seen from outside. Immutable.
-/// </summary>
+/// <summary>A triangle of the surface that grows inside A - B. Its corners run counterclockwise seen from outside.
+/// Immutable.</summary>
 public readonly struct TracedFace
 {
     internal unsafe TracedFace(in PolytopeFace face, in TraceAxes axes)
@@ -23,14 +22,11 @@ public readonly struct TracedFace
     /// <summary>The third corner.</summary>
     public int C { get; }
 
-    /// <summary>
-    /// The outward unit normal, in A's axes; where the triangle is a needle, that of a plane just below it.
-    /// </summary>
+    /// <summary>The outward unit normal, in A's axes; where the triangle is a needle, that of a plane just below
+    /// it.</summary>
     public Double3 Normal { get; }
 
-    /// <summary>
-    /// How far the triangle is from the origin along the normal, in world units: the least of its corners' offsets,
-    /// negative where the origin is outside.
-    /// </summary>
+    /// <summary>How far the triangle is from the origin along the normal, in world units: the least of its corners'
+    /// offsets, negative where the origin is outside.</summary>
     public double Height { get; }
 }

@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core.Diagnostics;
 
-/// <summary>
-/// A simplex reduced to its feature nearest the origin: a vertex, an edge, a triangle, or the tetrahedron that holds
-/// the origin. Immutable.
-/// </summary>
+/// <summary>A simplex reduced to its feature nearest the origin: a vertex, an edge, a triangle, or the tetrahedron that
+/// holds the origin. Immutable.</summary>
 public readonly struct TracedSimplex
 {
     private readonly Simplex _simplex;
@@ -23,9 +19,8 @@ public readonly struct TracedSimplex
     /// <summary>How many vertices the feature has; 4 when the solver found the origin inside.</summary>
     public int Count => _simplex.Count;
 
-    /// <summary>
-    /// v, the feature's point nearest the origin; the origin itself, up to rounding, when there are four vertices.
-    /// </summary>
+    /// <summary>v, the feature's point nearest the origin; the origin itself, up to rounding, when there are four
+    /// vertices.</summary>
     public Double3 Nearest => _weights.PointOf(Vector(0), Vector(1), Vector(2), Vector(3));
 
     /// <summary>|v|, which the distance of the cores cannot exceed.</summary>

@@ -26,10 +26,8 @@ public readonly struct TracedSupport
         IsExtended = false;
     }
 
-    /// <summary>
-    /// The nearest feature's normal, of any length: from the origin to the feature. A was asked for its furthest point
-    /// against it, B for its furthest along it.
-    /// </summary>
+    /// <summary>The nearest feature's normal, of any length: from the origin to the feature. A was asked for its
+    /// furthest point against it, B for its furthest along it.</summary>
     public Double3 Normal { get; }
 
     /// <summary>A's support point.</summary>
@@ -38,10 +36,8 @@ public readonly struct TracedSupport
     /// <summary>B's support point.</summary>
     public Double3 PointOnB => PointOnA - Vertex;
 
-    /// <summary>
-    /// Their difference, a vertex of the Minkowski difference A - B: of all its points, the one furthest against the
-    /// normal.
-    /// </summary>
+    /// <summary>Their difference, a vertex of the Minkowski difference A - B: of all its points, the one furthest
+    /// against the normal.</summary>
     public Double3 Vertex { get; }
 
     /// <summary>The id of A's support point, or -1 where A has no vertices.</summary>
@@ -50,10 +46,8 @@ public readonly struct TracedSupport
     /// <summary>The id of B's support point, or -1 where B has no vertices.</summary>
     public int IdB { get; }
 
-    /// <summary>
-    /// What this proves: the plane through the vertex, perpendicular to the normal, keeps the cores at least so far
-    /// apart; at or below 0 it proves nothing.
-    /// </summary>
+    /// <summary>What this proves: the plane through the vertex, perpendicular to the normal, keeps the cores at least
+    /// so far apart; at or below 0 it proves nothing.</summary>
     public double LowerBound => Double3.Dot(Normal, Vertex) / Normal.Length;
 
     /// <summary>Whether the solver in extended precision asked.</summary>
