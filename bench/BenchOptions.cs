@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-using System.Globalization;
-
 namespace Gjk.Bench;
 
-/// <summary>
-/// This program's own options, taken from the command line. The remaining arguments belong to BenchmarkDotNet.
-/// </summary>
+/// <summary>This program's own options, taken from the command line. The remaining arguments belong to
+/// BenchmarkDotNet.</summary>
 public sealed class BenchOptions
 {
     public const string HelpText =

@@ -1,23 +1,16 @@
-using System;
-using System.Globalization;
-using System.Numerics;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 
 namespace Gjk.Bench;
 
-/// <summary>
-/// Makes sure that what is timed is the first touch. Of a hit, the plane across the normal separates the shapes at the
-/// fraction, by their supports alone, and as it closes it did so before; and the point lies in both. Of a miss, the
-/// least distance on the way, which is a convex function of the fraction, is found by thirds. What overlaps at the
-/// start, and does not only touch, is what the boolean query says.
-/// </summary>
+/// <summary>Makes sure that what is timed is the first touch. Of a hit, the plane across the normal separates the
+/// shapes at the fraction, by their supports alone, and as it closes it did so before; and the point lies in both. Of a
+/// miss, the least distance on the way, which is a convex function of the fraction, is found by thirds. What overlaps
+/// at the start, and does not only touch, is what the boolean query says.</summary>
 public static class CastCheck
 {
-    /// <summary>
-    /// Length, as a fraction of the size and of the way: poses at a fraction are rounded to float here, and so are the
-    /// normal and the point.
-    /// </summary>
+    /// <summary>Length, as a fraction of the size and of the way: poses at a fraction are rounded to float here, and so
+    /// are the normal and the point.</summary>
     private const double Rounding = 2e-6;
 
     /// <summary>Steps of the search by thirds: 1.5 to this power is beyond a float.</summary>

@@ -1,15 +1,11 @@
-using System;
-using System.Globalization;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 using Gjk.Exact.Certificates;
 
 namespace Gjk.Bench;
 
-/// <summary>
-/// Makes sure that what is timed is a depth: every pair overlaps, none ends at the iteration limit, and each answer is
-/// proved from the shapes' supports alone to be a way out.
-/// </summary>
+/// <summary>Makes sure that what is timed is a depth: every pair overlaps, none ends at the iteration limit, and each
+/// answer is proved from the shapes' supports alone to be a way out.</summary>
 public static class DepthCheck
 {
     /// <exception cref="FactorCheckException">A pair does not overlap, or its answer is wrong.</exception>

@@ -1,6 +1,3 @@
-using System;
-using System.Globalization;
-using System.IO;
 using Gjk.Bench.Baseline;
 using Gjk.Bench.Benchmarks;
 using Gjk.Bench.Scenes;
@@ -8,26 +5,20 @@ using Gjk.Core;
 
 namespace Gjk.Bench;
 
-/// <summary>
-/// Guards the cost of the library by counts, which are the same on every machine, however busy: the answers agree with
-/// the baseline's, the walks take no more supports than they should, nothing is allocated, and the casts of the sets
-/// that --table times are right. Times are printed by --table.
-/// </summary>
+/// <summary>Guards the cost of the library by counts, which are the same on every machine, however busy: the answers
+/// agree with the baseline's, the walks take no more supports than they should, nothing is allocated, and the casts of
+/// the sets that --table times are right. Times are printed by --table.</summary>
 public static class FactorCheck
 {
-    /// <summary>
-    /// Count: supports of all 190 pairs of the report's scenes, cold: what the walks take, to the support. The bits of
-    /// the answers are fixed, so this is, too; a walk that takes one more has changed.
-    /// </summary>
+    /// <summary>Count: supports of all 190 pairs of the report's scenes, cold: what the walks take, to the support. The
+    /// bits of the answers are fixed, so this is, too; a walk that takes one more has changed.</summary>
     private const int MostCubes = 590, MostSpheres = 546;
 
     /// <summary>Count: supports of a warm query of a pair that has not moved.</summary>
     private const int MostResting = 1;
 
-    /// <summary>
-    /// Units, on objects of size 1. The baseline stops while it can still gain up to its
-    /// <see cref="ReportGjk.ProgressEpsilon"/> divided by the distance.
-    /// </summary>
+    /// <summary>Units, on objects of size 1. The baseline stops while it can still gain up to its
+    /// <see cref="ReportGjk.ProgressEpsilon"/> divided by the distance.</summary>
     private const float DistanceTolerance = 1e-3f;
 
     /// <summary>Both scenes have five pairs that overlap by construction.</summary>

@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Bench.Baseline;
 
-/// <summary>
-/// Finds the point of a vertex, line or triangle that is closest to the origin, by barycentric weights (Catto 2010;
-/// Ericson 2004, 5.1.5). The same weights give the points of both colliders.
-/// </summary>
+/// <summary>Finds the point of a vertex, line or triangle that is closest to the origin, by barycentric weights (Catto
+/// 2010; Ericson 2004, 5.1.5). The same weights give the points of both colliders.</summary>
 public static class ClosestPoint
 {
     public static Vector3 Find(List<MinkowskiPoint> simplex, out Vector3 pointA, out Vector3 pointB)

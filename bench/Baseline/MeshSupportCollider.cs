@@ -1,11 +1,7 @@
-using System.Numerics;
-
 namespace Gjk.Bench.Baseline;
 
-/// <summary>
-/// A mesh as the renderer has it, including repeated corners. A query rotates the direction into the mesh's frame and
-/// the winning vertex back into the world. So moving the object costs nothing between calls.
-/// </summary>
+/// <summary>A mesh as the renderer has it, including repeated corners. A query rotates the direction into the mesh's
+/// frame and the winning vertex back into the world. So moving the object costs nothing between calls.</summary>
 public sealed class MeshSupportCollider : SupportCollider
 {
     private readonly Vector3[] _vertices;

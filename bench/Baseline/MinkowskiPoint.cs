@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Bench.Baseline;
 
 /// <summary>A vertex of the Minkowski difference, with the two points that it comes from.</summary>

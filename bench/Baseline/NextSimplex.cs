@@ -1,12 +1,8 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Bench.Baseline;
 
-/// <summary>
-/// Muratori's cases (2006). The newest vertex, A, is the last of the list. The origin cannot lie behind the older ones.
-/// Each case leaves the part of the simplex that faces the origin, and a direction from that part to the origin.
-/// </summary>
+/// <summary>Muratori's cases (2006). The newest vertex, A, is the last of the list. The origin cannot lie behind the
+/// older ones. Each case leaves the part of the simplex that faces the origin, and a direction from that part to the
+/// origin.</summary>
 public static class NextSimplex
 {
     /// <summary>True when the simplex encloses the origin.</summary>

@@ -1,30 +1,20 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Bench.Baseline;
 
-/// <summary>
-/// The algorithm of the 2022 report, written from its description. It is the baseline for this library. It computes in
-/// float and has the report's faults. Only the report's random first direction is replaced by the difference of the
-/// positions, which is faster and repeatable.
-/// </summary>
+/// <summary>The algorithm of the 2022 report, written from its description. It is the baseline for this library. It
+/// computes in float and has the report's faults. Only the report's random first direction is replaced by the
+/// difference of the positions, which is faster and repeatable.</summary>
 public static class ReportGjk
 {
-    /// <summary>
-    /// The most passes through the loop. The report's loop may never end, but a benchmark's loop must.
-    /// </summary>
+    /// <summary>The most passes through the loop. The report's loop may never end, but a benchmark's loop
+    /// must.</summary>
     public const int IterationCap = 32;
 
-    /// <summary>
-    /// Units squared, absolute as in the report. A new support point must come closer by this much divided by the
-    /// distance. This is a tenth of a millimetre on objects a metre in size.
-    /// </summary>
+    /// <summary>Units squared, absolute as in the report. A new support point must come closer by this much divided by
+    /// the distance. This is a tenth of a millimetre on objects a metre in size.</summary>
     public const float ProgressEpsilon = 1e-4f;
 
-    /// <summary>
-    /// Units squared. If the origin is closer than this, the objects touch. It is the square of float's rounding error
-    /// at coordinates near 1.
-    /// </summary>
+    /// <summary>Units squared. If the origin is closer than this, the objects touch. It is the square of float's
+    /// rounding error at coordinates near 1.</summary>
     public const float TouchingSquared = 1e-12f;
 
     public static bool Intersects(SupportCollider a, SupportCollider b)

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Bench.Baseline;
 
 /// <summary>The answer of the report's distance query.</summary>

@@ -1,10 +1,7 @@
-using System.Numerics;
-
 namespace Gjk.Bench.Baseline;
 
-/// <summary>
-/// The view that the report's GJK has of a collider: the furthest point in a direction, in the world frame.
-/// </summary>
+/// <summary>The view that the report's GJK has of a collider: the furthest point in a direction, in the world
+/// frame.</summary>
 public abstract class SupportCollider
 {
     protected SupportCollider(Quaternion rotation, Vector3 position)

@@ -1,14 +1,11 @@
-using System.Collections.Generic;
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
 using Gjk.Bench.Scenes;
 
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>
-/// When the objects of a thousand pairs first touch, one of which moves. The figures are per pair. There is no
-/// baseline, because the report's algorithm answers no casts.
-/// </summary>
+/// <summary>When the objects of a thousand pairs first touch, one of which moves. The figures are per pair. There is no
+/// baseline, because the report's algorithm answers no casts.</summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByParams)]
 [BenchmarkCategory(Categories.Cast)]

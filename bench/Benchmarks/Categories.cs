@@ -1,8 +1,7 @@
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>
-/// The question that a group of benchmarks asks, for <c>--anyCategories</c>. Each group has its own baseline.
-/// </summary>
+/// <summary>The question that a group of benchmarks asks, for <c>--anyCategories</c>. Each group has its own
+/// baseline.</summary>
 public static class Categories
 {
     public const string Distance = "Distance";

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
 using Gjk.Bench.Scenes;
@@ -6,10 +5,8 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>
-/// How deep a thousand overlapping pairs are, boxes and hulls. The figures are per pair. There is no baseline, because
-/// the report's algorithm answers no depths.
-/// </summary>
+/// <summary>How deep a thousand overlapping pairs are, boxes and hulls. The figures are per pair. There is no baseline,
+/// because the report's algorithm answers no depths.</summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByParams)]
 [BenchmarkCategory(Categories.Depth)]

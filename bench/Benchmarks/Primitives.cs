@@ -4,10 +4,8 @@ using Gjk.Bench.Scenes;
 
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>
-/// Primitives through the generic path, without warm starts. The figures are per pair. The baseline has a mesh of the
-/// same shape.
-/// </summary>
+/// <summary>Primitives through the generic path, without warm starts. The figures are per pair. The baseline has a mesh
+/// of the same shape.</summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory)]
 public class Primitives

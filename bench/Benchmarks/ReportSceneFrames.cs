@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
 using Gjk.Bench.Scenes;
@@ -6,9 +5,8 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>
-/// The report's experiment. A frame makes 190 calls on each of its scenes. The figures are per frame.
-/// </summary>
+/// <summary>The report's experiment. A frame makes 190 calls on each of its scenes. The figures are per
+/// frame.</summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory, BenchmarkLogicalGroupRule.ByParams)]
 public class ReportSceneFrames

@@ -1,14 +1,11 @@
-using System.Numerics;
 using Gjk.Bench.Baseline;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>
-/// Has each measured loop once, so that BenchmarkDotNet and the factor check time the same code. Every loop runs over
-/// the whole list of pairs. It returns a sum, because the compiler might remove the work otherwise.
-/// </summary>
+/// <summary>Has each measured loop once, so that BenchmarkDotNet and the factor check time the same code. Every loop
+/// runs over the whole list of pairs. It returns a sum, because the compiler might remove the work otherwise.</summary>
 public static class SceneQueries
 {
     public static float Distance(BenchScene scene)
@@ -21,9 +18,8 @@ public static class SceneQueries
         return sum;
     }
 
-    /// <summary>
-    /// Distance with the warm start that each pair kept from its last call. The poses may have changed since then.
-    /// </summary>
+    /// <summary>Distance with the warm start that each pair kept from its last call. The poses may have changed since
+    /// then.</summary>
     public static float WarmDistance(BenchScene scene, RigidPose[] poses, WarmStart[] warmStarts)
     {
         ConvexShape[] shapes = scene.Shapes;

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
 using Gjk.Bench.Baseline;
@@ -8,11 +6,9 @@ using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 
-/// <summary>
-/// The furthest vertex in a random direction, found in three ways: by the library's look-up, by the plain scan that
-/// defines it, and by the report's FindFurthestPoint. The last one also has to turn the direction. The figures are per
-/// call.
-/// </summary>
+/// <summary>The furthest vertex in a random direction, found in three ways: by the library's look-up, by the plain scan
+/// that defines it, and by the report's FindFurthestPoint. The last one also has to turn the direction. The figures are
+/// per call.</summary>
 [MemoryDiagnoser]
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory, BenchmarkLogicalGroupRule.ByParams)]
 [BenchmarkCategory(Categories.Support)]

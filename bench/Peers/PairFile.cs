@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Numerics;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 

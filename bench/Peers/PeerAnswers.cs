@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
@@ -10,10 +5,9 @@ using Gjk.Exact.Cases;
 
 namespace Gjk.Bench.Peers;
 
-/// <summary>
-/// Writes what every engine answers to the pairs of <c>tests/Cases</c>, in the columns that <c>gjk-demo judge</c>
-/// reads. A family with a shape that the engines' programs do not know is left out; so is an engine that breaks off.
-/// </summary>
+/// <summary>Writes what every engine answers to the pairs of <c>tests/Cases</c>, in the columns that
+/// <c>gjk-demo judge</c> reads. A family with a shape that the engines' programs do not know is left out; so is an
+/// engine that breaks off.</summary>
 internal static class PeerAnswers
 {
     public static void Run(TextWriter progress, string project, string target)

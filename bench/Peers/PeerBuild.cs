@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Diagnostics;
-using System.IO;
-
 namespace Gjk.Bench.Peers;
 
 /// <summary>An engine's program, or why there is none.</summary>

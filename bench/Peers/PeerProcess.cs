@@ -1,7 +1,3 @@
-using System;
-using System.Diagnostics;
-using System.Globalization;
-using System.IO;
 using Gjk.Bench.Table;
 
 namespace Gjk.Bench.Peers;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Bench.Benchmarks;
 using Gjk.Bench.Scenes;
 using Gjk.Bench.Table;
@@ -16,10 +13,8 @@ internal readonly record struct PeerFigure(double Nanoseconds, int Wrong);
 /// <param name="Verb">The question.</param>
 internal abstract record PeerSet(string Name, PeerVerb Verb)
 {
-    /// <summary>
-    /// Ratio to the larger of size and distance. An engine is wrong if its distance or depth is further off, or its
-    /// flag differs although the shapes are further apart, or deeper in each other, than that.
-    /// </summary>
+    /// <summary>Ratio to the larger of size and distance. An engine is wrong if its distance or depth is further off,
+    /// or its flag differs although the shapes are further apart, or deeper in each other, than that.</summary>
     private const double Tolerance = 1e-5;
 
     public abstract int PairCount { get; }

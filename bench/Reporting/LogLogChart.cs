@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-
 namespace Gjk.Bench.Reporting;
 
 /// <summary>A line of a chart.</summary>
@@ -11,10 +6,8 @@ namespace Gjk.Bench.Reporting;
 /// <param name="Points">The points from left to right. All coordinates are above 0.</param>
 internal sealed record ChartLine(string Name, string Colour, IReadOnlyList<(double X, double Y)> Points);
 
-/// <summary>
-/// Draws lines over two logarithmic axes. The chart has its own background, so that it is readable on a light page and
-/// on a dark one.
-/// </summary>
+/// <summary>Draws lines over two logarithmic axes. The chart has its own background, so that it is readable on a light
+/// page and on a dark one.</summary>
 internal sealed class LogLogChart
 {
     private const int Width = 760, Height = 470;

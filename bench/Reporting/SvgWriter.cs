@@ -1,15 +1,10 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
 using System.Net;
 using System.Text;
 
 namespace Gjk.Bench.Reporting;
 
-/// <summary>
-/// Writes the few SVG elements that a line chart needs. Coordinates are in pixels with y downwards, and are written
-/// with one decimal.
-/// </summary>
+/// <summary>Writes the few SVG elements that a line chart needs. Coordinates are in pixels with y downwards, and are
+/// written with one decimal.</summary>
 internal sealed class SvgWriter
 {
     private readonly StringBuilder _text = new();

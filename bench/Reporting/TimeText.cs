@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Gjk.Bench.Reporting;
 
 /// <summary>Writes times in a unit that is easy to read.</summary>

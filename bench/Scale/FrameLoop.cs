@@ -1,15 +1,10 @@
-using System;
-using System.Diagnostics;
-
 namespace Gjk.Bench.Scale;
 
 /// <summary>Repeats frames.</summary>
 internal static class FrameLoop
 {
-    /// <summary>
-    /// Seconds. The goal is that nothing is allocated after the first second. By then the runtime has also optimised
-    /// the code with the profile it collected.
-    /// </summary>
+    /// <summary>Seconds. The goal is that nothing is allocated after the first second. By then the runtime has also
+    /// optimised the code with the profile it collected.</summary>
     private const double WarmUpSeconds = 1;
 
     /// <summary>Frames. The least number to run if a frame is so slow that the seconds do not allow more.</summary>
@@ -26,10 +21,8 @@ internal static class FrameLoop
         return runs;
     }
 
-    /// <summary>
-    /// The bytes that frames allocate, on all threads together. These are not the timed frames, because an exact count
-    /// stops all threads.
-    /// </summary>
+    /// <summary>The bytes that frames allocate, on all threads together. These are not the timed frames, because an
+    /// exact count stops all threads.</summary>
     /// <param name="frame">The frame.</param>
     /// <param name="timed">How many frames were timed. A tenth of that number is run again.</param>
     public static double BytesPerFrame(Action frame, int timed)
@@ -40,8 +33,7 @@ internal static class FrameLoop
         return (double)(GC.GetTotalAllocatedBytes(precise: true) - before) / count;
     }
 
-    /// <summary>
-    /// Converts ticks in double. A TimeSpan counts in steps of 100 ns, which is a large part of the smallest frames.
-    /// </summary>
+    /// <summary>Converts ticks in double. A TimeSpan counts in steps of 100 ns, which is a large part of the smallest
+    /// frames.</summary>
     public static double Milliseconds(long ticks) => ticks * 1e3 / Stopwatch.Frequency;
 }

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Diagnostics;
-using System.Linq;
-using System.Numerics;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 
@@ -13,9 +9,8 @@ internal sealed class ReportSceneClock
     /// <summary>Frames between two readings of the clock. A single frame takes little longer than a reading.</summary>
     private const int FramesPerSample = 50;
 
-    /// <summary>
-    /// Units per frame. The step is one percent of the size along two axes, forward in one frame and back in the next.
-    /// </summary>
+    /// <summary>Units per frame. The step is one percent of the size along two axes, forward in one frame and back in
+    /// the next.</summary>
     private static readonly Vector3 Step = new(0.01f, 0, 0.01f);
 
     private readonly CollisionScene _scene = new(BroadPhaseKind.SortAndSweep);

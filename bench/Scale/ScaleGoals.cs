@@ -1,13 +1,10 @@
-using System.Linq;
 using Gjk.Bench.Scenes;
 using Gjk.Bench.Table;
 
 namespace Gjk.Bench.Scale;
 
-/// <summary>
-/// The goals for frames, in milliseconds on two cores of the machine on which the other engines were measured. They are
-/// scaled to this machine as <see cref="Goals"/> are.
-/// </summary>
+/// <summary>The goals for frames, in milliseconds on two cores of the machine on which the other engines were measured.
+/// They are scaled to this machine as <see cref="Goals"/> are.</summary>
 internal static class ScaleGoals
 {
     /// <summary>How many seconds are used to measure how slow this machine is.</summary>
@@ -30,10 +27,8 @@ internal static class ScaleGoals
         _ => null,
     };
 
-    /// <summary>
-    /// How many times slower this machine is than the goals' machine. It is measured by the time that the report's
-    /// algorithm needs for the report's scenes.
-    /// </summary>
+    /// <summary>How many times slower this machine is than the goals' machine. It is measured by the time that the
+    /// report's algorithm needs for the report's scenes.</summary>
     public static double Slowness()
     {
         TableSet[] scenes = [.. ReportScenes.Names.Select(TableSet.OfReportScene)];

@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scale;
 
-/// <summary>
-/// Measures how the time of a frame grows with the number of objects. It measures every broad phase, at rest and
-/// moving, on one thread and on all, and the report's scenes.
-/// </summary>
+/// <summary>Measures how the time of a frame grows with the number of objects. It measures every broad phase, at rest
+/// and moving, on one thread and on all, and the report's scenes.</summary>
 internal static class ScaleRun
 {
     /// <summary>The name of the scenes with any number of cubes.</summary>

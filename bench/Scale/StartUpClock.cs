@@ -1,18 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.Diagnostics;
-using System.Globalization;
-using System.Linq;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scale;
 
-/// <summary>
-/// Measures the first frames of a program: moving cubes, all pairs within a distance. The runtime compiles a method
-/// when it is first called and again when it was called often, so the first frames take longer than the later ones.
-/// This is measured before anything else in the process has called the library.
-/// </summary>
+/// <summary>Measures the first frames of a program: moving cubes, all pairs within a distance. The runtime compiles a
+/// method when it is first called and again when it was called often, so the first frames take longer than the later
+/// ones. This is measured before anything else in the process has called the library.</summary>
 internal static class StartUpClock
 {
     private const int Objects = 500, Frames = 1000;

@@ -1,13 +1,10 @@
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Bench.Baseline;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// The same objects in two forms, for the library and for the report's algorithm, and the pairs to query.
-/// </summary>
+/// <summary>The same objects in two forms, for the library and for the report's algorithm, and the pairs to
+/// query.</summary>
 public sealed class BenchScene
 {
     private readonly List<ConvexShape> _shapes = [];
@@ -15,9 +12,8 @@ public sealed class BenchScene
     private readonly List<SupportCollider> _colliders = [];
     private readonly List<Pair> _pairs = [];
 
-    /// <summary>
-    /// The library's shapes. They are in an array, so that a query takes them by reference and without a copy.
-    /// </summary>
+    /// <summary>The library's shapes. They are in an array, so that a query takes them by reference and without a
+    /// copy.</summary>
     public ConvexShape[] Shapes { get; private set; } = [];
 
     public RigidPose[] Poses { get; private set; } = [];
@@ -26,9 +22,8 @@ public sealed class BenchScene
 
     public Pair[] Pairs { get; private set; } = [];
 
-    /// <summary>
-    /// Adds an object. The baseline scans all the vertices. The library has built its own shape from them.
-    /// </summary>
+    /// <summary>Adds an object. The baseline scans all the vertices. The library has built its own shape from
+    /// them.</summary>
     public int Add(in ConvexShape shape, Vector3[] vertices, in RigidPose pose)
     {
         _colliders.Add(new MeshSupportCollider(vertices, pose.Rotation, pose.Position));

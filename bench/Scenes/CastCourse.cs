@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Two turned bodies, A at the origin, and where B begins and ends. No query is needed to know whether they meet: B's
-/// inner point goes through A, or a plane stays between them.
-/// </summary>
+/// <summary>Two turned bodies, A at the origin, and where B begins and ends. No query is needed to know whether they
+/// meet: B's inner point goes through A, or a plane stays between them.</summary>
 internal readonly struct CastCourse
 {
     private readonly DepthBody _a, _b;
@@ -33,14 +29,12 @@ internal readonly struct CastCourse
 
     private Double3 MiddleB => _turnB.Rotate(_b.Inside);
 
-    /// <summary>
-    /// From any side, the bodies apart by up to a number of units, at a point of A or beside it, and on.
-    /// </summary>
+    /// <summary>From any side, the bodies apart by up to a number of units, at a point of A or beside it, and
+    /// on.</summary>
     /// <param name="scene">Where to add it.</param>
     /// <param name="prng">The source.</param>
-    /// <param name="aside">
-    /// How far beside A's inner point B's one passes, as a share of the way to A's surface: up to 1 they meet.
-    /// </param>
+    /// <param name="aside">How far beside A's inner point B's one passes, as a share of the way to A's surface: up to 1
+    /// they meet.</param>
     /// <param name="apart">The most that they are apart at the start.</param>
     /// <param name="share">How far B goes, 1 being to that point.</param>
     public void Aim(CastScene scene, Prng prng, float aside, float apart, float share)
@@ -51,10 +45,8 @@ internal readonly struct CastCourse
         Add(scene, start, (outward * aside - start) * share);
     }
 
-    /// <summary>
-    /// Past A, along a plane across a direction: B's lowest point passes over A's highest one, a gap above it. With a
-    /// gap of less than 0 they meet there.
-    /// </summary>
+    /// <summary>Past A, along a plane across a direction: B's lowest point passes over A's highest one, a gap above it.
+    /// With a gap of less than 0 they meet there.</summary>
     public void Pass(CastScene scene, Prng prng, double gap)
     {
         Double3 up = prng.Direction(), along = Double3.Cross(up, prng.Direction());
@@ -62,9 +54,8 @@ internal readonly struct CastCourse
         Add(scene, Above(up, gap) - along, along * 2);
     }
 
-    /// <summary>
-    /// In A, a point a little inside A's highest one where the same point of B's lowest one is, and on to any side.
-    /// </summary>
+    /// <summary>In A, a point a little inside A's highest one where the same point of B's lowest one is, and on to any
+    /// side.</summary>
     public void Sink(CastScene scene, Prng prng, double depth, double way)
     {
         Double3 up = prng.Direction();
@@ -74,9 +65,8 @@ internal readonly struct CastCourse
         Add(scene, onA - onB, prng.Direction() * (float)way);
     }
 
-    /// <summary>
-    /// From a gap above A down by a way, B's lowest point onto A's highest one; a way less than 0 leads away.
-    /// </summary>
+    /// <summary>From a gap above A down by a way, B's lowest point onto A's highest one; a way less than 0 leads
+    /// away.</summary>
     public void Drop(CastScene scene, Prng prng, double gap, double way)
     {
         Double3 up = prng.Direction();

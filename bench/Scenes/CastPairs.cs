@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Sets of a thousand pairs of which one object moves, for the question when they meet. They are drawn after the
-/// description of the lists on which other engines were measured; they are not the same pairs.
-/// </summary>
+/// <summary>Sets of a thousand pairs of which one object moves, for the question when they meet. They are drawn after
+/// the description of the lists on which other engines were measured; they are not the same pairs.</summary>
 /// <remarks>
 /// <list type="bullet">
 /// <item>box, h8, h32: boxes, and hulls of that many corners, of about unit size, that meet after a way of up to 8.
@@ -29,10 +23,8 @@ public static class CastPairs
 
     private const string Ray = "ray";
 
-    /// <summary>
-    /// The name of the set, the corners of its objects if they have equally many, the seed, the least and the most
-    /// share of pairs that meet, overlaps at the start included, and what draws the pairs.
-    /// </summary>
+    /// <summary>The name of the set, the corners of its objects if they have equally many, the seed, the least and the
+    /// most share of pairs that meet, overlaps at the start included, and what draws the pairs.</summary>
     private static readonly
         (string Name, int Vertices, ulong Seed, double Least, double Most, Func<Prng, Action<CastScene>> Begin)[] Sets =
         [

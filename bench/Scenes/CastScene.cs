@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Draws the pairs of <see cref="CastPairs"/>. Every method gets what is drawn once for a set, and returns what adds a
-/// pair.
-/// </summary>
+/// <summary>Draws the pairs of <see cref="CastPairs"/>. Every method gets what is drawn once for a set, and returns
+/// what adds a pair.</summary>
 internal static class CastSets
 {
     /// <summary>As many hulls as a set for distances draws from.</summary>
@@ -34,10 +30,8 @@ internal static class CastSets
         };
     }
 
-    /// <summary>
-    /// Equally turned boxes with a face in one plane, or nearly. B slides over A's face from beside it, or begins on
-    /// it, or slides in the plane of A's side until it meets a face across its way.
-    /// </summary>
+    /// <summary>Equally turned boxes with a face in one plane, or nearly. B slides over A's face from beside it, or
+    /// begins on it, or slides in the plane of A's side until it meets a face across its way.</summary>
     public static Action<CastScene> Slides(Prng prng) => scene =>
     {
         Vector3 a = prng.OneOf(new Vector3(4, 0.25f, 1), new Vector3(2, 0.5f, 2), new Vector3(0.5f));
@@ -91,9 +85,8 @@ internal static class CastSets
         };
     }
 
-    /// <summary>
-    /// A quarter each from 1e3 and 1e5 away, a way of 1e-5 to 1e-4 onto each other, and a way of 1e6 from nearby.
-    /// </summary>
+    /// <summary>A quarter each from 1e3 and 1e5 away, a way of 1e-5 to 1e-4 onto each other, and a way of 1e6 from
+    /// nearby.</summary>
     public static Action<CastScene> Speeds(Prng prng)
     {
         DepthBody[] pool = PoolOf(() => Solid(prng));

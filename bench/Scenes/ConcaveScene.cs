@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Meshes;
 
@@ -26,9 +22,8 @@ public sealed class ConcaveScene
         Size = size;
     }
 
-    /// <summary>
-    /// The sets: two meshes, their triangles, how near they are; plates; and convex shapes near a mesh.
-    /// </summary>
+    /// <summary>The sets: two meshes, their triangles, how near they are; plates; and convex shapes near a
+    /// mesh.</summary>
     public static IEnumerable<string> Names =>
     [
         .. from mesh in (string[])["torus 10k", "bumpy 10k", "torus 100k", "bumpy 100k"]

@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Two turned bodies and a point of each, from where the body is and in the world's axes. The bodies are put where
-/// these points are one. A point of the surface is sunk into its body before. Both points are inside then, so that the
-/// bodies overlap whatever they look like, and no query is needed to place them.
-/// </summary>
+/// <summary>Two turned bodies and a point of each, from where the body is and in the world's axes. The bodies are put
+/// where these points are one. A point of the surface is sunk into its body before. Both points are inside then, so
+/// that the bodies overlap whatever they look like, and no query is needed to place them.</summary>
 internal readonly struct DepthContact
 {
     /// <summary>The share of an edge within which it is met, so that a pair that slides does not leave it.</summary>
@@ -33,9 +29,7 @@ internal readonly struct DepthContact
         (_onA, _onB) = (default, default);
     }
 
-    /// <summary>
-    /// B's lowest point over a face of A. Round bodies without faces are met in a random direction.
-    /// </summary>
+    /// <summary>B's lowest point over a face of A. Round bodies without faces are met in a random direction.</summary>
     public static DepthContact AtFace(Prng prng, DepthBody a, DepthBody b)
     {
         if (!a.HasFaces) return AtCorners(prng, a, b);

@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Sets of a thousand overlapping pairs, for the question how deep they are. They are drawn after the description of
-/// the lists on which other engines were measured; they are not the same pairs.
-/// </summary>
+/// <summary>Sets of a thousand overlapping pairs, for the question how deep they are. They are drawn after the
+/// description of the lists on which other engines were measured; they are not the same pairs.</summary>
 /// <remarks>
 /// <list type="bullet">
 /// <item>box shallow: boxes 1e-6 to 1e-2 deep, by a corner in a face, edge across edge, or corner to corner.</item>
@@ -31,9 +25,8 @@ public static class DepthPairs
 
     private const string Flush = "flush";
 
-    /// <summary>
-    /// The name of the set, the corners of its objects if they have equally many, the seed, and what draws the pairs.
-    /// </summary>
+    /// <summary>The name of the set, the corners of its objects if they have equally many, the seed, and what draws the
+    /// pairs.</summary>
     private static readonly (string Name, int Vertices, ulong Seed, Func<Prng, Action<BenchScene>> Begin)[] Sets =
     [
         ("box shallow", 8, 51, DepthSets.ShallowBoxes),

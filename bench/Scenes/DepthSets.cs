@@ -1,22 +1,16 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Draws the pairs of <see cref="DepthPairs"/>. Every method gets what is drawn once for a set, and returns what adds
-/// a pair.
-/// </summary>
+/// <summary>Draws the pairs of <see cref="DepthPairs"/>. Every method gets what is drawn once for a set, and returns
+/// what adds a pair.</summary>
 internal static class DepthSets
 {
     /// <summary>As many hulls as a set for distances draws from.</summary>
     private const int Pool = 64;
 
-    /// <summary>
-    /// The largest share of the way from the middle to the surface at which the middle of another body lies in deep
-    /// pairs.
-    /// </summary>
+    /// <summary>The largest share of the way from the middle to the surface at which the middle of another body lies in
+    /// deep pairs.</summary>
     private const float DeepShare = 0.35f;
 
     /// <summary>What a thin body is divided by on its short sides.</summary>
@@ -36,10 +30,8 @@ internal static class DepthSets
 
     public static Action<BenchScene> DeepBoxes(Prng prng) => scene => Add(scene, Deep(prng, Box(prng), Box(prng)));
 
-    /// <summary>
-    /// Equally turned boxes, face to face. Along each of the other axes they are centred, off by a part, flush on one
-    /// side, or overlap no deeper than on the first: then they meet at an edge or a corner.
-    /// </summary>
+    /// <summary>Equally turned boxes, face to face. Along each of the other axes they are centred, off by a part, flush
+    /// on one side, or overlap no deeper than on the first: then they meet at an edge or a corner.</summary>
     public static Action<BenchScene> FlushBoxes(Prng prng) => scene =>
     {
         Vector3 a = FlushHalf(prng), b = FlushHalf(prng), sum = a + b;
@@ -107,10 +99,8 @@ internal static class DepthSets
         contact.AddTo(scene, Vector3.Zero, prng.Index(2) == 0);
     };
 
-    /// <summary>
-    /// Half of the pairs are equally turned and off by 1e-7 to 0.1, along an axis or a diagonal. The others have the
-    /// same place and are turned not at all, by 1e-6 to 1e-2, or in any way.
-    /// </summary>
+    /// <summary>Half of the pairs are equally turned and off by 1e-7 to 0.1, along an axis or a diagonal. The others
+    /// have the same place and are turned not at all, by 1e-6 to 1e-2, or in any way.</summary>
     public static Action<BenchScene> Concentric(Prng prng)
     {
         ConvexShape[] shapes = ConcentricShapes(prng);

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Vertex lists like those of a game engine's built-in meshes.</summary>
@@ -27,15 +24,13 @@ public static class MeshVertices
         return vertices;
     }
 
-    /// <summary>
-    /// Two poles and rings between them, about the y axis. The report's 515 vertices are 19 rings of 27.
-    /// </summary>
+    /// <summary>Two poles and rings between them, about the y axis. The report's 515 vertices are 19 rings of
+    /// 27.</summary>
     public static Vector3[] Sphere(float radius, int rings = 19, int perRing = 27) =>
         Capsule(radius, 0, rings, perRing);
 
-    /// <summary>
-    /// A sphere whose halves are moved apart along y. With an even number of rings, no ring lies on the equator.
-    /// </summary>
+    /// <summary>A sphere whose halves are moved apart along y. With an even number of rings, no ring lies on the
+    /// equator.</summary>
     public static Vector3[] Capsule(float radius, float halfHeight, int rings = 20, int perRing = 27)
     {
         var vertices = new Vector3[rings * perRing + 2];

@@ -1,20 +1,14 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Poses of a scene over a few frames. They run forward and backward, so that they never end. In each frame every
-/// object turns by one degree about an axis of its own and moves by one percent of its size, from one side of its place
-/// to the other. The demo's <c>time</c> moves objects in the same way.
-/// </summary>
+/// <summary>Poses of a scene over a few frames. They run forward and backward, so that they never end. In each frame
+/// every object turns by one degree about an axis of its own and moves by one percent of its size, from one side of its
+/// place to the other. The demo's <c>time</c> moves objects in the same way.</summary>
 public sealed class Motion
 {
-    /// <summary>
-    /// Frames to either side of the given place. Their number is small, so that most overlaps and gaps of the scene
-    /// stay as they were.
-    /// </summary>
+    /// <summary>Frames to either side of the given place. Their number is small, so that most overlaps and gaps of the
+    /// scene stay as they were.</summary>
     private const int StepsAside = 16;
 
     private const float RadiansPerFrame = MathF.PI / 180;

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Exact.Randomness;
 
 namespace Gjk.Bench.Scenes;
@@ -20,10 +18,8 @@ public sealed class Prng
     /// <summary>One of a few values.</summary>
     public T OneOf<T>(params ReadOnlySpan<T> values) => values[Index(values.Length)];
 
-    /// <summary>
-    /// Uniform on the unit sphere, by rejection. Trigonometry is avoided because its results could differ between
-    /// machines.
-    /// </summary>
+    /// <summary>Uniform on the unit sphere, by rejection. Trigonometry is avoided because its results could differ
+    /// between machines.</summary>
     public Vector3 Direction()
     {
         while (true)

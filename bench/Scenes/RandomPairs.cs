@@ -1,21 +1,15 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Bench.Baseline;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Sets of a thousand pairs each, in random orientations, with their centres 0.2 to 1.6 apart. The sizes are chosen so
-/// that 20 to 40 % of the pairs overlap. A set with only one answer would measure half of the algorithm.
-/// </summary>
+/// <summary>Sets of a thousand pairs each, in random orientations, with their centres 0.2 to 1.6 apart. The sizes are
+/// chosen so that 20 to 40 % of the pairs overlap. A set with only one answer would measure half of the
+/// algorithm.</summary>
 public static class RandomPairs
 {
-    /// <summary>
-    /// Pairs in every set. They are few enough to be visited often, and too many for a branch predictor to learn.
-    /// </summary>
+    /// <summary>Pairs in every set. They are few enough to be visited often, and too many for a branch predictor to
+    /// learn.</summary>
     public const int Count = 1000;
 
     /// <summary>Vertices. The largest hull of <see cref="Names"/>.</summary>
@@ -29,22 +23,18 @@ public static class RandomPairs
     private const double MinOverlapRate = 0.2;
     private const double MaxOverlapRate = 0.4;
 
-    /// <summary>
-    /// How many different hulls a set draws from. From 512 vertices on, they are together larger than a first-level
-    /// cache, as in a game level. A separate hull for each of the 2000 objects would measure the memory instead.
-    /// </summary>
+    /// <summary>How many different hulls a set draws from. From 512 vertices on, they are together larger than a
+    /// first-level cache, as in a game level. A separate hull for each of the 2000 objects would measure the memory
+    /// instead.</summary>
     private const int HullPool = 64;
 
-    /// <summary>
-    /// The total number of vertices of the hulls that a large set draws from, and the least number of hulls. The total
-    /// is twice that of the largest usual set, so that the caches do not hold a larger part of it. More vertices would
-    /// take long to build.
-    /// </summary>
+    /// <summary>The total number of vertices of the hulls that a large set draws from, and the least number of hulls.
+    /// The total is twice that of the largest usual set, so that the caches do not hold a larger part of it. More
+    /// vertices would take long to build.</summary>
     private const int LargePoolVertices = 2 * HullPool * LargestUsual, LeastHulls = 4;
 
-    /// <summary>
-    /// The name of the set, its vertices (0 means boxes), the mean radius or half extent, and the seed.
-    /// </summary>
+    /// <summary>The name of the set, its vertices (0 means boxes), the mean radius or half extent, and the
+    /// seed.</summary>
     private static readonly (string Name, int Vertices, float Size, ulong Seed)[] Sets =
     [
         ("box", 0, 0.24f, 11),
@@ -62,9 +52,8 @@ public static class RandomPairs
     /// <summary>The usual sets.</summary>
     public static IReadOnlyList<string> Names { get; } = [.. Sets.Where(s => !IsLarge(s.Vertices)).Select(s => s.Name)];
 
-    /// <summary>
-    /// The sets of larger hulls, smallest first. The baseline takes seconds for the list of one of them.
-    /// </summary>
+    /// <summary>The sets of larger hulls, smallest first. The baseline takes seconds for the list of one of
+    /// them.</summary>
     public static IReadOnlyList<string> LargeNames { get; } =
         [.. Sets.Where(s => IsLarge(s.Vertices)).Select(s => s.Name)];
 
@@ -88,10 +77,8 @@ public static class RandomPairs
         return CheckOverlapRate(name, scene.Build(), IsLarge(set.Vertices) ? LargeBaselinePairs : Count);
     }
 
-    /// <summary>
-    /// The share of pairs that overlap, computed by the baseline. This check must not depend on the code that is
-    /// measured.
-    /// </summary>
+    /// <summary>The share of pairs that overlap, computed by the baseline. This check must not depend on the code that
+    /// is measured.</summary>
     public static double OverlapRate(BenchScene scene) =>
         scene.Pairs.Count(p => ReportGjk.Intersects(scene.Colliders[p.A], scene.Colliders[p.B]))
             / (double)scene.Pairs.Length;

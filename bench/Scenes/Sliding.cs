@@ -1,19 +1,14 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Poses of overlapping pairs over a few frames, forward and backward without end. In each frame the second object of
-/// every pair slides across the shortest way out, by one percent of the smaller object's size. Pairs that would part
-/// are pushed in again, so that every frame asks for a depth.
-/// </summary>
+/// <summary>Poses of overlapping pairs over a few frames, forward and backward without end. In each frame the second
+/// object of every pair slides across the shortest way out, by one percent of the smaller object's size. Pairs that
+/// would part are pushed in again, so that every frame asks for a depth.</summary>
 public sealed class Sliding
 {
-    /// <summary>
-    /// Frames to either side of the given place. They are few, so that the contacts stay of their kind.
-    /// </summary>
+    /// <summary>Frames to either side of the given place. They are few, so that the contacts stay of their
+    /// kind.</summary>
     private const int StepsAside = 2;
 
     private const int FramesPerRound = 4 * StepsAside;

@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Bench.Baseline;
 using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Random pairs of one primitive for the generic path, where the compiler knows both types. The baseline knows only
-/// meshes. It gets the mesh that a game engine has for the shape.
-/// </summary>
+/// <summary>Random pairs of one primitive for the generic path, where the compiler knows both types. The baseline knows
+/// only meshes. It gets the mesh that a game engine has for the shape.</summary>
 public sealed class TypedPairs<TShape>
     where TShape : struct, ISupportMap
 {

@@ -3,10 +3,8 @@ using Gjk.Exact.Scenes;
 
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// The demo's room with any number of cubes of size 1, of which about half touch another. If they move, each one moves
-/// by one percent of its size per frame and turns by one degree.
-/// </summary>
+/// <summary>The demo's room with any number of cubes of size 1, of which about half touch another. If they move, each
+/// one moves by one percent of its size per frame and turns by one degree.</summary>
 public sealed class WorldScenes
 {
     private const double SizesPerFrame = 0.01;

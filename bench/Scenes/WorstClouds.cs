@@ -1,15 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Bench.Scenes;
 
-/// <summary>
-/// Clouds of points that make an incremental hull slow. They have long thin orders, vertices with many edges, coplanar
-/// and nearly coplanar points, repeats, and very different magnitudes. Each cloud is reproduced by its name and its
-/// number of points.
-/// </summary>
+/// <summary>Clouds of points that make an incremental hull slow. They have long thin orders, vertices with many edges,
+/// coplanar and nearly coplanar points, repeats, and very different magnitudes. Each cloud is reproduced by its name
+/// and its number of points.</summary>
 internal static class WorstClouds
 {
     private const double Turn = 2 * Math.PI;
@@ -97,9 +90,8 @@ internal static class WorstClouds
 
     private static (double X, double Y, double Z) Moments(double t) => (t, t * t, t * t * t);
 
-    /// <summary>
-    /// Points of two parabolas in perpendicular planes. The parabolas shrink towards a common vertex.
-    /// </summary>
+    /// <summary>Points of two parabolas in perpendicular planes. The parabolas shrink towards a common
+    /// vertex.</summary>
     private static Vector3 ShrinkingArc(double t, int which)
     {
         float r = (float)Math.Exp(-60 * t);
@@ -127,10 +119,8 @@ internal static class WorstClouds
 
     private static float AnyExponent(Prng prng) => (float)(prng.Range(-1, 1) * Math.Pow(2, -prng.Index(120)));
 
-    /// <summary>
-    /// Points of a parabola that lies exactly in the plane z = x. They halve their distance from its vertex seventy
-    /// times.
-    /// </summary>
+    /// <summary>Points of a parabola that lies exactly in the plane z = x. They halve their distance from its vertex
+    /// seventy times.</summary>
     private static Vector3 InDeepPlane(double t)
     {
         float x = (float)Math.Pow(2, -70 * t);
@@ -166,9 +156,8 @@ internal static class WorstClouds
         return Index(count, i => Fibonacci(i, count, prng.Range(-1e-7f, 1e-7f)));
     }
 
-    /// <summary>
-    /// Integer points with the same sum of squares. They lie exactly on a sphere, and many of them on one circle.
-    /// </summary>
+    /// <summary>Integer points with the same sum of squares. They lie exactly on a sphere, and many of them on one
+    /// circle.</summary>
     private static Vector3[] LatticeSphere(int count)
     {
         // 5 * 13 * 17 * 29 has many representations as a sum of squares.
@@ -238,14 +227,12 @@ internal static class WorstClouds
     private static Vector3 LiftedCircleOrLine(int i, int count) =>
         i % 2 == 0 ? Lifted(Fraction(i, count), 0) : Lifted(Math.Cos(i), Math.Sin(i));
 
-    /// <summary>
-    /// The point of the paraboloid above (x, y). The hull of such points is a Delaunay triangulation.
-    /// </summary>
+    /// <summary>The point of the paraboloid above (x, y). The hull of such points is a Delaunay
+    /// triangulation.</summary>
     private static Vector3 Lifted(double x, double y) => new((float)x, (float)y, (float)(x * x + y * y));
 
-    /// <summary>
-    /// Points with one or two values of the hash of DistinctPoints. In the hash, y cancels the effect of x.
-    /// </summary>
+    /// <summary>Points with one or two values of the hash of DistinctPoints. In the hash, y cancels the effect of
+    /// x.</summary>
     private static Vector3[] HashCollisions(int count) => Index(count, i =>
     {
         uint x = 0x3F000000u + (uint)i * 7, h = x * 0x9E3779B1u, y = (h ^ h >> 15) & 0xBFFFFFFFu;

@@ -1,14 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Bench.Table;
 
-/// <summary>
-/// The goals for casts, and what other engines need for them, in nanoseconds per pair, nothing kept between the calls.
-/// They were measured on lists of the same description, not on the same pairs, and on a machine on which the baseline's
-/// time is not known.
-/// </summary>
+/// <summary>The goals for casts, and what other engines need for them, in nanoseconds per pair, nothing kept between
+/// the calls. They were measured on lists of the same description, not on the same pairs, and on a machine on which the
+/// baseline's time is not known.</summary>
 internal static class CastGoals
 {
     /// <summary>How many casts the engines were judged on.</summary>

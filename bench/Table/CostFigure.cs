@@ -1,13 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Bench.Reporting;
 
 namespace Gjk.Bench.Table;
 
-/// <summary>
-/// A figure of how the cost of a distance query grows with the hull. It shows the hull rows of the table.
-/// </summary>
+/// <summary>A figure of how the cost of a distance query grows with the hull. It shows the hull rows of the
+/// table.</summary>
 internal static class CostFigure
 {
     /// <summary>The common prefix of the sets that differ only in the number of vertices.</summary>

@@ -1,14 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Bench.Table;
 
-/// <summary>
-/// The goals for depths and contacts, and what other engines need for depths, in nanoseconds per pair, nothing kept
-/// between the calls. They were measured on lists of the same description, not on the same pairs, and on a machine on
-/// which the baseline's time is not known.
-/// </summary>
+/// <summary>The goals for depths and contacts, and what other engines need for depths, in nanoseconds per pair, nothing
+/// kept between the calls. They were measured on lists of the same description, not on the same pairs, and on a machine
+/// on which the baseline's time is not known.</summary>
 internal static class DepthGoals
 {
     private const double None = double.NaN;
@@ -64,9 +58,8 @@ internal static class DepthGoals
         _ => null,
     };
 
-    /// <summary>
-    /// The engine that is fastest on a set, and its time. No engine was measured warm, nor for contacts alone.
-    /// </summary>
+    /// <summary>The engine that is fastest on a set, and its time. No engine was measured warm, nor for contacts
+    /// alone.</summary>
     public static (string Engine, double Nanoseconds)? BestEngine(string set, Query query)
     {
         if (query != Query.Depth) return null;

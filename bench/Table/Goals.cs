@@ -1,14 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Bench.Table;
 
-/// <summary>
-/// The goals for the library, and what the best of the other engines needs, in nanoseconds per pair on the machine on
-/// which those were measured. On another machine the same factor over the baseline counts: a figure is scaled by the
-/// baseline's time here, divided by its time there.
-/// </summary>
+/// <summary>The goals for the library, and what the best of the other engines needs, in nanoseconds per pair on the
+/// machine on which those were measured. On another machine the same factor over the baseline counts: a figure is
+/// scaled by the baseline's time here, divided by its time there.</summary>
 internal static class Goals
 {
     /// <summary>The sets in the order of the figures below.</summary>
@@ -29,10 +23,9 @@ internal static class Goals
         [Query.BatchBoolean] = [12, 20, 45, 65, 100, 115, 130, 170],
     };
 
-    /// <summary>
-    /// The best engine of each set. Warm: nothing moved. The batches are of engines that fill the lanes of a register
-    /// with pairs; only Bepu does. Bepu refuses flat hulls, and PhysX has no hulls of more than 255 vertices.
-    /// </summary>
+    /// <summary>The best engine of each set. Warm: nothing moved. The batches are of engines that fill the lanes of a
+    /// register with pairs; only Bepu does. Bepu refuses flat hulls, and PhysX has no hulls of more than 255
+    /// vertices.</summary>
     private static readonly Dictionary<Query, (string Engine, double Nanoseconds)[]> Best = new()
     {
         [Query.Cold] =
@@ -64,10 +57,8 @@ internal static class Goals
         [Query.Boolean] = ("PhysX", 59),
     };
 
-    /// <summary>
-    /// Cold distance through the generic path. No baseline figure from that machine is known, so the machine is
-    /// compared by the sets.
-    /// </summary>
+    /// <summary>Cold distance through the generic path. No baseline figure from that machine is known, so the machine
+    /// is compared by the sets.</summary>
     private static readonly Dictionary<string, double> OfPrimitives = new()
     {
         ["sphere-sphere"] = 12,
@@ -97,10 +88,8 @@ internal static class Goals
         return double.IsNaN(engines[column].Nanoseconds) ? null : engines[column];
     }
 
-    /// <summary>
-    /// How many times slower this machine is, by the baseline of one set. Null if there is no figure for the goals'
-    /// machine.
-    /// </summary>
+    /// <summary>How many times slower this machine is, by the baseline of one set. Null if there is no figure for the
+    /// goals' machine.</summary>
     public static double? Slowness(string set, double baselineHere)
     {
         int column = Column(set);

@@ -1,37 +1,25 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Gjk.Bench.Scenes;
 
 namespace Gjk.Bench.Table;
 
-/// <summary>
-/// Measures every figure of the table in one process. Library and baseline run in turn, so that their factor is more
-/// reliable than either figure. All sets are built and visited once before any of them is measured. The runtime then
-/// optimises the code for all of them, as in a program that uses more than one shape.
-/// </summary>
+/// <summary>Measures every figure of the table in one process. Library and baseline run in turn, so that their factor
+/// is more reliable than either figure. All sets are built and visited once before any of them is measured. The runtime
+/// then optimises the code for all of them, as in a program that uses more than one shape.</summary>
 internal static class TableRun
 {
-    /// <summary>
-    /// How many seconds a set is measured. With this value a run takes less than three minutes on a machine of two
-    /// cores.
-    /// </summary>
+    /// <summary>How many seconds a set is measured. With this value a run takes less than three minutes on a machine of
+    /// two cores.</summary>
     public const double DefaultSeconds = 6;
 
     /// <summary>The most seconds of warm-up, for all sets together and then for each set.</summary>
     private const double CommonWarmUpSeconds = 8, WarmUpSeconds = 2;
 
-    /// <summary>
-    /// The share of a set's seconds for sets with two loops instead of six, and for the large hulls. The loops of the
-    /// large hulls are slow and give few samples anyway.
-    /// </summary>
+    /// <summary>The share of a set's seconds for sets with two loops instead of six, and for the large hulls. The loops
+    /// of the large hulls are slow and give few samples anyway.</summary>
     private const double PrimitiveShare = 1.0 / 3, LargeShare = 0.5;
 
-    /// <summary>
-    /// The share of a set's seconds for depths. Each set has three loops, and its warm-up is short, because all
-    /// depths run the same code.
-    /// </summary>
+    /// <summary>The share of a set's seconds for depths. Each set has three loops, and its warm-up is short, because
+    /// all depths run the same code.</summary>
     private const double DepthShare = 0.3;
 
     /// <summary>The share of a set's seconds for casts, of which each set has one loop.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Bench.Benchmarks;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
@@ -10,10 +7,8 @@ namespace Gjk.Bench.Table;
 /// <summary>The loops of one set of pairs.</summary>
 internal sealed class TableSet
 {
-    /// <summary>
-    /// The most gap of a contact point, as a share of the smaller object's size: as much as one moves between two
-    /// calls where the sets move.
-    /// </summary>
+    /// <summary>The most gap of a contact point, as a share of the smaller object's size: as much as one moves between
+    /// two calls where the sets move.</summary>
     private const float MostGapShare = 0.01f;
 
     private readonly TimedLoop? _baseline;
@@ -40,9 +35,8 @@ internal sealed class TableSet
     /// <summary>The report's distance. Null for depths and casts.</summary>
     public TimedLoop? Baseline => _baseline;
 
-    /// <summary>
-    /// How many times slower this machine is than the goals' machine. Null if there is no figure for that machine.
-    /// </summary>
+    /// <summary>How many times slower this machine is than the goals' machine. Null if there is no figure for that
+    /// machine.</summary>
     public double? Slowness => _baseline is null ? null : Goals.Slowness(Name, _baseline.Nanoseconds);
 
     public static TableSet OfReportScene(string name)

@@ -1,31 +1,20 @@
-using System;
-using System.Diagnostics;
-
 namespace Gjk.Bench.Table;
 
-/// <summary>
-/// One measured loop over a list of pairs. Its figure is that of the fastest sample, because a disturbance can only add
-/// time.
-/// </summary>
+/// <summary>One measured loop over a list of pairs. Its figure is that of the fastest sample, because a disturbance can
+/// only add time.</summary>
 internal sealed class TimedLoop : ITurn
 {
-    /// <summary>
-    /// The least milliseconds of a sample. This is about a thousand times the cost of reading the clock, and short
-    /// compared with a time slice of the scheduler.
-    /// </summary>
+    /// <summary>The least milliseconds of a sample. This is about a thousand times the cost of reading the clock, and
+    /// short compared with a time slice of the scheduler.</summary>
     private const double LeastSampleMilliseconds = 0.1;
 
-    /// <summary>
-    /// The least number of samples in a turn, and its least milliseconds. The first sample brings the loop's own data
-    /// back into the caches. A turn is so short that many turns fit into a second.
-    /// </summary>
+    /// <summary>The least number of samples in a turn, and its least milliseconds. The first sample brings the loop's
+    /// own data back into the caches. A turn is so short that many turns fit into a second.</summary>
     private const int LeastSamples = 3;
     private const double TurnMilliseconds = 4;
 
-    /// <summary>
-    /// Milliseconds. For a longer sample one is enough, because reloading the caches takes almost no time in
-    /// comparison.
-    /// </summary>
+    /// <summary>Milliseconds. For a longer sample one is enough, because reloading the caches takes almost no time in
+    /// comparison.</summary>
     private const double LongSampleMilliseconds = 40;
 
     private readonly Func<float> _pass;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Diagnostics;
-using System.Numerics;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 

@@ -1,5 +1,3 @@
-using System;
-using System.Diagnostics;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
 
@@ -10,9 +8,8 @@ internal static class SupportClock
 {
     private const int Directions = 500;
 
-    /// <summary>
-    /// Supports per sample. They take some microseconds, which is long compared with the cost of reading the clock.
-    /// </summary>
+    /// <summary>Supports per sample. They take some microseconds, which is long compared with the cost of reading the
+    /// clock.</summary>
     private const int Repeats = 32;
 
     /// <summary>Samples per direction. The fastest one counts, because a disturbance can only add time.</summary>

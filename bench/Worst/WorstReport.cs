@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
 using System.Text;
 
 namespace Gjk.Bench.Worst;
@@ -9,9 +5,8 @@ namespace Gjk.Bench.Worst;
 /// <summary>The rows as text.</summary>
 internal static class WorstReport
 {
-    /// <summary>
-    /// The design goals for any cloud of 100,000 points, in milliseconds, nanoseconds and microseconds.
-    /// </summary>
+    /// <summary>The design goals for any cloud of 100,000 points, in milliseconds, nanoseconds and
+    /// microseconds.</summary>
     private const double BuildGoalMs = 5000, SupportGoalNs = 2000, QueryGoalUs = 1000;
 
     private const string CsvHeader =

@@ -4,10 +4,8 @@ using Gjk.Core;
 
 namespace EnterExit;
 
-/// <summary>
-/// Three zones that stay, and bodies of four kinds that go round on circles of their own. All are back where they began
-/// after a round.
-/// </summary>
+/// <summary>Three zones that stay, and bodies of four kinds that go round on circles of their own. All are back where
+/// they began after a round.</summary>
 internal sealed class Carousel
 {
     public const int RoundFrames = 240;

@@ -28,10 +28,8 @@ internal sealed class RobotArm
     private readonly CollisionScene _scene;
     private readonly int[] _ids = new int[Parts.Length];
 
-    /// <summary>
-    /// Adds the links to a scene. Each is in a group of its own, and its mask leaves out the groups of its neighbours,
-    /// which it always touches at the joints.
-    /// </summary>
+    /// <summary>Adds the links to a scene. Each is in a group of its own, and its mask leaves out the groups of its
+    /// neighbours, which it always touches at the joints.</summary>
     public RobotArm(CollisionScene scene)
     {
         _scene = scene;

@@ -6,9 +6,7 @@ using Gjk.Core;
 
 namespace PartClearance;
 
-/// <summary>
-/// Two parts by their places in the list, and their distance, or minus the depth of two convex ones.
-/// </summary>
+/// <summary>Two parts by their places in the list, and their distance, or minus the depth of two convex ones.</summary>
 internal readonly record struct Gap(ObjectPair Pair, DistanceResult Result);
 
 /// <summary>Finds all pairs of parts that are within a distance of each other.</summary>

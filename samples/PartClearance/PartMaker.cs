@@ -8,10 +8,8 @@ using Gjk.Core;
 
 namespace PartClearance;
 
-/// <summary>
-/// Writes parts to try the sample with: boxes, prisms and rocks of some 4 cm, in millimetres, one in each cell of a
-/// grid of 4.4 cm. Even parts are OBJ files and odd ones binary STL files.
-/// </summary>
+/// <summary>Writes parts to try the sample with: boxes, prisms and rocks of some 4 cm, in millimetres, one in each cell
+/// of a grid of 4.4 cm. Even parts are OBJ files and odd ones binary STL files.</summary>
 internal static class PartMaker
 {
     private const int CellsPerSide = 8;
@@ -35,10 +33,8 @@ internal static class PartMaker
         }
     }
 
-    /// <summary>
-    /// Writes ten links of a chain, 10,000 triangles each, in millimetres: half a millimetre is between neighbours, and
-    /// their hulls overlap.
-    /// </summary>
+    /// <summary>Writes ten links of a chain, 10,000 triangles each, in millimetres: half a millimetre is between
+    /// neighbours, and their hulls overlap.</summary>
     public static void WriteChain(string folder)
     {
         const int Links = 10, Around = 100, Across = 50;

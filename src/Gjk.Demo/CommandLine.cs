@@ -1,12 +1,7 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Invocation;
 using System.CommandLine.Parsing;
-using System.Globalization;
-using System.Linq;
 using System.Numerics;
-using System.Threading;
 using Gjk.Demo.Fuzz;
 using Gjk.Demo.Import;
 using Gjk.Demo.Judge;
@@ -32,9 +27,8 @@ internal static class CommandLine
     /// <summary>One day. A larger value is most likely a typing error.</summary>
     private const double MaxSeconds = 86_400;
 
-    /// <summary>
-    /// Parses the arguments and runs the command. Refused arguments throw <see cref="RefusedException"/>.
-    /// </summary>
+    /// <summary>Parses the arguments and runs the command. Refused arguments throw
+    /// <see cref="RefusedException"/>.</summary>
     public static int Run(string[] args, CancellationToken cancel)
     {
         var root = new RootCommand(
@@ -79,9 +73,8 @@ internal static class CommandLine
         });
     }
 
-    /// <summary>
-    /// Options without a command belong to the default command, except for the options of the program itself.
-    /// </summary>
+    /// <summary>Options without a command belong to the default command, except for the options of the program
+    /// itself.</summary>
     private static IReadOnlyList<string> WithDefault(string[] args)
     {
         bool isOwn = args is ["-h" or "--help" or "-?" or "--version", ..];
@@ -89,10 +82,8 @@ internal static class CommandLine
         return isDefault ? [Default, .. args] : args;
     }
 
-    /// <summary>
-    /// Finds an argument that looks like an option, but not like a number, and was parsed as a file or as an option's
-    /// value. After "--" everything is a file.
-    /// </summary>
+    /// <summary>Finds an argument that looks like an option, but not like a number, and was parsed as a file or as an
+    /// option's value. After "--" everything is a file.</summary>
     private static string? StrayOption(ParseResult parsed)
     {
         Token? before = null;

@@ -1,13 +1,10 @@
-using System;
 using System.Runtime.InteropServices;
-using System.Threading;
 
 namespace Gjk.Demo;
 
-/// <summary>
-/// Handles Ctrl-C, a request to terminate, and a terminal that closes. The first signal asks the command to stop, to
-/// finish its output and to end with <see cref="ExitCode.Cancelled"/>. A second signal ends the process at once.
-/// </summary>
+/// <summary>Handles Ctrl-C, a request to terminate, and a terminal that closes. The first signal asks the command to
+/// stop, to finish its output and to end with <see cref="ExitCode.Cancelled"/>. A second signal ends the process at
+/// once.</summary>
 internal sealed class Interrupt : IDisposable
 {
     private readonly CancellationTokenSource _source = new();

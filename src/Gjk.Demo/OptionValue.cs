@@ -1,6 +1,4 @@
-using System;
 using System.CommandLine.Parsing;
-using System.Globalization;
 using System.Numerics;
 
 namespace Gjk.Demo;

@@ -1,12 +1,9 @@
-using System;
 using Gjk.Import;
 
 namespace Gjk.Demo;
 
-/// <summary>
-/// The input or the arguments are refused. The message is the whole line for the user and says what is wrong, where and
-/// why.
-/// </summary>
+/// <summary>The input or the arguments are refused. The message is the whole line for the user and says what is wrong,
+/// where and why.</summary>
 internal sealed class RefusedException : Exception
 {
     public RefusedException(string message)

@@ -1,12 +1,7 @@
-using System;
-using System.IO;
-
 namespace Gjk.Import;
 
-/// <summary>
-/// A file cannot be used at all. The message is one line that says which file, where in it (the line of a text file,
-/// the element of a binary one) and why.
-/// </summary>
+/// <summary>A file cannot be used at all. The message is one line that says which file, where in it (the line of a text
+/// file, the element of a binary one) and why.</summary>
 public sealed class ImportException : Exception
 {
     internal ImportException(string message)
@@ -20,10 +15,8 @@ public sealed class ImportException : Exception
     {
     }
 
-    /// <summary>
-    /// True for the exceptions of the file system. It throws them if a path is bad, missing, protected or of the wrong
-    /// kind, or if the disk is full.
-    /// </summary>
+    /// <summary>True for the exceptions of the file system. It throws them if a path is bad, missing, protected or of
+    /// the wrong kind, or if the disk is full.</summary>
     internal static bool IsFileTrouble(Exception e) =>
         e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException
             or System.Security.SecurityException;

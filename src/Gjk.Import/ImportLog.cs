@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-
 namespace Gjk.Import;
 
-/// <summary>
-/// What could not be read, and what was read but may surprise. Each is counted; of one kind the first is listed, in the
-/// order in which they were found.
-/// </summary>
+/// <summary>What could not be read, and what was read but may surprise. Each is counted; of one kind the first is
+/// listed, in the order in which they were found.</summary>
 internal sealed class ImportLog
 {
     private readonly List<ImportProblem> _problems = [];

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Linq;
 
 namespace Gjk.Import;
@@ -19,10 +18,8 @@ public sealed class ImportResult
     /// <summary>The meshes that objects have; several may share one. No two have the same name.</summary>
     public IReadOnlyList<ImportedMesh> Meshes { get; }
 
-    /// <summary>
-    /// What could not be read, and what was read but may surprise, in the order of the file. Of several of one kind the
-    /// first is listed, with their number.
-    /// </summary>
+    /// <summary>What could not be read, and what was read but may surprise, in the order of the file. Of several of one
+    /// kind the first is listed, with their number.</summary>
     public IReadOnlyList<ImportProblem> Problems { get; }
 
     /// <summary>How many things could not be read and are missing from <see cref="Objects"/>.</summary>
@@ -56,9 +53,8 @@ public sealed class ImportProblem
     /// <summary>True if a mesh differs from its hull, which is no problem for one whose triangles are kept.</summary>
     internal bool IsOfHull { get; }
 
-    /// <summary>
-    /// One line: the place, "warning" unless something is missing, what is wrong, and how many more there are.
-    /// </summary>
+    /// <summary>One line: the place, "warning" unless something is missing, what is wrong, and how many more there
+    /// are.</summary>
     public override string ToString() =>
         $"{Where}: {(IsMissing ? "" : "warning: ")}{What}{(Count > 1 ? $"; and {Count - 1} more" : "")}";
 

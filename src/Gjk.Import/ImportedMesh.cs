@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Import;
@@ -38,10 +36,8 @@ public sealed class ImportedMesh
     /// <summary>The same triangles with other corners.</summary>
     internal ImportedMesh With(string name, Vector3[] vertices) => new(name, vertices, _triangles);
 
-    /// <summary>
-    /// Welds exact copies. Files repeat a vertex for every normal or texture coordinate that it has, and an STL for
-    /// every triangle. Vertices that no triangle uses are dropped if there are triangles.
-    /// </summary>
+    /// <summary>Welds exact copies. Files repeat a vertex for every normal or texture coordinate that it has, and an
+    /// STL for every triangle. Vertices that no triangle uses are dropped if there are triangles.</summary>
     /// <param name="name">The part's name.</param>
     /// <param name="vertices">As in the file.</param>
     /// <param name="triangles">Three indices each; may be empty.</param>

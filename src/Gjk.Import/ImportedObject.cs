@@ -1,4 +1,3 @@
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Import;
@@ -35,16 +34,14 @@ public sealed record ImportedObject
 
     internal bool IsFinite => Shape.IsFinite && ((Double3)Position).IsFinite && ((Double3)Scale).IsFinite;
 
-    /// <summary>The shape with its scale, for queries at <see cref="Pose"/>. Objects that share a mesh share its hull.
-    /// </summary>
+    /// <summary>The shape with its scale, for queries at <see cref="Pose"/>. Objects that share a mesh share its
+    /// hull.</summary>
     public ConvexShape ToConvexShape() =>
         Scale == Vector3.One ? Shape.ToConvexShape() : Shape.ToConvexShape().Scaled(Scale);
 
-    /// <summary>
-    /// The shape as it is, with its scale, for queries at <see cref="Pose"/>: a mesh by its triangles, solid where they
-    /// close, else a surface; what is no mesh, or has no triangles, or is a hull in its file, is convex. Each call
-    /// builds a mesh anew.
-    /// </summary>
+    /// <summary>The shape as it is, with its scale, for queries at <see cref="Pose"/>: a mesh by its triangles, solid
+    /// where they close, else a surface; what is no mesh, or has no triangles, or is a hull in its file, is convex.
+    /// Each call builds a mesh anew.</summary>
     public AnyShape ToAnyShape()
     {
         if (Shape is not { Mesh: { Triangles.Count: > 0 } read, IsHull: false }) return AnyShape.Of(ToConvexShape());

@@ -1,14 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
-
 namespace Gjk.Import;
 
-/// <summary>
-/// Reads files of other programs into objects with names, poses and convex shapes. Units and axes stay as they are.
-/// Thread-safe. Nothing in a file is trusted: sizes are bounded, and what cannot be read is said.
-/// </summary>
+/// <summary>Reads files of other programs into objects with names, poses and convex shapes. Units and axes stay as they
+/// are. Thread-safe. Nothing in a file is trusted: sizes are bounded, and what cannot be read is said.</summary>
 public static class Importer
 {
     /// <summary>The endings of the files that <see cref="Read"/> takes, in any case.</summary>
@@ -19,9 +12,8 @@ public static class Importer
     public static bool CanRead(string file) =>
         IsUnityFile(file) || Extension(file) is ".obj" or ".stl" or ".ply" or ".glb" or ".gltf";
 
-    /// <summary>
-    /// Why a file whose name ends otherwise is not taken. Of an FBX the sentence says how to save a GLB instead.
-    /// </summary>
+    /// <summary>Why a file whose name ends otherwise is not taken. Of an FBX the sentence says how to save a GLB
+    /// instead.</summary>
     /// <param name="file">A name or a path. The file is not opened.</param>
     public static string Refusal(string file) => Extension(file) == ".fbx"
         ? $"{file}: FBX is not read; save it as GLB: in Blender with File > Export > glTF 2.0, in Unity with "
@@ -69,18 +61,14 @@ public static class Importer
     public static ImportResult ReadPly(string name, byte[] content, CancellationToken cancel = default) =>
         OfParts(name, content, PlyReader.Read, cancel);
 
-    /// <summary>
-    /// Reads binary glTF: an object for each primitive of the default scene's nodes, in its place. A skinned mesh is
-    /// taken in its bind pose.
-    /// </summary>
+    /// <summary>Reads binary glTF: an object for each primitive of the default scene's nodes, in its place. A skinned
+    /// mesh is taken in its bind pose.</summary>
     /// <inheritdoc cref="ReadObj"/>
     public static ImportResult ReadGlb(string name, byte[] content, CancellationToken cancel = default) =>
         ReadGltf(name, content, isFramed: true, folder: null, cancel);
 
-    /// <summary>
-    /// Reads a Unity scene or prefab that was saved as text: an object for each enabled collider of an active
-    /// GameObject, or for its mesh if it has none. Unity's axes are left-handed, which changes no distance.
-    /// </summary>
+    /// <summary>Reads a Unity scene or prefab that was saved as text: an object for each enabled collider of an active
+    /// GameObject, or for its mesh if it has none. Unity's axes are left-handed, which changes no distance.</summary>
     /// <param name="file">A path.</param>
     /// <param name="project">The project's folder. Null: the folder above the file's Assets folder.</param>
     /// <param name="cancel">Ends the work.</param>

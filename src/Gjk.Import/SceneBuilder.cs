@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Collects the objects and meshes of the scene that is written. Objects that show the same mesh share it. Names are
-/// made unique with a number at their end.
-/// </summary>
+/// <summary>Collects the objects and meshes of the scene that is written. Objects that show the same mesh share it.
+/// Names are made unique with a number at their end.</summary>
 internal sealed class SceneBuilder
 {
     /// <summary>Objects. An input of a few lines can name each of its parts many times over.</summary>
@@ -38,10 +33,8 @@ internal sealed class SceneBuilder
         _objects.Add(added with { Name = UniqueName(added.Name, _objectNames) });
     }
 
-    /// <summary>
-    /// Adds an object with a mesh. Where the map is a rotation with a scale along the axes, the object keeps both and
-    /// shares the mesh. Any other map (a skew, or a scale of 0) is applied to the vertices.
-    /// </summary>
+    /// <summary>Adds an object with a mesh. Where the map is a rotation with a scale along the axes, the object keeps
+    /// both and shares the mesh. Any other map (a skew, or a scale of 0) is applied to the vertices.</summary>
     /// <param name="name">The object's name.</param>
     /// <param name="part">The mesh.</param>
     /// <param name="world">From the mesh's frame to the world.</param>

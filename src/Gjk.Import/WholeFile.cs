@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
 using System.Threading.Tasks;
 
 namespace Gjk.Import;
@@ -11,8 +7,8 @@ internal static class WholeFile
 {
     private const int ChunkBytes = 1 << 16;
 
-    /// <exception cref="ImportException">The file cannot be read, or it has more bytes than an import may have.
-    /// </exception>
+    /// <exception cref="ImportException">The file cannot be read, or it has more bytes than an import may
+    /// have.</exception>
     /// <exception cref="OperationCanceledException">Cancelled before the end was reached.</exception>
     public static byte[] Read(string file, int mostBytes, CancellationToken cancel) => Read(
         file,

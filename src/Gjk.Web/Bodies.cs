@@ -1,14 +1,10 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Web;
 
-/// <summary>
-/// The shapes that a page has made, its bodies, and the pairs that it asks about. Their numbers lie in pinned arrays,
-/// which the page writes and reads in place.
-/// </summary>
+/// <summary>The shapes that a page has made, its bodies, and the pairs that it asks about. Their numbers lie in pinned
+/// arrays, which the page writes and reads in place.</summary>
 internal sealed class Bodies
 {
     /// <summary>Numbers of a body: rotation, position, velocity, angular velocity.</summary>

@@ -1,21 +1,15 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.View;
 
 namespace Gjk.Web;
 
-/// <summary>
-/// The surface of A - B for drawing, margins included. With few corners it is the hull of all differences of corners,
-/// otherwise the hull of support points in many directions.
-/// </summary>
+/// <summary>The surface of A - B for drawing, margins included. With few corners it is the hull of all differences of
+/// corners, otherwise the hull of support points in many directions.</summary>
 internal static class Difference
 {
-    /// <summary>
-    /// The most differences of corners of which all are hulled; fewer while a body turns, where each frame needs a new
-    /// surface.
-    /// </summary>
+    /// <summary>The most differences of corners of which all are hulled; fewer while a body turns, where each frame
+    /// needs a new surface.</summary>
     private const int MostCorners = 4096, MostCornersCoarse = 256;
 
     /// <summary>Directions about an axis; from pole to pole there are half as many.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.InteropServices.JavaScript;
@@ -9,10 +7,8 @@ using Gjk.Demo.View;
 
 namespace Gjk.Web;
 
-/// <summary>
-/// The functions that a page calls. Bodies and answers are exchanged in place: the page asks once where the arrays lie
-/// and then writes and reads the program's memory.
-/// </summary>
+/// <summary>The functions that a page calls. Bodies and answers are exchanged in place: the page asks once where the
+/// arrays lie and then writes and reads the program's memory.</summary>
 internal static partial class Exports
 {
     private static readonly Bodies Bodies = new();

@@ -1,14 +1,11 @@
-using System.Collections.Generic;
 using Gjk.Core;
 using Gjk.Core.Diagnostics;
 
 namespace Gjk.Web;
 
-/// <summary>
-/// A trace as numbers. A support is 1, its normal, the points on A and B, their ids, the lower bound, and 1 if it is in
-/// extended precision. A reduction is 2, the number of vertices, each vertex with its weight, the nearest point and the
-/// upper bound.
-/// </summary>
+/// <summary>A trace as numbers. A support is 1, its normal, the points on A and B, their ids, the lower bound, and 1 if
+/// it is in extended precision. A reduction is 2, the number of vertices, each vertex with its weight, the nearest
+/// point and the upper bound.</summary>
 internal readonly struct StepNumbers : IGjkTrace
 {
     private const double Support = 1, Reduction = 2;

@@ -1,7 +1,5 @@
-using System.IO;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests;
 

@@ -1,6 +1,4 @@
-using System.IO;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests;
 

@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 
 namespace Gjk.Docs.Tests;
 
-/// <summary>
-/// Walks with the character of docs/tasks/character-sweep.md: what the page shows must not freeze, sink in, or go
-/// through, wherever the walls stand and whatever floats make of them.
-/// </summary>
+/// <summary>Walks with the character of docs/tasks/character-sweep.md: what the page shows must not freeze, sink in, or
+/// go through, wherever the walls stand and whatever floats make of them.</summary>
 public class CharacterSweepTests
 {
     /// <summary>Behind the page's character: worlds at many places, and what became of the walks.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Docs.Tests;
 
 /// <summary>A fenced block of a Markdown page.</summary>

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using System.Text;
 
@@ -13,9 +9,8 @@ internal sealed class PageFolder : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
 
-    /// <summary>
-    /// Writes the blocks that name a file (<c>json crates.json</c>, <c>text part.obj</c>) to the folder.
-    /// </summary>
+    /// <summary>Writes the blocks that name a file (<c>json crates.json</c>, <c>text part.obj</c>) to the
+    /// folder.</summary>
     public PageFolder(IEnumerable<CodeBlock> blocks)
     {
         Name = Directory.CreateTempSubdirectory("gjk-page-").FullName;

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using System.Text;
 using Microsoft.CodeAnalysis;
@@ -11,10 +7,8 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace Gjk.Docs.Tests;
 
-/// <summary>
-/// The C# blocks of a page as one program, in the order in which they are printed: a reader who copies them one after
-/// the other gets the same. Only types move, to the end, where C# wants them.
-/// </summary>
+/// <summary>The C# blocks of a page as one program, in the order in which they are printed: a reader who copies them
+/// one after the other gets the same. Only types move, to the end, where C# wants them.</summary>
 internal static class PageProgram
 {
     /// <summary>Printed after each block, so that the output falls into the parts that the page shows.</summary>

@@ -1,15 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace Gjk.Docs.Tests;
 
-/// <summary>
-/// What a page shows is what happens. A block of <c>csharp</c> is compiled and run, in order; <c>csharp unity</c> is
-/// compiled against stubs of the engine. A block of <c>json</c> is a scene. A block of <c>sh</c> is run. The block
-/// <c>text output</c> behind one of them is what it prints.
-/// </summary>
+/// <summary>What a page shows is what happens. A block of <c>csharp</c> is compiled and run, in order;
+/// <c>csharp unity</c> is compiled against stubs of the engine. A block of <c>json</c> is a scene. A block of <c>sh</c>
+/// is run. The block <c>text output</c> behind one of them is what it prints.</summary>
 public class PageTests
 {
     private const int Columns = 120;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Xml.Linq;
 using Gjk.Core;
 using Gjk.Pages;
@@ -26,9 +22,8 @@ public class ReferenceTests
         Assert.All(pages, page => Assert.Equal(page.Value, Page.Read($"docs/api/{page.Key}")));
     }
 
-    /// <summary>
-    /// A comment of one file of a partial type reaches every reader of the type, so only one file has one.
-    /// </summary>
+    /// <summary>A comment of one file of a partial type reaches every reader of the type, so only one file has
+    /// one.</summary>
     [Fact]
     public void ATypeIsDescribedInOnePlace()
     {

@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 
 namespace Gjk.Docs.Tests;
 
-/// <summary>
-/// The figures that pages show are those in bench/results, rounded as they are shown: whoever measures anew rewrites
-/// the pages, or these tests fail.
-/// </summary>
+/// <summary>The figures that pages show are those in bench/results, rounded as they are shown: whoever measures anew
+/// rewrites the pages, or these tests fail.</summary>
 public class ResultFigureTests
 {
     private const string Performance = "docs/performance.md";

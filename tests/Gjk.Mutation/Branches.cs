@@ -7,10 +7,8 @@ using static Microsoft.CodeAnalysis.CSharp.SyntaxFactory;
 
 namespace Gjk.Mutation;
 
-/// <summary>
-/// Makes each condition of a file tell which way it went: those of statements and choices, and each operand of
-/// <c>&amp;&amp;</c> and <c>||</c>. The cases of a switch tell that they were reached.
-/// </summary>
+/// <summary>Makes each condition of a file tell which way it went: those of statements and choices, and each operand of
+/// <c>&amp;&amp;</c> and <c>||</c>. The cases of a switch tell that they were reached.</summary>
 internal sealed class Branches(string file, HashSet<int> refused, List<Mutant> branches) : CSharpSyntaxRewriter
 {
     public override SyntaxNode? VisitFieldDeclaration(FieldDeclarationSyntax node) =>

@@ -49,9 +49,8 @@ internal sealed class Campaign(TestRecord record, string tests, string report, d
         return (isPin ? "killed by its pin" : "killed", name, words[2]);
     }
 
-    /// <summary>
-    /// A constant's own tests first, then quick ones and those that have killed before, as long as the budget lasts.
-    /// </summary>
+    /// <summary>A constant's own tests first, then quick ones and those that have killed before, as long as the budget
+    /// lasts.</summary>
     private (string Test, double Seconds)[] Plan(Mutant mutant, out int left)
     {
         var all = record.Reaching(mutant.Id)

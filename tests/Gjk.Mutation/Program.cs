@@ -8,16 +8,12 @@ using System.Text.RegularExpressions;
 
 namespace Gjk.Mutation;
 
-/// <summary>
-/// Makes the mutants, records which tests reach them, and runs those that are asked for.
-/// </summary>
-/// <remarks>
-/// Options: --folders and --files (patterns of paths: where mutants are made, and which are run), --operators (a
-/// pattern of their names; "^constant" for those of named constants, which are left out else), --ids (numbers, with
-/// commas), --sample and --seed, --budget (seconds of tests that a mutant may survive), --keep (records only tests
-/// with new names), --work (a folder; the fates are in mutants.tsv there). --branches makes no mutants: it names the
-/// conditions that no test finds true, or none false.
-/// </remarks>
+/// <summary>Makes the mutants, records which tests reach them, and runs those that are asked for.</summary>
+/// <remarks>Options: --folders and --files (patterns of paths: where mutants are made, and which are run), --operators
+/// (a pattern of their names; "^constant" for those of named constants, which are left out else), --ids (numbers, with
+/// commas), --sample and --seed, --budget (seconds of tests that a mutant may survive), --keep (records only tests with
+/// new names), --work (a folder; the fates are in mutants.tsv there). --branches makes no mutants: it names the
+/// conditions that no test finds true, or none false.</remarks>
 internal static class Program
 {
     private const string Folders = "^(Solvers|Simplex|Contacts|Minkowski)/";

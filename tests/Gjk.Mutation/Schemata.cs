@@ -8,15 +8,11 @@ using static Microsoft.CodeAnalysis.CSharp.SyntaxFactory;
 
 namespace Gjk.Mutation;
 
-/// <summary>
-/// Writes all mutants of a file into it at once: each place becomes a choice between its original and its changes, by a
-/// number that is set while the tests run. So one build serves them all.
-/// </summary>
-/// <remarks>
-/// Only the original carries the mutants of its own parts, or nested places would grow exponentially. What the compiler
-/// refuses (a constant where one must be, a variable that is not always set) is left out: see
-/// <see cref="MutatedBuild"/>.
-/// </remarks>
+/// <summary>Writes all mutants of a file into it at once: each place becomes a choice between its original and its
+/// changes, by a number that is set while the tests run. So one build serves them all.</summary>
+/// <remarks>Only the original carries the mutants of its own parts, or nested places would grow exponentially. What the
+/// compiler refuses (a constant where one must be, a variable that is not always set) is left out: see
+/// <see cref="MutatedBuild"/>.</remarks>
 internal sealed class Schemata(
     string file, SemanticModel model, bool onlyConstants, HashSet<int> refused, List<Mutant> mutants)
     : CSharpSyntaxRewriter

@@ -8,10 +8,8 @@ using System.Threading.Tasks;
 
 namespace Gjk.Mutation;
 
-/// <summary>
-/// The facts and the rows of the theories of a test assembly, called by reflection: xunit's own runners cannot change
-/// what is tested between two tests of one process.
-/// </summary>
+/// <summary>The facts and the rows of the theories of a test assembly, called by reflection: xunit's own runners cannot
+/// change what is tested between two tests of one process.</summary>
 internal sealed class TestCatalog
 {
     private readonly SortedDictionary<string, MethodInfo> _methods = new(StringComparer.Ordinal);

@@ -6,9 +6,8 @@ using System.Globalization;
 
 namespace Gjk.Mutation;
 
-/// <summary>
-/// A <see cref="TestServer"/> in its own process, started again whenever a mutant has hung or killed it.
-/// </summary>
+/// <summary>A <see cref="TestServer"/> in its own process, started again whenever a mutant has hung or killed
+/// it.</summary>
 internal sealed class TestProcess(string tests) : IDisposable
 {
     /// <summary>Seconds: what a test may take beside ten times its usual time before it counts as hung.</summary>

@@ -9,10 +9,8 @@ using System.Threading;
 
 namespace Gjk.Mutation;
 
-/// <summary>
-/// The process that runs tests: it may hang or die of a mutant. Commands come line by line on the standard input; what
-/// tests print is dropped.
-/// </summary>
+/// <summary>The process that runs tests: it may hang or die of a mutant. Commands come line by line on the standard
+/// input; what tests print is dropped.</summary>
 internal static class TestServer
 {
     public static int Run(string tests)

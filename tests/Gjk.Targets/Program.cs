@@ -10,10 +10,8 @@ using Gjk.Exact.Scenes;
 
 namespace Gjk.Targets;
 
-/// <summary>
-/// Runs the hard pairs and the golden hashes on the runtime that started this program; asked to, the time per pair of
-/// the built-in scenes too.
-/// </summary>
+/// <summary>Runs the hard pairs and the golden hashes on the runtime that started this program; asked to, the time per
+/// pair of the built-in scenes too.</summary>
 internal static class Program
 {
     private const int FailuresShown = 5;

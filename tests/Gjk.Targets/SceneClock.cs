@@ -7,10 +7,8 @@ using Gjk.Exact.Scenes;
 
 namespace Gjk.Targets;
 
-/// <summary>
-/// Measures nanoseconds per pair of one of the report's scenes, without warm starts. Each pass goes through the whole
-/// list of pairs, and the fastest of many passes counts.
-/// </summary>
+/// <summary>Measures nanoseconds per pair of one of the report's scenes, without warm starts. Each pass goes through
+/// the whole list of pairs, and the fastest of many passes counts.</summary>
 internal static class SceneClock
 {
     private static readonly TimeSpan Duration = TimeSpan.FromSeconds(2);

@@ -6,11 +6,9 @@ using Gjk.Core;
 
 namespace Gjk.Unity.Checks;
 
-/// <summary>
-/// A script has "using UnityEngine;" beside ours: a type of the same name cannot be written there without its
+/// <summary>A script has "using UnityEngine;" beside ours: a type of the same name cannot be written there without its
 /// namespace. The list holds the engine's public types that a script about physics, geometry or scenes meets, and those
-/// whose names a library of this kind might choose; the stubs' own are added.
-/// </summary>
+/// whose names a library of this kind might choose; the stubs' own are added.</summary>
 public class NameClashTests
 {
     private static readonly string[] Names =

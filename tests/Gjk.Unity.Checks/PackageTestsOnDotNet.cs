@@ -23,10 +23,8 @@ public class PackageTestsOnDotNet
     public void Passes(string name) =>
         PackageTestRunner.Run(PackageTestRunner.TestsOf(Tests).Single(t => PackageTestRunner.NameOf(t) == name));
 
-    /// <summary>
-    /// With the DLL that a Git URL installs, which may be behind the library. Where this fails and the others do not,
-    /// unity/pack.sh refreshes the DLL.
-    /// </summary>
+    /// <summary>With the DLL that a Git URL installs, which may be behind the library. Where this fails and the others
+    /// do not, unity/pack.sh refreshes the DLL.</summary>
     [Fact]
     public void AllPassWithTheLibraryInThePackage()
     {

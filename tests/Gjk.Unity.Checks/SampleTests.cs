@@ -99,8 +99,8 @@ public sealed class SampleTests : IDisposable
         }
     }
 
-    /// <summary>With another pipeline than the built-in one, its material; where it has none, one with its shader.
-    /// </summary>
+    /// <summary>With another pipeline than the built-in one, its material; where it has none, one with its
+    /// shader.</summary>
     [Fact]
     public void ObjectsHaveAMaterialOfTheRenderPipeline()
     {

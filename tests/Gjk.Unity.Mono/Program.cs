@@ -4,10 +4,8 @@ using System.Reflection;
 
 namespace Gjk.Unity.Checks;
 
-/// <summary>
-/// Runs the package's tests and counts what the components allocate per frame, on the runtime that started this. With
-/// "frames" it runs the frames alone.
-/// </summary>
+/// <summary>Runs the package's tests and counts what the components allocate per frame, on the runtime that started
+/// this. With "frames" it runs the frames alone.</summary>
 internal static class Program
 {
     private const int WarmUpFrames = 200, Frames = 200;

@@ -7,10 +7,8 @@ using System.Text;
 
 namespace Gjk.Unity.Pack;
 
-/// <summary>
-/// The GUID of each path of the package. Users' scenes refer to scripts by GUID, so one that was given stays, even
-/// when its file is renamed: then edit the path in the list.
-/// </summary>
+/// <summary>The GUID of each path of the package. Users' scenes refer to scripts by GUID, so one that was given stays,
+/// even when its file is renamed: then edit the path in the list.</summary>
 public sealed class GuidList
 {
     private readonly SortedDictionary<string, string> _guids = new(StringComparer.Ordinal);

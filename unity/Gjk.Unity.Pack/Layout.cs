@@ -39,10 +39,9 @@ public sealed class Layout
             : new Layout(folder);
     }
 
-    /// <summary>
-    /// Every path of the package that needs a .meta file, with forward slashes, sorted. Unity ignores folders whose
-    /// names end in ~; samples are copied into a project with theirs, so that scenes find their scripts.
-    /// </summary>
+    /// <summary>Every path of the package that needs a .meta file, with forward slashes, sorted. Unity ignores folders
+    /// whose names end in ~; samples are copied into a project with theirs, so that scenes find their
+    /// scripts.</summary>
     public IReadOnlyList<string> PathsWithMeta() =>
         [.. Directory.EnumerateFileSystemEntries(Package, "*", SearchOption.AllDirectories)
             .Select(p => Path.GetRelativePath(Package, p).Replace('\\', '/'))

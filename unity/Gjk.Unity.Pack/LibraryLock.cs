@@ -7,14 +7,11 @@ using System.Text;
 
 namespace Gjk.Unity.Pack;
 
-/// <summary>
-/// Which build of the library lies in the package: the hashes of its files, and of the sources that they were built
-/// from.
-/// </summary>
-/// <remarks>
-/// A Git URL installs what is in the repository, so the DLL must be in it. It is not built anew for every change: it
-/// may be behind the sources between releases, and this says whether it is. At a release it must not.
-/// </remarks>
+/// <summary>Which build of the library lies in the package: the hashes of its files, and of the sources that they were
+/// built from.</summary>
+/// <remarks>A Git URL installs what is in the repository, so the DLL must be in it. It is not built anew for every
+/// change: it may be behind the sources between releases, and this says whether it is. At a release it must
+/// not.</remarks>
 public static class LibraryLock
 {
     private const string SourcesLabel = "sources";
@@ -37,9 +34,8 @@ public static class LibraryLock
     public static bool IsCurrent(Layout layout) =>
         Read(layout).GetValueOrDefault(SourcesLabel) == SourcesHash(layout);
 
-    /// <summary>
-    /// Of all files that decide what the library's build is, with their paths; line ends do not count.
-    /// </summary>
+    /// <summary>Of all files that decide what the library's build is, with their paths; line ends do not
+    /// count.</summary>
     public static string SourcesHash(Layout layout)
     {
         string library = Path.Combine(layout.Root, "src", "Gjk.Core");

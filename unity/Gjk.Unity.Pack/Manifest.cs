@@ -3,10 +3,8 @@ using System.Text.Json.Nodes;
 
 namespace Gjk.Unity.Pack;
 
-/// <summary>
-/// The package.json of a package that is given away. The one in the repository names no address: there, the Package
-/// Manager opens the files of the package itself.
-/// </summary>
+/// <summary>The package.json of a package that is given away. The one in the repository names no address: there, the
+/// Package Manager opens the files of the package itself.</summary>
 public static class Manifest
 {
     private static readonly (string Field, string File)[] Addresses =

@@ -25,10 +25,8 @@ public static class Package
         return files;
     }
 
-    /// <summary>
-    /// Brings the generated files up to date; the library only where its sources have changed since it was taken, so
-    /// that nothing is written in vain.
-    /// </summary>
+    /// <summary>Brings the generated files up to date; the library only where its sources have changed since it was
+    /// taken, so that nothing is written in vain.</summary>
     /// <returns>What was done, for people to read.</returns>
     public static string Refresh(Layout layout, bool isForced)
     {
@@ -57,10 +55,8 @@ public static class Package
         Directory.EnumerateFiles(layout.Package, "*.meta", SearchOption.AllDirectories)
             .Where(m => !files.ContainsKey(m));
 
-    /// <summary>
-    /// Writes the package with the build's library: a folder to add from disk, and the tarball that a registry or the
-    /// Package Manager takes. The same input gives the same bytes.
-    /// </summary>
+    /// <summary>Writes the package with the build's library: a folder to add from disk, and the tarball that a registry
+    /// or the Package Manager takes. The same input gives the same bytes.</summary>
     /// <param name="layout">Where things are.</param>
     /// <param name="version">Of the package.</param>
     /// <param name="target">Where to write.</param>

@@ -6,9 +6,8 @@ using System.Text;
 
 namespace Gjk.Unity.Pack;
 
-/// <summary>
-/// Writes a scene as Unity's YAML: a document for each object and component, its class and its file id in the header.
-/// </summary>
+/// <summary>Writes a scene as Unity's YAML: a document for each object and component, its class and its file id in the
+/// header.</summary>
 public sealed class SceneWriter
 {
     /// <summary>File ids of a game object's parts follow its own; an object has fewer parts than this.</summary>

@@ -9,9 +9,8 @@ using Gjk.Core;
 
 namespace Gjk.Pages;
 
-/// <summary>
-/// The reference of the public API, made from the documentation comments: a page per folder of the library.
-/// </summary>
+/// <summary>The reference of the public API, made from the documentation comments: a page per folder of the
+/// library.</summary>
 internal static partial class ReferencePages
 {
     /// <summary>The pages by their file names.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Exact.Fuzz;
@@ -8,9 +5,8 @@ using Gjk.Exact.Fuzz.Blocks;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>
-/// <c>fuzz --certificate</c>: very many pairs, each answer judged by its certificate alone, without another solver.
-/// </summary>
+/// <summary><c>fuzz --certificate</c>: very many pairs, each answer judged by its certificate alone, without another
+/// solver.</summary>
 internal static class BlockCommand
 {
     /// <param name="pairs">How many pairs there are to be, those of the log included.</param>

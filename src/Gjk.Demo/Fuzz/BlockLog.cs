@@ -1,18 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Text;
-using System.Threading;
 using Gjk.Exact.Fuzz.Blocks;
 
 namespace Gjk.Demo.Fuzz;
 
-/// <summary>
-/// The log of a run that may take several sittings: a line for each finished block, and the refuted pairs in a file
-/// beside it. Without a file it only counts. Held open, so that no other process continues it too.
-/// </summary>
+/// <summary>The log of a run that may take several sittings: a line for each finished block, and the refuted pairs in a
+/// file beside it. Without a file it only counts. Held open, so that no other process continues it too.</summary>
 internal sealed class BlockLog : IDisposable
 {
     private const string Header = "# gjk-demo fuzz --certificate --seed ";

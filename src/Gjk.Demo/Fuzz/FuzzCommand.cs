@@ -1,4 +1,3 @@
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Exact.Fuzz;

@@ -1,8 +1,5 @@
-using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Globalization;
-using System.Threading;
 using Gjk.Exact.Fuzz;
 
 namespace Gjk.Demo.Fuzz;

@@ -1,4 +1,3 @@
-using System;
 using Gjk.Exact.Fuzz;
 
 namespace Gjk.Demo.Fuzz;

@@ -1,16 +1,10 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Import;
 
 namespace Gjk.Demo.Import;
 
-/// <summary>
-/// Makes a scene of a file of another program. What cannot be read is listed on standard error, one line each, and the
-/// exit code tells of it. The rest is written.
-/// </summary>
+/// <summary>Makes a scene of a file of another program. What cannot be read is listed on standard error, one line each,
+/// and the exit code tells of it. The rest is written.</summary>
 internal static class ImportCommand
 {
     /// <param name="file">The file to import. Its ending says what it is.</param>
@@ -40,10 +34,8 @@ internal static class ImportCommand
         return ExitCode.Failed;
     }
 
-    /// <summary>
-    /// Tells what could not be read, and what was read but may surprise. At the end, because a refusal must stay a
-    /// single line.
-    /// </summary>
+    /// <summary>Tells what could not be read, and what was read but may surprise. At the end, because a refusal must
+    /// stay a single line.</summary>
     public static void Print(IEnumerable<ImportProblem> problems)
     {
         foreach (ImportProblem problem in problems) StandardError.Line(problem.ToString());

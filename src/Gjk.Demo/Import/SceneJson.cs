@@ -1,20 +1,13 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using System.Numerics;
-using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Import;
 
 namespace Gjk.Demo.Import;
 
-/// <summary>
-/// Writes a scene as JSON, one line for each object and for each vertex. Floats have enough digits to give the same
-/// bits back.
-/// </summary>
+/// <summary>Writes a scene as JSON, one line for each object and for each vertex. Floats have enough digits to give the
+/// same bits back.</summary>
 internal sealed class SceneJson
 {
     private const int LinesPerLook = 4096;

@@ -1,15 +1,9 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Text;
-using System.Threading;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Judge;
 
-/// <summary>
-/// A file of CSV (RFC 4180, without line breaks in fields) with a heading. What is refused is named by file, line and
-/// column.
-/// </summary>
+/// <summary>A file of CSV (RFC 4180, without line breaks in fields) with a heading. What is refused is named by file,
+/// line and column.</summary>
 internal sealed class CsvTable
 {
     private readonly string _file;

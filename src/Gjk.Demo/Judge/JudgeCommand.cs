@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;

@@ -1,4 +1,3 @@
-using System;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
@@ -23,10 +22,9 @@ internal enum Fault
 /// <param name="Error">How far it is off, as a ratio to what is allowed: 1 is the limit.</param>
 internal readonly record struct Ruling(Fault Fault, string Text, double Error);
 
-/// <summary>
-/// Holds the answer of any engine to the proved one. Numbers count as the floats that they round to, so that an engine
-/// in double has no advantage. Every allowance is in <see cref="Accuracy"/> or below, and in docs/cases.md.
-/// </summary>
+/// <summary>Holds the answer of any engine to the proved one. Numbers count as the floats that they round to, so that
+/// an engine in double has no advantage. Every allowance is in <see cref="Accuracy"/> or below, and in
+/// docs/cases.md.</summary>
 /// <param name="forgiven">Ratio to the larger of scale and distance, or way: an error that is no fault. 0 for exact
 /// engines.</param>
 internal sealed class Referee(double forgiven)
@@ -34,10 +32,8 @@ internal sealed class Referee(double forgiven)
     /// <summary>Ratio of a cast's error to the scale or the way, whichever is larger.</summary>
     private const double PerWay = 1e-7;
 
-    /// <summary>
-    /// Ratio to the scale: what a way out may cost more than the shortest one. Rounding a unit vector to float turns it
-    /// by 1.1e-7, at a lever of at most 3.5 scales. Also how far a normal may be off.
-    /// </summary>
+    /// <summary>Ratio to the scale: what a way out may cost more than the shortest one. Rounding a unit vector to float
+    /// turns it by 1.1e-7, at a lever of at most 3.5 scales. Also how far a normal may be off.</summary>
     private const double PerDirection = 1e-6;
 
     public Ruling Judge(Truth truth, CsvRow? answer)

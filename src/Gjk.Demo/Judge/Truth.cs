@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 

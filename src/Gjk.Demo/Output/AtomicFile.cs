@@ -1,16 +1,11 @@
-using System;
-using System.IO;
-using System.Threading;
 using System.Threading.Tasks;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// A file that appears as a whole or not at all. It is written under another name beside its target and renamed at the
-/// end, so a command that is refused, interrupted or killed leaves the old file as it was. A link to the target stays a
-/// link. The new file keeps the permissions of the old one, and its owner where the system allows it. A device or a
-/// pipe has no contents to protect, so it is written to directly.
-/// </summary>
+/// <summary>A file that appears as a whole or not at all. It is written under another name beside its target and
+/// renamed at the end, so a command that is refused, interrupted or killed leaves the old file as it was. A link to the
+/// target stays a link. The new file keeps the permissions of the old one, and its owner where the system allows it. A
+/// device or a pipe has no contents to protect, so it is written to directly.</summary>
 internal sealed class AtomicFile : IDisposable
 {
     private const UnixFileMode OwnerOnly = UnixFileMode.UserRead | UnixFileMode.UserWrite;
@@ -29,10 +24,8 @@ internal sealed class AtomicFile : IDisposable
     private bool _isComplete;
     private bool _isCommitted;
 
-    /// <summary>
-    /// Opens the temporary file. This happens before the work starts, so that a target that cannot be written is
-    /// refused early.
-    /// </summary>
+    /// <summary>Opens the temporary file. This happens before the work starts, so that a target that cannot be written
+    /// is refused early.</summary>
     /// <param name="name">The target as the user named it.</param>
     /// <param name="cancel">Removes the temporary file at once, whatever the command is doing. The file cannot be
     /// committed after that.</param>
@@ -72,10 +65,8 @@ internal sealed class AtomicFile : IDisposable
         _onCancel = cancel.Register(OnCancel);
     }
 
-    /// <summary>
-    /// Refuses a target that could not be written now, and changes nothing. A pipe is not opened, because its reader
-    /// would see an end of file.
-    /// </summary>
+    /// <summary>Refuses a target that could not be written now, and changes nothing. A pipe is not opened, because its
+    /// reader would see an end of file.</summary>
     /// <exception cref="RefusedException">The target cannot be written.</exception>
     public static void Check(string name)
     {
@@ -88,10 +79,9 @@ internal sealed class AtomicFile : IDisposable
     /// <summary>Takes the content. A write that fails throws <see cref="RefusedException"/>.</summary>
     public Stream Stream => _stream;
 
-    /// <summary>
-    /// Writes everything to the disk, where a lack of space shows. From here on a cancellation no longer removes the
-    /// file. <see cref="Commit"/> calls this itself. A caller that commits several files completes all of them first.
-    /// </summary>
+    /// <summary>Writes everything to the disk, where a lack of space shows. From here on a cancellation no longer
+    /// removes the file. <see cref="Commit"/> calls this itself. A caller that commits several files completes all of
+    /// them first.</summary>
     /// <exception cref="RefusedException">The last bytes could not be written.</exception>
     /// <exception cref="OperationCanceledException">Cancelled before the call.</exception>
     public void Complete()
@@ -158,10 +148,8 @@ internal sealed class AtomicFile : IDisposable
         }
     }
 
-    /// <summary>
-    /// Checks the write permission here, because a rename does not need permission to write the file that it replaces.
-    /// Root may write everything, but a file that nobody may write is refused to root as well.
-    /// </summary>
+    /// <summary>Checks the write permission here, because a rename does not need permission to write the file that it
+    /// replaces. Root may write everything, but a file that nobody may write is refused to root as well.</summary>
     private static void CheckWritable(in OutputTarget target)
     {
         bool isProtected = !OperatingSystem.IsWindows() && (target.Status.Mode & AnyWrite) == 0;
@@ -197,10 +185,8 @@ internal sealed class AtomicFile : IDisposable
         }
     }
 
-    /// <summary>
-    /// Opens the target on another thread, because opening a pipe waits for its reader and no signal ends that wait.
-    /// The stream has no buffer. Closing it therefore writes nothing and cannot wait either.
-    /// </summary>
+    /// <summary>Opens the target on another thread, because opening a pipe waits for its reader and no signal ends that
+    /// wait. The stream has no buffer. Closing it therefore writes nothing and cannot wait either.</summary>
     private static FileStream OpenStream(string path, CancellationToken cancel)
     {
         FileStream Open() => new(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0);

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Gjk.Demo.Output;
 
 /// <summary>The kinds of things that a path can lead to after all links are followed.</summary>
@@ -32,9 +29,8 @@ internal enum FileKind
 internal readonly record struct FileStatus(
     FileKind Kind, ulong Device, ulong Inode, uint Owner, uint Group, UnixFileMode Mode)
 {
-    /// <summary>
-    /// The beginning of every device path on Windows, as <see cref="Path.GetFullPath(string)"/> writes it.
-    /// </summary>
+    /// <summary>The beginning of every device path on Windows, as <see cref="Path.GetFullPath(string)"/> writes
+    /// it.</summary>
     private const string WindowsDevice = @"\\.\";
 
     /// <summary>Looks up a path. Links are followed, as they are when the path is opened.</summary>
@@ -51,9 +47,8 @@ internal readonly record struct FileStatus(
         return new FileStatus(kind, 0, 0, 0, 0, mode);
     }
 
-    /// <summary>
-    /// True if both paths lead to the same file, or would create the same one. False if either path is empty.
-    /// </summary>
+    /// <summary>True if both paths lead to the same file, or would create the same one. False if either path is
+    /// empty.</summary>
     public static bool IsSame(string a, string b)
     {
         if (a.Length == 0 || b.Length == 0) return false;

@@ -1,5 +1,3 @@
-using System.IO;
-
 namespace Gjk.Demo.Output;
 
 /// <summary>Makes paths absolute.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Gjk.Import;
 
 namespace Gjk.Demo.Output;
@@ -10,10 +8,8 @@ internal static class InputFile
     /// <summary>The name that stands for standard input.</summary>
     public const string StandardInput = "-";
 
-    /// <summary>
-    /// Bytes of one input. The largest scenes that <c>import</c> writes are smaller. A device without an end is refused
-    /// after this many bytes.
-    /// </summary>
+    /// <summary>Bytes of one input. The largest scenes that <c>import</c> writes are smaller. A device without an end
+    /// is refused after this many bytes.</summary>
     public const int MostBytes = 1 << 29;
 
     /// <summary>The name of the input in messages.</summary>

@@ -1,14 +1,11 @@
-using System;
 using System.Runtime.InteropServices;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// Asks the operating system what a path leads to. .NET does not tell whether two paths are hard links to one file, or
-/// whether a path is a pipe or a device. Only calls with a documented and fixed layout are used: <c>statx</c> on Linux,
-/// which has the same fields on every processor, and <c>stat</c> with 64-bit inodes on macOS. On other systems, and
-/// where the call is missing, nothing is known and the caller compares resolved paths.
-/// </summary>
+/// <summary>Asks the operating system what a path leads to. .NET does not tell whether two paths are hard links to one
+/// file, or whether a path is a pipe or a device. Only calls with a documented and fixed layout are used: <c>statx</c>
+/// on Linux, which has the same fields on every processor, and <c>stat</c> with 64-bit inodes on macOS. On other
+/// systems, and where the call is missing, nothing is known and the caller compares resolved paths.</summary>
 internal static class NativeFileStatus
 {
     /// <summary>AT_FDCWD. Relative paths start at the working directory.</summary>

@@ -1,15 +1,9 @@
-using System;
-using System.IO;
-using System.Text;
-using System.Threading;
 using Spectre.Console;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// Standard output as the user sees it. A terminal shows colours and progress bars. A pipe gets plain text of any
-/// width.
-/// </summary>
+/// <summary>Standard output as the user sees it. A terminal shows colours and progress bars. A pipe gets plain text of
+/// any width.</summary>
 internal static class OutputConsole
 {
     /// <summary>Characters. No table is wider than this, and a pipe has no edge at which lines must wrap.</summary>

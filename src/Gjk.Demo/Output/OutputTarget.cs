@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Gjk.Demo.Output;
 
 /// <summary>The target of an output: the file that its name leads to, and what is there now.</summary>

@@ -1,20 +1,13 @@
-using System;
-using System.IO;
-using System.Threading;
 using Microsoft.Win32.SafeHandles;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// Standard output if it is a pipe. The console's own stream hides that the reader has gone, so the work would continue
-/// without a reader. This stream ends the work instead.
-/// </summary>
+/// <summary>Standard output if it is a pipe. The console's own stream hides that the reader has gone, so the work would
+/// continue without a reader. This stream ends the work instead.</summary>
 internal sealed class PipeStream : WriteOnlyStream
 {
-    /// <summary>
-    /// Bytes. A pipe takes this many as a whole or not at all, even if it does not wait (PIPE_BUF, 4096 on Linux and
-    /// 512 elsewhere).
-    /// </summary>
+    /// <summary>Bytes. A pipe takes this many as a whole or not at all, even if it does not wait (PIPE_BUF, 4096 on
+    /// Linux and 512 elsewhere).</summary>
     private static readonly int AtomicBytes = OperatingSystem.IsLinux() ? 4096 : 512;
 
     /// <summary>EPIPE. Nobody reads the pipe any more. The same number on every Unix.</summary>
@@ -56,7 +49,6 @@ internal sealed class PipeStream : WriteOnlyStream
     }
 }
 
-/// <summary>
-/// The reader of standard output has seen enough, as <c>head</c> has after ten lines. No mistake of anybody.
-/// </summary>
+/// <summary>The reader of standard output has seen enough, as <c>head</c> has after ten lines. No mistake of
+/// anybody.</summary>
 internal sealed class ReaderGoneException : Exception;

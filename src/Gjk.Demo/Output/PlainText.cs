@@ -1,17 +1,13 @@
-using System;
-using System.Globalization;
 using System.Net;
-using System.Text;
 
 namespace Gjk.Demo.Output;
 
 /// <summary>Text from the user's files, in a form that is safe in a terminal, in CSV and in XML.</summary>
 internal static class PlainText
 {
-    /// <summary>
-    /// Writes control characters as \u001b and the like. They could change the terminal's colours or title, and XML
-    /// cannot contain them. Characters that turn the direction of the text could make it look like another text.
-    /// </summary>
+    /// <summary>Writes control characters as \u001b and the like. They could change the terminal's colours or title,
+    /// and XML cannot contain them. Characters that turn the direction of the text could make it look like another
+    /// text.</summary>
     public static string Of(string text)
     {
         int first = 0;

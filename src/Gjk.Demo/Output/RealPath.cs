@@ -1,21 +1,14 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// Resolves all links of a path in the order of the operating system. Each link is replaced by its destination before a
-/// following ".." is applied.
-/// </summary>
+/// <summary>Resolves all links of a path in the order of the operating system. Each link is replaced by its destination
+/// before a following ".." is applied.</summary>
 internal static class RealPath
 {
     /// <summary>The most links that are followed. Linux has the same limit.</summary>
     private const int MostLinks = 40;
 
-    /// <summary>
-    /// The path of the file that is reached or created when <paramref name="path"/> is opened for writing.
-    /// </summary>
+    /// <summary>The path of the file that is reached or created when <paramref name="path"/> is opened for
+    /// writing.</summary>
     /// <param name="path">Absolute, or relative to the working directory. Parts that do not exist are kept
     /// unchanged.</param>
     /// <exception cref="IOException">The links form a circle.</exception>

@@ -1,14 +1,9 @@
-using System;
-using System.IO;
-using System.Threading;
 using System.Threading.Tasks;
 
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// An output whose failures are refusals that name the output. They cannot be mistaken for an error in the code that
-/// writes. A cancelled command does not wait for a slow reader.
-/// </summary>
+/// <summary>An output whose failures are refusals that name the output. They cannot be mistaken for an error in the
+/// code that writes. A cancelled command does not wait for a slow reader.</summary>
 internal sealed class RefusingStream : WriteOnlyStream
 {
     /// <summary>How long a reader may take to accept the last output of a cancelled command.</summary>
@@ -58,10 +53,8 @@ internal sealed class RefusingStream : WriteOnlyStream
         base.Dispose(disposing);
     }
 
-    /// <summary>
-    /// Writes on another thread, because no signal ends a blocked write. The process can then end while that thread is
-    /// still blocked.
-    /// </summary>
+    /// <summary>Writes on another thread, because no signal ends a blocked write. The process can then end while that
+    /// thread is still blocked.</summary>
     private void WriteWhileNotCancelled(byte[] bytes)
     {
         var write = Task.Run(() => _inner.Write(bytes), CancellationToken.None);

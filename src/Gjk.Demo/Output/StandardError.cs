@@ -1,15 +1,9 @@
-using System;
-using System.IO;
-using System.Text;
-
 namespace Gjk.Demo.Output;
 
 internal static class StandardError
 {
-    /// <summary>
-    /// Writes one line. A line break in a name must not break it in two, and other control characters must not reach
-    /// the terminal.
-    /// </summary>
+    /// <summary>Writes one line. A line break in a name must not break it in two, and other control characters must not
+    /// reach the terminal.</summary>
     public static void Line(string message)
     {
         var line = new StringBuilder(message);
@@ -24,10 +18,8 @@ internal static class StandardError
     public static void Wrote(long count, string thing, string file) =>
         Line($"wrote {count} {thing}{(count == 1 ? "" : "s")} to {file}");
 
-    /// <summary>
-    /// Writes the text unchanged. If standard error is closed or its disk is full, nobody can be told. The exit code is
-    /// then the only signal.
-    /// </summary>
+    /// <summary>Writes the text unchanged. If standard error is closed or its disk is full, nobody can be told. The
+    /// exit code is then the only signal.</summary>
     public static void Text(string message)
     {
         try

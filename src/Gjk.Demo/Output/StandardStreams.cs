@@ -1,14 +1,8 @@
-using System.IO;
-using System.Text;
-using System.Threading;
-
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// Standard streams that a caller of <see cref="Program.Run(string[], StandardStreams, CancellationToken)"/> gives
-/// instead of the process's own. They are neither a terminal nor closed. Each run has its own, on whatever threads it
-/// works, so runs may go on side by side.
-/// </summary>
+/// <summary>Standard streams that a caller of <see cref="Program.Run(string[], StandardStreams, CancellationToken)"/>
+/// gives instead of the process's own. They are neither a terminal nor closed. Each run has its own, on whatever
+/// threads it works, so runs may go on side by side.</summary>
 internal sealed class StandardStreams
 {
     private static readonly AsyncLocal<StandardStreams?> Given = new();

@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Demo.Output;
 
-/// <summary>
-/// Checks that the files to be written are neither the command's input nor each other. Files are compared instead of
-/// paths, because links, hard links and other spellings of a name lead to the same file. Paths without links are
-/// compared where the operating system cannot be asked (see <see cref="NativeFileStatus"/>). A hard link that goes
-/// unnoticed then does no harm. A file is replaced by a rename, which leaves its other names unchanged.
-/// </summary>
+/// <summary>Checks that the files to be written are neither the command's input nor each other. Files are compared
+/// instead of paths, because links, hard links and other spellings of a name lead to the same file. Paths without links
+/// are compared where the operating system cannot be asked (see <see cref="NativeFileStatus"/>). A hard link that goes
+/// unnoticed then does no harm. A file is replaced by a rename, which leaves its other names unchanged.</summary>
 internal static class TargetFiles
 {
     private const string StandardInputFile = "/dev/stdin", StandardOutputFile = "/dev/stdout";

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Gjk.Demo.Output;
 
 /// <summary>A stream that can only be written, from front to back.</summary>

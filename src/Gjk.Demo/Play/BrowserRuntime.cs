@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Compression;
-using System.Linq;
 using System.Net;
 using System.Text.Json;
 using System.Text.RegularExpressions;
@@ -10,10 +6,8 @@ using Gjk.Demo.View;
 
 namespace Gjk.Demo.Play;
 
-/// <summary>
-/// The library for a page: the runtime's scripts, which a page must hold in line, and its DLLs and WebAssembly as
-/// compressed text. The project Gjk.Web puts all of them into a folder beside the demo when it is built.
-/// </summary>
+/// <summary>The library for a page: the runtime's scripts, which a page must hold in line, and its DLLs and WebAssembly
+/// as compressed text. The project Gjk.Web puts all of them into a folder beside the demo when it is built.</summary>
 internal static partial class BrowserRuntime
 {
     private static readonly string Folder = Path.Combine(AppContext.BaseDirectory, "browser");
@@ -26,10 +20,8 @@ internal static partial class BrowserRuntime
     private static readonly string[] NoticeFiles =
         ["LICENSE.TXT", "EMSCRIPTEN-LICENSE.TXT", "THIRD-PARTY-NOTICES.TXT"];
 
-    /// <summary>
-    /// The runtime's modules as scripts. A page from a disk can import nothing, so each one puts what it exports into
-    /// the global object gjkRuntime instead.
-    /// </summary>
+    /// <summary>The runtime's modules as scripts. A page from a disk can import nothing, so each one puts what it
+    /// exports into the global object gjkRuntime instead.</summary>
     public static IEnumerable<string> Scripts() => Modules.Select(m => Script(m.Name, Text(m.File)));
 
     /// <summary>The other files as JSON: names with base64 of their gzipped bytes.</summary>

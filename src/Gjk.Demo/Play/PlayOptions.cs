@@ -1,9 +1,5 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
 using System.Numerics;
-using System.Threading;
 using Gjk.Demo.Import;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;

@@ -1,18 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Security.Cryptography;
-using System.Text;
 using Gjk.Demo.Output;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Play;
 
-/// <summary>
-/// Writes one self-contained page that runs the library. Its content security policy allows exactly the scripts and the
-/// style that are in it, by their hashes, and WebAssembly. It allows no request at all.
-/// </summary>
+/// <summary>Writes one self-contained page that runs the library. Its content security policy allows exactly the
+/// scripts and the style that are in it, by their hashes, and WebAssembly. It allows no request at all.</summary>
 internal static class ScriptPage
 {
     private static readonly string[] Licences = ["three.LICENSE.txt"];

@@ -1,14 +1,11 @@
 using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>
-/// Casts every pair of a scene: its objects move by their velocities over one frame, and turn where they have an
-/// angular velocity, and the first touch is written as CSV.
-/// </summary>
+/// <summary>Casts every pair of a scene: its objects move by their velocities over one frame, and turn where they have
+/// an angular velocity, and the first touch is written as CSV.</summary>
 internal static class CastCommand
 {
     /// <param name="scene">The scene.</param>

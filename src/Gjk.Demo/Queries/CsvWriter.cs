@@ -1,16 +1,10 @@
-using System;
-using System.Globalization;
-using System.IO;
 using System.Numerics;
-using System.Text;
 using Gjk.Core;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>
-/// Writes results as CSV, row by row, through one buffer of fixed size. Floats have enough digits to give the same bits
-/// back.
-/// </summary>
+/// <summary>Writes results as CSV, row by row, through one buffer of fixed size. Floats have enough digits to give the
+/// same bits back.</summary>
 internal sealed class CsvWriter
 {
     /// <summary>The columns of distances, in order.</summary>
@@ -30,10 +24,8 @@ internal sealed class CsvWriter
     /// <summary>The last column, where answers are checked.</summary>
     private const string CheckColumn = ",check";
 
-    /// <summary>
-    /// Bytes. More than the longest row without names, which has 13 numbers of at most 16 characters, the indices and
-    /// the words.
-    /// </summary>
+    /// <summary>Bytes. More than the longest row without names, which has 13 numbers of at most 16 characters, the
+    /// indices and the words.</summary>
     private const int RowBytes = 512;
 
     private readonly Stream _stream;

@@ -1,12 +1,10 @@
-using System.Collections.Generic;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>
-/// The names of a scene's objects, in the form of the CSV. An object without a name has an empty one.
-/// </summary>
+/// <summary>The names of a scene's objects, in the form of the CSV. An object without a name has an empty
+/// one.</summary>
 internal static class ObjectNames
 {
     public static string[] Of(Scene scene)

@@ -1,14 +1,12 @@
 using System.CommandLine;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>
-/// What <c>query</c> and <c>cast</c> are asked about, a scene or one pair as a record, and where the answers go.
-/// </summary>
+/// <summary>What <c>query</c> and <c>cast</c> are asked about, a scene or one pair as a record, and where the answers
+/// go.</summary>
 internal sealed class PairInput
 {
     private readonly SceneSource _scene = new();

@@ -1,13 +1,10 @@
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>
-/// Computes the distance, or the signed distance, of every pair of a scene in the poses of its first frame, and writes
-/// the answers as CSV.
-/// </summary>
+/// <summary>Computes the distance, or the signed distance, of every pair of a scene in the poses of its first frame,
+/// and writes the answers as CSV.</summary>
 internal static class QueryCommand
 {
     /// <param name="scene">The scene.</param>

@@ -1,20 +1,15 @@
-using System.Text;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;
 
-/// <summary>
-/// Reads one query in the text form of the library's <see cref="QueryRecord"/> as a scene of two objects.
-/// </summary>
+/// <summary>Reads one query in the text form of the library's <see cref="QueryRecord"/> as a scene of two
+/// objects.</summary>
 internal static class RecordScene
 {
-    /// <summary>
-    /// The input that is read for the text. "-" means standard input, where a record may be longer than a command line.
-    /// Any other text needs no file.
-    /// </summary>
+    /// <summary>The input that is read for the text. "-" means standard input, where a record may be longer than a
+    /// command line. Any other text needs no file.</summary>
     public static string? InputOf(string text) => text == InputFile.StandardInput ? text : null;
 
     /// <exception cref="RefusedException">The text is not a record.</exception>

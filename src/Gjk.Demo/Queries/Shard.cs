@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Globalization;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;

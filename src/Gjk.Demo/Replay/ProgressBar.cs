@@ -1,14 +1,11 @@
-using System;
 using System.Diagnostics;
 using Gjk.Demo.Output;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>
-/// Shows bars on a terminal, and nothing elsewhere. It draws between frames, on the measuring thread, so
-/// that it does not disturb the measured times.
-/// </summary>
+/// <summary>Shows bars on a terminal, and nothing elsewhere. It draws between frames, on the measuring thread, so that
+/// it does not disturb the measured times.</summary>
 internal sealed class ProgressBar
 {
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.1);
@@ -18,10 +15,8 @@ internal sealed class ProgressBar
 
     private ProgressBar(ProgressContext? context) => _context = context;
 
-    /// <summary>
-    /// Shows bars on standard error while the work runs, and removes them at the end. Standard output stays for the
-    /// results.
-    /// </summary>
+    /// <summary>Shows bars on standard error while the work runs, and removes them at the end. Standard output stays
+    /// for the results.</summary>
     public static void Show(Action<ProgressBar> work)
     {
         if (OutputConsole.ForProgress() is not { } console) work(new ProgressBar(null));

@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Demo.Replay;
 
-/// <summary>
-/// Table 1 of the report "Implementing GJK as a plugin for Unity" (2022). It was measured in Unity 2020.3 on Mono with
-/// the deep profiler, on an Intel i5-6600K.
-/// </summary>
+/// <summary>Table 1 of the report "Implementing GJK as a plugin for Unity" (2022). It was measured in Unity 2020.3 on
+/// Mono with the deep profiler, on an Intel i5-6600K.</summary>
 internal sealed class PublishedFigures
 {
     public const string Machine = "Unity 2020.3, Mono, deep profiler, Intel i5-6600K";

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
 using Gjk.Demo.Output;
 using Spectre.Console;
 
@@ -10,9 +6,8 @@ namespace Gjk.Demo.Replay;
 /// <summary>Repeats the report's experiment on this machine, or replays a whole world of its objects.</summary>
 internal static class ReplayCommand
 {
-    /// <summary>
-    /// Replays the report's scenes, or those of files. Each frame asks for the closest points of all pairs.
-    /// </summary>
+    /// <summary>Replays the report's scenes, or those of files. Each frame asks for the closest points of all
+    /// pairs.</summary>
     /// <param name="files">Scene files; none for the report's scenes.</param>
     /// <param name="mesh">The mesh of the report's spheres.</param>
     /// <param name="length">How long to measure each scene.</param>
@@ -40,10 +35,8 @@ internal static class ReplayCommand
             ReplayTable.Print);
     }
 
-    /// <summary>
-    /// Replays the same scenes, or larger ones of their kind. The objects may move, and each frame finds the
-    /// intersecting pairs.
-    /// </summary>
+    /// <summary>Replays the same scenes, or larger ones of their kind. The objects may move, and each frame finds the
+    /// intersecting pairs.</summary>
     /// <param name="settings">How many objects there are, how they move and how pairs are found.</param>
     /// <param name="mesh">The mesh of the spheres.</param>
     /// <param name="length">How long to measure each scene.</param>
@@ -105,10 +98,9 @@ internal static class ReplayCommand
         }
     }
 
-    /// <summary>
-    /// Writes the file before the table is printed, so that a full disk leaves nothing on standard output. A cancelled
-    /// replay has only some of the scenes, or none. It may create a new file, but it must not replace a complete one.
-    /// </summary>
+    /// <summary>Writes the file before the table is printed, so that a full disk leaves nothing on standard output. A
+    /// cancelled replay has only some of the scenes, or none. It may create a new file, but it must not replace a
+    /// complete one.</summary>
     /// <returns>True if the file was written.</returns>
     private static bool WriteJson(string name, bool isComplete, Action<Stream> write)
     {

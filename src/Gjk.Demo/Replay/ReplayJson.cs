@@ -1,15 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json;
 using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>
-/// Writes the replay's figures and results as JSON. Numbers that are not finite become null, because JSON cannot
-/// express them, and so do figures that do not apply to a scene.
-/// </summary>
+/// <summary>Writes the replay's figures and results as JSON. Numbers that are not finite become null, because JSON
+/// cannot express them, and so do figures that do not apply to a scene.</summary>
 internal static class ReplayJson
 {
     public static void Write(Stream stream, IReadOnlyList<SceneReport> reports) =>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Demo.Replay;
 
 /// <summary>How long a scene is measured: a number of frames or, if none is given, a time span.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;

@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
 using Gjk.Demo.Output;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>
-/// Prints the report's Table 1, where it has the scene, beside the figures of this machine, and the pairs that
-/// intersect.
-/// </summary>
+/// <summary>Prints the report's Table 1, where it has the scene, beside the figures of this machine, and the pairs that
+/// intersect.</summary>
 internal static class ReplayTable
 {
     private const string None = "-";

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
@@ -69,10 +67,8 @@ internal sealed class SceneReport
     /// <summary>The 99th percentile of the frame times.</summary>
     public double P99Ms { get; init; }
 
-    /// <summary>
-    /// Which part of the queries is the search for support points: <see cref="SupportReplay"/>. Null if not all shapes
-    /// are meshes.
-    /// </summary>
+    /// <summary>Which part of the queries is the search for support points: <see cref="SupportReplay"/>. Null if not
+    /// all shapes are meshes.</summary>
     public double? SupportShare { get; init; }
 
     public double BytesPerCall { get; init; }

@@ -1,19 +1,14 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>
-/// Measures which part of the queries is the search for support points. One pass over the pairs records what each
-/// support call gives. Then the passes search and read the record in turns. The record gives the same points in the
-/// same order, and all else is the same code, so the search alone makes the difference. No stopwatch runs inside the
-/// loop, because it would cost more than the work that it measures.
-/// </summary>
+/// <summary>Measures which part of the queries is the search for support points. One pass over the pairs records what
+/// each support call gives. Then the passes search and read the record in turns. The record gives the same points in
+/// the same order, and all else is the same code, so the search alone makes the difference. No stopwatch runs inside
+/// the loop, because it would cost more than the work that it measures.</summary>
 internal sealed class SupportReplay
 {
     private static readonly TimeSpan Duration = TimeSpan.FromSeconds(0.5);
@@ -33,9 +28,8 @@ internal sealed class SupportReplay
         Ask(RecordUse.Write);
     }
 
-    /// <summary>
-    /// 1 - (time of the queries that read the record) / (time of the queries), from 0 to 1: the median over the turns.
-    /// </summary>
+    /// <summary>1 - (time of the queries that read the record) / (time of the queries), from 0 to 1: the median over
+    /// the turns.</summary>
     public double Share()
     {
         WarmUp.Run(() => Ask(RecordUse.None), WarmUp.Short, _cancel);

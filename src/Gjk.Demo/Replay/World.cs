@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Runtime.InteropServices;
 using Gjk.Core;
@@ -30,9 +28,8 @@ internal sealed class World
 
     public int HullVertices { get; }
 
-    /// <summary>
-    /// How many pairs the broad phase passed on to the narrow phase. This is the number of calls made.
-    /// </summary>
+    /// <summary>How many pairs the broad phase passed on to the narrow phase. This is the number of calls
+    /// made.</summary>
     public int Calls => _candidates.Count;
 
     public ReadOnlySpan<ObjectPair> IntersectingPairs => CollectionsMarshal.AsSpan(_pairs);

@@ -1,6 +1,4 @@
-using System;
 using System.Diagnostics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Timing;
 
@@ -9,11 +7,9 @@ namespace Gjk.Demo.Replay;
 /// <summary>Replays a scene as a world. In each frame the objects move, and the intersecting pairs are found.</summary>
 internal static class WorldReplay
 {
-    /// <summary>
-    /// How many frames are counted and hashed if the user does not set the number of frames. The number is fixed, so
-    /// that results which do not depend on the machine's speed stay the same on every machine. It is small, so that the
-    /// user can wait for the comparison of all pairs of many objects.
-    /// </summary>
+    /// <summary>How many frames are counted and hashed if the user does not set the number of frames. The number is
+    /// fixed, so that results which do not depend on the machine's speed stay the same on every machine. It is small,
+    /// so that the user can wait for the comparison of all pairs of many objects.</summary>
     private const int CountedFrames = 10;
 
     private const double NsPerMs = 1e6;

@@ -2,9 +2,8 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
 
-/// <summary>
-/// The result of replaying a world. Counts and hash are those of the first frames, times are those of all frames.
-/// </summary>
+/// <summary>The result of replaying a world. Counts and hash are those of the first frames, times are those of all
+/// frames.</summary>
 internal sealed class WorldReport
 {
     private long _calls;

@@ -1,7 +1,5 @@
 using System.CommandLine;
-using System.IO;
 using System.Reflection;
-using System.Threading;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;

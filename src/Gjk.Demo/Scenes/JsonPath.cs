@@ -1,12 +1,7 @@
-using System.Collections.Generic;
-using System.Text;
-
 namespace Gjk.Demo.Scenes;
 
-/// <summary>
-/// The place of the reader in the document, such as $.objects[3].shape.radius. It becomes text only when something is
-/// refused.
-/// </summary>
+/// <summary>The place of the reader in the document, such as $.objects[3].shape.radius. It becomes text only when
+/// something is refused.</summary>
 internal sealed class JsonPath
 {
     private readonly List<(string? Field, int Index)> _steps = [];

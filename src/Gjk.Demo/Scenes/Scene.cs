@@ -1,12 +1,10 @@
-using System;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>
-/// The input of the commands: objects in their places, and the pairs to query. Everything in it has been validated.
-/// </summary>
+/// <summary>The input of the commands: objects in their places, and the pairs to query. Everything in it has been
+/// validated.</summary>
 internal sealed class Scene
 {
     public Scene(string name, SceneObject[] objects, ScenePairs pairs, int frames)

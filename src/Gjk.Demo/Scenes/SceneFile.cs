@@ -1,18 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>
-/// Reads a scene's JSON, version 1. It refuses everything that is not exactly right, and names the file, the JSON path
-/// and the reason.
-/// </summary>
+/// <summary>Reads a scene's JSON, version 1. It refuses everything that is not exactly right, and names the file, the
+/// JSON path and the reason.</summary>
 internal sealed class SceneFile
 {
     private const int Version = 1;
@@ -119,10 +112,8 @@ internal sealed class SceneFile
         throw json.Refuse("missing");
     }
 
-    /// <summary>
-    /// Checks only the form. The objects may come later in the file, so the indices are checked when their number is
-    /// known.
-    /// </summary>
+    /// <summary>Checks only the form. The objects may come later in the file, so the indices are checked when their
+    /// number is known.</summary>
     private void ReadPairs(ref StrictJsonReader json)
     {
         const string what = "two object indices [a, b]";

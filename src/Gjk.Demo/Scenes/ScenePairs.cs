@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Demo.Scenes;
 
-/// <summary>
-/// The pairs of a scene, in order. They are either a list or, without one, all pairs i &lt; j. In the second case even
-/// millions of pairs need no memory.
-/// </summary>
+/// <summary>The pairs of a scene, in order. They are either a list or, without one, all pairs i &lt; j. In the second
+/// case even millions of pairs need no memory.</summary>
 internal readonly struct ScenePairs
 {
     private readonly int[]? _indices;
@@ -27,15 +23,12 @@ internal readonly struct ScenePairs
     /// <summary>All pairs i &lt; j. Those with the lowest i come first.</summary>
     public static ScenePairs All(int objects) => new(null, objects, 0, (long)objects * (objects - 1) / 2);
 
-    /// <summary>
-    /// The pairs of a list, which holds a and b of the first pair, then a and b of the second, and so on.
-    /// </summary>
+    /// <summary>The pairs of a list, which holds a and b of the first pair, then a and b of the second, and so
+    /// on.</summary>
     public static ScenePairs Listed(int[] indices) => new(indices, 0, 0, indices.Length / 2);
 
-    /// <summary>
-    /// One of so many parts that follow each other, are as long as each other but for one pair, and depend on nothing
-    /// but the three numbers.
-    /// </summary>
+    /// <summary>One of so many parts that follow each other, are as long as each other but for one pair, and depend on
+    /// nothing but the three numbers.</summary>
     /// <param name="number">From 1.</param>
     /// <param name="of">How many parts there are.</param>
     public ScenePairs Shard(int number, int of)

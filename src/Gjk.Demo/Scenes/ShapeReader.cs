@@ -1,15 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>
-/// Reads the "shape" of an object. Its fields may come in any order, and "type" may be the last one. So all fields are
-/// collected first and are matched with the type at the end.
-/// </summary>
+/// <summary>Reads the "shape" of an object. Its fields may come in any order, and "type" may be the last one. So all
+/// fields are collected first and are matched with the type at the end.</summary>
 internal sealed class ShapeReader
 {
     /// <summary>The fields that a type needs besides "type", and what makes a primitive of them.</summary>

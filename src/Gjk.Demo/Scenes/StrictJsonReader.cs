@@ -1,14 +1,10 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Text.Json;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>
-/// Reads JSON from front to back, without a document in memory. It knows its place in the file. Everything unexpected
-/// is refused with file, path and reason.
-/// </summary>
+/// <summary>Reads JSON from front to back, without a document in memory. It knows its place in the file. Everything
+/// unexpected is refused with file, path and reason.</summary>
 internal ref struct StrictJsonReader
 {
     private readonly string _file;
@@ -44,10 +40,8 @@ internal ref struct StrictJsonReader
     /// <summary>Enters the object under the cursor.</summary>
     public readonly void BeginObject(string what) => Expect(JsonTokenType.StartObject, what);
 
-    /// <summary>
-    /// Moves to the next field's value. Returns false at the end of the object. The path includes the field until
-    /// <see cref="EndField"/>.
-    /// </summary>
+    /// <summary>Moves to the next field's value. Returns false at the end of the object. The path includes the field
+    /// until <see cref="EndField"/>.</summary>
     /// <param name="seen">The fields of the object so far. A repeated field is refused.</param>
     /// <param name="field">The field's name.</param>
     public bool NextField(HashSet<string> seen, out string field)
@@ -65,10 +59,8 @@ internal ref struct StrictJsonReader
         return true;
     }
 
-    /// <summary>
-    /// Moves from the field's name to its value. This is a separate step, so that an unknown field is refused as
-    /// unknown, whatever its value is.
-    /// </summary>
+    /// <summary>Moves from the field's name to its value. This is a separate step, so that an unknown field is refused
+    /// as unknown, whatever its value is.</summary>
     public void Value() => Next();
 
     public readonly void EndField() => Path.Leave();
@@ -204,10 +196,8 @@ internal ref struct StrictJsonReader
         }
     }
 
-    /// <summary>
-    /// Turns the parser's error into a refusal. The parser's message ends with the position in its own words. Here the
-    /// position comes first and is counted from 1.
-    /// </summary>
+    /// <summary>Turns the parser's error into a refusal. The parser's message ends with the position in its own words.
+    /// Here the position comes first and is counted from 1.</summary>
     private readonly RefusedException Syntax(JsonException e)
     {
         int tail = e.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);

@@ -1,7 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Fit;

@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Globalization;
-using System.Linq;
-using System.Text;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Plan;

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Numerics;
 using System.Text.Json;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Play;
@@ -10,10 +9,8 @@ using Gjk.Demo.View;
 
 namespace Gjk.Demo.Study;
 
-/// <summary>
-/// The command <c>study page</c>: a study as one page that needs no network. The page carries the library, jsPsych and
-/// the plan, with each shape as a record of the library.
-/// </summary>
+/// <summary>The command <c>study page</c>: a study as one page that needs no network. The page carries the library,
+/// jsPsych and the plan, with each shape as a record of the library.</summary>
 internal static class StudyPage
 {
     public static Command Build(CancellationToken cancel)

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text;
 using Gjk.Demo.Output;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Fit;

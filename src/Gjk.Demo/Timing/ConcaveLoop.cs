@@ -1,15 +1,11 @@
-using System;
 using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>
-/// The loops of <see cref="PairLoop"/> for a scene with surfaces or compounds. Such queries keep no starts and have no
-/// batch.
-/// </summary>
+/// <summary>The loops of <see cref="PairLoop"/> for a scene with surfaces or compounds. Such queries keep no starts and
+/// have no batch.</summary>
 internal sealed class ConcaveLoop
 {
     private readonly AnyShape[] _shapes;

@@ -1,4 +1,3 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Demo.Timing;

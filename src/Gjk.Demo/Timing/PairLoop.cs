@@ -1,21 +1,16 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>
-/// A scene prepared for measuring. Shapes, poses and pairs are in arrays, and one method per verb goes through the
-/// whole list, as a user's own loop would. The transforms are part of the measured time. The hulls were built before.
-/// </summary>
+/// <summary>A scene prepared for measuring. Shapes, poses and pairs are in arrays, and one method per verb goes through
+/// the whole list, as a user's own loop would. The transforms are part of the measured time. The hulls were built
+/// before.</summary>
 internal sealed class PairLoop
 {
-    /// <summary>
-    /// How many pairs are done between two checks for Ctrl-C. The check is so rare that it does not show in the times.
-    /// </summary>
+    /// <summary>How many pairs are done between two checks for Ctrl-C. The check is so rare that it does not show in
+    /// the times.</summary>
     private const int PairsPerLook = 1024;
 
     private readonly ConvexShape[] _shapes;
@@ -51,10 +46,8 @@ internal sealed class PairLoop
 
     public ReadOnlySpan<int> B => _b;
 
-    /// <summary>
-    /// The sum of the iterations over all pairs of the last pass. It gives the mean, and it keeps the compiler from
-    /// removing the work.
-    /// </summary>
+    /// <summary>The sum of the iterations over all pairs of the last pass. It gives the mean, and it keeps the compiler
+    /// from removing the work.</summary>
     public long Iterations { get; private set; }
 
     /// <summary>Pairs that the last pass found overlapping.</summary>

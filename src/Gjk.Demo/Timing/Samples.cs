@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Threading;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>
-/// How long the repetitions of a pass took. Times are nanoseconds as double, because a TimeSpan counts in steps of 100
-/// ns.
-/// </summary>
+/// <summary>How long the repetitions of a pass took. Times are nanoseconds as double, because a TimeSpan counts in
+/// steps of 100 ns.</summary>
 internal sealed class Samples
 {
     private readonly List<long> _ticks = [];
@@ -46,9 +41,8 @@ internal sealed class Samples
         _sorted = false;
     }
 
-    /// <summary>
-    /// The percentile of the samples: the smallest one that at least the given share of all samples does not exceed.
-    /// </summary>
+    /// <summary>The percentile of the samples: the smallest one that at least the given share of all samples does not
+    /// exceed.</summary>
     public double PercentileNs(double share)
     {
         if (!_sorted) _ticks.Sort();

@@ -1,15 +1,12 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>
-/// The poses of all objects in every frame of a small, smooth motion. Each object moves from one side of its place to
-/// the other and back, by 1 % of its own size and 1 degree per frame. The poses are computed before anything is timed.
-/// </summary>
+/// <summary>The poses of all objects in every frame of a small, smooth motion. Each object moves from one side of its
+/// place to the other and back, by 1 % of its own size and 1 degree per frame. The poses are computed before anything
+/// is timed.</summary>
 internal sealed class ScenePath
 {
     /// <summary>How far an object moves per frame, as a share of its size.</summary>
@@ -18,15 +15,12 @@ internal sealed class ScenePath
     /// <summary>How far an object turns per frame, in radians.</summary>
     private const double StepAngle = Math.PI / 180;
 
-    /// <summary>
-    /// Frames to either side of the given place. Their number is small, so that most overlaps and gaps of the scene
-    /// stay as they were.
-    /// </summary>
+    /// <summary>Frames to either side of the given place. Their number is small, so that most overlaps and gaps of the
+    /// scene stay as they were.</summary>
     private const int MostStepsAside = 16;
 
-    /// <summary>
-    /// Queries in a round, about. Long lists get fewer frames, so that a round does not take longer than this.
-    /// </summary>
+    /// <summary>Queries in a round, about. Long lists get fewer frames, so that a round does not take longer than
+    /// this.</summary>
     private const int QueriesPerRound = 4_000_000;
 
     private readonly RigidPose[][] _frames;

@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
@@ -8,15 +6,12 @@ namespace Gjk.Demo.Timing;
 /// <summary>Times the verbs on one scene.</summary>
 internal sealed class SceneTimer
 {
-    /// <summary>
-    /// How the time is divided. The cold distance gets the most, because everything else is compared with it.
-    /// </summary>
+    /// <summary>How the time is divided. The cold distance gets the most, because everything else is compared with
+    /// it.</summary>
     private const double ColdShare = 0.3, OtherShare = 0.1, BatchShare = 0.1;
 
-    /// <summary>
-    /// The least number of queries in a sample. Otherwise, for a list of only a few pairs, reading the clock would be a
-    /// part of the figure.
-    /// </summary>
+    /// <summary>The least number of queries in a sample. Otherwise, for a list of only a few pairs, reading the clock
+    /// would be a part of the figure.</summary>
     private const int LeastQueriesPerSample = 512;
 
     private readonly PairLoop _pairs;

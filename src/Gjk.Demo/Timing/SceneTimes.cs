@@ -1,12 +1,10 @@
-using System.IO;
 using System.Text.Json;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>
-/// The times measured on one scene, in nanoseconds per pair. A time is null if there was nothing to measure. With
-/// surfaces or compounds there are no warm starts, no batches and no depths; the moving pairs are asked without starts.
-/// </summary>
+/// <summary>The times measured on one scene, in nanoseconds per pair. A time is null if there was nothing to measure.
+/// With surfaces or compounds there are no warm starts, no batches and no depths; the moving pairs are asked without
+/// starts.</summary>
 /// <remarks>The line has the properties in the order in which they stand here.</remarks>
 internal sealed class SceneTimes
 {
@@ -51,10 +49,8 @@ internal sealed class SceneTimes
     /// <summary>The signed distance of the pairs that overlap, without warm starts. Null if none does.</summary>
     public double? DepthNs { get; set; }
 
-    /// <summary>
-    /// The casts of all pairs over one frame, without warm starts. Null if no object has a velocity, and if one turns,
-    /// which a cast does not.
-    /// </summary>
+    /// <summary>The casts of all pairs over one frame, without warm starts. Null if no object has a velocity, and if
+    /// one turns, which a cast does not.</summary>
     public double? CastNs { get; set; }
 
     /// <summary>Writes one line of JSON and flushes it.</summary>

@@ -1,17 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>
-/// Prints nanoseconds per pair for each scene, as one line of JSON per scene. Each line is printed as soon as it is
-/// known.
-/// </summary>
+/// <summary>Prints nanoseconds per pair for each scene, as one line of JSON per scene. Each line is printed as soon as
+/// it is known.</summary>
 internal static class TimeCommand
 {
     /// <summary>Pairs. Every pair keeps a warm start, so the list must fit into memory.</summary>

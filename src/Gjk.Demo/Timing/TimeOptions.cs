@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 

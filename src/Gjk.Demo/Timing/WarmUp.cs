@@ -1,13 +1,9 @@
-using System;
 using System.Diagnostics;
-using System.Threading;
 
 namespace Gjk.Demo.Timing;
 
-/// <summary>
-/// Repeats a pass until it no longer gets faster. The runtime compiles in tiers, in the background, some time after a
-/// method was first called. So neither a number of passes nor a time span alone is enough.
-/// </summary>
+/// <summary>Repeats a pass until it no longer gets faster. The runtime compiles in tiers, in the background, some time
+/// after a method was first called. So neither a number of passes nor a time span alone is enough.</summary>
 internal static class WarmUp
 {
     /// <summary>By which share a pass must beat the best one to count as faster. A smaller gain is noise.</summary>
@@ -18,15 +14,12 @@ internal static class WarmUp
     /// <summary>Enough time for all tiers of one scene.</summary>
     public static TimeSpan Usual => TimeSpan.FromSeconds(8 * QuietSeconds);
 
-    /// <summary>
-    /// The limit when few frames are asked for. It is enough for the first tiers, and on an idle machine for all.
-    /// </summary>
+    /// <summary>The limit when few frames are asked for. It is enough for the first tiers, and on an idle machine for
+    /// all.</summary>
     public static TimeSpan Short => TimeSpan.FromSeconds(3 * QuietSeconds);
 
-    /// <summary>
-    /// For how many seconds no pass may improve. The value is three times the tenth of a second that the runtime waits
-    /// before it compiles again. With a single processor the runtime waits ten times longer.
-    /// </summary>
+    /// <summary>For how many seconds no pass may improve. The value is three times the tenth of a second that the
+    /// runtime waits before it compiles again. With a single processor the runtime waits ten times longer.</summary>
     private static double QuietSeconds => Environment.ProcessorCount == 1 ? 3 : 0.3;
 
     /// <summary>Runs the pass until it is stable or the limit is reached. It runs at least three times.</summary>

@@ -1,12 +1,9 @@
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// Keeps how the surface grows in the search for a depth. Of each surface only the difference to the one before is
-/// kept, because a search may have more than a thousand steps.
-/// </summary>
+/// <summary>Keeps how the surface grows in the search for a depth. Of each surface only the difference to the one
+/// before is kept, because a search may have more than a thousand steps.</summary>
 internal readonly struct DepthRecorder : IPolytopeTrace
 {
     private readonly DepthSearch _search;
@@ -83,9 +80,8 @@ internal sealed class DepthStep
 
     public PolytopeOutcome Outcome { get; }
 
-    /// <summary>
-    /// How many faces the surface has; 0 for a step without a surface, for which the page draws the last one.
-    /// </summary>
+    /// <summary>How many faces the surface has; 0 for a step without a surface, for which the page draws the last
+    /// one.</summary>
     public int Faces { get; }
 
     /// <summary>The number of the lowest face, or -1.</summary>

@@ -1,16 +1,12 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// The surface of the Minkowski difference of two cores, as a mesh to draw. With few corners it is the hull of all
-/// differences of corners. Otherwise it is the hull of support points in many directions, including all directions that
-/// the query asked for.
-/// </summary>
+/// <summary>The surface of the Minkowski difference of two cores, as a mesh to draw. With few corners it is the hull of
+/// all differences of corners. Otherwise it is the hull of support points in many directions, including all directions
+/// that the query asked for.</summary>
 internal static class DifferenceMesh
 {
     /// <summary>The most differences of corners of which all are hulled.</summary>

@@ -1,12 +1,9 @@
-using System.Collections.Generic;
 using System.Text.Json;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// The two algorithms as the page prints them beside the picture. Each line has an id, by which the page lights it, and
-/// says where the source does it.
-/// </summary>
+/// <summary>The two algorithms as the page prints them beside the picture. Each line has an id, by which the page
+/// lights it, and says where the source does it.</summary>
 internal static class Lesson
 {
     private const string Core = "src/Gjk.Core/", Book = "src/Gjk.Demo/Trace/Textbook/";

@@ -1,14 +1,10 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// Finds the two objects that the user names, by their indices or their names. A name may contain a comma, so every
-/// comma is tried. Where a text is a name and an index, it is the name, except in a pair of two indices.
-/// </summary>
+/// <summary>Finds the two objects that the user names, by their indices or their names. A name may contain a comma, so
+/// every comma is tried. Where a text is a name and an index, it is the name, except in a pair of two
+/// indices.</summary>
 internal static class NamedPair
 {
     /// <summary>Two indices, such as 0,1.</summary>

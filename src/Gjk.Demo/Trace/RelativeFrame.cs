@@ -3,9 +3,8 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// The pose of B seen from A, in double. This is the frame in which the solver works and the page draws.
-/// </summary>
+/// <summary>The pose of B seen from A, in double. This is the frame in which the solver works and the page
+/// draws.</summary>
 internal readonly struct RelativeFrame
 {
     private readonly double _x, _y, _z, _w;

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;

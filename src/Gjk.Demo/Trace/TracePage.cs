@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
@@ -8,15 +6,12 @@ using static Gjk.Demo.Trace.TraceJson;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// The page of one query. It shows both shapes and their Minkowski difference in A's frame, and every step.
-/// </summary>
+/// <summary>The page of one query. It shows both shapes and their Minkowski difference in A's frame, and every
+/// step.</summary>
 internal static class TracePage
 {
-    /// <summary>
-    /// The distance from the origin to the furthest point of the Minkowski difference as it is drawn. With a fixed
-    /// value no size is too small or too large to draw.
-    /// </summary>
+    /// <summary>The distance from the origin to the furthest point of the Minkowski difference as it is drawn. With a
+    /// fixed value no size is too small or too large to draw.</summary>
     private const double DrawnRadius = 10;
 
     /// <param name="stream">Where to write.</param>

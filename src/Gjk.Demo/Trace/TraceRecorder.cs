@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Demo.Trace;
@@ -49,9 +48,8 @@ internal sealed class TraceStep
     /// <summary>The simplex before the step. Each number is the step that found the vertex.</summary>
     public int[] Before { get; }
 
-    /// <summary>
-    /// The feature that remains of the old simplex and the new vertex. Null if the support ended the query.
-    /// </summary>
+    /// <summary>The feature that remains of the old simplex and the new vertex. Null if the support ended the
+    /// query.</summary>
     public int[]? After { get; private set; }
 
     /// <summary>The barycentric weights of the nearest point.</summary>

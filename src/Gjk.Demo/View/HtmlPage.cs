@@ -1,15 +1,9 @@
-using System;
-using System.Globalization;
-using System.IO;
-using System.Text;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Writes one self-contained file. It puts the page's frame, style and script, which are embedded in the demo, around
-/// the data.
-/// </summary>
+/// <summary>Writes one self-contained file. It puts the page's frame, style and script, which are embedded in the demo,
+/// around the data.</summary>
 internal static class HtmlPage
 {
     /// <summary>Writes the page.</summary>

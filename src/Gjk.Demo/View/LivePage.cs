@@ -1,15 +1,11 @@
-using System.Collections.Generic;
-using System.IO;
 using Gjk.Demo.Play;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Adds the library to the page of a scene, so that its bodies can be dragged and their answers follow. It makes the
-/// page 3 MB larger, and each frame of a drag must answer all pairs of a body, so it is only done on request and only
-/// for small scenes.
-/// </summary>
+/// <summary>Adds the library to the page of a scene, so that its bodies can be dragged and their answers follow. It
+/// makes the page 3 MB larger, and each frame of a drag must answer all pairs of a body, so it is only done on request
+/// and only for small scenes.</summary>
 internal static class LivePage
 {
     /// <summary>The most objects: a browser answers the 199 pairs of a body in about a sixtieth of a second.</summary>

@@ -1,16 +1,12 @@
-using System;
-using System.IO;
 using System.Reflection;
-using System.Text;
 
 namespace Gjk.Demo.View;
 
 /// <summary>The texts that pages are made of: files that are embedded in the demo, and UTF-8.</summary>
 internal static class PageText
 {
-    /// <summary>
-    /// A file that is embedded in the demo. Its lines end as a browser reads them, whatever the disk had.
-    /// </summary>
+    /// <summary>A file that is embedded in the demo. Its lines end as a browser reads them, whatever the disk
+    /// had.</summary>
     public static string Asset(string name)
     {
         using Stream asset = Assembly.GetExecutingAssembly().GetManifestResourceStream(name)

@@ -1,23 +1,16 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Chooses the pairs that a page shows. These are all pairs, unless a browser could not sort and draw that many
-/// smoothly. In that case they are every pair that intersects in some frame, and each object's nearest partners in
-/// every frame.
-/// </summary>
+/// <summary>Chooses the pairs that a page shows. These are all pairs, unless a browser could not sort and draw that
+/// many smoothly. In that case they are every pair that intersects in some frame, and each object's nearest partners in
+/// every frame.</summary>
 internal sealed class PairChoice
 {
-    /// <summary>
-    /// Up to this many answers (pairs times frames) all pairs are shown. A page needs 43 bytes for each, so about 10
-    /// MB.
-    /// </summary>
+    /// <summary>Up to this many answers (pairs times frames) all pairs are shown. A page needs 43 bytes for each, so
+    /// about 10 MB.</summary>
     public const long MostOfAll = 250_000;
 
     /// <summary>Nearest partners kept for each object in each frame.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.InteropServices;
 using Gjk.Core;
@@ -7,16 +5,12 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// When and where the objects of a scene first touch over the frame that follows each frame. Only pairs that meet have
-/// an entry, in the order of the frames and then of the pairs.
-/// </summary>
+/// <summary>When and where the objects of a scene first touch over the frame that follows each frame. Only pairs that
+/// meet have an entry, in the order of the frames and then of the pairs.</summary>
 internal sealed class SceneCasts
 {
-    /// <summary>
-    /// Numbers in an entry: the fraction, the point, the normal. The last six are NaN where the search reached its
-    /// iteration limit: the pair is apart up to the fraction.
-    /// </summary>
+    /// <summary>Numbers in an entry: the fraction, the point, the normal. The last six are NaN where the search reached
+    /// its iteration limit: the pair is apart up to the fraction.</summary>
     public const int EntrySize = 7;
 
     private readonly ConcaveScratch _scratch = new();

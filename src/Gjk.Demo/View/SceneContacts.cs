@@ -1,32 +1,26 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.InteropServices;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The contact points of the pairs that overlap, in the order of the frames and then of the pairs. Pairs that are apart
-/// have no entry, and a point no normal of its own: it is that of its pair.
-/// </summary>
+/// <summary>The contact points of the pairs that overlap, in the order of the frames and then of the pairs. Pairs that
+/// are apart have no entry, and a point no normal of its own: it is that of its pair.</summary>
 internal sealed class SceneContacts
 {
     /// <summary>Numbers in a point: A's point, then the gap. B's point is A's plus the gap times the normal.</summary>
     public const int PointSize = 4;
 
-    /// <summary>
-    /// The count of a pair whose points were left out, because the page already holds <see cref="MostPoints"/>.
-    /// </summary>
+    /// <summary>The count of a pair whose points were left out, because the page already holds
+    /// <see cref="MostPoints"/>.</summary>
     public const byte LeftOut = byte.MaxValue;
 
     /// <summary>The most points that a page holds. A page needs 22 bytes for each, so about 22 MB.</summary>
     private const int MostPoints = 1_000_000;
 
-    /// <summary>
-    /// Points whose gap is at most this share of the smaller shape's radius are shown. So a box that stands on another
-    /// and is tilted by half a degree still shows all its corners. A wider gap is one that the eye sees as open.
-    /// </summary>
+    /// <summary>Points whose gap is at most this share of the smaller shape's radius are shown. So a box that stands on
+    /// another and is tilted by half a degree still shows all its corners. A wider gap is one that the eye sees as
+    /// open.</summary>
     private const double MostGap = 0.01;
 
     private readonly List<byte> _counts = [];

@@ -1,14 +1,11 @@
-using System;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The poses of a scene's objects in each frame. From the given poses, objects move and turn at constant rates. They
-/// turn about the world's axes.
-/// </summary>
+/// <summary>The poses of a scene's objects in each frame. From the given poses, objects move and turn at constant
+/// rates. They turn about the world's axes.</summary>
 internal sealed class SceneMotion
 {
     private readonly Scene _scene;
@@ -23,10 +20,8 @@ internal sealed class SceneMotion
         _name = name;
     }
 
-    /// <summary>
-    /// The poses of a frame. Each is computed from the first frame, so that no error accumulates. The first frame has
-    /// the poses as given.
-    /// </summary>
+    /// <summary>The poses of a frame. Each is computed from the first frame, so that no error accumulates. The first
+    /// frame has the poses as given.</summary>
     /// <exception cref="RefusedException">A position is beyond the range of float.</exception>
     public void Poses(int frame, Span<RigidPose> poses)
     {

@@ -1,23 +1,18 @@
-using System;
 using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The poses and all answers of a scene, frame by frame. Each column is an array, as the page needs it.
-/// </summary>
+/// <summary>The poses and all answers of a scene, frame by frame. Each column is an array, as the page needs
+/// it.</summary>
 internal sealed class SceneResults
 {
     /// <summary>Numbers in a pose: the quaternion x, y, z, w, then the position.</summary>
     public const int PoseSize = 7;
 
-    /// <summary>
-    /// The most answers that a page may hold. At 43 bytes each this is about 145 MB of text, which a browser can
-    /// still open.
-    /// </summary>
+    /// <summary>The most answers that a page may hold. At 43 bytes each this is about 145 MB of text, which a browser
+    /// can still open.</summary>
     public const long MostAnswers = 2_500_000;
 
     /// <summary>The most poses that a page may hold, for the same reason.</summary>
@@ -66,9 +61,8 @@ internal sealed class SceneResults
     /// <summary>For a pair that overlaps, the direction in which B leaves A by the shortest way.</summary>
     public float[] Normal { get; }
 
-    /// <summary>
-    /// The part of A that the answer is about, as its file numbers it, or -1. Empty for a scene of convex shapes.
-    /// </summary>
+    /// <summary>The part of A that the answer is about, as its file numbers it, or -1. Empty for a scene of convex
+    /// shapes.</summary>
     public int[] PartA { get; }
 
     /// <summary>The part of B, likewise.</summary>
@@ -127,10 +121,8 @@ internal sealed class SceneResults
         return results;
     }
 
-    /// <summary>
-    /// True for a pair that intersects. Where the search for the depth outgrew its room, the pair intersects too, and
-    /// is at least as deep as its distance says.
-    /// </summary>
+    /// <summary>True for a pair that intersects. Where the search for the depth outgrew its room, the pair intersects
+    /// too, and is at least as deep as its distance says.</summary>
     public bool Overlaps(int index) =>
         Status[index] == StatusCode.Of(GjkStatus.Overlapping)
         || (Status[index] == StatusCode.Of(GjkStatus.IterationLimit) && Distance[index] <= 0);

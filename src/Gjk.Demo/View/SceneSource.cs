@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
@@ -18,9 +17,8 @@ internal sealed class SceneSource
 
     public Option<string?> BuiltIn => _builtIn.Name;
 
-    /// <summary>
-    /// Adds the option for the mesh of a built-in scene, and makes the command refuse two sources, and none.
-    /// </summary>
+    /// <summary>Adds the option for the mesh of a built-in scene, and makes the command refuse two sources, and
+    /// none.</summary>
     /// <param name="command">The command, which has the argument and the option.</param>
     /// <param name="other">Another option that can take the place of a scene.</param>
     public void Validate(Command command, Option? other = null)

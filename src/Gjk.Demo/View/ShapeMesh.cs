@@ -1,26 +1,19 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The surface of a shape for drawing, in its own frame with its scale. A mesh is drawn as its hull, and as its own
-/// triangles where it is a surface. A curved shape is drawn as the hull of some of its support points.
-/// </summary>
+/// <summary>The surface of a shape for drawing, in its own frame with its scale. A mesh is drawn as its hull, and as
+/// its own triangles where it is a surface. A curved shape is drawn as the hull of some of its support
+/// points.</summary>
 internal sealed class ShapeMesh
 {
-    /// <summary>
-    /// Two triangles are one flat facet if the cosine between their normals is above this value. This is an angle of
-    /// 0.5 degrees.
-    /// </summary>
+    /// <summary>Two triangles are one flat facet if the cosine between their normals is above this value. This is an
+    /// angle of 0.5 degrees.</summary>
     private const double FlatCosine = 0.99996;
 
-    /// <summary>
-    /// The same for the facets of a curved shape, which are steps of 7.5 or 15 degrees. An edge, such as a cylinder's
-    /// rim, is 30 degrees or more.
-    /// </summary>
+    /// <summary>The same for the facets of a curved shape, which are steps of 7.5 or 15 degrees. An edge, such as a
+    /// cylinder's rim, is 30 degrees or more.</summary>
     private const double SmoothCosine = 0.866;
 
     private ShapeMesh(ConvexHull hull, Vector3 scale, bool isSmooth)
@@ -88,20 +81,16 @@ internal sealed class ShapeMesh
 
     public Vector3[] Vertices { get; }
 
-    /// <summary>
-    /// Three vertices per triangle, counter-clockwise seen from outside. A flat shape has both sides.
-    /// </summary>
+    /// <summary>Three vertices per triangle, counter-clockwise seen from outside. A flat shape has both
+    /// sides.</summary>
     public int[] Triangles { get; }
 
-    /// <summary>
-    /// Two vertices per edge. An edge is where the surface has a crease, not where a flat facet is cut into triangles.
-    /// </summary>
+    /// <summary>Two vertices per edge. An edge is where the surface has a crease, not where a flat facet is cut into
+    /// triangles.</summary>
     public int[] Edges { get; }
 
-    /// <summary>
-    /// The first triangle of each part of a surface or a compound, and then how many triangles there are. Empty for a
-    /// convex shape. A part that is a point or a segment has no triangles.
-    /// </summary>
+    /// <summary>The first triangle of each part of a surface or a compound, and then how many triangles there are.
+    /// Empty for a convex shape. A part that is a point or a segment has no triangles.</summary>
     public int[] PartStarts { get; } = [];
 
     /// <summary>0 is a point, 1 a segment, 2 flat or open, 3 solid.</summary>
@@ -129,18 +118,16 @@ internal sealed class ShapeMesh
     /// <summary>The surface of a hull.</summary>
     public static ShapeMesh Of(ConvexHull hull, bool isSmooth) => new(hull, Vector3.One, isSmooth);
 
-    /// <summary>
-    /// The normal of a triangle. Its length is arbitrary. The differences of the corners are computed in double.
-    /// </summary>
+    /// <summary>The normal of a triangle. Its length is arbitrary. The differences of the corners are computed in
+    /// double.</summary>
     public Double3 Normal(int triangle)
     {
         Double3 a = Vertices[Triangles[3 * triangle]];
         return Double3.Cross(Vertices[Triangles[3 * triangle + 1]] - a, Vertices[Triangles[3 * triangle + 2]] - a);
     }
 
-    /// <summary>
-    /// The neighbour of each triangle across each side. The sides are those of corners 0 and 1, 1 and 2, 2 and 0.
-    /// </summary>
+    /// <summary>The neighbour of each triangle across each side. The sides are those of corners 0 and 1, 1 and 2, 2 and
+    /// 0.</summary>
     public int[] Neighbours()
     {
         // Both faces of a flat shape have the same sides inside. There the neighbour is the triangle on the same face.

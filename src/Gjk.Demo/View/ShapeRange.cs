@@ -1,13 +1,10 @@
-using System;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Checks that the corners of the shapes are floats. The queries themselves also answer for larger shapes, but a page
-/// or a picture is drawn from corners.
-/// </summary>
+/// <summary>Checks that the corners of the shapes are floats. The queries themselves also answer for larger shapes, but
+/// a page or a picture is drawn from corners.</summary>
 internal static class ShapeRange
 {
     private static readonly Double3[] Axes =

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
@@ -7,10 +6,8 @@ namespace Gjk.Demo.View;
 /// <summary>The distinct shapes of a scene. Each is triangulated once.</summary>
 internal sealed class ShapeTable
 {
-    /// <summary>
-    /// In a scene of more objects than this, curved shapes get fewer triangles, so that a browser can still turn the
-    /// scene smoothly.
-    /// </summary>
+    /// <summary>In a scene of more objects than this, curved shapes get fewer triangles, so that a browser can still
+    /// turn the scene smoothly.</summary>
     private const int FineObjects = 500;
 
     private readonly List<ShapeMesh> _meshes = [];

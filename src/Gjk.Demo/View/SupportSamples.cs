@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 
@@ -8,21 +6,16 @@ namespace Gjk.Demo.View;
 /// <summary>Support points of a shape, distributed so that their hull looks like the shape.</summary>
 internal static class SupportSamples
 {
-    /// <summary>
-    /// Directions about the axis. From pole to pole there are half as many. The steps are 7.5 degrees.
-    /// </summary>
+    /// <summary>Directions about the axis. From pole to pole there are half as many. The steps are 7.5
+    /// degrees.</summary>
     private const int Meridians = 48;
 
-    /// <summary>
-    /// The same in a scene of many objects, where each one is small. Steps of 15 degrees need a quarter of the
-    /// triangles.
-    /// </summary>
+    /// <summary>The same in a scene of many objects, where each one is small. Steps of 15 degrees need a quarter of the
+    /// triangles.</summary>
     private const int CoarseMeridians = 24;
 
-    /// <summary>
-    /// Radians. Two directions lie this far beside the equator. They find both ends of the side of a capsule or a
-    /// cylinder.
-    /// </summary>
+    /// <summary>Radians. Two directions lie this far beside the equator. They find both ends of the side of a capsule
+    /// or a cylinder.</summary>
     private const double BesideEquator = 1e-3;
 
     /// <summary>True if the surface is curved anywhere.</summary>
@@ -107,10 +100,8 @@ internal static class SupportSamples
         }
     }
 
-    /// <summary>
-    /// A scale for directions. It turns normals that are even on a ball into normals whose support points are even on
-    /// the stretched shape.
-    /// </summary>
+    /// <summary>A scale for directions. It turns normals that are even on a ball into normals whose support points are
+    /// even on the stretched shape.</summary>
     private static Double3 Stretch(in ConvexShape shape)
     {
         if (shape.IsDecorated) return new Double3(1, 1, 1);

@@ -1,15 +1,11 @@
-using System;
-using System.IO;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Queries every pair of a scene in every frame, and writes the results as a page, as a still picture, or as both.
-/// </summary>
+/// <summary>Queries every pair of a scene in every frame, and writes the results as a page, as a still picture, or as
+/// both.</summary>
 internal static class ViewCommand
 {
     /// <param name="scene">The scene.</param>

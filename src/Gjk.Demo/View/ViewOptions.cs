@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 

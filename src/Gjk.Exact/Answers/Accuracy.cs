@@ -1,44 +1,35 @@
-using System;
-
 namespace Gjk.Exact.Answers;
 
 /// <summary>What the library promises, in numbers (contracts 5 and 6).</summary>
 public static class Accuracy
 {
-    /// <summary>
-    /// Ratio to the distance: its rounding to float (2^-24), and that of the bound, each in its direction.
-    /// </summary>
+    /// <summary>Ratio to the distance: its rounding to float (2^-24), and that of the bound, each in its
+    /// direction.</summary>
     public const double DistanceRatio = 1.2e-7;
 
     /// <summary>Length, as a fraction of the scale: below it a distance is noise of double arithmetic.</summary>
     public const double DistanceScale = 1e-14;
 
-    /// <summary>
-    /// Length, as a fraction of the scale: shapes that overlap or are apart by more than this must get the right flag.
-    /// </summary>
+    /// <summary>Length, as a fraction of the scale: shapes that overlap or are apart by more than this must get the
+    /// right flag.</summary>
     public const double FlagScale = 1e-9;
 
-    /// <summary>
-    /// Length, as a fraction of how far a shape is from its own origin: what turning it there costs in double-double,
-    /// 2^-100. It is seen only where both shapes are points.
-    /// </summary>
+    /// <summary>Length, as a fraction of how far a shape is from its own origin: what turning it there costs in
+    /// double-double, 2^-100. It is seen only where both shapes are points.</summary>
     public const double Offset = 7.9e-31;
 
     /// <summary>Length, as a fraction of max(scale, distance), for shapes with a curved core.</summary>
     public const double CurvedRatio = 1e-6;
 
-    /// <summary>
-    /// Length, as a fraction of the longest side of its shape: how far a closest point may be off it.
-    /// </summary>
+    /// <summary>Length, as a fraction of the longest side of its shape: how far a closest point may be off
+    /// it.</summary>
     public const double WitnessScale = 1.2e-7;
 
     /// <summary>A pure number: how far the normal's length may be from 1.</summary>
     public const double UnitLength = 1e-6;
 
-    /// <summary>
-    /// A pure number: the angle, in radians, by which rounding its components to float may turn a unit vector: the root
-    /// of three times 2^-25, rounded up.
-    /// </summary>
+    /// <summary>A pure number: the angle, in radians, by which rounding its components to float may turn a unit vector:
+    /// the root of three times 2^-25, rounded up.</summary>
     public const double NormalTurn = 1.1e-7;
 
     /// <summary>Ratio: the rounding of one coordinate to float, 2^-24.</summary>

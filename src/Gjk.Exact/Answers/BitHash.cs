@@ -1,12 +1,10 @@
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Answers;
 
-/// <summary>
-/// A hash of every field of results, iterations and the signs of zeros too; all NaN count as one. Equal hashes mean
-/// that two runs took the same way to the same bits. <see cref="ResultHash"/>, which programs print, leaves some out.
-/// </summary>
+/// <summary>A hash of every field of results, iterations and the signs of zeros too; all NaN count as one. Equal hashes
+/// mean that two runs took the same way to the same bits. <see cref="ResultHash"/>, which programs print, leaves some
+/// out.</summary>
 public struct BitHash
 {
     private const uint NotANumber = 0x7FC00000;

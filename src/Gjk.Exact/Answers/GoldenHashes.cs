@@ -1,12 +1,8 @@
-using System.Collections.Generic;
-
 namespace Gjk.Exact.Answers;
 
-/// <summary>
-/// The hashes of <see cref="GoldenRun"/>: one table for all builds and processors, since nothing contracts or reorders
-/// the arithmetic. After a change that is meant to move bits, GJK_UPDATE_GOLDEN=1 and the tests of GoldenHashTests
-/// write the new ones here.
-/// </summary>
+/// <summary>The hashes of <see cref="GoldenRun"/>: one table for all builds and processors, since nothing contracts or
+/// reorders the arithmetic. After a change that is meant to move bits, GJK_UPDATE_GOLDEN=1 and the tests of
+/// GoldenHashTests write the new ones here.</summary>
 public static class GoldenHashes
 {
     public static readonly IReadOnlyDictionary<string, string> All = new Dictionary<string, string>

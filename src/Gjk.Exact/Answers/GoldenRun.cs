@@ -1,17 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Cases;
 
 namespace Gjk.Exact.Answers;
 
-/// <summary>
-/// The queries whose bits are golden (contract 7), each hashed over every field of every result: the hard pairs of
-/// tests/Cases, shapes of all kinds at random, and moving scenes. It uses no arithmetic whose rounding IEEE 754 leaves
-/// open, so every runtime asks the same.
-/// </summary>
+/// <summary>The queries whose bits are golden (contract 7), each hashed over every field of every result: the hard
+/// pairs of tests/Cases, shapes of all kinds at random, and moving scenes. It uses no arithmetic whose rounding IEEE
+/// 754 leaves open, so every runtime asks the same.</summary>
 public sealed class GoldenRun
 {
     /// <summary>How many pairs of random shapes are asked.</summary>

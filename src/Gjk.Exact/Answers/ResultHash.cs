@@ -1,13 +1,10 @@
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Answers;
 
-/// <summary>
-/// A hash of results: FNV-1a, 64 bits. For each pair in order it takes a, b (int32), the status (byte, see
+/// <summary>A hash of results: FNV-1a, 64 bits. For each pair in order it takes a, b (int32), the status (byte, see
 /// <see cref="StatusCode"/>), and the IEEE bits of the distance, both points and the normal. All are little-endian, and
-/// -0 counts as +0. Iterations are not in it. Programs print it; <see cref="BitHash"/> holds every field.
-/// </summary>
+/// -0 counts as +0. Iterations are not in it. Programs print it; <see cref="BitHash"/> holds every field.</summary>
 public struct ResultHash
 {
     private Fnv1a _hash = new();

@@ -1,16 +1,12 @@
-using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using System.Numerics;
 using System.Text;
 
 namespace Gjk.Exact.Cases;
 
-/// <summary>
-/// Reads JSON into dictionaries, lists, strings and the text of numbers. netstandard2.0 has no reader that works
-/// without a further assembly. This reader is only for the project's own case files, which are well formed and contain
-/// no escapes.
-/// </summary>
+/// <summary>Reads JSON into dictionaries, lists, strings and the text of numbers. netstandard2.0 has no reader that
+/// works without a further assembly. This reader is only for the project's own case files, which are well formed and
+/// contain no escapes.</summary>
 internal sealed class Json
 {
     private readonly string _text;

@@ -1,11 +1,9 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Certificates;
 
-/// <summary>
-/// A posed shape with its own rotation matrix, made here from the quaternion and not taken from the library.
-/// </summary>
+/// <summary>A posed shape with its own rotation matrix, made here from the quaternion and not taken from the
+/// library.</summary>
 public sealed class Body<T>
     where T : struct, ISupportMap
 {
@@ -28,9 +26,8 @@ public sealed class Body<T>
 
     public Double3 Center { get; }
 
-    /// <summary>
-    /// Half the diagonal of the local bounding box, by the shape's own supports: the bounding radius may be generous.
-    /// </summary>
+    /// <summary>Half the diagonal of the local bounding box, by the shape's own supports: the bounding radius may be
+    /// generous.</summary>
     public double Radius { get; }
 
     public Double3 Rotate(in Double3 v) => _rotation.Rotate(v);
@@ -46,10 +43,8 @@ public sealed class Body<T>
     /// <summary>The same from its centre, which loses nothing where the shape is far from its own origin.</summary>
     public double HeightOverCenter(in Double3 direction) => LocalHeight(InverseRotate(direction));
 
-    /// <summary>
-    /// How far a local point is outside: the most that it exceeds the support by in any of the fixed directions, or in
-    /// that from the centre.
-    /// </summary>
+    /// <summary>How far a local point is outside: the most that it exceeds the support by in any of the fixed
+    /// directions, or in that from the centre.</summary>
     public double Outside(in Double3 local)
     {
         double most = double.NegativeInfinity;

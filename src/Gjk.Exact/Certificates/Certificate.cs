@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Certificates;
 
-/// <summary>
-/// Holds a result to the library's own <see cref="AnswerCheck"/>, which needs no solver, and to what it leaves to the
-/// query: an answer at all, and a bound that is near the distance. Works for any support map.
-/// </summary>
+/// <summary>Holds a result to the library's own <see cref="AnswerCheck"/>, which needs no solver, and to what it leaves
+/// to the query: an answer at all, and a bound that is near the distance. Works for any support map.</summary>
 public static class Certificate
 {
     /// <summary>Room for a least float where products vanish.</summary>
@@ -27,10 +24,8 @@ public static class Certificate
         where TB : struct, ISupportMap =>
         Problem(AnswerCheck.Distance(a, poseA, b, poseB, r), r, scale, curved);
 
-    /// <summary>
-    /// What is wrong with a signed distance, or null. Of an overlap it proves that the way out is one, that it is as
-    /// long as the result says and that it ends at the points; not that no other is shorter.
-    /// </summary>
+    /// <summary>What is wrong with a signed distance, or null. Of an overlap it proves that the way out is one, that it
+    /// is as long as the result says and that it ends at the points; not that no other is shorter.</summary>
     /// <inheritdoc cref="Problem{TA, TB}"/>
     public static string? ProblemOfSigned<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult r, double scale,
@@ -39,10 +34,8 @@ public static class Certificate
         where TB : struct, ISupportMap =>
         Problem(AnswerCheck.SignedDistance(a, poseA, b, poseB, r), r, scale, curved);
 
-    /// <summary>
-    /// How far apart the planes across a unit direction stand that touch A and B; negative where the shapes reach past
-    /// each other.
-    /// </summary>
+    /// <summary>How far apart the planes across a unit direction stand that touch A and B; negative where the shapes
+    /// reach past each other.</summary>
     public static double Gap<TA, TB>(Body<TA> a, Body<TB> b, in Double3 n)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

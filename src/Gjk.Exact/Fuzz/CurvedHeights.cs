@@ -1,15 +1,11 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Shrinking;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// How far a shape with a curved core reaches along a direction, from the shape's numbers by formulas of its own.
-/// </summary>
+/// <summary>How far a shape with a curved core reaches along a direction, from the shape's numbers by formulas of its
+/// own.</summary>
 internal sealed class CurvedHeights
 {
     private readonly ShapeKind _kind;

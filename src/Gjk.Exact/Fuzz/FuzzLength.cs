@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>How long to search: for a time, for a number of pairs, or until the first of both is over.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Diagnostics.CodeAnalysis;
 using Gjk.Core;
 
@@ -75,9 +74,8 @@ internal sealed class FuzzPair
     /// <summary>The true distance, solved when it is first asked for.</summary>
     public FuzzTruth Truth => _truth ??= new FuzzTruth(this);
 
-    /// <summary>
-    /// The longest side of the local bounding boxes, the larger of the two; of two points, their distance.
-    /// </summary>
+    /// <summary>The longest side of the local bounding boxes, the larger of the two; of two points, their
+    /// distance.</summary>
     public double Scale { get; }
 
     public bool IsCurved => BodyA.IsCurved || BodyB.IsCurved;
@@ -85,14 +83,12 @@ internal sealed class FuzzPair
     /// <summary>From A's centre to B's, in the world's axes, to the last place of a double.</summary>
     public Double3 Centers { get; }
 
-    /// <summary>
-    /// What rounding may do to a length computed here from the shapes' sizes and the distance of their centres.
-    /// </summary>
+    /// <summary>What rounding may do to a length computed here from the shapes' sizes and the distance of their
+    /// centres.</summary>
     public double Noise { get; }
 
-    /// <summary>
-    /// The pair as a line that <c>query --record</c> reads; its meshes are all the points that they were made of.
-    /// </summary>
+    /// <summary>The pair as a line that <c>query --record</c> reads; its meshes are all the points that they were made
+    /// of.</summary>
     public string Text =>
         FuzzText.Of(_a, new RigidMotion(PoseA, Motion.A), _b, new RigidMotion(PoseB, Motion.B));
 
@@ -101,10 +97,8 @@ internal sealed class FuzzPair
         ? Accuracy.CurvedRatio * Math.Max(Scale, distance)
         : Accuracy.DistanceRatio * distance + Accuracy.DistanceScale * Scale);
 
-    /// <summary>
-    /// What even shapes without extent cannot be held to: corners far from their local origin are turned in 106 bits,
-    /// and floats end.
-    /// </summary>
+    /// <summary>What even shapes without extent cannot be held to: corners far from their local origin are turned in
+    /// 106 bits, and floats end.</summary>
     private double Unavoidable => Accuracy.LeastFloat + Accuracy.Offset * (BodyA.Center.Length + BodyB.Center.Length);
 
     /// <summary>How far a point of the answer may be off its own shape, before it is rounded to float.</summary>
@@ -112,9 +106,8 @@ internal sealed class FuzzPair
     public double WitnessSlack(PosedShape body) =>
         IsCurved ? CurvedSlack : Accuracy.WitnessScale * body.LongestSide + Accuracy.DistanceScale * Scale;
 
-    /// <summary>
-    /// How far the difference of the points may be off normal times distance, before they are rounded to float.
-    /// </summary>
+    /// <summary>How far the difference of the points may be off normal times distance, before they are rounded to
+    /// float.</summary>
     public double DifferenceSlack => IsCurved ? CurvedSlack : Accuracy.WitnessScale * Scale;
 
     private double CurvedSlack =>
@@ -123,10 +116,8 @@ internal sealed class FuzzPair
     public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair) =>
         FuzzText.TryParse(text, out pair);
 
-    /// <summary>
-    /// How far apart the planes across a unit direction of the world stand that touch A and B; negative where the
-    /// shapes reach past each other.
-    /// </summary>
+    /// <summary>How far apart the planes across a unit direction of the world stand that touch A and B; negative where
+    /// the shapes reach past each other.</summary>
     public double Gap(in Double3 n) => Double3.Dot(n, Centers) - BodyA.Height(n) - BodyB.Height(-n);
 
     /// <summary>From a point in A's frame to one in B's, in the world's axes, to the last place of a double.</summary>

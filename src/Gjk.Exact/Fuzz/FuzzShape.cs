@@ -1,12 +1,9 @@
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// A shape of the library beside the points that its mesh was made of, so that the library's hull itself is under test.
-/// </summary>
+/// <summary>A shape of the library beside the points that its mesh was made of, so that the library's hull itself is
+/// under test.</summary>
 internal readonly struct FuzzShape
 {
     private FuzzShape(in ConvexShape shape, IReadOnlyList<Vector3>? cloud)
@@ -17,10 +14,8 @@ internal readonly struct FuzzShape
 
     public ConvexShape Shape { get; }
 
-    /// <summary>
-    /// A mesh's points as they were given, repeats and inner ones included, without the scale; null for what is no
-    /// mesh.
-    /// </summary>
+    /// <summary>A mesh's points as they were given, repeats and inner ones included, without the scale; null for what
+    /// is no mesh.</summary>
     public IReadOnlyList<Vector3>? Cloud { get; }
 
     public ShapeKind Kind => Shape.Kind;

@@ -1,20 +1,14 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// How far apart a pair's shapes are while B moves past A: a function of the fraction that is found without the
-/// library's solvers.
-/// </summary>
-/// <remarks>
-/// The signed distance of two convex shapes that do not turn is a convex function of the way that one has gone: a
-/// plane between them leaves a gap that changes in proportion to the way, and the distance is the widest of all those
-/// gaps (Rockafellar, "Convex Analysis", 1970, section 5: a maximum of linear functions is convex). So a plane that is
-/// found at one fraction bounds the distance from below at all of them, and where shapes are apart once, and in contact
-/// later, they were apart at all times before.
-/// </remarks>
+/// <summary>How far apart a pair's shapes are while B moves past A: a function of the fraction that is found without
+/// the library's solvers.</summary>
+/// <remarks>The signed distance of two convex shapes that do not turn is a convex function of the way that one has
+/// gone: a plane between them leaves a gap that changes in proportion to the way, and the distance is the widest of all
+/// those gaps (Rockafellar, "Convex Analysis", 1970, section 5: a maximum of linear functions is convex). So a plane
+/// that is found at one fraction bounds the distance from below at all of them, and where shapes are apart once, and in
+/// contact later, they were apart at all times before.</remarks>
 internal sealed class FuzzSweep
 {
     /// <summary>Count: more than the least distance of curved shapes needs.</summary>
@@ -32,9 +26,8 @@ internal sealed class FuzzSweep
 
     private Double3 Motion => _pair.Motion.Relative;
 
-    /// <summary>
-    /// What is certain about the distance at a fraction: of two points from above, of two planes from below.
-    /// </summary>
+    /// <summary>What is certain about the distance at a fraction: of two points from above, of two planes from
+    /// below.</summary>
     /// <param name="fraction">Of the motion; any number.</param>
     /// <param name="shift">Moves B further, in the world.</param>
     public Moment At(double fraction, in Double3 shift = default)
@@ -51,10 +44,8 @@ internal sealed class FuzzSweep
             fraction, Gap(normal, centers) - noise, cores - margins + noise, normal, Double3.Dot(normal, Motion));
     }
 
-    /// <summary>
-    /// The direction at a right angle to the nearest feature's edges: a point of small length that is the difference of
-    /// long ones has lost its own direction.
-    /// </summary>
+    /// <summary>The direction at a right angle to the nearest feature's edges: a point of small length that is the
+    /// difference of long ones has lost its own direction.</summary>
     private static Double3 Across(List<ExactGuess.Corner> feature, in Double3 nearest)
     {
         if (feature.Count < 2) return nearest;
@@ -76,20 +67,16 @@ internal sealed class FuzzSweep
             _pair.BodyA.LongestSide + _pair.BodyB.LongestSide + _pair.Centers.Length
             + Math.Abs(fraction) * Motion.Length);
 
-    /// <summary>
-    /// The least distance between two fractions, by cutting planes (Kelley, "The cutting-plane method for solving
-    /// convex programs", 1960): two planes, one that closes and one that opens, bound it from below, and where their
-    /// gaps are equal the next one is found. It ends where points prove that it is no larger than the planes say, and
-    /// where the shapes touch.
-    /// </summary>
+    /// <summary>The least distance between two fractions, by cutting planes (Kelley, "The cutting-plane method for
+    /// solving convex programs", 1960): two planes, one that closes and one that opens, bound it from below, and where
+    /// their gaps are equal the next one is found. It ends where points prove that it is no larger than the planes say,
+    /// and where the shapes touch.</summary>
     /// <param name="from">The first fraction.</param>
     /// <param name="to">The last one, no less.</param>
     /// <param name="shift">Moves B further, in the world.</param>
-    /// <returns>
-    /// The fraction at which it is least, the points' distance there as the upper bound, the planes' as the lower one,
-    /// which is negative where the shapes touch. The normal is that of a plane that proves it for all fractions
-    /// between.
-    /// </returns>
+    /// <returns>The fraction at which it is least, the points' distance there as the upper bound, the planes' as the
+    /// lower one, which is negative where the shapes touch. The normal is that of a plane that proves it for all
+    /// fractions between.</returns>
     public Moment Least(double from, double to, in Double3 shift = default)
     {
         Moment left = At(from, shift), right = At(to, shift), least = left.AtMost <= right.AtMost ? left : right;
@@ -113,10 +100,8 @@ internal sealed class FuzzSweep
         return least.HasPlane ? least : Touching(left, least, right, shift);
     }
 
-    /// <summary>
-    /// How deep the shapes reach into each other at most, on the way from one side of a touch to the other, by the
-    /// last plane that closes before it and the first one that opens behind it.
-    /// </summary>
+    /// <summary>How deep the shapes reach into each other at most, on the way from one side of a touch to the other, by
+    /// the last plane that closes before it and the first one that opens behind it.</summary>
     private Moment Touching(Moment left, in Moment touch, Moment right, in Double3 shift)
     {
         left = Towards(left, touch.Fraction, shift);

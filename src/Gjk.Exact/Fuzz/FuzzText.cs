@@ -1,17 +1,12 @@
-using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Shrinking;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// A pair as a record's line and back. The library writes a mesh as its hull's corners; this writes the points that it
-/// was made of, or a hull that lost one could not be shown.
-/// </summary>
+/// <summary>A pair as a record's line and back. The library writes a mesh as its hull's corners; this writes the points
+/// that it was made of, or a hull that lost one could not be shown.</summary>
 internal static class FuzzText
 {
     private const string Tag = "gjk1";
@@ -31,10 +26,8 @@ internal static class FuzzText
         return (a, ShapeWords.Read(words));
     }
 
-    /// <summary>
-    /// False for what is no record, for a scale that is not of floats, for rounded or placed shapes, and for shapes
-    /// that turn.
-    /// </summary>
+    /// <summary>False for what is no record, for a scale that is not of floats, for rounded or placed shapes, and for
+    /// shapes that turn.</summary>
     public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
     {
         pair = null;

@@ -1,13 +1,10 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// What is certain about a pair's distance. Without a curved core it is known, margins included: solved in integers of
-/// any size from the points that the shapes were made of. With one, a point of each shape, found by a walk of its own,
-/// bounds it from above.
-/// </summary>
+/// <summary>What is certain about a pair's distance. Without a curved core it is known, margins included: solved in
+/// integers of any size from the points that the shapes were made of. With one, a point of each shape, found by a walk
+/// of its own, bounds it from above.</summary>
 internal sealed class FuzzTruth
 {
     private readonly FuzzPair _pair;
@@ -25,16 +22,12 @@ internal sealed class FuzzTruth
     /// <summary>The exact flag and the distance rounded to the nearest double; only where it is known.</summary>
     public ExactAnswer Answer { get; }
 
-    /// <summary>
-    /// The true distance is no larger: the distance itself where it is known, else that of two points, with room for
-    /// the roundings of a double.
-    /// </summary>
+    /// <summary>The true distance is no larger: the distance itself where it is known, else that of two points, with
+    /// room for the roundings of a double.</summary>
     public double AtMost { get; }
 
-    /// <summary>
-    /// The true signed distance of a pair that overlaps by its margins alone: that of the cores, less the margins. Null
-    /// where the cores overlap or are curved.
-    /// </summary>
+    /// <summary>The true signed distance of a pair that overlaps by its margins alone: that of the cores, less the
+    /// margins. Null where the cores overlap or are curved.</summary>
     public double? SignedByMargins()
     {
         double margins = _pair.A.Margin + _pair.B.Margin;

@@ -2,10 +2,8 @@ using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// A shape as a user might write it: the same supports, a bounding radius that is larger than need be, and no kind that
-/// the library could recognise.
-/// </summary>
+/// <summary>A shape as a user might write it: the same supports, a bounding radius that is larger than need be, and no
+/// kind that the library could recognise.</summary>
 internal readonly struct Generous : ISupportMap
 {
     private readonly ConvexShape _inner;

@@ -1,20 +1,14 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// A rotation by a quaternion of small integers: quarter turns, thirds of a turn, the angles of the triangles 3-4-5,
-/// 5-12-13 and 8-15-17, and products of them. Its matrix is integers over the squared length, so that multiples of that
-/// length are turned without rounding; a float quaternion holds it exactly, since only ratios matter.
-/// </summary>
+/// <summary>A rotation by a quaternion of small integers: quarter turns, thirds of a turn, the angles of the triangles
+/// 3-4-5, 5-12-13 and 8-15-17, and products of them. Its matrix is integers over the squared length, so that multiples
+/// of that length are turned without rounding; a float quaternion holds it exactly, since only ratios matter.</summary>
 internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
 {
-    /// <summary>
-    /// Bits of the factor that brings the quaternion to about unit length: with the integers' own bits it fits into a
-    /// float.
-    /// </summary>
+    /// <summary>Bits of the factor that brings the quaternion to about unit length: with the integers' own bits it fits
+    /// into a float.</summary>
     private const int FactorBits = 12;
 
     /// <summary>The squared length, the matrix's denominator.</summary>

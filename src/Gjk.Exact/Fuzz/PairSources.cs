@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Threading;
 using Gjk.Exact.Fuzz.Concave;
 using Gjk.Exact.Fuzz.Families;

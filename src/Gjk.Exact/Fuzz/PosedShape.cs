@@ -1,14 +1,10 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// A shape where it is, seen without the library's hulls, supports and solvers: a rotation matrix of its own, the
-/// points that the shape was made of, and heights found by looking at all of them. Nothing here depends on the shape's
-/// bounding radius, which may be generous.
-/// </summary>
+/// <summary>A shape where it is, seen without the library's hulls, supports and solvers: a rotation matrix of its own,
+/// the points that the shape was made of, and heights found by looking at all of them. Nothing here depends on the
+/// shape's bounding radius, which may be generous.</summary>
 internal sealed class PosedShape
 {
     private readonly ConvexShape _shape;
@@ -68,10 +64,8 @@ internal sealed class PosedShape
         return most;
     }
 
-    /// <summary>
-    /// The most that a local point exceeds the shape by along any of the directions, or along that from the centre; all
-    /// of them in the local frame.
-    /// </summary>
+    /// <summary>The most that a local point exceeds the shape by along any of the directions, or along that from the
+    /// centre; all of them in the local frame.</summary>
     public double Outside(in Double3 local, ReadOnlySpan<Double3> directions)
     {
         Double3 outward = local - Center;
@@ -80,9 +74,8 @@ internal sealed class PosedShape
         return outward.IsFinite ? most : double.PositiveInfinity;
     }
 
-    /// <summary>
-    /// The directions across up to <paramref name="most"/> triangles of a mesh's surface, in the local frame.
-    /// </summary>
+    /// <summary>The directions across up to <paramref name="most"/> triangles of a mesh's surface, in the local
+    /// frame.</summary>
     public IEnumerable<Double3> FaceNormals(int most)
     {
         if (_shape.Hull is not { } hull) yield break;
@@ -104,10 +97,8 @@ internal sealed class PosedShape
             ? 3 * hull.TriangleCount / 2
             : Vertices.Length * (Vertices.Length - 1) / 2;
 
-    /// <summary>
-    /// Along the sides of a mesh's triangles, and without triangles along the differences of all vertices, in the local
-    /// frame: every edge of the core is along one of them.
-    /// </summary>
+    /// <summary>Along the sides of a mesh's triangles, and without triangles along the differences of all vertices, in
+    /// the local frame: every edge of the core is along one of them.</summary>
     public List<Double3> EdgeDirections()
     {
         var edges = new List<Double3>(EdgeCount);

@@ -1,21 +1,15 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// Directions in which a look-up of a shape's furthest point might go wrong, in the shape's frame and of about unit
-/// length.
-/// </summary>
+/// <summary>Directions in which a look-up of a shape's furthest point might go wrong, in the shape's frame and of about
+/// unit length.</summary>
 internal static class SupportDirections
 {
     private const int MostFaces = 12, Edges = 12, Scattered = 12;
 
-    /// <summary>
-    /// What a component may be beside one of about 1: nothing, far below the rounding of a dot product, or the least
-    /// number there is.
-    /// </summary>
+    /// <summary>What a component may be beside one of about 1: nothing, far below the rounding of a dot product, or the
+    /// least number there is.</summary>
     private static readonly double[] Tiny = [0, 1e-17, -1e-17, 1e-12, -1e-9, 1e-300, -double.Epsilon];
 
     /// <param name="body">The shape.</param>
@@ -57,10 +51,8 @@ internal static class SupportDirections
         double Component(int axis, double value) => axis == spared || axis == other ? value : random.Of<double>(Tiny);
     }
 
-    /// <summary>
-    /// On the border of a cell of a cube's face that is cut into 2^k squares a side, for a cube stretched to the
-    /// shape's box or not.
-    /// </summary>
+    /// <summary>On the border of a cell of a cube's face that is cut into 2^k squares a side, for a cube stretched to
+    /// the shape's box or not.</summary>
     private static Double3 CellBorder(FuzzRandom random, in Double3 sides)
     {
         int parts = 1 << random.Below(7);

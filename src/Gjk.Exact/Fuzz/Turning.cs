@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 
-/// <summary>
-/// How a pair turns while it moves. The rates follow from the pair's own numbers, so that a pair that is read from a
-/// record turns as it did when it was found.
-/// </summary>
+/// <summary>How a pair turns while it moves. The rates follow from the pair's own numbers, so that a pair that is read
+/// from a record turns as it did when it was found.</summary>
 internal readonly struct Turning
 {
     private const ulong Golden = 0x9E3779B97F4A7C15;

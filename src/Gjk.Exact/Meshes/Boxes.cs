@@ -1,17 +1,11 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Exact.Meshes;
 
-/// <summary>
-/// Boxes as modellers store them: bevelled, with every corner once for each of its three faces, welded or nearly.
-/// </summary>
+/// <summary>Boxes as modellers store them: bevelled, with every corner once for each of its three faces, welded or
+/// nearly.</summary>
 public static class Boxes
 {
-    /// <summary>
-    /// Every corner becomes three, each moved in along the other two axes by the width of the bevel, from a tenth down
-    /// to the last place of a float.
-    /// </summary>
+    /// <summary>Every corner becomes three, each moved in along the other two axes by the width of the bevel, from a
+    /// tenth down to the last place of a float.</summary>
     public static Vector3[] Bevelled(FuzzRandom random)
     {
         float bevel = (float)random.Magnitude(1e-7, 1e-1);
@@ -36,9 +30,8 @@ public static class Boxes
         return [.. corners, .. corners, .. corners];
     }
 
-    /// <summary>
-    /// The same where the three copies of a corner were computed in three ways, and differ by a last place.
-    /// </summary>
+    /// <summary>The same where the three copies of a corner were computed in three ways, and differ by a last
+    /// place.</summary>
     public static Vector3[] NearlyWelded(FuzzRandom random) => Copies.OneFloatApart(random, ByFaces(random), 1);
 
     private static Vector3 Half(FuzzRandom random) =>

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Meshes;
@@ -32,9 +30,8 @@ public static class Clouds
         return cloud;
     }
 
-    /// <summary>
-    /// A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes meet.
-    /// </summary>
+    /// <summary>A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes
+    /// meet.</summary>
     public static Vector3 LatticePoint(FuzzRandom random, int reach) =>
         new Vector3(
             random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach,

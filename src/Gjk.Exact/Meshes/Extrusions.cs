@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Exact.Meshes;
 
 /// <summary>Outlines drawn up along y, and the torus, whose outline goes round.</summary>

@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Meshes;
 
-/// <summary>
-/// A subdivided icosahedron whose points are brought to the sphere in float, step by step, or in double at the end.
-/// Points of shared edges are there twice.
-/// </summary>
+/// <summary>A subdivided icosahedron whose points are brought to the sphere in float, step by step, or in double at the
+/// end. Points of shared edges are there twice.</summary>
 public static class Icosphere
 {
     private static readonly int[] Faces =

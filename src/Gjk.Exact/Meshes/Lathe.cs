@@ -1,14 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Exact.Meshes;
 
-/// <summary>
-/// Surfaces of revolution as programs make them: rings of a profile curve, the first point of each ring repeated at its
-/// end (the seam of the texture).
-/// </summary>
+/// <summary>Surfaces of revolution as programs make them: rings of a profile curve, the first point of each ring
+/// repeated at its end (the seam of the texture).</summary>
 public static class Lathe
 {
     /// <summary>One ring for each radius and height, with or without the seam.</summary>
@@ -44,10 +37,8 @@ public static class Lathe
         return random.OneIn(2) ? half : [.. half, Vector3.Zero];
     }
 
-    /// <summary>
-    /// Two half spheres apart, in the way of a sphere whose rings were moved up and down; the middle ring is there
-    /// twice.
-    /// </summary>
+    /// <summary>Two half spheres apart, in the way of a sphere whose rings were moved up and down; the middle ring is
+    /// there twice.</summary>
     public static Vector3[] Capsule(FuzzRandom random)
     {
         var t = Trigonometry.Any(random);
@@ -84,10 +75,8 @@ public static class Lathe
             Count(random), !random.OneIn(3));
     }
 
-    /// <summary>
-    /// A cone of rings: all points of the slope are on the hull or within rounding of it, and the apex is a ring of no
-    /// width.
-    /// </summary>
+    /// <summary>A cone of rings: all points of the slope are on the hull or within rounding of it, and the apex is a
+    /// ring of no width.</summary>
     public static Vector3[] Cone(FuzzRandom random)
     {
         var t = Trigonometry.Any(random);
@@ -104,9 +93,8 @@ public static class Lathe
     private static IEnumerable<Vector3> Ring(Trigonometry t, double radius, double height, int count, bool seam) =>
         Enumerable.Range(0, seam ? count + 1 : count).Select(i => t.OnRing(radius, height, i, count));
 
-    /// <summary>
-    /// Radius and height of rings i = first..last of a sphere that is cut into so many from pole to pole.
-    /// </summary>
+    /// <summary>Radius and height of rings i = first..last of a sphere that is cut into so many from pole to
+    /// pole.</summary>
     private static IEnumerable<(double Radius, double Height)> Arc(
         Trigonometry t, int rings, int first, int last, double radius) =>
         Enumerable.Range(first, last - first + 1).Select(j => t.OfHalfTurns(j, rings)).Select(

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Exact.Meshes;
 
 /// <summary>Meshes of about unit size as people and programs make them.</summary>

@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Exact.Meshes;
 
 /// <summary>Surfaces as people and programs make them, of about unit size.</summary>
 public static class Surfaces
 {
-    /// <summary>
-    /// A grid of cells, two triangles each, bent by a function of its lines; a closed grid's last line is the first.
-    /// </summary>
+    /// <summary>A grid of cells, two triangles each, bent by a function of its lines; a closed grid's last line is the
+    /// first.</summary>
     public static TriangleSoup Sheet(
         int around, int across, Func<int, int, Vector3> at, bool closesAround = false, bool closesAcross = false)
     {

@@ -1,11 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Exact.Meshes;
 
-/// <summary>
-/// Points on circles, computed in float or in double: each leaves its own residue where the result should be 0.
-/// </summary>
+/// <summary>Points on circles, computed in float or in double: each leaves its own residue where the result should be
+/// 0.</summary>
 /// <param name="InFloat">Whether sine, cosine and products are floats; else they are doubles, rounded at the
 /// end.</param>
 public readonly record struct Trigonometry(bool InFloat)
@@ -29,9 +25,8 @@ public readonly record struct Trigonometry(bool InFloat)
         return new Vector3((float)(radius * cos), (float)height, (float)(radius * sin));
     }
 
-    /// <summary>
-    /// Sine and cosine of pi times a fraction, as this arithmetic has them: neither is 0 at 1 or at 1/2.
-    /// </summary>
+    /// <summary>Sine and cosine of pi times a fraction, as this arithmetic has them: neither is 0 at 1 or at
+    /// 1/2.</summary>
     public (double Sin, double Cos) OfHalfTurns(int i, int count)
     {
         if (!InFloat) return Math.SinCos(Math.PI * i / count);

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Exact.Oracle;
 
 /// <summary>Between doubles and integers times powers of two.</summary>

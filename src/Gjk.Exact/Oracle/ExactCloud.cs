@@ -1,20 +1,15 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Oracle;
 
-/// <summary>
-/// One posed cloud whose points become integers only when they are asked for. The furthest point is found in two steps:
-/// doubles rule out whatever is lower by more than their rounding, integers decide between the rest.
-/// </summary>
+/// <summary>One posed cloud whose points become integers only when they are asked for. The furthest point is found in
+/// two steps: doubles rule out whatever is lower by more than their rounding, integers decide between the
+/// rest.</summary>
 public sealed class ExactCloud
 {
-    /// <summary>
-    /// Ratio to |direction| times the cloud's reach: above what rounding can do to the difference of two heights. The
-    /// direction costs 2 roundings (2^-53 each), the matrix and turning the direction 20, the points' differences 2,
-    /// two dot products 8. Pinned by OracleTests.TheFilterChangesNothing.
-    /// </summary>
+    /// <summary>Ratio to |direction| times the cloud's reach: above what rounding can do to the difference of two
+    /// heights. The direction costs 2 roundings (2^-53 each), the matrix and turning the direction 20, the points'
+    /// differences 2, two dot products 8. Pinned by OracleTests.TheFilterChangesNothing.</summary>
     private const double HeightError = 64.0 / (1L << 53);
 
     private readonly Double3[] _points, _fromFirst;

@@ -1,13 +1,8 @@
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Exact.Oracle;
 
-/// <summary>
-/// The face of a simplex nearest to the origin, found by trying all of them: the origin's projection must lie inside
-/// the face (all weights positive) and no other point of the simplex may be nearer along the direction to it. The least
-/// face that holds the nearest point always passes.
-/// </summary>
+/// <summary>The face of a simplex nearest to the origin, found by trying all of them: the origin's projection must lie
+/// inside the face (all weights positive) and no other point of the simplex may be nearer along the direction to it.
+/// The least face that holds the nearest point always passes.</summary>
 public sealed record ExactFeature(
     Int3[] Points, Int3 Direction, BigInteger SquaredNumerator, BigInteger SquaredDenominator)
 {

@@ -1,18 +1,13 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Exact.Oracle;
 
-/// <summary>
-/// Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be right, since
-/// the exact walk goes on from any simplex; it only saves steps on long integers.
-/// </summary>
+/// <summary>Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be
+/// right, since the exact walk goes on from any simplex; it only saves steps on long integers.</summary>
 public static class ExactGuess
 {
-    /// <summary>
-    /// More than hulls need; curved shapes have crept to the rounding of a double by then, or nearly.
-    /// </summary>
+    /// <summary>More than hulls need; curved shapes have crept to the rounding of a double by then, or
+    /// nearly.</summary>
     private const int MostSteps = 128;
 
     /// <summary>Ratio to |v|²: what is left between the planes is rounding.</summary>
@@ -82,10 +77,8 @@ public static class ExactGuess
         return best;
     }
 
-    /// <summary>
-    /// The origin's projection, if it lies inside the face: a mean of the corners with weights that are positive, so
-    /// that rounding moves it within the face but never out of it.
-    /// </summary>
+    /// <summary>The origin's projection, if it lies inside the face: a mean of the corners with weights that are
+    /// positive, so that rounding moves it within the face but never out of it.</summary>
     private static bool TryProject(List<Corner> face, out Double3 v)
     {
         Double3 a = face[0].W;

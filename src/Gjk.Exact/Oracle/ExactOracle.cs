@@ -1,4 +1,3 @@
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Oracle;
@@ -6,13 +5,11 @@ namespace Gjk.Exact.Oracle;
 /// <summary>The exact flag, and the exact distance rounded to double (0 when overlapping).</summary>
 public readonly record struct ExactAnswer(bool Overlap, double Distance);
 
-/// <summary>
-/// The true answer for two posed point clouds with margins, in integers: slow, and independent of the library. A float
-/// is an integer times a power of two, and a rotation by an unnormalised quaternion is a matrix of integers over |q|²,
-/// so every Minkowski vertex is an integer vector over one common denominator. GJK on those, with exact signs, ends
-/// after finitely many steps, because the distance falls strictly. Doubles only propose: where to start, and which
-/// points cannot be furthest.
-/// </summary>
+/// <summary>The true answer for two posed point clouds with margins, in integers: slow, and independent of the library.
+/// A float is an integer times a power of two, and a rotation by an unnormalised quaternion is a matrix of integers
+/// over |q|², so every Minkowski vertex is an integer vector over one common denominator. GJK on those, with exact
+/// signs, ends after finitely many steps, because the distance falls strictly. Doubles only propose: where to start,
+/// and which points cannot be furthest.</summary>
 public static class ExactOracle
 {
     /// <summary>Fraction bits kept of a square root: far more than a double can show.</summary>

@@ -1,12 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Oracle;
 
-/// <summary>
-/// Two posed clouds as integer vectors: the Minkowski vertex of i and j is (A[i] - B[j]) · 2^Exponent / Denominator.
-/// </summary>
+/// <summary>Two posed clouds as integer vectors: the Minkowski vertex of i and j is (A[i] - B[j]) · 2^Exponent /
+/// Denominator.</summary>
 public sealed class ExactProblem
 {
     private readonly ExactCloud _a, _b;
@@ -68,10 +65,8 @@ public sealed class ExactProblem
         return new Double3(ToDouble(w.X), ToDouble(w.Y), ToDouble(w.Z));
     }
 
-    /// <summary>
-    /// The indices of the points that are furthest in a direction, as far as doubles can tell, and their vertex seen
-    /// from the first points' one.
-    /// </summary>
+    /// <summary>The indices of the points that are furthest in a direction, as far as doubles can tell, and their
+    /// vertex seen from the first points' one.</summary>
     public (int I, int J, Double3 FromFirst) RoughSupport(in Double3 direction)
     {
         int i = _a.Furthest(direction), j = _b.Furthest(-direction);

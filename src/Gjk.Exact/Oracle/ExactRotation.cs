@@ -1,12 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Oracle;
 
-/// <summary>
-/// The rotation of a quaternion that need not be of unit length: an integer matrix over an integer denominator, |q|².
-/// </summary>
+/// <summary>The rotation of a quaternion that need not be of unit length: an integer matrix over an integer
+/// denominator, |q|².</summary>
 public sealed class ExactRotation
 {
     private readonly Int3 _row0, _row1, _row2;

@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Exact.Randomness;
 
-/// <summary>
-/// Rotations as they occur: none, even ones, by quarter and half turns, by next to nothing, and quaternions whose
-/// length has drifted from 1.
-/// </summary>
+/// <summary>Rotations as they occur: none, even ones, by quarter and half turns, by next to nothing, and quaternions
+/// whose length has drifted from 1.</summary>
 public static class Rotations
 {
     /// <summary>A pose accepts a length of 1 within 1e-3; the last tenth is left for the rounding to float.</summary>

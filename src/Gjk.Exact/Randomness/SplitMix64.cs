@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Exact.Randomness;
 
-/// <summary>
-/// SplitMix64 (Steele, Lea and Flood 2014): a seed gives the same numbers on every machine and every runtime, which
-/// System.Random does not promise, so that a seed in a message is a reproduction.
-/// </summary>
+/// <summary>SplitMix64 (Steele, Lea and Flood 2014): a seed gives the same numbers on every machine and every runtime,
+/// which System.Random does not promise, so that a seed in a message is a reproduction.</summary>
 public class SplitMix64
 {
     private ulong _state;

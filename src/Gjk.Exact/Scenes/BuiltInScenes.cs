@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Scenes;
 
-/// <summary>
-/// One of the report's two scenes, or a scene of the same kind. The objects are copies of one mesh of unit size, each
-/// with its own pose.
-/// </summary>
+/// <summary>One of the report's two scenes, or a scene of the same kind. The objects are copies of one mesh of unit
+/// size, each with its own pose.</summary>
 public sealed class BuiltInScene
 {
     internal BuiltInScene(string name, string objectName, Vector3[] vertices, RigidPose[] poses, in Aabb room)
@@ -38,12 +33,10 @@ public sealed class BuiltInScene
     public IReadOnlyList<string> ObjectNames { get; }
 }
 
-/// <summary>
-/// Generates the report's experiment: 20 objects of unit size in pseudo-random orientations, of which exactly five
-/// pairs overlap. It also generates the same kind of scene with any number of objects, placed anywhere in a cubic room
-/// where about half of them touch another, as in the report's. It only uses additions, multiplications, divisions and
-/// square roots, whose rounding IEEE 754 defines. So the bits are the same on every machine.
-/// </summary>
+/// <summary>Generates the report's experiment: 20 objects of unit size in pseudo-random orientations, of which exactly
+/// five pairs overlap. It also generates the same kind of scene with any number of objects, placed anywhere in a cubic
+/// room where about half of them touch another, as in the report's. It only uses additions, multiplications, divisions
+/// and square roots, whose rounding IEEE 754 defines. So the bits are the same on every machine.</summary>
 public static class BuiltInScenes
 {
     /// <summary>Objects in a scene of the report. Each grid has half of them.</summary>
@@ -54,37 +47,28 @@ public static class BuiltInScenes
 
     private const int Columns = 5;
 
-    /// <summary>
-    /// Units. The distance between neighbours that must not touch. It is more than twice the 0.866 from a unit cube's
-    /// centre to its corner.
-    /// </summary>
+    /// <summary>Units. The distance between neighbours that must not touch. It is more than twice the 0.866 from a unit
+    /// cube's centre to its corner.</summary>
     private const float Apart = 2f;
 
-    /// <summary>
-    /// Units. The distance between the two objects of a column of the upper grid. It is less than twice 0.49, the
-    /// radius of a ball that fits into the coarsest of the shapes. So the two overlap in any orientation.
-    /// </summary>
+    /// <summary>Units. The distance between the two objects of a column of the upper grid. It is less than twice 0.49,
+    /// the radius of a ball that fits into the coarsest of the shapes. So the two overlap in any orientation.</summary>
     private const float Close = 0.75f;
 
-    /// <summary>
-    /// Units. The height of the upper grid. It keeps clear of the lower grid for the same reason as
-    /// <see cref="Apart"/>.
-    /// </summary>
+    /// <summary>Units. The height of the upper grid. It keeps clear of the lower grid for the same reason as
+    /// <see cref="Apart"/>.</summary>
     private const float UpperHeight = 2.25f;
 
     /// <summary>Units. The radius of the spheres, and half the side of the cubes.</summary>
     private const float Half = 0.5f;
 
-    /// <summary>
-    /// Cubic units. The volume in which one unit cube's centre lies when it touches another cube and both are turned at
-    /// random. This is the mean volume of their Minkowski sum, V + V' + (S M' + S' M) / 4 pi, with the volume 1, the
-    /// surface 6 and the mean curvature 3 pi (Schneider and Weil 2008, section 6.1).
-    /// </summary>
+    /// <summary>Cubic units. The volume in which one unit cube's centre lies when it touches another cube and both are
+    /// turned at random. This is the mean volume of their Minkowski sum, V + V' + (S M' + S' M) / 4 pi, with the volume
+    /// 1, the surface 6 and the mean curvature 3 pi (Schneider and Weil 2008, section 6.1).</summary>
     private const double CubeContactVolume = 11;
 
-    /// <summary>
-    /// Cubic units. The volume of a ball of twice the radius. The polyhedron's volume is one percent less.
-    /// </summary>
+    /// <summary>Cubic units. The volume of a ball of twice the radius. The polyhedron's volume is one percent
+    /// less.</summary>
     private const double SphereContactVolume = 4.0 / 3 * Math.PI;
 
     /// <summary>A box around the centres of both grids, with a margin of the distance between neighbours.</summary>
@@ -94,9 +78,8 @@ public static class BuiltInScenes
     private const ulong CubeSeed = 0x43_75_62_65_73;
     private const ulong SphereSeed = 0x53_70_68_65_72_65_73;
 
-    /// <summary>
-    /// Cubes of 24 vertices. Each corner appears once for each of its three faces, as in an engine's mesh.
-    /// </summary>
+    /// <summary>Cubes of 24 vertices. Each corner appears once for each of its three faces, as in an engine's
+    /// mesh.</summary>
     public static BuiltInScene Cubes() => new("cubes", "Cube", CubeMesh(), GridPoses(CubeSeed), GridRoom);
 
     /// <summary>The same cubes in any number.</summary>
@@ -167,10 +150,8 @@ public static class BuiltInScenes
         return poses;
     }
 
-    /// <summary>
-    /// A cubic room in which half of the objects have no other object's centre in their contact volume. The objects are
-    /// treated as a Poisson process, which needs ln 2 centres per contact volume.
-    /// </summary>
+    /// <summary>A cubic room in which half of the objects have no other object's centre in their contact volume. The
+    /// objects are treated as a Poisson process, which needs ln 2 centres per contact volume.</summary>
     private static Aabb RoomFor(int objects, double contactVolume)
     {
         const double Ln2 = 0.6931471805599453;

@@ -1,15 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Scenes;
 
-/// <summary>
-/// Objects in motion. Each object moves straight on until a wall reflects it, and turns at a
-/// constant rate about an axis of its own. No trigonometry is used, so the bits are the same in every run and on every
-/// machine.
-/// </summary>
+/// <summary>Objects in motion. Each object moves straight on until a wall reflects it, and turns at a constant rate
+/// about an axis of its own. No trigonometry is used, so the bits are the same in every run and on every
+/// machine.</summary>
 public sealed class MovingObjects
 {
     private const ulong Seed = 0x4D_6F_74_69_6F_6E;
@@ -81,9 +76,8 @@ public sealed class MovingObjects
         _firstSteps.CopyTo(_steps, 0);
     }
 
-    /// <summary>
-    /// Mirrors a coordinate at the wall that it passed. A step longer than the room ends at the other wall.
-    /// </summary>
+    /// <summary>Mirrors a coordinate at the wall that it passed. A step longer than the room ends at the other
+    /// wall.</summary>
     private static void Reflect(ref float x, ref float step, float min, float max)
     {
         if (x >= min && x <= max) return;

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Scenes;
@@ -7,10 +5,8 @@ namespace Gjk.Exact.Scenes;
 /// <summary>Changes poses. The computation is in double.</summary>
 public static class PoseMotion
 {
-    /// <summary>
-    /// Moves a pose, and turns it about the object's own position. If the position would leave the range of float, the
-    /// pose is only turned.
-    /// </summary>
+    /// <summary>Moves a pose, and turns it about the object's own position. If the position would leave the range of
+    /// float, the pose is only turned.</summary>
     /// <param name="pose">Where the object was.</param>
     /// <param name="by">The displacement in world units.</param>
     /// <param name="turn">The imaginary part of the quaternion that turns the pose. The quaternion need not have unit

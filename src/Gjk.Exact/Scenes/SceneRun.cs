@@ -1,13 +1,9 @@
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Scenes;
 
-/// <summary>
-/// Moving scenes with warm starts, asked every question in every frame: the report's cubes and spheres, and a world of
-/// all kinds of shapes.
-/// </summary>
+/// <summary>Moving scenes with warm starts, asked every question in every frame: the report's cubes and spheres, and a
+/// world of all kinds of shapes.</summary>
 internal static class SceneRun
 {
     private const int Frames = 4, WorldObjects = 60;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Scenes;
@@ -15,28 +12,22 @@ public enum SphereMesh
     Unity,
 }
 
-/// <summary>
-/// Generates spheres. Only uses additions, multiplications, divisions and square roots, whose rounding IEEE 754
-/// defines. So the bits are the same on every machine.
-/// </summary>
+/// <summary>Generates spheres. Only uses additions, multiplications, divisions and square roots, whose rounding IEEE
+/// 754 defines. So the bits are the same on every machine.</summary>
 internal static class SphereMeshes
 {
     /// <summary>Vertices in the list of either mesh.</summary>
     private const int Count = 515;
 
-    /// <summary>
-    /// Squares along the edge of each of the cube's faces. Eight give the 386 corners and 768 triangles of Unity's
-    /// sphere.
-    /// </summary>
+    /// <summary>Squares along the edge of each of the cube's faces. Eight give the 386 corners and 768 triangles of
+    /// Unity's sphere.</summary>
     private const int Squares = 8;
 
     public static Vector3[] Vertices(SphereMesh mesh, double radius) =>
         mesh == SphereMesh.Unity ? Cube(radius) : Fibonacci(radius);
 
-    /// <summary>
-    /// A Fibonacci sphere. Each vertex lies one golden angle further about the axis and one equal slice lower (Swinbank
-    /// and Purser 2006).
-    /// </summary>
+    /// <summary>A Fibonacci sphere. Each vertex lies one golden angle further about the axis and one equal slice lower
+    /// (Swinbank and Purser 2006).</summary>
     private static Vector3[] Fibonacci(double radius)
     {
         // Cosine and sine of the golden angle, pi (3 - sqrt 5). They are constants, because the sine of two machines
@@ -54,11 +45,9 @@ internal static class SphereMeshes
         return vertices;
     }
 
-    /// <summary>
-    /// The corners of a cube's faces, cut into squares and brought to the sphere. Unity repeats 129 of its corners,
-    /// where its texture has a seam. Which ones they are changes no answer, because a hull drops repeats. Here the
-    /// first ones are repeated.
-    /// </summary>
+    /// <summary>The corners of a cube's faces, cut into squares and brought to the sphere. Unity repeats 129 of its
+    /// corners, where its texture has a seam. Which ones they are changes no answer, because a hull drops repeats. Here
+    /// the first ones are repeated.</summary>
     private static Vector3[] Cube(double radius)
     {
         var vertices = new List<Vector3>(Count);

@@ -1,19 +1,13 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
 using Gjk.Core;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Says when a part is not what its hull is. A scene's mesh is the hull of its vertices, so a concave part gets larger.
-/// The test compares the volume inside its triangles with the hull's.
-/// </summary>
+/// <summary>Says when a part is not what its hull is. A scene's mesh is the hull of its vertices, so a concave part
+/// gets larger. The test compares the volume inside its triangles with the hull's.</summary>
 internal static class Convexity
 {
-    /// <summary>
-    /// Share of the hull's volume. A convex part with rounded vertices lacks less than this; ConvexityTests pins it.
-    /// </summary>
+    /// <summary>Share of the hull's volume. A convex part with rounded vertices lacks less than this; ConvexityTests
+    /// pins it.</summary>
     private const double Tolerance = 1e-4;
 
     /// <summary>A line for the user, or null if the part is convex.</summary>

@@ -1,13 +1,10 @@
-using System;
 using System.Buffers.Binary;
 using System.Text.Json;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Reads the numbers of an accessor: plain, interleaved, sparse or made of integers (glTF 2.0, sections 3.6.2 and
-/// 3.11).
-/// </summary>
+/// <summary>Reads the numbers of an accessor: plain, interleaved, sparse or made of integers (glTF 2.0, sections 3.6.2
+/// and 3.11).</summary>
 internal sealed class GlbAccessor
 {
     /// <summary>The component types of glTF, which took them from OpenGL.</summary>

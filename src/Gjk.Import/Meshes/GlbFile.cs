@@ -1,16 +1,11 @@
-using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json;
-using System.Threading;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// A GLB file cut into its JSON and its bytes, or a .gltf file with the files beside it (Khronos Group, "glTF 2.0
-/// Specification", 2021, section 4.4). Numbers and indices are checked, since nothing in a file can be trusted.
-/// </summary>
+/// <summary>A GLB file cut into its JSON and its bytes, or a .gltf file with the files beside it (Khronos Group, "glTF
+/// 2.0 Specification", 2021, section 4.4). Numbers and indices are checked, since nothing in a file can be
+/// trusted.</summary>
 internal sealed class GlbFile : IDisposable
 {
     /// <summary>"glTF", "JSON" and "BIN" with a zero, as little-endian numbers.</summary>

@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
 using System.Text.Json;
-using System.Threading;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Imports a GLB or .gltf file: every mesh of its scene's visible nodes, in its place. Materials, animations and the
-/// like are no shapes.
-/// </summary>
+/// <summary>Imports a GLB or .gltf file: every mesh of its scene's visible nodes, in its place. Materials, animations
+/// and the like are no shapes.</summary>
 internal sealed class GlbImport
 {
     /// <summary>Extensions that do not change where the vertices are, or whose change is read.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using System.Text.Json;
 
 namespace Gjk.Import;
@@ -11,14 +8,12 @@ namespace Gjk.Import;
 /// <param name="Fault">Why it cannot be read, or null.</param>
 internal sealed record GlbPart(ImportedMesh? Mesh, string Where, string? Fault);
 
-/// <summary>
-/// The meshes of a GLB file. Each primitive of a mesh is a part. They are read when they are first used.
-/// </summary>
+/// <summary>The meshes of a GLB file. Each primitive of a mesh is a part. They are read when they are first
+/// used.</summary>
 internal sealed class GlbMeshes
 {
-    /// <summary>
-    /// What a primitive's indices form (glTF 2.0, section 3.7.2.1). Lower numbers are points and lines.
-    /// </summary>
+    /// <summary>What a primitive's indices form (glTF 2.0, section 3.7.2.1). Lower numbers are points and
+    /// lines.</summary>
     private const int Triangles = 4, Strip = 5, Fan = 6;
 
     private readonly GlbFile _file;

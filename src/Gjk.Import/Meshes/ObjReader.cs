@@ -1,17 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
-using System.Numerics;
-using System.Threading;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Reads Wavefront OBJ (Alias|Wavefront, "Object Files", Advanced Visualizer manual, appendix B1). Each object (o) and
-/// group (g) is a part. Only positions and faces are used. Curves and surfaces are refused, and unknown statements are
-/// passed over with a warning.
-/// </summary>
+/// <summary>Reads Wavefront OBJ (Alias|Wavefront, "Object Files", Advanced Visualizer manual, appendix B1). Each object
+/// (o) and group (g) is a part. Only positions and faces are used. Curves and surfaces are refused, and unknown
+/// statements are passed over with a warning.</summary>
 internal sealed class ObjReader
 {
     private const int LinesPerLook = 4096;

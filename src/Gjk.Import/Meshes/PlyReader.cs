@@ -1,15 +1,9 @@
-using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Numerics;
-using System.Threading;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Reads PLY, text or binary: the positions of the vertices, and the faces. Everything else in the file is passed over.
-/// </summary>
+/// <summary>Reads PLY, text or binary: the positions of the vertices, and the faces. Everything else in the file is
+/// passed over.</summary>
 internal sealed class PlyReader
 {
     private const int RowsPerLook = 4096;

@@ -1,16 +1,10 @@
-using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
-using System.Numerics;
 using System.Text;
-using System.Threading;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Reads STL, text or binary (3D Systems, "StereoLithography Interface Specification", 1989). A binary file may begin
-/// with the word "solid", too, so its length decides.
-/// </summary>
+/// <summary>Reads STL, text or binary (3D Systems, "StereoLithography Interface Specification", 1989). A binary file
+/// may begin with the word "solid", too, so its length decides.</summary>
 internal static class StlReader
 {
     /// <summary>Bytes: a title of 80, then the number of triangles.</summary>

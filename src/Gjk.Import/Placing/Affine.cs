@@ -36,10 +36,8 @@ internal readonly record struct Affine(Double3 X, Double3 Y, Double3 Z, Double3 
         return new Affine(r.TurnBack(X), r.TurnBack(Y), r.TurnBack(Z), default);
     }
 
-    /// <summary>
-    /// The rotation that keeps the direction of x and the plane of x and y (Gram-Schmidt). A mirroring map becomes a
-    /// rotation with a negative scale.
-    /// </summary>
+    /// <summary>The rotation that keeps the direction of x and the plane of x and y (Gram-Schmidt). A mirroring map
+    /// becomes a rotation with a negative scale.</summary>
     public TurnD Rotation()
     {
         Double3 x = Unit(X), z = Unit(Double3.Cross(x, Unit(Y)));

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Import;
@@ -7,11 +5,9 @@ namespace Gjk.Import;
 /// <summary>Tells a scale along the axes from a skew, and places the smooth shapes under either.</summary>
 internal static class Placement
 {
-    /// <summary>
-    /// Share of the largest factor. The rotations of a file are rounded to float, so even a hierarchy without skew
-    /// leaves about 1e-7 of it. A vertex moves by less than 1e-6 of the size if this much is left out, which
-    /// HierarchyTests.ASmallSkewIsKept pins.
-    /// </summary>
+    /// <summary>Share of the largest factor. The rotations of a file are rounded to float, so even a hierarchy without
+    /// skew leaves about 1e-7 of it. A vertex moves by less than 1e-6 of the size if this much is left out, which
+    /// HierarchyTests.ASmallSkewIsKept pins.</summary>
     private const double RotationNoise = 3e-7;
 
     /// <summary>True if a map only scales along the axes, up to the rounding of rotations.</summary>

@@ -1,16 +1,12 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// A linear map as a rotation, a scale along the axes and another rotation: map = After * diag(Factors) * Before. A
-/// scene's object can hold all three, so a round shape under skew stays exact.
-/// </summary>
-/// <remarks>
-/// One-sided Jacobi rotations (Hestenes 1958, "Inversion of matrices by biorthogonalization") turn pairs of columns
-/// until all are at right angles. Three columns converge within a few rounds; the number of rounds is limited anyway.
-/// </remarks>
+/// <summary>A linear map as a rotation, a scale along the axes and another rotation: map = After * diag(Factors) *
+/// Before. A scene's object can hold all three, so a round shape under skew stays exact.</summary>
+/// <remarks>One-sided Jacobi rotations (Hestenes 1958, "Inversion of matrices by biorthogonalization") turn pairs of
+/// columns until all are at right angles. Three columns converge within a few rounds; the number of rounds is limited
+/// anyway.</remarks>
 internal readonly record struct Stretch(TurnD After, Double3 Factors, TurnD Before)
 {
     /// <summary>Rounds over the three pairs of columns. The convergence is quadratic, so ten is plenty.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Import;
@@ -36,9 +34,8 @@ internal readonly record struct TurnD(double X, double Y, double Z, double W)
         a.W * b.Z + a.X * b.Y - a.Y * b.X + a.Z * b.W,
         a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z);
 
-    /// <summary>
-    /// The rotation as seen in a mirror: mirror * this * mirror. The mirror has a 1 or -1 along each axis.
-    /// </summary>
+    /// <summary>The rotation as seen in a mirror: mirror * this * mirror. The mirror has a 1 or -1 along each
+    /// axis.</summary>
     public TurnD Mirrored(in Double3 signs) =>
         new(X * signs.Y * signs.Z, Y * signs.Z * signs.X, Z * signs.X * signs.Y, W);
 

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Import;
 
 /// <summary>The meshes that Unity brings along, by the number under which scenes name them.</summary>

@@ -1,23 +1,17 @@
-using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
 using System.Linq;
-using System.Numerics;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Reads a Mesh document: a mesh that was saved as an asset or in a scene. Its vertices are hexadecimal bytes, in a
-/// layout that a list of channels describes. The first channel is the position.
-/// </summary>
+/// <summary>Reads a Mesh document: a mesh that was saved as an asset or in a scene. Its vertices are hexadecimal bytes,
+/// in a layout that a list of channels describes. The first channel is the position.</summary>
 internal sealed class MeshAsset
 {
     /// <summary>Formats of a channel that a position may have: float and half.</summary>
     private const int FloatFormat = 0, HalfFormat = 1;
 
-    /// <summary>
-    /// The low bits of a channel's dimension. The others hold the dimension that the file was made with.
-    /// </summary>
+    /// <summary>The low bits of a channel's dimension. The others hold the dimension that the file was made
+    /// with.</summary>
     private const int DimensionMask = 0xF;
 
     private readonly UnityNode _body;
@@ -80,10 +74,8 @@ internal sealed class MeshAsset
         return vertices;
     }
 
-    /// <summary>
-    /// Bytes from one vertex to the next. Unity puts positions into the first stream. If it is the only one, the length
-    /// of the data gives the stride, whatever formats the other channels have.
-    /// </summary>
+    /// <summary>Bytes from one vertex to the next. Unity puts positions into the first stream. If it is the only one,
+    /// the length of the data gives the stride, whatever formats the other channels have.</summary>
     private static long Stride(IReadOnlyList<UnityNode> channels, long stream, int length, long count)
     {
         if (stream != 0) throw new UnreadableException($"its positions are in stream {stream}, which is not read");

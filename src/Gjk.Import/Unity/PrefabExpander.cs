@@ -1,17 +1,10 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
-
 namespace Gjk.Import;
 
-/// <summary>
-/// Lists the objects of a file with those of its prefabs in their place, as Unity does when it opens a scene. A prefab
-/// may hold instances of others, and a variant is an instance with changes.
-/// </summary>
-/// <remarks>
-/// An object of an instance needs a number in the file that holds the instance. A stripped document gives it one. Where
-/// there is none, Unity takes the exclusive or of the instance's number and the object's, without the sign.
-/// </remarks>
+/// <summary>Lists the objects of a file with those of its prefabs in their place, as Unity does when it opens a scene.
+/// A prefab may hold instances of others, and a variant is an instance with changes.</summary>
+/// <remarks>An object of an instance needs a number in the file that holds the instance. A stripped document gives it
+/// one. Where there is none, Unity takes the exclusive or of the instance's number and the object's, without the
+/// sign.</remarks>
 internal sealed class PrefabExpander
 {
     /// <summary>Elements. A chain of prefabs that each hold the next one twice doubles with every file.</summary>
@@ -89,9 +82,8 @@ internal sealed class PrefabExpander
         return stripped;
     }
 
-    /// <summary>
-    /// Gives the numbers of objects that an unreadable prefab would have brought to stand-ins, which say so.
-    /// </summary>
+    /// <summary>Gives the numbers of objects that an unreadable prefab would have brought to stand-ins, which say
+    /// so.</summary>
     private static void AddStandIns(
         long instance, List<StrippedObject> stripped, HashSet<long> known, string lacks, string guid,
         List<UnityElement> into)

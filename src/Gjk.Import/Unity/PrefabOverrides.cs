@@ -1,18 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-
 namespace Gjk.Import;
 
-/// <summary>
-/// What an instance changes about its prefab: values of fields, and components or objects that it removes.
-/// </summary>
+/// <summary>What an instance changes about its prefab: values of fields, and components or objects that it
+/// removes.</summary>
 internal sealed class PrefabOverrides
 {
-    /// <summary>
-    /// Fields that only objects have which are read. An override of one that has no target is worth a word. Other
-    /// fields may belong to components that do not matter here.
-    /// </summary>
+    /// <summary>Fields that only objects have which are read. An override of one that has no target is worth a word.
+    /// Other fields may belong to components that do not matter here.</summary>
     private static readonly string[] ReadFields =
         ["m_LocalPosition.", "m_LocalRotation.", "m_LocalScale.", "m_IsActive", "m_Mesh"];
 
@@ -35,10 +28,8 @@ internal sealed class PrefabOverrides
         _problems = problems;
     }
 
-    /// <summary>
-    /// Changes the elements of a prefab in place. Overrides without a target are problems; of a prefab that lacks
-    /// objects anyway there is no list for them.
-    /// </summary>
+    /// <summary>Changes the elements of a prefab in place. Overrides without a target are problems; of a prefab that
+    /// lacks objects anyway there is no list for them.</summary>
     public static void Apply(
         UnityDocument instance, UnityNode changes, List<UnityElement> elements, List<UnityProblem>? problems)
     {
@@ -81,9 +72,8 @@ internal sealed class PrefabOverrides
         elements[index] = element;
     }
 
-    /// <summary>
-    /// Unity names an object by its number in the prefab. Some versions name the file that it was first written in.
-    /// </summary>
+    /// <summary>Unity names an object by its number in the prefab. Some versions name the file that it was first
+    /// written in.</summary>
     private int? IndexOf(UnityReference target)
     {
         if (_byId.TryGetValue(target.FileId, out int index)) return index;

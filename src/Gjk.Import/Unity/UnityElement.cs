@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-
 namespace Gjk.Import;
 
-/// <summary>
-/// An object of a scene after its prefabs were put in: a GameObject, a Transform or something with a shape. An object
-/// that came with a prefab has another number in the scene than in its own file.
-/// </summary>
+/// <summary>An object of a scene after its prefabs were put in: a GameObject, a Transform or something with a shape. An
+/// object that came with a prefab has another number in the scene than in its own file.</summary>
 /// <param name="Source">Where it is written.</param>
 /// <param name="SourceGuid">Of that file; empty for the imported one.</param>
 /// <param name="Body">Its fields, with the overrides of the prefabs. Shared until an override changes it.</param>
@@ -18,9 +14,8 @@ internal sealed record UnityElement(
 {
     public int ClassId => Source.ClassId;
 
-    /// <summary>
-    /// Null, or why this stands for an object of a prefab that cannot be read: a number that others name, and no more.
-    /// </summary>
+    /// <summary>Null, or why this stands for an object of a prefab that cannot be read: a number that others name, and
+    /// no more.</summary>
     public string? Fault { get; init; }
 
     public bool IsTransform => ClassId is UnityClass.Transform or UnityClass.RectTransform;

@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Text;
-using System.Threading;
 using YamlDotNet.Core;
 
 namespace Gjk.Import;
@@ -50,10 +45,8 @@ internal sealed record UnityDocument(
     }
 }
 
-/// <summary>
-/// A scene, a prefab or an asset as text, cut into its documents. Unity writes "stripped" behind the number of some
-/// documents, which is no YAML, so the file is cut before it is parsed.
-/// </summary>
+/// <summary>A scene, a prefab or an asset as text, cut into its documents. Unity writes "stripped" behind the number of
+/// some documents, which is no YAML, so the file is cut before it is parsed.</summary>
 internal sealed class UnityFile
 {
     private const string Header = "--- ";

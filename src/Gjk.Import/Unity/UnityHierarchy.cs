@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Import;

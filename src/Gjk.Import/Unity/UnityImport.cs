@@ -1,13 +1,7 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Threading;
-
 namespace Gjk.Import;
 
-/// <summary>
-/// Imports a scene or a prefab. An object's shapes are its colliders. An object without any is its MeshFilter's mesh,
-/// as one with a collider that is a script. What is inactive is not in the scene.
-/// </summary>
+/// <summary>Imports a scene or a prefab. An object's shapes are its colliders. An object without any is its
+/// MeshFilter's mesh, as one with a collider that is a script. What is inactive is not in the scene.</summary>
 internal sealed class UnityImport
 {
     private readonly ImportLog _log;

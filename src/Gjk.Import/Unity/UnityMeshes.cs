@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using System.Linq;
-using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 
 namespace Gjk.Import;
@@ -102,10 +96,8 @@ internal sealed class UnityMeshes
         }
     }
 
-    /// <summary>
-    /// A part of an OBJ file. The .meta file says which number a part has. If the file has a single part, it is that
-    /// one.
-    /// </summary>
+    /// <summary>A part of an OBJ file. The .meta file says which number a part has. If the file has a single part, it
+    /// is that one.</summary>
     private ImportedMesh OfModel(string path, long fileId)
     {
         if (!_models.TryGetValue(path, out List<ImportedMesh>? parts)) _models[path] = parts = Model(path);
@@ -116,9 +108,8 @@ internal sealed class UnityMeshes
                 $"{path}: it has {parts.Count} parts, and its .meta file does not say which has the fileID {fileId}");
     }
 
-    /// <summary>
-    /// Unity's axes are left-handed and those of an OBJ file are not, so its importer mirrors x. It also scales.
-    /// </summary>
+    /// <summary>Unity's axes are left-handed and those of an OBJ file are not, so its importer mirrors x. It also
+    /// scales.</summary>
     private List<ImportedMesh> Model(string path)
     {
         UnityNode meta = _project.MetaOf(path);

@@ -1,17 +1,12 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using Gjk.Core;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// A value in Unity's YAML: a text, a list, or fields. Where a file repeats a field, as old .meta files do, the last
-/// one counts. YamlDotNet's own document refuses such files, so this is built of its parser's events.
-/// </summary>
+/// <summary>A value in Unity's YAML: a text, a list, or fields. Where a file repeats a field, as old .meta files do,
+/// the last one counts. YamlDotNet's own document refuses such files, so this is built of its parser's
+/// events.</summary>
 internal sealed class UnityNode
 {
     private readonly List<UnityNode>? _items;
@@ -63,9 +58,8 @@ internal sealed class UnityNode
         return new UnityNode(null, null, fields);
     }
 
-    /// <summary>
-    /// Sets the field that a path such as m_LocalPosition.x leads to. Returns false if there is none.
-    /// </summary>
+    /// <summary>Sets the field that a path such as m_LocalPosition.x leads to. Returns false if there is
+    /// none.</summary>
     public bool Set(string path, UnityNode value)
     {
         UnityNode node = this;
@@ -128,10 +122,8 @@ internal sealed class UnityNode
         return root;
     }
 
-    /// <summary>
-    /// Reads a value without recursion, because the text decides how deep it goes. An unfinished value is kept on a
-    /// stack, with the name of the field that is read next.
-    /// </summary>
+    /// <summary>Reads a value without recursion, because the text decides how deep it goes. An unfinished value is kept
+    /// on a stack, with the name of the field that is read next.</summary>
     private static UnityNode Value(Parser parser)
     {
         var open = new Stack<(UnityNode Node, string? Field)>();

@@ -1,15 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Linq;
-using System.Threading;
 using YamlDotNet.Core;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// A Unity project's folder. Beside every asset lies a .meta file with the GUID by which other files name it.
-/// </summary>
+/// <summary>A Unity project's folder. Beside every asset lies a .meta file with the GUID by which other files name
+/// it.</summary>
 internal sealed class UnityProject
 {
     /// <summary>The folders of a project that hold assets. Anything else is made by the Editor.</summary>

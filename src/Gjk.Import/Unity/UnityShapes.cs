@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Import;
 
-/// <summary>
-/// Makes shapes of colliders and meshes as Unity's physics does. Boxes, spheres and capsules follow the scale along
-/// their own axes only. Meshes follow the whole matrix, skew included.
-/// </summary>
+/// <summary>Makes shapes of colliders and meshes as Unity's physics does. Boxes, spheres and capsules follow the scale
+/// along their own axes only. Meshes follow the whole matrix, skew included.</summary>
 internal sealed class UnityShapes
 {
     private readonly SceneBuilder _scene;
@@ -69,9 +65,8 @@ internal sealed class UnityShapes
         Add(name, shape, place, body.Vector("m_Center"), place.Rotation * turn);
     }
 
-    /// <summary>
-    /// A character's capsule stands along the world's y however its object is turned. Its skin is no part of it.
-    /// </summary>
+    /// <summary>A character's capsule stands along the world's y however its object is turned. Its skin is no part of
+    /// it.</summary>
     private void AddUpright(string name, UnityNode body, in UnityPlace place)
     {
         Double3 scale = Placement.Absolute(place.LossyScale);

@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>
-/// Every argument that a public constructor or method refuses: the exception's type, the argument's name, and words
-/// that say what is wrong.
-/// </summary>
+/// <summary>Every argument that a public constructor or method refuses: the exception's type, the argument's name, and
+/// words that say what is wrong.</summary>
 public class ArgumentTests
 {
     private const string FiniteVector = "Every component must be finite.";

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using System.Reflection.Metadata;
 using System.Reflection.PortableExecutable;
@@ -36,10 +33,8 @@ public class BuildTests
         }
     }
 
-    /// <summary>
-    /// Cryptography, compression and the network are OpenSSL's, zlib's and the resolver's on Linux: a program ends, or
-    /// a call throws, where those are not installed.
-    /// </summary>
+    /// <summary>Cryptography, compression and the network are OpenSSL's, zlib's and the resolver's on Linux: a program
+    /// ends, or a call throws, where those are not installed.</summary>
     [Fact]
     public void ItNeedsNoLibraryOfTheSystem()
     {
@@ -54,10 +49,8 @@ public class BuildTests
         Assert.DoesNotContain(used, n => n.StartsWith("System.IO.Compression", StringComparison.Ordinal));
     }
 
-    /// <summary>
-    /// Ahead-of-time compilers refuse reflection or make boxes of it, so what a type of shape can do is asked of the
-    /// type itself. Attributes are reflection in name only.
-    /// </summary>
+    /// <summary>Ahead-of-time compilers refuse reflection or make boxes of it, so what a type of shape can do is asked
+    /// of the type itself. Attributes are reflection in name only.</summary>
     [Fact]
     public void ItUsesNoReflection()
     {

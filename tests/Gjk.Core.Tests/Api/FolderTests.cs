@@ -1,16 +1,12 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Gjk.Core.Tests.Support;
 using Xunit.Abstractions;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>
-/// The folders of the library depend on each other as the README draws it. Solvers know nothing of shapes, shapes know
-/// nothing of solvers, and queries join them. The test reads the sources, because the compiler does not know folders.
-/// </summary>
+/// <summary>The folders of the library depend on each other as the README draws it. Solvers know nothing of shapes,
+/// shapes know nothing of solvers, and queries join them. The test reads the sources, because the compiler does not
+/// know folders.</summary>
 public class FolderTests(ITestOutputHelper output)
 {
     /// <summary>What each folder may use; the folders below come first.</summary>

@@ -1,17 +1,12 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using System.Text.RegularExpressions;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>
-/// Comments of the library and of the oracle say "Pinned by" and name the tests that hold a constant where it is: as
-/// SomeTests, as SomeTests.SomeMethod, or as SomeMethod in SomeTests and OtherTests. The tests must exist.
-/// </summary>
+/// <summary>Comments of the library and of the oracle say "Pinned by" and name the tests that hold a constant where it
+/// is: as SomeTests, as SomeTests.SomeMethod, or as SomeMethod in SomeTests and OtherTests. The tests must
+/// exist.</summary>
 public partial class PinnedCommentTests
 {
     private const BindingFlags OwnMethods =

@@ -1,17 +1,12 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using System.Text.RegularExpressions;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>
-/// The proofs of proofs/ are about the constants that the library has: a script says which in a comment, and begins
-/// with the same number. proofs/run.sh has them proved.
-/// </summary>
+/// <summary>The proofs of proofs/ are about the constants that the library has: a script says which in a comment, and
+/// begins with the same number. proofs/run.sh has them proved.</summary>
 public partial class ProofTests
 {
     private const BindingFlags Constants =
@@ -60,9 +55,8 @@ public partial class ProofTests
         foreach (string line in text.Split('\n')) Assert.True(line.Length <= 120, line);
     }
 
-    /// <summary>
-    /// Every constant that is as small as a few roundings has a proof, or a line that says why it has none.
-    /// </summary>
+    /// <summary>Every constant that is as small as a few roundings has a proof, or a line that says why it has
+    /// none.</summary>
     [Fact]
     public void EveryErrorConstantIsNamed()
     {
@@ -99,9 +93,8 @@ public partial class ProofTests
 
     private static string NameOf(Type type) => type.Name.Split('`')[0];
 
-    /// <summary>
-    /// Sums of products of decimal numbers and of n times a power of two, as comments and Gappa write them.
-    /// </summary>
+    /// <summary>Sums of products of decimal numbers and of n times a power of two, as comments and Gappa write
+    /// them.</summary>
     private static double Number(string text) => text.Split(" + ").Sum(
         term => term.Split(" * ").Select(Factor).Aggregate((a, b) => a * b));
 

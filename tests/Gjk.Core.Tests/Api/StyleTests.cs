@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>
-/// What the format check cannot hold: lines of at most 120 columns (.editorconfig only tells editors), files of at most
-/// 300 lines, functions of at most 60.
-/// </summary>
+/// <summary>What the format check cannot hold: lines of at most 120 columns (.editorconfig only tells editors), files
+/// of at most 300 lines, functions of at most 60.</summary>
 public class StyleTests
 {
     private const int LineColumns = 120, FileLines = 300, FunctionLines = 60;
@@ -53,10 +47,8 @@ public class StyleTests
         Assert.DoesNotContain(lines, l => l.Length > LineColumns && !l.StartsWith('|') && !l.Contains("]("));
     }
 
-    /// <summary>
-    /// A function's body begins with a brace of its own in the column of a type's members, behind a line that ends its
-    /// signature, and ends with the brace of the same column.
-    /// </summary>
+    /// <summary>A function's body begins with a brace of its own in the column of a type's members, behind a line that
+    /// ends its signature, and ends with the brace of the same column.</summary>
     private static IEnumerable<(int Line, int Length)> LongFunctions(string[] lines)
     {
         for (int i = 1; i < lines.Length; i++)

@@ -1,14 +1,11 @@
-using System;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Arithmetic;
 
 public class SineCosineTests
 {
-    /// <summary>
-    /// As the runtime's own, which is right to a unit in the last place or so; up to the largest angle, whose quarter
-    /// turns are taken off without a rounding.
-    /// </summary>
+    /// <summary>As the runtime's own, which is right to a unit in the last place or so; up to the largest angle, whose
+    /// quarter turns are taken off without a rounding.</summary>
     [Fact]
     public void TheyAreTheRuntimesToAFewUnits()
     {

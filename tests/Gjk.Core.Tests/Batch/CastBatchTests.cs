@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using System.Threading;
 using Gjk.Core.Tests.Support;
 

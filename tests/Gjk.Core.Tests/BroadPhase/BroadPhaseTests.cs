@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.BroadPhase;
 
-/// <summary>
-/// Every broad phase gives exactly the pairs whose boxes overlap, sorted, whatever was added, moved and removed before.
-/// </summary>
+/// <summary>Every broad phase gives exactly the pairs whose boxes overlap, sorted, whatever was added, moved and
+/// removed before.</summary>
 public class BroadPhaseTests
 {
     private const int Frames = 40;
@@ -17,10 +12,8 @@ public class BroadPhaseTests
 
     internal static BroadPhaseKind[] AllKinds => Enum.GetValues<BroadPhaseKind>();
 
-    /// <summary>
-    /// Few objects, so that most ties and empty cases happen; many, so that the radix sort, the bucket sort, the
-    /// rebuilds and the growth do.
-    /// </summary>
+    /// <summary>Few objects, so that most ties and empty cases happen; many, so that the radix sort, the bucket sort,
+    /// the rebuilds and the growth do.</summary>
     [Theory]
     [MemberData(nameof(Kinds))]
     public void PairsAreThoseOfTheBoxes(BroadPhaseKind kind)
@@ -154,10 +147,8 @@ public class BroadPhaseTests
         }
     }
 
-    /// <summary>
-    /// Adds some, removes about as many (sometimes all, sometimes only to add them again), and moves the others a
-    /// little; now and then everything jumps.
-    /// </summary>
+    /// <summary>Adds some, removes about as many (sometimes all, sometimes only to add them again), and moves the
+    /// others a little; now and then everything jumps.</summary>
     private static void Change(Rng rng, IBroadPhase phase, SortedDictionary<int, Aabb> boxes, int changes, float side)
     {
         if (rng.Below(60) == 0)

@@ -1,13 +1,9 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.BroadPhase;
 
-/// <summary>
-/// The order in which a tree is built: all objects are in it, by size, and every part of it can be split.
-/// </summary>
+/// <summary>The order in which a tree is built: all objects are in it, by size, and every part of it can be
+/// split.</summary>
 public class CurveOrderTests
 {
     [Theory]

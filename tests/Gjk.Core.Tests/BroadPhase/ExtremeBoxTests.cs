@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.BroadPhase;
 
-/// <summary>
-/// Boxes with sides from 1e-38 to the largest float, beside each other: every broad phase finds the pairs, the boxes in
-/// a box and those on a path that comparing all of them finds.
-/// </summary>
+/// <summary>Boxes with sides from 1e-38 to the largest float, beside each other: every broad phase finds the pairs, the
+/// boxes in a box and those on a path that comparing all of them finds.</summary>
 public class ExtremeBoxTests
 {
     private const int Frames = 12, Paths = 10;

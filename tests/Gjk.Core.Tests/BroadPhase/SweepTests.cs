@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.BroadPhase;
 
-/// <summary>
-/// Every broad phase shows exactly the boxes that a path meets, each once, and none that is out of the limit.
-/// </summary>
+/// <summary>Every broad phase shows exactly the boxes that a path meets, each once, and none that is out of the
+/// limit.</summary>
 public class SweepTests
 {
     public static TheoryData<BroadPhaseKind> Kinds => BroadPhaseTests.Kinds;
@@ -68,9 +63,8 @@ public class SweepTests
         }
     }
 
-    /// <summary>
-    /// In a room of 20,000 boxes the tree looks at few of them: at fewer where the path ends at the first.
-    /// </summary>
+    /// <summary>In a room of 20,000 boxes the tree looks at few of them: at fewer where the path ends at the
+    /// first.</summary>
     [Fact]
     public void TheTreeLooksAtFewBoxes()
     {
@@ -101,9 +95,8 @@ public class SweepTests
         Assert.InRange(all / 200.0, first / 200.0 * 1.5, 1000);
     }
 
-    /// <summary>
-    /// The first box, with the limit shortened to each that is met: ties at the same entry are all shown.
-    /// </summary>
+    /// <summary>The first box, with the limit shortened to each that is met: ties at the same entry are all
+    /// shown.</summary>
     private static void CheckFirst(
         IBroadPhase phase, SortedDictionary<int, Aabb> boxes, SweptBox path, int[] expected, string message)
     {

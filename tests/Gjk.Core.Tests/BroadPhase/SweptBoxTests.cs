@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.BroadPhase;
 
-/// <summary>
-/// The slab test misses no box that the path touches and is never late, judged in exact arithmetic; and it takes in
-/// little else.
-/// </summary>
+/// <summary>The slab test misses no box that the path touches and is never late, judged in exact arithmetic; and it
+/// takes in little else.</summary>
 public class SweptBoxTests
 {
     /// <summary>Ratio to the way: a box this far from the path must be left out.</summary>
@@ -118,9 +114,8 @@ public class SweptBoxTests
     private static void Refused(string name, Func<SweptBox> make) =>
         Assert.Equal(name, Assert.Throws<ArgumentOutOfRangeException>(() => make()).ParamName);
 
-    /// <summary>
-    /// Sizes of all kinds; coordinates on a coarse grid in half of them, so that ends and corners meet.
-    /// </summary>
+    /// <summary>Sizes of all kinds; coordinates on a coarse grid in half of them, so that ends and corners
+    /// meet.</summary>
     private static (Aabb Box, Aabb Start, Vector3 Motion, float Most) Case(Rng rng)
     {
         float unit = rng.Below(4) switch { 0 => rng.LogFloat(1e-30, 1e30), 1 => 1e-44f, _ => 1 };
@@ -163,9 +158,8 @@ public class SweptBoxTests
         return Math.Max(Math.Max(Math.Max(a.X, a.Y), a.Z), Math.Max(Math.Max(b.X, b.Y), b.Z));
     }
 
-    /// <summary>
-    /// The fractions at which the closed boxes begin and cease to overlap; the first is later if never.
-    /// </summary>
+    /// <summary>The fractions at which the closed boxes begin and cease to overlap; the first is later if
+    /// never.</summary>
     private static (Fraction Entry, Fraction Exit) Exact(in Aabb box, in Aabb start, Vector3 motion, float most)
     {
         Fraction entry = 0.0, exit = float.IsInfinity(most) ? 1e300 : (double)most;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.BroadPhase;
@@ -109,9 +106,8 @@ internal sealed class WorstBoxes
         };
     }
 
-    /// <summary>
-    /// A stack of plates, and beside it rods as long as the stack is high: each near each plate, none touching.
-    /// </summary>
+    /// <summary>A stack of plates, and beside it rods as long as the stack is high: each near each plate, none
+    /// touching.</summary>
     private static (Vector3 Center, Vector3 Half, Vector3 Step) PlatesBesideRods(int i, int count, Vector3 step)
     {
         int half = count / 2;
@@ -128,18 +124,16 @@ internal sealed class WorstBoxes
         return (_rng.Vector(-100, 100) * size, new Vector3(size), _rng.Vector(-0.01, 0.01) * size);
     }
 
-    /// <summary>
-    /// Rings of boxes around the origin, each ring twice as large and twice as far as the one before.
-    /// </summary>
+    /// <summary>Rings of boxes around the origin, each ring twice as large and twice as far as the one
+    /// before.</summary>
     private (Vector3 Center, Vector3 Half, Vector3 Step) OnPowers(int exponent)
     {
         float size = (float)Math.Pow(2, exponent);
         return (_rng.Direction() * size * 100, new Vector3(size), _rng.Vector(-0.01, 0.01) * size);
     }
 
-    /// <summary>
-    /// A cube of boxes that are apart by less than their leaves reach, so that each has 26 neighbours.
-    /// </summary>
+    /// <summary>A cube of boxes that are apart by less than their leaves reach, so that each has 26
+    /// neighbours.</summary>
     private static (Vector3 Center, Vector3 Half, Vector3 Step) Gaps(int i, int count, Vector3 step)
     {
         int side = (int)Math.Ceiling(Math.Cbrt(count));

@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.BroadPhase;
 
-/// <summary>
-/// What boxes of any arrangement cost, counted in nodes, kept pairs and comparisons, so that no clock is needed. The
-/// pairs are those of boxes that are compared one by one.
-/// </summary>
+/// <summary>What boxes of any arrangement cost, counted in nodes, kept pairs and comparisons, so that no clock is
+/// needed. The pairs are those of boxes that are compared one by one.</summary>
 public class WorstCaseTests
 {
     /// <summary>Objects: a quadratic cost is 600 times n log n then.</summary>
@@ -20,10 +15,8 @@ public class WorstCaseTests
 
     public static TheoryData<string> Kinds => [.. WorstBoxes.Sparse, .. WorstBoxes.Dense];
 
-    /// <summary>
-    /// Nodes for each n log n and each true pair: twice the most that was measured, 10 for rods in three directions,
-    /// which grow with n^1.5; cubes need 1.5.
-    /// </summary>
+    /// <summary>Nodes for each n log n and each true pair: twice the most that was measured, 10 for rods in three
+    /// directions, which grow with n^1.5; cubes need 1.5.</summary>
     private const double MostVisits = 20;
 
     [Theory]

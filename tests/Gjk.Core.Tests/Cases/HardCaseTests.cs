@@ -1,15 +1,10 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Cases;
 
-/// <summary>
-/// The families of hard pairs with proved answers: no wrong flag, every distance exact to float rounding, every result
-/// certified.
-/// </summary>
+/// <summary>The families of hard pairs with proved answers: no wrong flag, every distance exact to float rounding,
+/// every result certified.</summary>
 public class HardCaseTests
 {
     private const int FailuresShown = 5;
@@ -139,10 +134,8 @@ public class HardCaseTests
         });
     }
 
-    /// <summary>
-    /// Fails with the number of pairs whose error is above 1 (in units of what is allowed), and the worst of them in
-    /// full.
-    /// </summary>
+    /// <summary>Fails with the number of pairs whose error is above 1 (in units of what is allowed), and the worst of
+    /// them in full.</summary>
     private static void Report(string family, Func<HardCase, (double Error, string Said)> examine)
     {
         var failures = new List<(double Error, string Said, HardCase Case)>();

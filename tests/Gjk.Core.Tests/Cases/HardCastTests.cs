@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Cases;
@@ -10,10 +7,8 @@ public class HardCastTests
 {
     public static TheoryData<string> Families => [.. CastFamily.Names];
 
-    /// <summary>
-    /// Every outcome as in the truth, but within a graze of 1e-9 of the size; the way within 1e-7 of the size or the
-    /// way; the normal, where it is the only one, within 1e-6.
-    /// </summary>
+    /// <summary>Every outcome as in the truth, but within a graze of 1e-9 of the size; the way within 1e-7 of the size
+    /// or the way; the normal, where it is the only one, within 1e-6.</summary>
     [Theory]
     [MemberData(nameof(Families))]
     public void EveryCastIsExact(string family)
@@ -36,10 +31,8 @@ public class HardCastTests
         Assert.True(faults.Count == 0, $"{faults.Count}: " + string.Join("\n", faults.Take(12)));
     }
 
-    /// <summary>
-    /// Hulls that are flat but for rounding, whose faces' normals prove nothing: what a point meets, asked as a cast
-    /// and as a ray.
-    /// </summary>
+    /// <summary>Hulls that are flat but for rounding, whose faces' normals prove nothing: what a point meets, asked as
+    /// a cast and as a ray.</summary>
     [Fact]
     public void FlatHullsAreMetWhereTheyAre()
     {

@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Cases;
 
-/// <summary>
-/// The signed distance of the hard pairs: every depth exact to float rounding, every way out certified, and apart the
-/// bits of the distance.
-/// </summary>
+/// <summary>The signed distance of the hard pairs: every depth exact to float rounding, every way out certified, and
+/// apart the bits of the distance.</summary>
 public class HardDepthTests
 {
     private const int FailuresShown = 5;
@@ -109,9 +104,8 @@ public class HardDepthTests
         });
     }
 
-    /// <summary>
-    /// The only pairs that outgrow the room are spheres of 4,096 vertices about one centre; their bounds are true.
-    /// </summary>
+    /// <summary>The only pairs that outgrow the room are spheres of 4,096 vertices about one centre; their bounds are
+    /// true.</summary>
     private static string? Limit(HardCase c, in DistanceResult r)
     {
         if (!c.Pair.Name.StartsWith("dense", StringComparison.Ordinal)) return $"status {r.Status}";

@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Cases;
 
-/// <summary>
-/// The oracle is held to the case files, whose answers were computed by other means, before anything is held to the
-/// oracle.
-/// </summary>
+/// <summary>The oracle is held to the case files, whose answers were computed by other means, before anything is held
+/// to the oracle.</summary>
 public class OracleTests
 {
     /// <summary>Keeps the thousands of vertices of the dense family out of the slow comparison of supports.</summary>
@@ -33,10 +27,8 @@ public class OracleTests
         }
     }
 
-    /// <summary>
-    /// Doubles rule out points that cannot be furthest: the support is that of a look at every point in integers,
-    /// towards faces and edges, too.
-    /// </summary>
+    /// <summary>Doubles rule out points that cannot be furthest: the support is that of a look at every point in
+    /// integers, towards faces and edges, too.</summary>
     [Theory]
     [MemberData(nameof(Families))]
     public void TheFilterChangesNothing(string family)

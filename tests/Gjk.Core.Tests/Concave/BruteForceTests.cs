@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Concave;

@@ -1,11 +1,9 @@
-using System;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Concave;
 
-/// <summary>
-/// Distances, bounds, points and the names of the parts are the same on every target, so lanes and scalars prune alike.
-/// </summary>
+/// <summary>Distances, bounds, points and the names of the parts are the same on every target, so lanes and scalars
+/// prune alike.</summary>
 public class ConcaveBitsTests
 {
     private const ulong Golden = 18061018309414847341;

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>The normal cone from the raw triangles: all are looked at for each, neighbours by their places.</summary>

@@ -1,12 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Concave;
 
-/// <summary>
-/// Parallel plates have as many nearest pairs as triangles; planes drop them without a query of each.
-/// </summary>
+/// <summary>Parallel plates have as many nearest pairs as triangles; planes drop them without a query of
+/// each.</summary>
 public class PlateTests
 {
     [Theory]

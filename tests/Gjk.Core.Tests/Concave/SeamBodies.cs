@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>What slides over seams, and what they are in.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Concave;
@@ -8,9 +5,8 @@ namespace Gjk.Core.Tests.Concave;
 /// <summary>Bodies that slide over surfaces feel what the surface is, not how it is cut into triangles.</summary>
 public class SeamContactTests
 {
-    /// <summary>
-    /// Angle: twice <see cref="ContactCone.Slack"/>, across a side and along it, and the rounding of the normal itself.
-    /// </summary>
+    /// <summary>Angle: twice <see cref="ContactCone.Slack"/>, across a side and along it, and the rounding of the
+    /// normal itself.</summary>
     private const float Straight = 2.2e-6f;
 
     private const float Reach = 0.02f;

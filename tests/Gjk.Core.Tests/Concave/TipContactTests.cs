@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Corners and round sides that dig into a surface beside a seam are held by the face under them.</summary>

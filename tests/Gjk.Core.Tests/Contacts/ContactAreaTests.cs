@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 using static Gjk.Core.Tests.Support.Resting;
@@ -50,10 +46,8 @@ public class ContactAreaTests
         Assert.InRange(count, 300, int.MaxValue);
     }
 
-    /// <summary>
-    /// A corner where the edges of both, moved by more than the slack, cross beyond the end of one was left out, though
-    /// the other's corner is shared there.
-    /// </summary>
+    /// <summary>A corner where the edges of both, moved by more than the slack, cross beyond the end of one was left
+    /// out, though the other's corner is shared there.</summary>
     [Fact]
     public void AStackOfEqualTrianglesKeepsItsCorners()
     {

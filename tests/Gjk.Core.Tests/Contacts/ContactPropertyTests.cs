@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Contacts;
@@ -11,10 +7,8 @@ public class ContactPropertyTests
 {
     private static readonly string[] Kinds = [.. Generators.AllKinds, "made", "madeUneven", "bigHull"];
 
-    /// <summary>
-    /// No gap is less than the signed distance, one is it, none is more than was asked for; the points lie on both
-    /// shapes and opposite each other along the normal; A and B exchanged give the mirrored points.
-    /// </summary>
+    /// <summary>No gap is less than the signed distance, one is it, none is more than was asked for; the points lie on
+    /// both shapes and opposite each other along the normal; A and B exchanged give the mirrored points.</summary>
     [Theory]
     [InlineData(0)]
     [InlineData(1e-3f)]

@@ -1,16 +1,11 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 using static Gjk.Core.Tests.Support.Resting;
 
 namespace Gjk.Core.Tests.Contacts;
 
-/// <summary>
-/// A margin lies around the core, not above it: the points of a tilted rounded shape are on its surface, where it
-/// leaves the shape along the normal, and each gap is the gap there.
-/// </summary>
+/// <summary>A margin lies around the core, not above it: the points of a tilted rounded shape are on its surface, where
+/// it leaves the shape along the normal, and each gap is the gap there.</summary>
 public class MarginContactTests
 {
     private static readonly Vector3[] Wedge =

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 using static Gjk.Core.Tests.Support.Resting;
@@ -73,10 +70,8 @@ public class NameTests
         foreach (float yaw in new[] { 2e-6f, -3e-6f, 1e-4f, -1e-4f }) Assert.Equal(straight, Names(yaw));
     }
 
-    /// <summary>
-    /// A name is made of a corner of each body where two coincide, of one body's where it lies on the other's face, and
-    /// of the two edges where they cross.
-    /// </summary>
+    /// <summary>A name is made of a corner of each body where two coincide, of one body's where it lies on the other's
+    /// face, and of the two edges where they cross.</summary>
     [Fact]
     public void ANameSaysWhatItIsMadeOf()
     {
@@ -112,10 +107,8 @@ public class NameTests
         }
     }
 
-    /// <summary>
-    /// A can on a plank touches it half way between the beginnings of its quarters: which of two quarters a point
-    /// belongs to was a last bit, and the names turned with the exchange.
-    /// </summary>
+    /// <summary>A can on a plank touches it half way between the beginnings of its quarters: which of two quarters a
+    /// point belongs to was a last bit, and the names turned with the exchange.</summary>
     [Fact]
     public void QuartersAreThoseOfTheExchangedPair()
     {

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Contacts;
 
-/// <summary>
-/// Five seconds of equal bodies that stand on each other, on a plain solver that begins each frame with what points of
-/// the same name had before: they come to rest, and names stay.
-/// </summary>
+/// <summary>Five seconds of equal bodies that stand on each other, on a plain solver that begins each frame with what
+/// points of the same name had before: they come to rest, and names stay.</summary>
 public class RestingStackTests
 {
     private const float Rest = 0.005f;

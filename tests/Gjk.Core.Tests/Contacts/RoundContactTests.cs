@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
-
 using static Gjk.Core.Tests.Support.Resting;
 
 namespace Gjk.Core.Tests.Contacts;

@@ -1,12 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Contacts;
 
-/// <summary>
-/// Points lie on both surfaces, with nothing of either body in front of them: of meshes that are scaled unevenly, where
-/// what is level inside is steep outside, and of needles, whose edges meet so sharply that a slack reaches far beyond.
-/// </summary>
+/// <summary>Points lie on both surfaces, with nothing of either body in front of them: of meshes that are scaled
+/// unevenly, where what is level inside is steep outside, and of needles, whose edges meet so sharply that a slack
+/// reaches far beyond.</summary>
 public class SurfaceContactTests
 {
     /// <summary>Length, as a fraction of the size: how far a point may be off its surface.</summary>

@@ -1,15 +1,10 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.Support.Rays;
 
 namespace Gjk.Core.Tests.Diagnostics;
 
-/// <summary>
-/// What the check trusts: the gap between two planes, as it computes it, is the true one to within its noise, and the
-/// noise is small enough to prove what matters.
-/// </summary>
+/// <summary>What the check trusts: the gap between two planes, as it computes it, is the true one to within its noise,
+/// and the noise is small enough to prove what matters.</summary>
 public class AnswerBoundTests
 {
     /// <summary>In units of the noise; computed with 640 digits.</summary>

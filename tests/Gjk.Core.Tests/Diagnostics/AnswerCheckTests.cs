@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Diagnostics;
 
-/// <summary>
-/// Right answers: none is refuted, nearly all are proved, and what is proved holds the truth. AnswerRefusalTests has
-/// the wrong ones.
-/// </summary>
+/// <summary>Right answers: none is refuted, nearly all are proved, and what is proved holds the truth.
+/// AnswerRefusalTests has the wrong ones.</summary>
 public class AnswerCheckTests
 {
     private const int FailuresShown = 5;
@@ -205,9 +199,8 @@ public class AnswerCheckTests
     public void AnAnswerReadsWell() => Assert.Equal(
         "Proved, from 1 to 1.5", new CheckedAnswer(CheckStatus.Proved, 1, 1.5).ToString());
 
-    /// <summary>
-    /// The file's answers have 20 digits, a double 16; of an overlap the bounds hold the signed distance.
-    /// </summary>
+    /// <summary>The file's answers have 20 digits, a double 16; of an overlap the bounds hold the signed
+    /// distance.</summary>
     private static bool Holds(in CheckedAnswer check, HardCase c)
     {
         double truth = c.Overlap ? -c.Depth : c.Distance, rounding = 2.3e-16 * Math.Abs(truth);

@@ -1,5 +1,3 @@
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Diagnostics;
@@ -7,9 +5,8 @@ namespace Gjk.Core.Tests.Diagnostics;
 /// <summary>Wrong answers that are nearly hidden by the rounding of another part of them.</summary>
 public class AnswerDetailTests
 {
-    /// <summary>
-    /// In the mesh's own frame a float has no digits left for its size, but in the world the point has all of them.
-    /// </summary>
+    /// <summary>In the mesh's own frame a float has no digits left for its size, but in the world the point has all of
+    /// them.</summary>
     [Fact]
     public void APointOfAMeshFarFromItsOwnOriginIsHeldToTheWorld()
     {

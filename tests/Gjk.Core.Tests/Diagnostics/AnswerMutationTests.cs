@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Diagnostics;
 
-/// <summary>
-/// Every field of right answers of every verb is changed to wrong values: none of them is proved. What the check says
-/// that it does not judge is left as it is.
-/// </summary>
+/// <summary>Every field of right answers of every verb is changed to wrong values: none of them is proved. What the
+/// check says that it does not judge is left as it is.</summary>
 public class AnswerMutationTests
 {
     private static readonly GjkStatus[] Statuses = Enum.GetValues<GjkStatus>();

@@ -1,13 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Diagnostics;
 
-/// <summary>
-/// Wrong answers: whatever is changed in a right one, by a little more than the tolerance, is refuted.
-/// </summary>
+/// <summary>Wrong answers: whatever is changed in a right one, by a little more than the tolerance, is
+/// refuted.</summary>
 public class AnswerRefusalTests
 {
     /// <summary>Part of the size: more than any tolerance of a polytope, less than anyone would see.</summary>

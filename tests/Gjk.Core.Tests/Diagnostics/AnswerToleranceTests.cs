@@ -1,11 +1,7 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Diagnostics;
 
-/// <summary>
-/// Lies beside the tolerance that is to notice them, on cubes face to face and cylinders side by side, where they show
-/// in full: what is a little too much is refuted, and a little less is not.
-/// </summary>
+/// <summary>Lies beside the tolerance that is to notice them, on cubes face to face and cylinders side by side, where
+/// they show in full: what is a little too much is refuted, and a little less is not.</summary>
 public class AnswerToleranceTests
 {
     private static readonly ConvexShape Cube = ConvexShape.Box(Vector3.One), Roll = ConvexShape.Cylinder(1, 1);
@@ -96,9 +92,8 @@ public class AnswerToleranceTests
         Assert.True(check.Status == status, check.ToString());
     }
 
-    /// <summary>
-    /// Balls of some 1e-40 whose depth is less than half the least float: they touch, and a rest misses.
-    /// </summary>
+    /// <summary>Balls of some 1e-40 whose depth is less than half the least float: they touch, and a rest
+    /// misses.</summary>
     [Fact]
     public void ADepthThatNoFloatHolds()
     {

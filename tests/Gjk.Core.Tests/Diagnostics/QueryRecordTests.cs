@@ -1,14 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Diagnostics;
 
-/// <summary>
-/// A query as one line of text comes back to the last bit, and what is no record is refused with a message that names
-/// the word.
-/// </summary>
+/// <summary>A query as one line of text comes back to the last bit, and what is no record is refused with a message
+/// that names the word.</summary>
 public class QueryRecordTests
 {
     private const string Sphere = "gjk1 point 1 @ 0 0 0 1 0 0 0 point 0.5 @ 0 0 0 1 3 0 0";
@@ -167,9 +162,8 @@ public class QueryRecordTests
         Assert.Equal("The record ends where 'gjk1' should be.", Reason(null));
     }
 
-    /// <summary>
-    /// Each record cut off after each of its words is refused, and none of them throws anything else.
-    /// </summary>
+    /// <summary>Each record cut off after each of its words is refused, and none of them throws anything
+    /// else.</summary>
     [Fact]
     public void NoPartOfARecordIsARecord()
     {

@@ -1,4 +1,3 @@
-using System;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Geometry;

@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Geometry;
 
-/// <summary>
-/// The nearest point of an ellipsoid has the normal that is asked for: from it the given point lies along the normal,
-/// and no other point of the surface is nearer.
-/// </summary>
+/// <summary>The nearest point of an ellipsoid has the normal that is asked for: from it the given point lies along the
+/// normal, and no other point of the surface is nearer.</summary>
 public class EllipsoidNormalTests
 {
     [Fact]

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Geometry;

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Geometry;
 
 /// <summary>What people read of results: no minus before a zero, and no digits that rounding left.</summary>

@@ -1,14 +1,10 @@
-using System;
 using System.Diagnostics;
-using System.Linq;
-using System.Numerics;
 using Xunit.Abstractions;
 
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// Large clouds. They run when the environment variable GJK_LONG is 1 and pass at once when it is not.
-/// </summary>
+/// <summary>Large clouds. They run when the environment variable GJK_LONG is 1 and pass at once when it is
+/// not.</summary>
 public class ConvexHullLongTests
 {
     private const int Directions = 100, Triangles = 100;

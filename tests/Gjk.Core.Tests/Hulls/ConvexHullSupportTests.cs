@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// Contract 8: in no direction does the hull reach less far than the cloud. And what must not matter does not.
-/// </summary>
+/// <summary>Contract 8: in no direction does the hull reach less far than the cloud. And what must not matter does
+/// not.</summary>
 public class ConvexHullSupportTests
 {
     private const int Directions = 10000;

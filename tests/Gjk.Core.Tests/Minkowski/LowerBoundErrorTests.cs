@@ -1,21 +1,15 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Minkowski;
 
-/// <summary>
-/// What rounding does to a lower bound: GjkTolerances.LowerBoundError is no sum of worst cases, so the worst pose is
-/// looked for, by small changes that make the error larger.
-/// </summary>
+/// <summary>What rounding does to a lower bound: GjkTolerances.LowerBoundError is no sum of worst cases, so the worst
+/// pose is looked for, by small changes that make the error larger.</summary>
 public class LowerBoundErrorTests
 {
     private const int Climbs = 5, Steps = 150_000;
 
-    /// <summary>
-    /// Long searches find 5.3 roundings at most. One that finds less than 3 would be worth nothing; above 6 the
-    /// constant would be too small.
-    /// </summary>
+    /// <summary>Long searches find 5.3 roundings at most. One that finds less than 3 would be worth nothing; above 6
+    /// the constant would be too small.</summary>
     [Fact]
     public void TheWorstPoseThatIsFoundNeedsLittleMoreThanHalfOfIt()
     {
@@ -24,9 +18,8 @@ public class LowerBoundErrorTests
         Assert.InRange(worst, 3 * RoundOff.Unit, 0.6 * GjkTolerances.LowerBoundError);
     }
 
-    /// <summary>
-    /// Size and distance of the centres are twice the size where shapes touch, and a size is 1.74 times the scale.
-    /// </summary>
+    /// <summary>Size and distance of the centres are twice the size where shapes touch, and a size is 1.74 times the
+    /// scale.</summary>
     [Fact]
     public void TheConstantFitsIntoThePromise() =>
         Assert.InRange(GjkTolerances.LowerBoundError * 2 * 1.74, 0, Accuracy.DistanceScale / 2);
@@ -60,10 +53,8 @@ public class LowerBoundErrorTests
             CornerA + rng.Vector(-change, change), CornerB + rng.Vector(-change, change),
             Normal + rng.Vector(-change, change));
 
-        /// <summary>
-        /// How far the gap that the solvers compute is above the true one, as a part of what the constant is one of;
-        /// 0 where the centres are further apart than shapes with these corners allow.
-        /// </summary>
+        /// <summary>How far the gap that the solvers compute is above the true one, as a part of what the constant is
+        /// one of; 0 where the centres are further apart than shapes with these corners allow.</summary>
         public double Error()
         {
             var poseB = new RigidPose(TurnB, Between);

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Minkowski;
@@ -101,10 +98,8 @@ public class PairFrameTests
         Assert.Equal(new Double3(0, 0.6f, 0.8f), warm.FirstNormal(frame));
     }
 
-    /// <summary>
-    /// Four to sixteen radii from their local origins, two centres that nearly coincide: double would lose their
-    /// difference.
-    /// </summary>
+    /// <summary>Four to sixteen radii from their local origins, two centres that nearly coincide: double would lose
+    /// their difference.</summary>
     [Fact]
     public void CentersThatAreEightRadiiOffAreFar()
     {
@@ -127,9 +122,8 @@ public class PairFrameTests
         Assert.InRange(count, 50, 200);
     }
 
-    /// <summary>
-    /// Beside centres of 1, a difference of 2^-90 is what double-double loses, and one of 2^-88 is not.
-    /// </summary>
+    /// <summary>Beside centres of 1, a difference of 2^-90 is what double-double loses, and one of 2^-88 is
+    /// not.</summary>
     [Theory]
     [InlineData(-90, 0)]
     [InlineData(-88, 1)]
@@ -164,10 +158,8 @@ public class PairFrameTests
         Assert.Equal(isOrdinary, new PairFrame { Magnitude = length }.IsOrdinary);
     }
 
-    /// <summary>
-    /// What a shape of a user says of its size is an upper bound only: what counts are the points that it gives, with
-    /// its margin, and no more than its radius.
-    /// </summary>
+    /// <summary>What a shape of a user says of its size is an upper bound only: what counts are the points that it
+    /// gives, with its margin, and no more than its radius.</summary>
     [Theory]
     [InlineData(3, 5, 3.5 + 5.25)]
     [InlineData(30, 5, 8 + 5.25)]

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using FsCheck;
 using FsCheck.Fluent;
 using Gjk.Core.Tests.Support;
@@ -11,9 +9,8 @@ public class AlgebraicLawTests
 {
     private const float Grid = 64;
 
-    /// <summary>
-    /// Points on a grid, so that sums and differences are exact in float and degenerate positions are frequent.
-    /// </summary>
+    /// <summary>Points on a grid, so that sums and differences are exact in float and degenerate positions are
+    /// frequent.</summary>
     private static readonly Gen<Vector3> Points =
         from x in Gen.Choose(-160, 160)
         from y in Gen.Choose(-160, 160)

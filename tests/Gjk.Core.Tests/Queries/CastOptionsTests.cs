@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
@@ -11,10 +9,8 @@ public class CastOptionsTests
 
     private static readonly string[] Kinds = [.. Generators.AllKinds, "bigHull", "made"];
 
-    /// <summary>
-    /// Any pair: what is stopped would have gone deeper, and is stopped as without the option; what passes gets no
-    /// deeper, by the least signed distance on the way.
-    /// </summary>
+    /// <summary>Any pair: what is stopped would have gone deeper, and is stopped as without the option; what passes
+    /// gets no deeper, by the least signed distance on the way.</summary>
     [Fact]
     public void WhatIsStoppedGoesDeeperAndWhatPassesDoesNot()
     {
@@ -56,10 +52,8 @@ public class CastOptionsTests
         Assert.InRange(stopped, 0.1 * count, 0.6 * count);
     }
 
-    /// <summary>
-    /// A box that a cast has stopped at a wall, in floats, is a rounding inside or outside of it. The rest of its
-    /// motion, projected onto the wall in floats, passes whole; without the option it is often stuck.
-    /// </summary>
+    /// <summary>A box that a cast has stopped at a wall, in floats, is a rounding inside or outside of it. The rest of
+    /// its motion, projected onto the wall in floats, passes whole; without the option it is often stuck.</summary>
     [Fact]
     public void WhatWasStoppedSlidesOn()
     {
@@ -135,10 +129,8 @@ public class CastOptionsTests
             NoDeeper);
     }
 
-    /// <summary>
-    /// Round bodies that pass each other as deep as is allowed, but for a millionth more or less: told apart by bounds
-    /// that meet there.
-    /// </summary>
+    /// <summary>Round bodies that pass each other as deep as is allowed, but for a millionth more or less: told apart
+    /// by bounds that meet there.</summary>
     [Fact]
     public void WhatIsJustAllowedPasses()
     {

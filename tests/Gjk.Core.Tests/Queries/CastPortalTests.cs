@@ -1,13 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Casts of polytopes against all half-spaces of their difference: the entry is the last that is entered.
-/// </summary>
+/// <summary>Casts of polytopes against all half-spaces of their difference: the entry is the last that is
+/// entered.</summary>
 public class CastPortalTests
 {
     private static readonly string[] Kinds = ["box", "hull", "needle", "plate", "mini", "big"];
@@ -87,10 +83,8 @@ public class CastPortalTests
         }
     }
 
-    /// <summary>
-    /// A segment falls through a triangle so flat that its own edges are nearly parallel to the motion: the planes
-    /// along it are tilted by rounding, and prove nothing.
-    /// </summary>
+    /// <summary>A segment falls through a triangle so flat that its own edges are nearly parallel to the motion: the
+    /// planes along it are tilted by rounding, and prove nothing.</summary>
     [Fact]
     public void FlatThroughFlatIsNoMiss()
     {
@@ -118,10 +112,8 @@ public class CastPortalTests
         AssertPortal(
             isPortal, new(-2, 2 * slope, 0), new(4, -4 * slope, 0), new(-1, 0, -1), new(1, 0, -1), new(0, 0, 1));
 
-    /// <summary>
-    /// A point falls onto a triangle with a tip. One that is level with the triangle is passed over, a high one makes a
-    /// portal of its own, and in between nothing is certain.
-    /// </summary>
+    /// <summary>A point falls onto a triangle with a tip. One that is level with the triangle is passed over, a high
+    /// one makes a portal of its own, and in between nothing is certain.</summary>
     [Theory]
     [InlineData(3.5e-15f, true)]
     [InlineData(1.4e-14f, false)]

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
@@ -101,10 +99,8 @@ public class CastTests
         Assert.Equal(new Vector3(2.25f, 0, 0), r.Point);
     }
 
-    /// <summary>
-    /// Of any pair: before the fraction the shapes are apart, at it they touch to within the accuracy, and a miss is
-    /// apart along the whole way.
-    /// </summary>
+    /// <summary>Of any pair: before the fraction the shapes are apart, at it they touch to within the accuracy, and a
+    /// miss is apart along the whole way.</summary>
     [Fact]
     public void AHitTouchesAndNothingBeforeIt()
     {

@@ -1,11 +1,9 @@
-using System;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Random pairs of every kind of shape, certified without a reference; consistency and symmetry on the same pairs.
-/// </summary>
+/// <summary>Random pairs of every kind of shape, certified without a reference; consistency and symmetry on the same
+/// pairs.</summary>
 public class CertifiedPairTests
 {
     public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull"];

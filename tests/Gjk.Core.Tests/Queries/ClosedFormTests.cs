@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
@@ -116,9 +114,8 @@ public class ClosedFormTests
     private static Double3 Axis(in RigidPose pose) =>
         new Body<PointShape>(new PointShape(), pose).Rotate(new Double3(0, 1, 0));
 
-    /// <summary>
-    /// The least of: the ends' distances to the other segment, and the lines' distance where both feet are inside.
-    /// </summary>
+    /// <summary>The least of: the ends' distances to the other segment, and the lines' distance where both feet are
+    /// inside.</summary>
     private static double SegmentDistance(in Double3 p, in Double3 q, in Double3 r, in Double3 s)
     {
         Double3 e = q - p, f = s - r, w = p - r;

@@ -1,13 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Round shapes about one axis, or nearly: a pin in its hole, a point on the axis of a cone, two equal cylinders in one
-/// place. All ways out around the axis are equally long, and the search for the shortest one ended without an answer.
-/// </summary>
+/// <summary>Round shapes about one axis, or nearly: a pin in its hole, a point on the axis of a cone, two equal
+/// cylinders in one place. All ways out around the axis are equally long, and the search for the shortest one ended
+/// without an answer.</summary>
 public class CoaxialDepthTests
 {
     /// <summary>Supports that no such pair needs but two balls about one centre.</summary>
@@ -160,10 +157,8 @@ public class CoaxialDepthTests
         Assert.Equal(usual.Distance * factor, resized.Distance, 1e-6 * factor);
     }
 
-    /// <summary>
-    /// Balls that are written as ellipsoids need a support for each root of what the bounds may leave, and half of the
-    /// most that are asked.
-    /// </summary>
+    /// <summary>Balls that are written as ellipsoids need a support for each root of what the bounds may leave, and
+    /// half of the most that are asked.</summary>
     [Fact]
     public void BallsAboutOneCentreTakeThousandsOfSupports()
     {
@@ -173,9 +168,8 @@ public class CoaxialDepthTests
         Assert.InRange(pair.SignedDistance().Iterations, 3000, 5000);
     }
 
-    /// <summary>
-    /// Axes that are parallel but for the rounding of their quaternions, far from each other: one plane is searched.
-    /// </summary>
+    /// <summary>Axes that are parallel but for the rounding of their quaternions, far from each other: one plane is
+    /// searched.</summary>
     [Fact]
     public void RoundedQuaternionsAreParallel()
     {
@@ -192,9 +186,8 @@ public class CoaxialDepthTests
         }
     }
 
-    /// <summary>
-    /// Leaning cones: how far they lean changes the shortest way out by as much, and where around the axis it is.
-    /// </summary>
+    /// <summary>Leaning cones: how far they lean changes the shortest way out by as much, and where around the axis it
+    /// is.</summary>
     [Theory]
     [InlineData(2e-7)]
     [InlineData(8e-7)]

@@ -1,14 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// A corner on the axis of a round body, or in the middle of one that is nearly a ball: many ways out are equally long,
-/// and the search for the shortest one ended without an answer.
-/// </summary>
+/// <summary>A corner on the axis of a round body, or in the middle of one that is nearly a ball: many ways out are
+/// equally long, and the search for the shortest one ended without an answer.</summary>
 public class CornerDepthTests
 {
     /// <summary>Supports of all searches together, for two hundred corners.</summary>

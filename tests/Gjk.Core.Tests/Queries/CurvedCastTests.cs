@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
@@ -7,10 +5,8 @@ namespace Gjk.Core.Tests.Queries;
 /// <summary>Casts of curved cores that have an answer in closed form.</summary>
 public class CurvedCastTests
 {
-    /// <summary>
-    /// Two standing cylinders that move across their axes are two circles: fraction and normal are those of a line
-    /// against a circle, down to grazes of a ten thousandth of the radius.
-    /// </summary>
+    /// <summary>Two standing cylinders that move across their axes are two circles: fraction and normal are those of a
+    /// line against a circle, down to grazes of a ten thousandth of the radius.</summary>
     [Fact]
     public void StandingCylindersAreCircles()
     {

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Depths that can be worked out by hand, ties and shapes without an inside included.</summary>

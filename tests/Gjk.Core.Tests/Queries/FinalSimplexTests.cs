@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// The simplex that a query hands out: weights that are weights, ids that name its points, sums that are the witness
-/// points.
-/// </summary>
+/// <summary>The simplex that a query hands out: weights that are weights, ids that name its points, sums that are the
+/// witness points.</summary>
 public class FinalSimplexTests
 {
     public static TheoryData<string> Families => [.. CaseFamily.Names];

@@ -1,15 +1,10 @@
-using System;
-using System.IO;
-using System.Linq;
 using Gjk.Core.Tests.Api;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Contract 7: the same bits for every build of the library, SIMD on or off, debug or release, serial or parallel. The
-/// runners of tests/Gjk.Mono and tests/Gjk.Arm64 hold other runtimes to the same hashes.
-/// </summary>
+/// <summary>Contract 7: the same bits for every build of the library, SIMD on or off, debug or release, serial or
+/// parallel. The runners of tests/Gjk.Mono and tests/Gjk.Arm64 hold other runtimes to the same hashes.</summary>
 public class GoldenHashTests
 {
     private const string Table = "src/Gjk.Exact/Answers/GoldenHashes.cs", Update = "GJK_UPDATE_GOLDEN";

@@ -1,15 +1,10 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Runtime.Intrinsics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// The test assembly as a program of its own: prints which vectors the machine has and some of the golden hashes, so
-/// that a test can start it under other runtime switches.
-/// </summary>
+/// <summary>The test assembly as a program of its own: prints which vectors the machine has and some of the golden
+/// hashes, so that a test can start it under other runtime switches.</summary>
 internal static class HashProgram
 {
     public const string Command = "hash";

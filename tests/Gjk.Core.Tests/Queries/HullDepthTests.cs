@@ -1,16 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Round hulls about one centre have thousands of ways out that are nearly equally long, more than the general search
-/// has room for. Their depth is that of all facets of the difference.
-/// </summary>
+/// <summary>Round hulls about one centre have thousands of ways out that are nearly equally long, more than the general
+/// search has room for. Their depth is that of all facets of the difference.</summary>
 public class HullDepthTests
 {
     private static readonly ConvexHull Ico642 = RoundHulls.Ico(3), Uv642 = RoundHulls.Uv(21, 32);
@@ -71,10 +64,9 @@ public class HullDepthTests
         }
     }
 
-    /// <summary>
-    /// Circles of sines and cosines cross in copies 1e-45 to 1e-16 apart; the facets between them have no normal but
-    /// rounding. The first of the two hulls with every such crossing made one corner is the same but for rounding.
-    /// </summary>
+    /// <summary>Circles of sines and cosines cross in copies 1e-45 to 1e-16 apart; the facets between them have no
+    /// normal but rounding. The first of the two hulls with every such crossing made one corner is the same but for
+    /// rounding.</summary>
     [Fact]
     public void CornersInManyCopies()
     {
@@ -100,10 +92,8 @@ public class HullDepthTests
     /// <summary>As far as the copies agree.</summary>
     private static float Near(float x) => Math.Abs(x) < 1e-12f ? 0 : x is > 0.99999f or < -0.99999f ? Math.Sign(x) : x;
 
-    /// <summary>
-    /// Where not one facet is as high as another, too many must be looked at: the first of them tell, and both bounds
-    /// hold.
-    /// </summary>
+    /// <summary>Where not one facet is as high as another, too many must be looked at: the first of them tell, and both
+    /// bounds hold.</summary>
     [Fact]
     public void ASearchThatWouldTakeTooLongIsNotBegun()
     {

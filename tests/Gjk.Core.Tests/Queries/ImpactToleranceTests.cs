@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>The tolerances of times of impact, each from both sides; the numbers are written out.</summary>
@@ -8,9 +5,8 @@ public class ImpactToleranceTests
 {
     private const float StartGap = 1.0f / (1 << 10);
 
-    /// <summary>
-    /// A step aims at a quarter of the tolerance. The cube falls so short a way that its float is finer than that.
-    /// </summary>
+    /// <summary>A step aims at a quarter of the tolerance. The cube falls so short a way that its float is finer than
+    /// that.</summary>
     [Fact]
     public void ATinyToleranceIsAHundredMillionthOfTheSize()
     {
@@ -21,9 +17,8 @@ public class ImpactToleranceTests
         Assert.InRange((StartGap - (double)r.Fraction) / (1e-8 * size), 0.15, 0.4);
     }
 
-    /// <summary>
-    /// The tip of a segment turns into a floor, at most a million radians far: so long a way rounds by more than that.
-    /// </summary>
+    /// <summary>The tip of a segment turns into a floor, at most a million radians far: so long a way rounds by more
+    /// than that.</summary>
     [Fact]
     public void ATinyToleranceIsSixtyFourRoundingsOfTheWay()
     {
@@ -37,10 +32,8 @@ public class ImpactToleranceTests
         Assert.InRange((StartGap - Math.Sin(r.Fraction)) / (64 * rounding), 0.15, 0.4);
     }
 
-    /// <summary>
-    /// Of the tolerance, a gap is accepted that leaves room for the fraction's own float, which is 2^-23 of the way at
-    /// most: no more than a half, and no less than an eighth. A step aims at half of that.
-    /// </summary>
+    /// <summary>Of the tolerance, a gap is accepted that leaves room for the fraction's own float, which is 2^-23 of
+    /// the way at most: no more than a half, and no less than an eighth. A step aims at half of that.</summary>
     [Theory]
     [InlineData(0.1, 0.5)]
     [InlineData(0.82, 0.18)]

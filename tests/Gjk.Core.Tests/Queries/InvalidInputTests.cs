@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Contract 2: a default struct or a NaN that slips in gives InvalidInput and nothing but NaN.</summary>

@@ -1,13 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// What may be done to a pair without changing its distance: for changes that float represents exactly.
-/// </summary>
+/// <summary>What may be done to a pair without changing its distance: for changes that float represents
+/// exactly.</summary>
 public class InvarianceTests
 {
     private const int Count = 150;

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Bodies of revolution whose axes lean against each other by up to a fiftieth: the shortest way out lies in a valley
-/// around the axis, whose floor rises by less than the lean. The general search has no room for it.
-/// </summary>
+/// <summary>Bodies of revolution whose axes lean against each other by up to a fiftieth: the shortest way out lies in a
+/// valley around the axis, whose floor rises by less than the lean. The general search has no room for it.</summary>
 public class LeaningDepthTests
 {
     private const string Spheroids =

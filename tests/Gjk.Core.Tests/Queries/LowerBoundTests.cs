@@ -2,15 +2,12 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Contract 6: the lower bound never exceeds the true distance, and is as near it as the distance is promised to be.
-/// </summary>
+/// <summary>Contract 6: the lower bound never exceeds the true distance, and is as near it as the distance is promised
+/// to be.</summary>
 public class LowerBoundTests
 {
-    /// <summary>
-    /// From distances where a float's last place is far below the noise of double arithmetic to those where it is far
-    /// above.
-    /// </summary>
+    /// <summary>From distances where a float's last place is far below the noise of double arithmetic to those where it
+    /// is far above.</summary>
     [Fact]
     public void ItIsProvedAndClosed()
     {
@@ -32,11 +29,9 @@ public class LowerBoundTests
         Assert.True(apart > 1000);
     }
 
-    /// <summary>
-    /// Points of contact but for a tilt, found by fuzz. The first one's bound was two places of a float below the
-    /// distance, where 1e-14 of the scale is less than that; the second walk ended a step early, since measured from a
-    /// far corner the next triangle's distance differed from the last one's by less than 106 bits.
-    /// </summary>
+    /// <summary>Points of contact but for a tilt, found by fuzz. The first one's bound was two places of a float below
+    /// the distance, where 1e-14 of the scale is less than that; the second walk ended a step early, since measured
+    /// from a far corner the next triangle's distance differed from the last one's by less than 106 bits.</summary>
     [Theory]
     [InlineData(
         "gjk1 triangle 0 0 0.6 0 0 0 -0 0 -0 @ 0 0 0 1 0 0 0 triangle -0.49 0.601445 0.584888 0 0 0 -0 0 -0 "

@@ -1,21 +1,15 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Each shape's point is its local point in the world, to float rounding of what is that shape's own; and the two are
-/// the distance apart along the normal. For sizes up to 1e7 times apart, either way round.
-/// </summary>
+/// <summary>Each shape's point is its local point in the world, to float rounding of what is that shape's own; and the
+/// two are the distance apart along the normal. For sizes up to 1e7 times apart, either way round.</summary>
 public class PointPlacementTests
 {
     private const double FloatUnit = 1.0 / (1 << 24);
 
-    /// <summary>
-    /// Units of float rounding: the local point's, the world point's, and what is left of the solver's rounding where
-    /// B is almost a thousand times smaller than A.
-    /// </summary>
+    /// <summary>Units of float rounding: the local point's, the world point's, and what is left of the solver's
+    /// rounding where B is almost a thousand times smaller than A.</summary>
     private const double MostUnits = 4;
 
     private static readonly string[] Kinds = [.. Generators.AllKinds, "bigHull"];

@@ -1,4 +1,3 @@
-using System.Linq;
 using System.Runtime.Intrinsics;
 using System.Threading.Tasks;
 using Gjk.Core.Tests.Support;
@@ -6,10 +5,8 @@ using Gjk.Exact.Cases;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Contract 7 across processes: the golden hashes hold whatever vectors the machine has and however the code was
-/// compiled.
-/// </summary>
+/// <summary>Contract 7 across processes: the golden hashes hold whatever vectors the machine has and however the code
+/// was compiled.</summary>
 public class SameBitsTests
 {
     /// <summary>All hashes, where the library takes other ways; elsewhere that of the distances will do.</summary>
@@ -42,9 +39,8 @@ public class SameBitsTests
     public void TheBitsAreTheSameWithoutAnyVectors() =>
         Assert.Equal($"False False {Golden(All)}", Child("EnableHWIntrinsic", "0", All));
 
-    /// <summary>
-    /// What the compiler makes of a debug build: every value through memory, nothing inlined or merged.
-    /// </summary>
+    /// <summary>What the compiler makes of a debug build: every value through memory, nothing inlined or
+    /// merged.</summary>
     [Fact]
     public void TheBitsAreTheSameWithoutOptimisation() =>
         Assert.EndsWith(" " + Golden(Distances), Child("JITMinOpts", "1", Distances));

@@ -1,13 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// The signed distance of random pairs: certified, no direction cheaper, as deep as a search over all facets says.
-/// </summary>
+/// <summary>The signed distance of random pairs: certified, no direction cheaper, as deep as a search over all facets
+/// says.</summary>
 public class SignedDistanceTests
 {
     [Fact]
@@ -31,10 +27,8 @@ public class SignedDistanceTests
         Assert.InRange(overlapping, 0.3 * Budget.Count(400), 0.95 * Budget.Count(400));
     }
 
-    /// <summary>
-    /// A certificate says that the way out is one; that none of many others is shorter is what can be said about every
-    /// shape.
-    /// </summary>
+    /// <summary>A certificate says that the way out is one; that none of many others is shorter is what can be said
+    /// about every shape.</summary>
     [Fact]
     public void EveryAnswerIsCertifiedAndNoDirectionIsCheaper() => Each(72_000, 600, (pair, _) =>
     {

@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.World;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Does everything that the library does for a caller on threads with little stack, and measures how much it took. A
-/// program of its own: a thread that runs out of stack ends its process.
-/// </summary>
+/// <summary>Does everything that the library does for a caller on threads with little stack, and measures how much it
+/// took. A program of its own: a thread that runs out of stack ends its process.</summary>
 internal static class StackProgram
 {
     public const string Command = "stack";

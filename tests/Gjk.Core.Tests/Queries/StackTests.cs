@@ -2,10 +2,8 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Contract 15: no call takes more than 64 kilobytes of stack, and all that the library does can be done on a thread
-/// that has 128. The child says what it does, so the last line of a failure names the work.
-/// </summary>
+/// <summary>Contract 15: no call takes more than 64 kilobytes of stack, and all that the library does can be done on a
+/// thread that has 128. The child says what it does, so the last line of a failure names the work.</summary>
 public class StackTests
 {
     /// <summary>What the compiler makes of a debug build: every value has a place of its own on the stack.</summary>

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// A user's support is asked in directions that are finite and not zero, as <see cref="ISupportMap"/> promises: by
-/// every query, for pairs at random and for those that make a direction vanish.
-/// </summary>
+/// <summary>A user's support is asked in directions that are finite and not zero, as <see cref="ISupportMap"/>
+/// promises: by every query, for pairs at random and for those that make a direction vanish.</summary>
 public class SupportDirectionTests
 {
     private const int Rounds = 4;
@@ -64,9 +60,8 @@ public class SupportDirectionTests
         }
     }
 
-    /// <summary>
-    /// Along a plane that neither comes nor goes, at a rate of -0, the step is all that is left, not -infinity.
-    /// </summary>
+    /// <summary>Along a plane that neither comes nor goes, at a rate of -0, the step is all that is left, not
+    /// -infinity.</summary>
     [Fact]
     public void APlaneThatRests()
     {

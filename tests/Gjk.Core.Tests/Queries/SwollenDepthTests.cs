@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Shapes with a margin that are scaled unevenly and stay bodies of revolution: a capsule that is made thicker. About a
-/// common axis the general search has no room for all the ways around it.
-/// </summary>
+/// <summary>Shapes with a margin that are scaled unevenly and stay bodies of revolution: a capsule that is made
+/// thicker. About a common axis the general search has no room for all the ways around it.</summary>
 public class SwollenDepthTests
 {
     /// <summary>Supports; the general search spends thousands.</summary>

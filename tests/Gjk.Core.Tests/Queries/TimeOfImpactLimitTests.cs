@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
@@ -62,9 +60,8 @@ public class TimeOfImpactLimitTests
         Assert.True(r.Status is CastStatus.InvalidShape or CastStatus.InvalidInput, $"{r}");
     }
 
-    /// <summary>
-    /// A negative tolerance is the default, a larger one hits earlier, a tiny one is held to the least.
-    /// </summary>
+    /// <summary>A negative tolerance is the default, a larger one hits earlier, a tiny one is held to the
+    /// least.</summary>
     [Fact]
     public void TheToleranceIsHonoured()
     {
@@ -103,10 +100,8 @@ public class TimeOfImpactLimitTests
         }
     }
 
-    /// <summary>
-    /// A round body that spins about almost its own axis sinks slowly onto a floor: the steps run out, and the fraction
-    /// says how far they are proved apart. Spins that no double can follow end where the balls meet.
-    /// </summary>
+    /// <summary>A round body that spins about almost its own axis sinks slowly onto a floor: the steps run out, and the
+    /// fraction says how far they are proved apart. Spins that no double can follow end where the balls meet.</summary>
     [Theory]
     [InlineData(1e5f)]
     [InlineData(1e9f)]

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
@@ -12,10 +9,8 @@ public class TimeOfImpactTests
 
     public static TheoryData<string> Families => [.. MotionFamilies.Names];
 
-    /// <summary>
-    /// The promise: no fraction is later than the first contact, and at none is the gap above the tolerance. Some ten
-    /// thousand motions with GJK_LONG=1.
-    /// </summary>
+    /// <summary>The promise: no fraction is later than the first contact, and at none is the gap above the tolerance.
+    /// Some ten thousand motions with GJK_LONG=1.</summary>
     [Theory]
     [MemberData(nameof(Families))]
     public void NoFractionIsLateAndNoGapIsAboveTheTolerance(string family)
@@ -127,9 +122,8 @@ public class TimeOfImpactTests
         Assert.InRange(hits, 40, 180);
     }
 
-    /// <summary>
-    /// A wheel that turns ten times above a floor: its own tilts would take thousands of steps to tell apart.
-    /// </summary>
+    /// <summary>A wheel that turns ten times above a floor: its own tilts would take thousands of steps to tell
+    /// apart.</summary>
     [Theory]
     [InlineData(0.1f)]
     [InlineData(1e-3f)]
@@ -192,10 +186,8 @@ public class TimeOfImpactTests
         static float Grid(float x) => MathF.Round(x * 128) / 128;
     }
 
-    /// <summary>
-    /// The same bits on every target and runtime: sines are the library's own. If a change of them is meant, put the
-    /// new number here.
-    /// </summary>
+    /// <summary>The same bits on every target and runtime: sines are the library's own. If a change of them is meant,
+    /// put the new number here.</summary>
     [Fact]
     public void TheImpactsKeepTheirBits()
     {

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Times of impact of bodies that turn and touch or overlap at the start: contacts that get deeper count from the
-/// start, others are passed, and after they have ended the next one is found.
-/// </summary>
+/// <summary>Times of impact of bodies that turn and touch or overlap at the start: contacts that get deeper count from
+/// the start, others are passed, and after they have ended the next one is found.</summary>
 public class TouchingImpactTests
 {
     private const int Looks = 300;

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Shapes that only touch at the start are a hit at 0 if the motion goes in, and a miss if it slides or leaves; shapes
-/// that overlap there come with the normal and the depth.
-/// </summary>
+/// <summary>Shapes that only touch at the start are a hit at 0 if the motion goes in, and a miss if it slides or
+/// leaves; shapes that overlap there come with the normal and the depth.</summary>
 public class TouchingStartTests
 {
     private static readonly ConvexShape Cube = ConvexShape.Box(Vector3.One);
@@ -127,10 +123,8 @@ public class TouchingStartTests
         Assert.True(starts > 50, $"{starts} starts");
     }
 
-    /// <summary>
-    /// Curved bodies on a floor: exactly on it they touch, though their depth is known to no more than 1e-6; a
-    /// hundred millionth lower they overlap.
-    /// </summary>
+    /// <summary>Curved bodies on a floor: exactly on it they touch, though their depth is known to no more than 1e-6; a
+    /// hundred millionth lower they overlap.</summary>
     [Fact]
     public void CurvedBodiesTouchWhereTheirDistanceSaysSo()
     {
@@ -158,10 +152,8 @@ public class TouchingStartTests
             ConvexQuery.Cast(floor, Here, default, body, new RigidPose(at), motion);
     }
 
-    /// <summary>
-    /// Round bodies that stand on a wide floor: a slope of some 1e-8 takes them in by more than counts as touching, and
-    /// one of 0 does not.
-    /// </summary>
+    /// <summary>Round bodies that stand on a wide floor: a slope of some 1e-8 takes them in by more than counts as
+    /// touching, and one of 0 does not.</summary>
     [Theory]
     [MemberData(nameof(Bodies))]
     public void ASlightSlopeGoesIn(string kind)

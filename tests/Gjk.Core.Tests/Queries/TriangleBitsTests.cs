@@ -1,12 +1,9 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// Triangles are asked as cores of their own, where the target has them. Scaled by 1 they are no such core and take the
-/// general way, which has the same bits.
-/// </summary>
+/// <summary>Triangles are asked as cores of their own, where the target has them. Scaled by 1 they are no such core and
+/// take the general way, which has the same bits.</summary>
 public class TriangleBitsTests
 {
     private const int Pairs = 3000;

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
@@ -78,10 +76,9 @@ public class UserShapeTests
         }
     }
 
-    /// <summary>
-    /// Rounded to float, the points of a curved shape disagree with one another by more than double could, above all
-    /// far from the shape's own origin. That is no fault: the answer is as good as the points are, and says Separated.
-    /// </summary>
+    /// <summary>Rounded to float, the points of a curved shape disagree with one another by more than double could,
+    /// above all far from the shape's own origin. That is no fault: the answer is as good as the points are, and says
+    /// Separated.</summary>
     [Theory]
     [InlineData(0)]
     [InlineData(100)]

@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using System.Runtime.InteropServices;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>
-/// What a warm start holds only suggests where to begin: whatever it is, the answer is the cold one within the
-/// accuracy.
-/// </summary>
+/// <summary>What a warm start holds only suggests where to begin: whatever it is, the answer is the cold one within the
+/// accuracy.</summary>
 public class WarmStartTests
 {
     [Fact]
@@ -63,10 +59,8 @@ public class WarmStartTests
         return null;
     });
 
-    /// <summary>
-    /// Large balls beside small round shapes: what the search may leave of the way between the cores is less than what
-    /// counts as touching, however long their margins make that way.
-    /// </summary>
+    /// <summary>Large balls beside small round shapes: what the search may leave of the way between the cores is less
+    /// than what counts as touching, however long their margins make that way.</summary>
     [Fact]
     public void ABallThatTouchesExactlyTouchesFromAnyStart()
     {

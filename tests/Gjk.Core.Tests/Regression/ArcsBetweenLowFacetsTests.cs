@@ -1,13 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Across an edge a hull is higher than across the facets on both its sides. A walk along the arc between them ended
-/// where that was high, and never came to its other, low end; depths of turned spheres were 5e-4 too large.
-/// </summary>
+/// <summary>Across an edge a hull is higher than across the facets on both its sides. A walk along the arc between them
+/// ended where that was high, and never came to its other, low end; depths of turned spheres were 5e-4 too
+/// large.</summary>
 public class ArcsBetweenLowFacetsTests
 {
     private static readonly ConvexHull Ball = RoundHulls.Uv(12, 24);

@@ -1,13 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Boxes whose faces are level and share a part only. A thin box's shortest side counted as level, and what lay beside
-/// a face by rounding was not cut at all: the deepest points were up to the whole size off their boxes.
-/// </summary>
+/// <summary>Boxes whose faces are level and share a part only. A thin box's shortest side counted as level, and what
+/// lay beside a face by rounding was not cut at all: the deepest points were up to the whole size off their
+/// boxes.</summary>
 public class BoxFacePointTests
 {
     [Fact]

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A mesh that is a box was asked by dot products where a component of the direction is smaller than their rounding,
-/// and then did not answer as the box does. Signs are exact.
-/// </summary>
+/// <summary>A mesh that is a box was asked by dot products where a component of the direction is smaller than their
+/// rounding, and then did not answer as the box does. Signs are exact.</summary>
 public class BoxTieTests
 {
     [Theory]

@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A pair that one broad phase took for near and another did not kept a warm start from frames in which it was further
-/// apart than asked, so that its first distance had other bits in the one scene than in the other.
-/// </summary>
+/// <summary>A pair that one broad phase took for near and another did not kept a warm start from frames in which it was
+/// further apart than asked, so that its first distance had other bits in the one scene than in the other.</summary>
 public class CandidateBitsTests
 {
     private const int Frames = 50;
@@ -59,10 +53,8 @@ public class CandidateBitsTests
         Assert.True(entered > 100 && candidatesBeyond > 1000, $"{entered} entered, {candidatesBeyond} were beyond");
     }
 
-    /// <summary>
-    /// Pairs that come exactly to the distance: whether they are reported must not depend on whether they were looked
-    /// at before, while they were further apart.
-    /// </summary>
+    /// <summary>Pairs that come exactly to the distance: whether they are reported must not depend on whether they were
+    /// looked at before, while they were further apart.</summary>
     [Fact]
     public void PairsThatComeExactlyToTheDistanceAreReportedAlike()
     {

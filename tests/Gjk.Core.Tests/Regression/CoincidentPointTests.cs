@@ -1,12 +1,9 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Two meshes of one point each, turned by right angles onto the same point of the world, were 6e-33 apart: what
-/// double-double lost when it rotated them. The lower bound was above the true distance, which is 0.
-/// </summary>
+/// <summary>Two meshes of one point each, turned by right angles onto the same point of the world, were 6e-33 apart:
+/// what double-double lost when it rotated them. The lower bound was above the true distance, which is 0.</summary>
 public class CoincidentPointTests
 {
     private const string Found = "gjk1 mesh 1 0.066918917 0.651721001 0.0450020246 @ 0 0 0.707106769 -0.707106769 "
@@ -35,10 +32,8 @@ public class CoincidentPointTests
         Assert.Equal(200, count);
     }
 
-    /// <summary>
-    /// Points a hundred-billionth apart, far from B's own origin: B's point, placed from there, was beside A's point
-    /// plus the normal times the distance by more than float rounding of so small a distance.
-    /// </summary>
+    /// <summary>Points a hundred-billionth apart, far from B's own origin: B's point, placed from there, was beside A's
+    /// point plus the normal times the distance by more than float rounding of so small a distance.</summary>
     [Fact]
     public void PointsThatNearlyCoincideDifferByNormalTimesDistance()
     {

@@ -1,11 +1,7 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Rays at a cone's apex had the normal NaN, as those at bodies thinner than rounding; one that came from below had the
-/// axis for a normal, and so left the cone where it met it.
-/// </summary>
+/// <summary>Rays at a cone's apex had the normal NaN, as those at bodies thinner than rounding; one that came from
+/// below had the axis for a normal, and so left the cone where it met it.</summary>
 public class ConeApexRayTests
 {
     [Theory]

@@ -2,11 +2,9 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A cylinder that reaches into another shape by some 1e-12 of its size was overlapping for Overlaps and apart for
-/// Distance: the tolerance that ends the walk along a curved support was larger than the distance, so that the walk
-/// ended before it had either separated the shapes or enclosed the origin. Found by fuzz.
-/// </summary>
+/// <summary>A cylinder that reaches into another shape by some 1e-12 of its size was overlapping for Overlaps and apart
+/// for Distance: the tolerance that ends the walk along a curved support was larger than the distance, so that the walk
+/// ended before it had either separated the shapes or enclosed the origin. Found by fuzz.</summary>
 public class CurvedContactTests
 {
     [Theory]

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Corners at every scale, as on a spiral that shrinks geometrically: a support towards the small ones looked at nearly
-/// all of them. Counted in vertices and boxes looked at, which no machine's load can change.
-/// </summary>
+/// <summary>Corners at every scale, as on a spiral that shrinks geometrically: a support towards the small ones looked
+/// at nearly all of them. Counted in vertices and boxes looked at, which no machine's load can change.</summary>
 public class DeepHullCostTests
 {
     /// <summary>Counts. A search of all takes 1249 steps, each a pair of boxes or a leaf's vertices.</summary>

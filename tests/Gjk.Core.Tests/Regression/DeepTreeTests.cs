@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A tree that grew by a few objects at a time was as deep as it had leaves where surfaces say nothing: points on a
-/// line, identical and nested boxes, boxes whose surface is infinite.
-/// </summary>
+/// <summary>A tree that grew by a few objects at a time was as deep as it had leaves where surfaces say nothing: points
+/// on a line, identical and nested boxes, boxes whose surface is infinite.</summary>
 public class DeepTreeTests
 {
     private const int Objects = 2000;

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// "A direction of any length": a cylinder and a cone gave their axis towards 1e-170, an ellipsoid its centre towards
-/// 1e200, because squares of components left the range of double.
-/// </summary>
+/// <summary>"A direction of any length": a cylinder and a cone gave their axis towards 1e-170, an ellipsoid its centre
+/// towards 1e200, because squares of components left the range of double.</summary>
 public class DirectionLengthTests
 {
     private static readonly ConvexShape[] Shapes =

@@ -1,13 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Muratori's boolean step, trusted on rounded numbers, went to and fro between two faces of a tetrahedron for ever: on
-/// 1 to 14 of 100,000 random pairs, and on flush or coincident faces. Here the boolean solver has a round limit after
-/// which the distance solver decides, and that one's distance falls strictly.
-/// </summary>
+/// <summary>Muratori's boolean step, trusted on rounded numbers, went to and fro between two faces of a tetrahedron for
+/// ever: on 1 to 14 of 100,000 random pairs, and on flush or coincident faces. Here the boolean solver has a round
+/// limit after which the distance solver decides, and that one's distance falls strictly.</summary>
 public class EndlessLoopTests
 {
     [Fact]

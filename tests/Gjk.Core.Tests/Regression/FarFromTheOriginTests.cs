@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// 1e5 from the world's origin distances were wrong by more than the gap, because world coordinates were rounded to
-/// float (a unit in the last place is 0.008 there) before they were subtracted. Here the difference of the positions is
-/// taken first, in double.
-/// </summary>
+/// <summary>1e5 from the world's origin distances were wrong by more than the gap, because world coordinates were
+/// rounded to float (a unit in the last place is 0.008 there) before they were subtracted. Here the difference of the
+/// positions is taken first, in double.</summary>
 public class FarFromTheOriginTests
 {
     [Theory]
@@ -48,9 +44,8 @@ public class FarFromTheOriginTests
         }
     }
 
-    /// <summary>
-    /// There a float holds the world's points to 0.008 only; in the shapes' own frames they are as good as anywhere.
-    /// </summary>
+    /// <summary>There a float holds the world's points to 0.008 only; in the shapes' own frames they are as good as
+    /// anywhere.</summary>
     [Fact]
     public void TheLocalPointsKeepTheirDigits()
     {

@@ -1,12 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// The support of a shape far from its local origin compared dot products of absolute coordinates, whose rounding grows
-/// with the offset. A lower bound was above the true distance, because the plane went through the wrong vertex.
-/// </summary>
+/// <summary>The support of a shape far from its local origin compared dot products of absolute coordinates, whose
+/// rounding grows with the offset. A lower bound was above the true distance, because the plane went through the wrong
+/// vertex.</summary>
 public class FarLocalOriginTests
 {
     [Theory]
@@ -36,9 +34,8 @@ public class FarLocalOriginTests
         Assert.InRange(separated, 0.05 * count, 0.98 * count);
     }
 
-    /// <summary>
-    /// Coordinates are rounded to float at the offset, which flattens or repeats some vertices; that is fine.
-    /// </summary>
+    /// <summary>Coordinates are rounded to float at the offset, which flattens or repeats some vertices; that is
+    /// fine.</summary>
     private static TestShape Far(Rng rng, string kind, Vector3 away) => kind switch
     {
         "segment" => TestShape.Segment(away + rng.Vector(-2, 2), away + rng.Vector(-2, 2)),

@@ -1,22 +1,16 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A support towards a flat face with 10^4 corners compared all of them. Counted in vertices and boxes looked at, which
-/// no machine's load can change.
-/// </summary>
+/// <summary>A support towards a flat face with 10^4 corners compared all of them. Counted in vertices and boxes looked
+/// at, which no machine's load can change.</summary>
 public class FlatFaceCostTests
 {
     /// <summary>Count: vertices in a list, and in all lists per vertex of the hull.</summary>
     private const int LongestList = 512, EntriesPerVertex = 64;
 
-    /// <summary>
-    /// Count: pairs of nodes or leaves that a search looks at, on average for the directions of one distance from the
-    /// normal.
-    /// </summary>
+    /// <summary>Count: pairs of nodes or leaves that a search looks at, on average for the directions of one distance
+    /// from the normal.</summary>
     private const double MostSteps = 120;
 
     [Theory]

@@ -1,16 +1,11 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.Support.Rays;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Hulls that are solids to exact predicates and flat but for rounding: a disc turned by 90 degrees in double, a corner
-/// lifted by next to nothing. The planes of their facets are parallel but for rounding. A ray that was clipped by them
-/// hit thin air, up to 4e5 sizes away from the hull, and missed its middle.
-/// </summary>
+/// <summary>Hulls that are solids to exact predicates and flat but for rounding: a disc turned by 90 degrees in double,
+/// a corner lifted by next to nothing. The planes of their facets are parallel but for rounding. A ray that was clipped
+/// by them hit thin air, up to 4e5 sizes away from the hull, and missed its middle.</summary>
 public class FlatHullRayTests
 {
     private delegate Vector3 Corner(Rng rng, double x, double y, float lift);

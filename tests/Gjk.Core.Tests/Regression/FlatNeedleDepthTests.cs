@@ -1,12 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Two equal segments that cross at a tiny angle have a difference that is flat, and a needle. The normal of a triangle
-/// of it leaned along the needle, whose far corner was called the depth, up to 2e-9 of the size. Found by fuzz.
-/// </summary>
+/// <summary>Two equal segments that cross at a tiny angle have a difference that is flat, and a needle. The normal of a
+/// triangle of it leaned along the needle, whose far corner was called the depth, up to 2e-9 of the size. Found by
+/// fuzz.</summary>
 public class FlatNeedleDepthTests
 {
     private const string Mesh =

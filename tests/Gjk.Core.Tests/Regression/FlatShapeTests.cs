@@ -1,15 +1,10 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Flat and straight shapes gave NaN or no answer, because the barycentric weights of a simplex without area or volume
-/// divide 0 by 0. Weights of degenerate simplices fall back to their edges and corners here, and what is flat is a hull
-/// like any other.
-/// </summary>
+/// <summary>Flat and straight shapes gave NaN or no answer, because the barycentric weights of a simplex without area
+/// or volume divide 0 by 0. Weights of degenerate simplices fall back to their edges and corners here, and what is flat
+/// is a hull like any other.</summary>
 public class FlatShapeTests
 {
     [Fact]

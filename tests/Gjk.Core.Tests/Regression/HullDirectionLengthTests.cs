@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A large mesh gave wrong vertices towards directions shorter than 1e-307, and any mesh towards some longer than
-/// 1e270: dot products left the range of double.
-/// </summary>
+/// <summary>A large mesh gave wrong vertices towards directions shorter than 1e-307, and any mesh towards some longer
+/// than 1e270: dot products left the range of double.</summary>
 public class HullDirectionLengthTests
 {
     [Theory]

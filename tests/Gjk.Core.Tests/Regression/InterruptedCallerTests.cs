@@ -1,12 +1,9 @@
-using System;
 using System.Threading;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// An interrupt of the thread that waited for its workers ended the call while they went on writing into the caller's
-/// results.
-/// </summary>
+/// <summary>An interrupt of the thread that waited for its workers ended the call while they went on writing into the
+/// caller's results.</summary>
 public class InterruptedCallerTests
 {
     private const int Parts = 8;

@@ -1,14 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Up to 7 % of the pairs of hulls ended at the iteration cap, without an answer, because the loop waited for v to
-/// repeat to the last bit. It ends here when the bounds meet.
-/// </summary>
+/// <summary>Up to 7 % of the pairs of hulls ended at the iteration cap, without an answer, because the loop waited for
+/// v to repeat to the last bit. It ends here when the bounds meet.</summary>
 public class IterationCapTests
 {
     [Theory]

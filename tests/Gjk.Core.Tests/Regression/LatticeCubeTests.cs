@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Unit cubes on a lattice of a quarter unit, 11 places along each axis: 41 of the 1,331 overlaps were missed, where
-/// faces are flush and the origin lies on a face, edge or corner of the simplex, so that a strict comparison sends the
-/// walk the wrong way. The distance is known: per axis the excess over 1.
-/// </summary>
+/// <summary>Unit cubes on a lattice of a quarter unit, 11 places along each axis: 41 of the 1,331 overlaps were missed,
+/// where faces are flush and the origin lies on a face, edge or corner of the simplex, so that a strict comparison
+/// sends the walk the wrong way. The distance is known: per axis the excess over 1.</summary>
 public class LatticeCubeTests
 {
     private const float Step = 0.25f;
@@ -41,9 +37,8 @@ public class LatticeCubeTests
         Assert.Equal(1331, count);
     }
 
-    /// <summary>
-    /// The same lattice turned in space: contact in floats is no contact exactly, so the exact answer decides.
-    /// </summary>
+    /// <summary>The same lattice turned in space: contact in floats is no contact exactly, so the exact answer
+    /// decides.</summary>
     [Fact]
     public void TurnedTogetherTheyHaveTheExactAnswer()
     {

@@ -1,13 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// An apex or a pole on the middle of a disc that leans by 5e-6 to 2e-4: the shortest way out is across the disc, a
-/// little beside the axis of the other body. The proof for planes about that axis left out how the leaning one moves in
-/// directions near it, and shapes that were apart overlapped by 1e-4.
-/// </summary>
+/// <summary>An apex or a pole on the middle of a disc that leans by 5e-6 to 2e-4: the shortest way out is across the
+/// disc, a little beside the axis of the other body. The proof for planes about that axis left out how the leaning one
+/// moves in directions near it, and shapes that were apart overlapped by 1e-4.</summary>
 public class LeaningAxisTests
 {
     [Fact]

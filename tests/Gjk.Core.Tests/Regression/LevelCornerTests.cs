@@ -1,13 +1,10 @@
-using System;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Round hulls about one centre with corners that are level in many ways: poles, symmetric rings, copies of a corner.
-/// Along an arc rounding missed a change of the furthest corner, and the depth ended at the limit. Found by fuzz.
-/// </summary>
+/// <summary>Round hulls about one centre with corners that are level in many ways: poles, symmetric rings, copies of a
+/// corner. Along an arc rounding missed a change of the furthest corner, and the depth ended at the limit. Found by
+/// fuzz.</summary>
 public class LevelCornerTests
 {
     private static readonly QueryRecord[] Records =

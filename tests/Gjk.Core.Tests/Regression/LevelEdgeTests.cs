@@ -1,9 +1,8 @@
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Two boxes flush but for 4e-14 rad: rounding preferred the axis across two edges to that of the face, and the edges
-/// were such as do not pass each other, so that the point of A lay a third of its size beside it. Found by fuzz.
-/// </summary>
+/// <summary>Two boxes flush but for 4e-14 rad: rounding preferred the axis across two edges to that of the face, and
+/// the edges were such as do not pass each other, so that the point of A lay a third of its size beside it. Found by
+/// fuzz.</summary>
 public class LevelEdgeTests
 {
     private const string Record =

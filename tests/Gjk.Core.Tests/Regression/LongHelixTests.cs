@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// The support of a long helix missed its last corner in a patch of directions: a cell without a list gave its place to
-/// the list of the next one. The distance to a cluster of points came back as InvalidShape. Found by an independent
-/// attack.
-/// </summary>
+/// <summary>The support of a long helix missed its last corner in a patch of directions: a cell without a list gave its
+/// place to the list of the next one. The distance to a cluster of points came back as InvalidShape. Found by an
+/// independent attack.</summary>
 public class LongHelixTests
 {
     [Fact]

@@ -1,13 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// With margins, Overlaps compared heights and Distance compared lengths, and where the radii add up to the distance
-/// the last bit decided: 9 % of the pairs placed there got two answers. A cast rounded its own way too, and began apart
-/// where the distance says that they touch.
-/// </summary>
+/// <summary>With margins, Overlaps compared heights and Distance compared lengths, and where the radii add up to the
+/// distance the last bit decided: 9 % of the pairs placed there got two answers. A cast rounded its own way too, and
+/// began apart where the distance says that they touch.</summary>
 public class MarginThresholdTests
 {
     [Fact]

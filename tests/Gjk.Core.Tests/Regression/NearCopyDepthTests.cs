@@ -1,15 +1,10 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A shape in a copy of itself that is turned by a few last places: the facets of the two lie beside each other,
-/// support points lie above a face by rounding alone, and the surface turned inside out. The depth was said to be 0, or
-/// the room ran out.
-/// </summary>
+/// <summary>A shape in a copy of itself that is turned by a few last places: the facets of the two lie beside each
+/// other, support points lie above a face by rounding alone, and the surface turned inside out. The depth was said to
+/// be 0, or the room ran out.</summary>
 public class NearCopyDepthTests
 {
     private static readonly Vector3[] Octahedron =
@@ -72,10 +67,8 @@ public class NearCopyDepthTests
         Assert.Equal((GjkStatus.Overlapping, -2f), (r.Status, r.Distance));
     }
 
-    /// <summary>
-    /// Vertices of A - B that nearly coincide leave faces whose normals are rounding, and a corner that the surface has
-    /// already lies above a level face by rounding: there was said to be no room.
-    /// </summary>
+    /// <summary>Vertices of A - B that nearly coincide leave faces whose normals are rounding, and a corner that the
+    /// surface has already lies above a level face by rounding: there was said to be no room.</summary>
     [Theory]
     [MemberData(nameof(Crowded))]
     public void FacesThatAreRoundingDoNotFillTheRoom(string record, float depth)

@@ -1,13 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Two vertices 5.7e-8 apart were called overlapping: the walk met a tetrahedron so flat that the rounded signs of its
-/// determinants said it held the origin. Enclosure is believed here only where the determinants are larger than their
-/// rounding.
-/// </summary>
+/// <summary>Two vertices 5.7e-8 apart were called overlapping: the walk met a tetrahedron so flat that the rounded
+/// signs of its determinants said it held the origin. Enclosure is believed here only where the determinants are larger
+/// than their rounding.</summary>
 public class NearVertexTests
 {
     [Fact]
@@ -42,10 +39,8 @@ public class NearVertexTests
         }
     }
 
-    /// <summary>
-    /// Two flat-topped pyramids, tip to tip about x: each tip is a vertex at its own origin, and the gap lies between
-    /// the origins.
-    /// </summary>
+    /// <summary>Two flat-topped pyramids, tip to tip about x: each tip is a vertex at its own origin, and the gap lies
+    /// between the origins.</summary>
     private static TestPair Pair(ulong seed, float gap)
     {
         var rng = new Rng(seed);

@@ -1,12 +1,9 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A point inside four corners nearly on a line: the flag was right, but the common point lay 1.3e-7 of the size off,
-/// since the tetrahedron's volumes had lost their digits to cancellation. Found by fuzz.
-/// </summary>
+/// <summary>A point inside four corners nearly on a line: the flag was right, but the common point lay 1.3e-7 of the
+/// size off, since the tetrahedron's volumes had lost their digits to cancellation. Found by fuzz.</summary>
 public class NeedleContactTests
 {
     [Fact]

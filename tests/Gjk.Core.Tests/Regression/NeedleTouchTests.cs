@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Two triangles all but equal, 9e-10 apart, were called touching from a warm start: the remembered simplex was a
-/// needle, its normal mostly rounding, and its height nothing. Found by fuzz.
-/// </summary>
+/// <summary>Two triangles all but equal, 9e-10 apart, were called touching from a warm start: the remembered simplex
+/// was a needle, its normal mostly rounding, and its height nothing. Found by fuzz.</summary>
 public class NeedleTouchTests
 {
     private const string Record =
@@ -18,10 +14,8 @@ public class NeedleTouchTests
         + "0.3013974130153656 -0.86923521757125854 -0.79121577739715576 @ 0.342607945 -0.688456476 0.264896691 "
         + "0.581787944 1.10893728E-09 -4.02878259E-10 -1.60159253E-09";
 
-    /// <summary>
-    /// Two triangles 1.4e-13 apart, and a nearest needle whose own point lies 9e-10 beside it: of the weights a
-    /// negative one was left out, which moved the point along the needle by a tenth of its size.
-    /// </summary>
+    /// <summary>Two triangles 1.4e-13 apart, and a nearest needle whose own point lies 9e-10 beside it: of the weights
+    /// a negative one was left out, which moved the point along the needle by a tenth of its size.</summary>
     private const string Beside =
         "gjk1 mesh 3 -0.0634876043 -0.292635649 -0.0367245227 0.132109478 0.608936846 0.0764189661 0.105490625 "
         + "0.486241639 0.061021246 @ 0.227198884 -0.892888844 -0.222106248 0.319059461 2.91091573E-09 5.34563283E-09 "

@@ -1,13 +1,9 @@
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A mesh of size 1 whose vertices lie 1e4 from its own origin, as exported levels have them, lost four digits to the
-/// rotation of the offset. The offset is turned in double-double here.
-/// </summary>
+/// <summary>A mesh of size 1 whose vertices lie 1e4 from its own origin, as exported levels have them, lost four digits
+/// to the rotation of the offset. The offset is turned in double-double here.</summary>
 public class OffsetMeshTests
 {
     [Theory]

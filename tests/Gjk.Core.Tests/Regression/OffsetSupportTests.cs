@@ -1,14 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// The support of a mesh far from its local origin compared dot products of absolute coordinates: it was wrong by 1e-16
-/// of the offset, not of the size.
-/// </summary>
+/// <summary>The support of a mesh far from its local origin compared dot products of absolute coordinates: it was wrong
+/// by 1e-16 of the offset, not of the size.</summary>
 public class OffsetSupportTests
 {
     [Theory]

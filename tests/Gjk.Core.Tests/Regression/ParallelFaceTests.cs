@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Shapes with parallel faces a small gap apart were called overlapping: v, the difference of two nearly equal points,
-/// is mostly rounding there, and a support along it finds the wrong corner. Normals come from the feature here, not
-/// from v. The gaps are B's position, so a float holds them exactly.
-/// </summary>
+/// <summary>Shapes with parallel faces a small gap apart were called overlapping: v, the difference of two nearly equal
+/// points, is mostly rounding there, and a support along it finds the wrong corner. Normals come from the feature here,
+/// not from v. The gaps are B's position, so a float holds them exactly.</summary>
 public class ParallelFaceTests
 {
     private static readonly float[] Gaps =

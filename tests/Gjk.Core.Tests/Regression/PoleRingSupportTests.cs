@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A sphere made with sine and cosine has a ring 1e-16 wide at its pole. The climb of the look-up stopped there, and
-/// the support was the opposite pole; a ball 1 away gave InvalidShape.
-/// </summary>
+/// <summary>A sphere made with sine and cosine has a ring 1e-16 wide at its pole. The climb of the look-up stopped
+/// there, and the support was the opposite pole; a ball 1 away gave InvalidShape.</summary>
 public class PoleRingSupportTests
 {
     [Fact]

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
@@ -90,10 +87,8 @@ public class RaySeamTests
         Assert.True(hits.Count > 2);
     }
 
-    /// <summary>
-    /// A flat line that passes an edge closely crosses the triangle's plane far beside it: it meets the edge, where the
-    /// neighbour's hit is before.
-    /// </summary>
+    /// <summary>A flat line that passes an edge closely crosses the triangle's plane far beside it: it meets the edge,
+    /// where the neighbour's hit is before.</summary>
     [Fact]
     public void AFlatLineMeetsAnEdgeWhereItPassesIt()
     {

@@ -1,13 +1,9 @@
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Curved shapes in exact contact touched in a cold query and were apart in the warm one that followed, so a resting
-/// pair lost its contact in the second frame.
-/// </summary>
+/// <summary>Curved shapes in exact contact touched in a cold query and were apart in the warm one that followed, so a
+/// resting pair lost its contact in the second frame.</summary>
 public class RestingContactTests
 {
     private static readonly ConvexShape[] Shapes =

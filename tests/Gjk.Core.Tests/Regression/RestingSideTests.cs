@@ -1,17 +1,12 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 using static Gjk.Core.Tests.Support.Resting;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// An edge beside the side of a cylinder or a cone: the normal was open by 1e-5, so the line of the side lay now in the
-/// box's face, now beside it, and a pair at rest had 3, 1 or 2 points in turn, as its warm start had it. Found by an
-/// attack.
-/// </summary>
+/// <summary>An edge beside the side of a cylinder or a cone: the normal was open by 1e-5, so the line of the side lay
+/// now in the box's face, now beside it, and a pair at rest had 3, 1 or 2 points in turn, as its warm start had it.
+/// Found by an attack.</summary>
 public class RestingSideTests
 {
     [Theory]
@@ -71,10 +66,8 @@ public class RestingSideTests
         }
     }
 
-    /// <summary>
-    /// A log on a rounded cone was taken for one on a cylinder of the margin's radius, and its points were 0.02 inside
-    /// the cone.
-    /// </summary>
+    /// <summary>A log on a rounded cone was taken for one on a cylinder of the margin's radius, and its points were
+    /// 0.02 inside the cone.</summary>
     [Theory]
     [InlineData(0.002f)]
     [InlineData(0.05f)]

@@ -1,13 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// An edge whose facets are turned by more than a right angle against each other. The end of its arc was not found
-/// then, and the ways out across it were left out: depths of flat bipyramids about one centre were 1e-3 too large.
-/// </summary>
+/// <summary>An edge whose facets are turned by more than a right angle against each other. The end of its arc was not
+/// found then, and the ways out across it were left out: depths of flat bipyramids about one centre were 1e-3 too
+/// large.</summary>
 public class SharpEdgeArcTests
 {
     [Theory]

@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A box that became much smaller kept its leaf, so that it stayed the neighbour of all that it had been near.
-/// </summary>
+/// <summary>A box that became much smaller kept its leaf, so that it stayed the neighbour of all that it had been
+/// near.</summary>
 public class ShrunkenBoxTests
 {
     private const int Side = 30;
@@ -32,9 +28,8 @@ public class ShrunkenBoxTests
         Assert.Equal(0, phase.Pairs.Count);
     }
 
-    /// <summary>
-    /// A little smaller than makes a new leaf: then too many pairs are found, and all leaves are built anew.
-    /// </summary>
+    /// <summary>A little smaller than makes a new leaf: then too many pairs are found, and all leaves are built
+    /// anew.</summary>
     [Fact]
     public void MoreThanAFewPairsForEachAreNeverKept()
     {

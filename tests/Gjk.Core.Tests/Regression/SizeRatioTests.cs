@@ -1,12 +1,9 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Absolute epsilons made small shapes overlap at a distance and large ones miss contact. Every tolerance is a fraction
-/// of the pair here, from 1e-15 to 1e15 in size and a million to one.
-/// </summary>
+/// <summary>Absolute epsilons made small shapes overlap at a distance and large ones miss contact. Every tolerance is a
+/// fraction of the pair here, from 1e-15 to 1e15 in size and a million to one.</summary>
 public class SizeRatioTests
 {
     [Theory]

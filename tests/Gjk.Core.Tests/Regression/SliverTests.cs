@@ -1,15 +1,11 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Two nearly parallel segments, or a nearly straight triangle and a point, make a Minkowski difference so thin that
-/// the normal of its triangle is mostly rounding. A plane across that normal closes the gap to the triangle's own
-/// plane, yet the nearest point of the plane is not one of the triangle: the distance came out too small by up to a
-/// hundredth. Found by fuzz.
-/// </summary>
+/// <summary>Two nearly parallel segments, or a nearly straight triangle and a point, make a Minkowski difference so
+/// thin that the normal of its triangle is mostly rounding. A plane across that normal closes the gap to the triangle's
+/// own plane, yet the nearest point of the plane is not one of the triangle: the distance came out too small by up to a
+/// hundredth. Found by fuzz.</summary>
 public class SliverTests
 {
     [Theory]
@@ -47,9 +43,8 @@ public class SliverTests
         AssertExact(new QueryRecord(query.B, query.PoseB, query.A, query.PoseA));
     }
 
-    /// <summary>
-    /// A segment against itself, turned and moved by next to nothing: the family that the records above come from.
-    /// </summary>
+    /// <summary>A segment against itself, turned and moved by next to nothing: the family that the records above come
+    /// from.</summary>
     [Fact]
     public void NearlyEqualSegmentsHaveTheExactDistance()
     {

@@ -1,13 +1,7 @@
-using System;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// Clouds on which building a hull took quadratic time: minutes for 100,000 points. The work is counted
-/// (HullCostTests says in what); the corners are checked, too, as a fast wrong hull is no use.
-/// </summary>
+/// <summary>Clouds on which building a hull took quadratic time: minutes for 100,000 points. The work is counted
+/// (HullCostTests says in what); the corners are checked, too, as a fast wrong hull is no use.</summary>
 public class SlowHullTests
 {
     /// <summary>Work per point and log2 n, as in HullCostTests.</summary>

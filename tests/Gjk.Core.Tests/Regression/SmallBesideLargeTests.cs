@@ -1,16 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Parts that are tiny beside others are found however the others are measured.</summary>
 public class SmallBesideLargeTests
 {
-    /// <summary>
-    /// In units of the large triangle the product of two gaps has no digits left as a float, which must not make it
-    /// larger.
-    /// </summary>
+    /// <summary>In units of the large triangle the product of two gaps has no digits left as a float, which must not
+    /// make it larger.</summary>
     [Theory]
     [InlineData(1)]
     [InlineData(1.5)]

@@ -2,11 +2,9 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Two spheres whose centres lie closer than touching had one common point from Distance and another, a rounding away,
-/// from the overload with the simplex: the closed form called their cores apart where the loop calls them one. Found by
-/// fuzz.
-/// </summary>
+/// <summary>Two spheres whose centres lie closer than touching had one common point from Distance and another, a
+/// rounding away, from the overload with the simplex: the closed form called their cores apart where the loop calls
+/// them one. Found by fuzz.</summary>
 public class SphereCentreTests
 {
     [Fact]

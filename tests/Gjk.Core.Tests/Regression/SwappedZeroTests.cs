@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A swapped result negated its normal with System.Numerics, which makes -0 of 0 on .NET and 0 on Mono: a cast of a
-/// point that overlaps at the start had other bits there.
-/// </summary>
+/// <summary>A swapped result negated its normal with System.Numerics, which makes -0 of 0 on .NET and 0 on Mono: a cast
+/// of a point that overlaps at the start had other bits there.</summary>
 public class SwappedZeroTests
 {
     [Fact]

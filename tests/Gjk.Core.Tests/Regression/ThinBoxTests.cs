@@ -1,21 +1,16 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.BroadPhase;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// The tree enlarged the box of a rod by a part of its length along all axes, so that rods that lie side by side had
-/// all others as neighbours: 10,000 of them took seconds and gigabytes, 100,000 ended in an overflow.
-/// </summary>
+/// <summary>The tree enlarged the box of a rod by a part of its length along all axes, so that rods that lie side by
+/// side had all others as neighbours: 10,000 of them took seconds and gigabytes, 100,000 ended in an
+/// overflow.</summary>
 public class ThinBoxTests
 {
     private const int Objects = 3000;
 
-    /// <summary>
-    /// Bytes: a rod needs some 300 in tables and nodes; each of the pairs that were kept was 8 to 32 more.
-    /// </summary>
+    /// <summary>Bytes: a rod needs some 300 in tables and nodes; each of the pairs that were kept was 8 to 32
+    /// more.</summary>
     private const int MostBytesPerObject = 2000;
 
     [Theory]

@@ -1,13 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.BroadPhase;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// More pairs than an array holds ended in an overflow, and left a broad phase that gave wrong pairs.
-/// </summary>
+/// <summary>More pairs than an array holds ended in an overflow, and left a broad phase that gave wrong
+/// pairs.</summary>
 public class TooManyPairsTests
 {
     private const int Limit = 100;

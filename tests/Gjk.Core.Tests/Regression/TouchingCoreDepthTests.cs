@@ -1,11 +1,8 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Rounded shapes whose cores touch exactly: depth and normal were right, but the deepest points were those of any part
-/// of the facet. And shapes a hundred million times larger than the other, of which the normal was zero.
-/// </summary>
+/// <summary>Rounded shapes whose cores touch exactly: depth and normal were right, but the deepest points were those of
+/// any part of the facet. And shapes a hundred million times larger than the other, of which the normal was
+/// zero.</summary>
 public class TouchingCoreDepthTests
 {
     private static readonly ConvexShape Box = ConvexShape.Box(new Vector3(2));
@@ -49,9 +46,8 @@ public class TouchingCoreDepthTests
         Assert.InRange(r.Distance, -size - 2, -size);
     }
 
-    /// <summary>
-    /// The depth of a slender cone is only known to 1e-6 of its length: whether it overlaps is for the distance to say.
-    /// </summary>
+    /// <summary>The depth of a slender cone is only known to 1e-6 of its length: whether it overlaps is for the
+    /// distance to say.</summary>
     [Fact]
     public void ASlenderConeBesideABox()
     {
@@ -91,9 +87,8 @@ public class TouchingCoreDepthTests
         Assert.InRange(r.PointB.Length(), 0, 1.5e-6f);
     }
 
-    /// <summary>
-    /// They are 3.7e-11 apart, which counts as touching for a curved core; the bound was that gap, above the distance.
-    /// </summary>
+    /// <summary>They are 3.7e-11 apart, which counts as touching for a curved core; the bound was that gap, above the
+    /// distance.</summary>
     [Fact]
     public void ATouchHasNoBoundAboveIt()
     {

@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Curved shapes that a query calls touching although a rounding error lies between them were missed by a scene: its
-/// boxes were widened by a part of their small coordinates, not of the shapes.
-/// </summary>
+/// <summary>Curved shapes that a query calls touching although a rounding error lies between them were missed by a
+/// scene: its boxes were widened by a part of their small coordinates, not of the shapes.</summary>
 public class TouchingInScenesTests
 {
     private const string ThinConeOnDisc =

@@ -1,13 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core.Tests.BroadPhase;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// While nothing was asked, each object that was removed and added again was queued once more, for ever.
-/// </summary>
+/// <summary>While nothing was asked, each object that was removed and added again was queued once more, for
+/// ever.</summary>
 public class UnaskedChangeTests
 {
     private const int Objects = 100;

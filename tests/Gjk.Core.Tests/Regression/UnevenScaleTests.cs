@@ -1,12 +1,10 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Tolerances were fractions of a bounding radius that grew with the largest factor of an uneven scale, or with what a
-/// user's shape reported: a unit cube stored a million times too long overlapped a box 3.5e-9 away.
-/// </summary>
+/// <summary>Tolerances were fractions of a bounding radius that grew with the largest factor of an uneven scale, or
+/// with what a user's shape reported: a unit cube stored a million times too long overlapped a box 3.5e-9
+/// away.</summary>
 public class UnevenScaleTests
 {
     private const int Exponent = 21;

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// A body 1e-14 to 1e-10 beside another one's axis leaves it in the plane of that offset, whose direction kept a part
-/// along the axis; normals were up to 1.5e-5 off unit length.
-/// </summary>
+/// <summary>A body 1e-14 to 1e-10 beside another one's axis leaves it in the plane of that offset, whose direction kept
+/// a part along the axis; normals were up to 1.5e-5 off unit length.</summary>
 public class UnitNormalTests
 {
     private const string Record =

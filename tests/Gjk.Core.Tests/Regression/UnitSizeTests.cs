@@ -1,12 +1,9 @@
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Products of lengths left the range of double for pairs below 1e-35 (wrong, or overlapping) and near 3e38
-/// (InvalidShape). Such a pair is solved at unit size, by a power of two.
-/// </summary>
+/// <summary>Products of lengths left the range of double for pairs below 1e-35 (wrong, or overlapping) and near 3e38
+/// (InvalidShape). Such a pair is solved at unit size, by a power of two.</summary>
 public class UnitSizeTests
 {
     [Theory]

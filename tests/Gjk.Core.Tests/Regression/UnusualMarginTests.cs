@@ -1,13 +1,9 @@
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core.Tests.BroadPhase;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// The tree kept all pairs of one question about an infinite distance, and kept them up to date in every later
-/// question, even in those about a box.
-/// </summary>
+/// <summary>The tree kept all pairs of one question about an infinite distance, and kept them up to date in every later
+/// question, even in those about a box.</summary>
 public class UnusualMarginTests
 {
     private const int Objects = 1000;

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using System.Runtime.InteropServices;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// An infinite stored normal made every query of a pair with a curved shape end with InvalidShape, for ever: the query
-/// failed and left the normal in place.
-/// </summary>
+/// <summary>An infinite stored normal made every query of a pair with a curved shape end with InvalidShape, for ever:
+/// the query failed and left the normal in place.</summary>
 public class WarmStartContentTests
 {
     public static TheoryData<float> StrangeNumbers =>

@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Regression;
 
-/// <summary>
-/// Closest points at great ratios of size or distance: the weights of needle triangles lost their digits (4e-3 of the
-/// larger size off at 1e10), and the point on B was found by walking the distance from A (3e-4 outside a unit box that
-/// is 1e12 away).
-/// </summary>
+/// <summary>Closest points at great ratios of size or distance: the weights of needle triangles lost their digits (4e-3
+/// of the larger size off at 1e10), and the point on B was found by walking the distance from A (3e-4 outside a unit
+/// box that is 1e12 away).</summary>
 public class WitnessPointTests
 {
     [Theory]
@@ -66,10 +62,8 @@ public class WitnessPointTests
         }
     }
 
-    /// <summary>
-    /// The point on a cylinder was moved round its side to face the other shape, and beyond the side's end where that
-    /// was beside the rim.
-    /// </summary>
+    /// <summary>The point on a cylinder was moved round its side to face the other shape, and beyond the side's end
+    /// where that was beside the rim.</summary>
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

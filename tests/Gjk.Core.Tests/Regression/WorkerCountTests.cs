@@ -1,4 +1,3 @@
-using System;
 using System.Threading;
 
 namespace Gjk.Core.Tests.Regression;

@@ -1,12 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Shapes;
 
-/// <summary>
-/// Contract 9: what scale and radius do to a shape; and that ConvexShape is the same shape as the struct.
-/// </summary>
+/// <summary>Contract 9: what scale and radius do to a shape; and that ConvexShape is the same shape as the
+/// struct.</summary>
 public class DecoratorTests
 {
     [Fact]

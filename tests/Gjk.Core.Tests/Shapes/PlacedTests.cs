@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests;
@@ -64,10 +60,9 @@ public class PlacedTests
             ConvexShape.Mesh(hull).Scaled(uneven).Placed(Beside).Rounded(0.3f));
     }
 
-    /// <summary>
-    /// The poses of the cases go into the shapes, and both objects stand at one pose, near or far, which changes no
-    /// distance. So the proved answers must come out. Supports in the frame's own coordinates would lose ten digits.
-    /// </summary>
+    /// <summary>The poses of the cases go into the shapes, and both objects stand at one pose, near or far, which
+    /// changes no distance. So the proved answers must come out. Supports in the frame's own coordinates would lose ten
+    /// digits.</summary>
     [Theory]
     [MemberData(nameof(Families))]
     public void APlacedShapeIsAsExactAsTheShape(string family)
@@ -104,9 +99,8 @@ public class PlacedTests
         Assert.Equal(1f / (1L << 43), r.Distance);
     }
 
-    /// <summary>
-    /// What is placed is answered as what is not, at the composed pose: by the same solvers, after as many supports.
-    /// </summary>
+    /// <summary>What is placed is answered as what is not, at the composed pose: by the same solvers, after as many
+    /// supports.</summary>
     [Fact]
     public void PlacedShapesAreAskedInTheAxesOfTheirCores()
     {

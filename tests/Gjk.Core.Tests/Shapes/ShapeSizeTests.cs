@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Shapes;
 
 /// <summary>A shape tells the numbers that it was made from.</summary>

@@ -1,15 +1,9 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
 public class ClosestFeatureTests
 {
-    /// <summary>
-    /// The cases in which the newest vertex, A, is part of the nearest feature, and on the origin's side of the older
-    /// ones: the step's own preconditions.
-    /// </summary>
+    /// <summary>The cases in which the newest vertex, A, is part of the nearest feature, and on the origin's side of
+    /// the older ones: the step's own preconditions.</summary>
     public static IEnumerable<object[]> WithNewest() =>
         new[] { 2, 3, 4 }.SelectMany(SimplexCase.All).Where(c => ((int)c[1] & 1) != 0 && IsReached(c));
 
@@ -43,10 +37,8 @@ public class ClosestFeatureTests
         if (subset != 15) Check(c, Selected(simplex, vertices), feature, subset);
     }
 
-    /// <summary>
-    /// Two vertices whose squared lengths round to the same, though the second is nearer: the origin lies beyond it,
-    /// and the edge's line passes far nearer than the edge.
-    /// </summary>
+    /// <summary>Two vertices whose squared lengths round to the same, though the second is nearer: the origin lies
+    /// beyond it, and the edge's line passes far nearer than the edge.</summary>
     [Fact]
     public void AnEdgeOfOneRoundingIsItsNearerVertex()
     {

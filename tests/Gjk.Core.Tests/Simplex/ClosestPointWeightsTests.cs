@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests;
@@ -68,10 +66,8 @@ public class ClosestPointWeightsTests
         Assert.Equal(0, (w.PointOf(a, b, c, d) - new Double3(0.5, 1, -0.5)).Length, 1e-14);
     }
 
-    /// <summary>
-    /// Four points nearly on a line through the origin, which they enclose: the weighted point must be the origin
-    /// however thin they are.
-    /// </summary>
+    /// <summary>Four points nearly on a line through the origin, which they enclose: the weighted point must be the
+    /// origin however thin they are.</summary>
     [Fact]
     public void NeedleTetrahedra()
     {
@@ -94,10 +90,8 @@ public class ClosestPointWeightsTests
         }
     }
 
-    /// <summary>
-    /// Three points nearly on a line that passes the origin at a distance below or above their width: no point of an
-    /// edge may be nearer than the answer.
-    /// </summary>
+    /// <summary>Three points nearly on a line that passes the origin at a distance below or above their width: no point
+    /// of an edge may be nearer than the answer.</summary>
     [Fact]
     public void NeedleTriangles()
     {
@@ -117,9 +111,8 @@ public class ClosestPointWeightsTests
         }
     }
 
-    /// <summary>
-    /// Triangles just below the limit at which a face counts as a needle have their weights to nearly all digits.
-    /// </summary>
+    /// <summary>Triangles just below the limit at which a face counts as a needle have their weights to nearly all
+    /// digits.</summary>
     [Fact]
     public void NeedlesAreWeighedInExtendedPrecision()
     {
@@ -153,9 +146,8 @@ public class ClosestPointWeightsTests
         Assert.Equal((1.0, 0.0, 0.0), (w.A, w.B, w.C));
     }
 
-    /// <summary>
-    /// Four points of one plane through the origin, so that the volumes are what rounding leaves in any precision.
-    /// </summary>
+    /// <summary>Four points of one plane through the origin, so that the volumes are what rounding leaves in any
+    /// precision.</summary>
     [Fact]
     public void FlatTetrahedraThroughTheOrigin()
     {
@@ -181,10 +173,8 @@ public class ClosestPointWeightsTests
         }
     }
 
-    /// <summary>
-    /// The ratio of a tetrahedron's least volume to the cube of the root of its squared lengths is 2.6 / 8 times the
-    /// height at which a face passes the origin.
-    /// </summary>
+    /// <summary>The ratio of a tetrahedron's least volume to the cube of the root of its squared lengths is 2.6 / 8
+    /// times the height at which a face passes the origin.</summary>
     [Theory]
     [InlineData(2, false)]
     [InlineData(8, true)]

@@ -1,13 +1,8 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// A simplex placed so that the origin's nearest feature is known by construction: a point inside the feature, moved
-/// out along a direction of the feature's normal cone, is where the origin is put. No coordinate is zero or repeated,
-/// so that easy zeros fool no test.
-/// </summary>
+/// <summary>A simplex placed so that the origin's nearest feature is known by construction: a point inside the feature,
+/// moved out along a direction of the feature's normal cone, is where the origin is put. No coordinate is zero or
+/// repeated, so that easy zeros fool no test.</summary>
 internal sealed class SimplexCase
 {
     private static readonly Double3[] Corners =
@@ -36,10 +31,8 @@ internal sealed class SimplexCase
 
     public double Distance { get; }
 
-    /// <summary>
-    /// Every subset of the first n corners as the nearest feature, with the origin at three distances, and triangles
-    /// from either side.
-    /// </summary>
+    /// <summary>Every subset of the first n corners as the nearest feature, with the origin at three distances, and
+    /// triangles from either side.</summary>
     public static IEnumerable<object[]> All(int n)
     {
         for (int subset = 1; subset < 1 << n; subset++)
@@ -98,9 +91,8 @@ internal sealed class SimplexCase
         return Unit(sum);
     }
 
-    /// <summary>
-    /// In the triangle's plane, away from its corner that is missing, perpendicular to the other two's edge.
-    /// </summary>
+    /// <summary>In the triangle's plane, away from its corner that is missing, perpendicular to the other two's
+    /// edge.</summary>
     private static Double3 InPlaneOutward(int missing)
     {
         Double3 p = Corners[(missing + 1) % 3], q = Corners[(missing + 2) % 3], e = Unit(q - p);

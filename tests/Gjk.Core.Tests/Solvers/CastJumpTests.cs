@@ -1,18 +1,11 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Solvers;
 
-/// <summary>
-/// A point flies at the end of a capsule and jumps to where the ball there is met. The capsule's side begins just
-/// before, and the jump has gone through it by a little.
-/// </summary>
+/// <summary>A point flies at the end of a capsule and jumps to where the ball there is met. The capsule's side begins
+/// just before, and the jump has gone through it by a little.</summary>
 public class CastJumpTests
 {
-    /// <summary>
-    /// The segment from the origin to the angle's side, widened by 1. It reaches 2 from its centre, which is the end
-    /// that is met.
-    /// </summary>
+    /// <summary>The segment from the origin to the angle's side, widened by 1. It reaches 2 from its centre, which is
+    /// the end that is met.</summary>
     private readonly struct Capsule(double angle) : ISupportMap
     {
         private readonly Double3 _end =
@@ -42,9 +35,8 @@ public class CastJumpTests
         }
     }
 
-    /// <summary>
-    /// It ends where the jump went if that is no more than 2e-10 too far, 1e-10 of the radii; otherwise it goes back.
-    /// </summary>
+    /// <summary>It ends where the jump went if that is no more than 2e-10 too far, 1e-10 of the radii; otherwise it
+    /// goes back.</summary>
     [Theory]
     [InlineData(1e-10, false)]
     [InlineData(4e-10, true)]

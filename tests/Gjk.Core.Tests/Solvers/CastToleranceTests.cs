@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>The tolerances of casts, each from both sides; the numbers are written out.</summary>
@@ -18,9 +15,8 @@ public class CastToleranceTests
         Assert.InRange(line.Error, 20 * U * (1 + 3), 45 * U * (1 + 3));
     }
 
-    /// <summary>
-    /// The balls are a millionth of a millionth too large, and cores that touch with them are apart there.
-    /// </summary>
+    /// <summary>The balls are a millionth of a millionth too large, and cores that touch with them are apart
+    /// there.</summary>
     [Fact]
     public void TheBallsAreTakenALittleLarger() => Assert.InRange(Line().HalfChord - 1, 0.6e-12, 1.6e-12);
 
@@ -40,10 +36,8 @@ public class CastToleranceTests
     public void AFractionIsBeyondBySixteenRoundings(double roundings, bool isBeyond) =>
         Assert.Equal(isBeyond, CastSolver.IsBeyond(0.75 * (1 + roundings * U), 0.75));
 
-    /// <summary>
-    /// A plane is crossed, and nothing is behind it: where it was crossed by no more than four times the line's error,
-    /// they have met.
-    /// </summary>
+    /// <summary>A plane is crossed, and nothing is behind it: where it was crossed by no more than four times the
+    /// line's error, they have met.</summary>
     [Theory]
     [InlineData(2, true)]
     [InlineData(8, false)]

@@ -1,20 +1,14 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Solvers;
 
-/// <summary>
-/// The cost of queries in support calls on each shape, which no machine's load or speed can change. The bounds are the
-/// counts at the time of writing: a change that costs more than the slack is a step or a termination that got worse,
-/// and a gain should be kept by lowering the number.
-/// </summary>
+/// <summary>The cost of queries in support calls on each shape, which no machine's load or speed can change. The bounds
+/// are the counts at the time of writing: a change that costs more than the slack is a step or a termination that got
+/// worse, and a gain should be kept by lowering the number.</summary>
 public class CostGuardTests
 {
-    /// <summary>
-    /// How far a sum may exceed its bound, as a share: what another order of equal vertices may cost.
-    /// </summary>
+    /// <summary>How far a sum may exceed its bound, as a share: what another order of equal vertices may
+    /// cost.</summary>
     private const double Slack = 0.05;
 
     private const int RandomPairs = 2000;
@@ -99,10 +93,8 @@ public class CostGuardTests
         Assert.True(separated > 100, $"{set}: only {separated} pairs are separated");
     }
 
-    /// <summary>
-    /// What the other tests take a count from: <see cref="DistanceResult.Iterations"/> is how often each shape was
-    /// asked.
-    /// </summary>
+    /// <summary>What the other tests take a count from: <see cref="DistanceResult.Iterations"/> is how often each shape
+    /// was asked.</summary>
     [Fact]
     public void IterationsAreSupportCalls()
     {

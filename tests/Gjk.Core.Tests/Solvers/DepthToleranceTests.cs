@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Solvers;
 
-/// <summary>
-/// The tolerances of a depth, each from both sides: a point lies in a block, under a face that has a tip in its middle,
-/// or in one that is hardly a block.
-/// </summary>
+/// <summary>The tolerances of a depth, each from both sides: a point lies in a block, under a face that has a tip in
+/// its middle, or in one that is hardly a block.</summary>
 public class DepthToleranceTests
 {
     /// <summary>A rounding in double, 2^-53.</summary>
@@ -77,9 +72,8 @@ public class DepthToleranceTests
         Assert.Equal(isFlat, verdict == DepthVerdict.Flat);
     }
 
-    /// <summary>
-    /// A box that is tilted on a larger one: its deepest edge is where they touch, or, if it hardly rises, the middle.
-    /// </summary>
+    /// <summary>A box that is tilted on a larger one: its deepest edge is where they touch, or, if it hardly rises, the
+    /// middle.</summary>
     [Theory]
     [InlineData(1.5e-8, true)]
     [InlineData(6e-8, false)]

@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Solvers;
 
-/// <summary>
-/// A traced search for a depth answers as <c>SignedDistance</c> does, bit for bit. Each told surface is closed, and the
-/// bounds enclose the depth.
-/// </summary>
+/// <summary>A traced search for a depth answers as <c>SignedDistance</c> does, bit for bit. Each told surface is
+/// closed, and the bounds enclose the depth.</summary>
 public class PolytopeTraceTests
 {
     /// <summary>Of the pair's scale: what rounding may add to a length.</summary>

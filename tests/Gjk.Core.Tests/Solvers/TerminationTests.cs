@@ -1,20 +1,13 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Solvers;
 
-/// <summary>
-/// How many rounds queries take: far from the cap on every valid pair, and never more than the cap on shapes that lie.
-/// </summary>
+/// <summary>How many rounds queries take: far from the cap on every valid pair, and never more than the cap on shapes
+/// that lie.</summary>
 public class TerminationTests
 {
-    /// <summary>
-    /// What GjkTolerances.MaxIterations says of hulls, with room for a few pairs of which more than one solver looks
-    /// at.
-    /// </summary>
+    /// <summary>What GjkTolerances.MaxIterations says of hulls, with room for a few pairs of which more than one solver
+    /// looks at.</summary>
     private const int MostForHulls = 64;
 
     /// <summary>What it says of curved shapes, likewise.</summary>
@@ -54,9 +47,8 @@ public class TerminationTests
             AssertFew(Generators.Pair(140_000 + i, Generators.AllKinds), MostForCurved);
     }
 
-    /// <summary>
-    /// Nearly touching is where a curved support creeps: each round halves the angle, and there is no vertex to end at.
-    /// </summary>
+    /// <summary>Nearly touching is where a curved support creeps: each round halves the angle, and there is no vertex
+    /// to end at.</summary>
     [Theory]
     [InlineData(0)]
     [InlineData(1e-7)]
@@ -69,10 +61,8 @@ public class TerminationTests
             AssertFew(Generators.NearPair(150_000 + i, Generators.CurvedKinds, gap), MostForCurved);
     }
 
-    /// <summary>
-    /// One side tells the truth, the other repeats a wrong corner, jumps, answers for another direction or slips
-    /// further out each time.
-    /// </summary>
+    /// <summary>One side tells the truth, the other repeats a wrong corner, jumps, answers for another direction or
+    /// slips further out each time.</summary>
     [Theory]
     [InlineData("stuck")]
     [InlineData("jumping")]

@@ -1,14 +1,9 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Solvers;
 
-/// <summary>
-/// Each tolerance from both sides: what a solver does with a length, or a ratio, of half of it and of twice as much.
-/// The numbers are written out here, so that a tolerance that moves is noticed.
-/// </summary>
+/// <summary>Each tolerance from both sides: what a solver does with a length, or a ratio, of half of it and of twice as
+/// much. The numbers are written out here, so that a tolerance that moves is noticed.</summary>
 public class ToleranceTests
 {
     /// <summary>A rounding in double, 2^-53.</summary>
@@ -16,10 +11,9 @@ public class ToleranceTests
 
     private static readonly Double3 Z = new(0, 0, 1);
 
-    /// <summary>
-    /// The first vertex is the nearest, and the second lies lower by a part of the distance: the bounds have met, or
-    /// the walk goes on. The shapes are a millionth of the distance, so that the noise is nothing beside it.
-    /// </summary>
+    /// <summary>The first vertex is the nearest, and the second lies lower by a part of the distance: the bounds have
+    /// met, or the walk goes on. The shapes are a millionth of the distance, so that the noise is nothing beside
+    /// it.</summary>
     [Theory]
     [InlineData(false, 128 * U, true)]
     [InlineData(false, 512 * U, false)]
@@ -82,9 +76,8 @@ public class ToleranceTests
         Assert.Equal(isApart ? Verdict.Apart : Verdict.Undecided, GjkOverlap.Solve(ref a, ref b, frame));
     }
 
-    /// <summary>
-    /// A bound is lowered by 10 roundings of twice the size and the gap: by 20 of the size at a gap of 100.
-    /// </summary>
+    /// <summary>A bound is lowered by 10 roundings of twice the size and the gap: by 20 of the size at a gap of
+    /// 100.</summary>
     [Fact]
     public void ALowerBoundLosesTwentyRoundingsOfTheSize()
     {
@@ -121,10 +114,8 @@ public class ToleranceTests
         Assert.Equal((Verdict.Apart, 0.75), (state.Verdict, state.Plane.Distance));
     }
 
-    /// <summary>
-    /// A support that goes on falling, a little each time: the walk ends at 256 rounds in either precision, and the
-    /// plane that is kept is the best of all, which is the first.
-    /// </summary>
+    /// <summary>A support that goes on falling, a little each time: the walk ends at 256 rounds in either precision,
+    /// and the plane that is kept is the best of all, which is the first.</summary>
     [Fact]
     public void AWalkThatDoesNotEndIsEnded()
     {
@@ -148,10 +139,8 @@ public class ToleranceTests
     public void ALargestDistanceIsWidenedByFourRoundingsToFloat() =>
         Assert.InRange((ProvedDistance.ShapeReach(1) - 1) * (1 << 24), 2, 8);
 
-    /// <summary>
-    /// Three vertices beyond a plane, and a fourth on the other side of the origin: no convex shape has both, so the
-    /// tetrahedron proves nothing, however clearly it holds the origin.
-    /// </summary>
+    /// <summary>Three vertices beyond a plane, and a fourth on the other side of the origin: no convex shape has both,
+    /// so the tetrahedron proves nothing, however clearly it holds the origin.</summary>
     [Fact]
     public void AnOriginThatAPlaneHadSeparatedIsNotEnclosed()
     {
@@ -161,10 +150,8 @@ public class ToleranceTests
         Assert.Equal((Verdict.Undecided, 4), (state.Verdict, state.Simplex.Count));
     }
 
-    /// <summary>
-    /// A tetrahedron whose one face passes the origin at a few roundings. It is so long that its volumes say nothing,
-    /// and each face in turn is the near one; on its other side, the origin is not inside at all.
-    /// </summary>
+    /// <summary>A tetrahedron whose one face passes the origin at a few roundings. It is so long that its volumes say
+    /// nothing, and each face in turn is the near one; on its other side, the origin is not inside at all.</summary>
     [Theory]
     [InlineData(8 * U, false)]
     [InlineData(32 * U, true)]
@@ -181,10 +168,8 @@ public class ToleranceTests
             Assert.Equal(isInside, Proofs.IsCertainlyInside(v[o[0]], v[o[1]], v[o[2]], v[o[3]]));
     }
 
-    /// <summary>
-    /// Needles of triangles, whose normals rounding tilts: the double walk ends where their corners are level to 16
-    /// roundings of the size, beside what the distance allows, and hands over where they are not.
-    /// </summary>
+    /// <summary>Needles of triangles, whose normals rounding tilts: the double walk ends where their corners are level
+    /// to 16 roundings of the size, beside what the distance allows, and hands over where they are not.</summary>
     [Fact]
     public void ATriangleIsLevelToSixteenRoundings()
     {

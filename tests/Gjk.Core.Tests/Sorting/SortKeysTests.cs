@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Sorting;

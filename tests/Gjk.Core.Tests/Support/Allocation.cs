@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>How many bytes a piece of work allocates on the thread that does it.</summary>
@@ -7,10 +5,8 @@ internal static class Allocation
 {
     private const int Attempts = 3;
 
-    /// <summary>
-    /// The fewest bytes of several runs. The first run compiles and warms up, and the runtime allocates on its own now
-    /// and then. What the work itself allocates, it allocates every time.
-    /// </summary>
+    /// <summary>The fewest bytes of several runs. The first run compiles and warms up, and the runtime allocates on its
+    /// own now and then. What the work itself allocates, it allocates every time.</summary>
     public static long Least(Action work)
     {
         work();

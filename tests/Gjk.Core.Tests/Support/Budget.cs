@@ -1,10 +1,7 @@
-using System;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// How much a test tries: a default that keeps the whole suite short, and a hundred times that with GJK_LONG=1.
-/// </summary>
+/// <summary>How much a test tries: a default that keeps the whole suite short, and a hundred times that with
+/// GJK_LONG=1.</summary>
 internal static class Budget
 {
     private const int LongFactor = 100;

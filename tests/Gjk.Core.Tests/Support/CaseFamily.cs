@@ -1,10 +1,5 @@
-using System;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text.Json;
 
 namespace Gjk.Core.Tests.Support;

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Compares every field of two results of casts; any two NaN are the same.</summary>

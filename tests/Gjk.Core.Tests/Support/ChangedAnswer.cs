@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Answers with some of their fields changed.</summary>

@@ -1,12 +1,7 @@
-using System;
-using System.Linq;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// How long the shortest way out is at most: a search from many directions at once, each walking downhill in ever
-/// smaller steps. It uses the shapes' supports alone, so it judges every shape.
-/// </summary>
+/// <summary>How long the shortest way out is at most: a search from many directions at once, each walking downhill in
+/// ever smaller steps. It uses the shapes' supports alone, so it judges every shape.</summary>
 internal static class CheapestWay
 {
     private const int Starts = 400, Walks = 4, Tries = 12;

@@ -1,11 +1,7 @@
-using System;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// A shape of a user's who trusts the promise about directions and is loud where it is broken. Everything else is the
-/// shape's own.
-/// </summary>
+/// <summary>A shape of a user's who trusts the promise about directions and is loud where it is broken. Everything else
+/// is the shape's own.</summary>
 internal readonly struct CheckedShape<T>(T inner) : ISupportMap
     where T : struct, ISupportMap
 {

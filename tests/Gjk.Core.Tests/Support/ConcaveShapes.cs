@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Meshes and compounds that are not convex, and what single queries say of all their parts.</summary>

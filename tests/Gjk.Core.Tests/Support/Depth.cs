@@ -1,12 +1,7 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// The shortest translation that separates two overlapping clouds, to double accuracy: all planes that can be a face of
-/// their difference are tried.
-/// </summary>
+/// <summary>The shortest translation that separates two overlapping clouds, to double accuracy: all planes that can be
+/// a face of their difference are tried.</summary>
 internal static class Depth
 {
     public static double Of(TestPair pair)
@@ -18,10 +13,8 @@ internal static class Depth
         return least;
     }
 
-    /// <summary>
-    /// The part of a line on which the clouds overlap when B moves along it: where it has entered all half-spaces of
-    /// their difference, and not left any; empty where the first is larger than the second.
-    /// </summary>
+    /// <summary>The part of a line on which the clouds overlap when B moves along it: where it has entered all
+    /// half-spaces of their difference, and not left any; empty where the first is larger than the second.</summary>
     /// <returns>Both as fractions of the motion, and the normal of the plane entered last, from A to B.</returns>
     public static (double Entry, double Exit, Double3 Normal) Along(TestPair pair, Double3 motion)
     {
@@ -43,10 +36,9 @@ internal static class Depth
         return (entry, exit, normal);
     }
 
-    /// <summary>
-    /// How the signed distance of clouds that only touch changes at first when B moves: by the best of the planes in
-    /// which they touch, each of which goes on separating them if B does not move against its normal.
-    /// </summary>
+    /// <summary>How the signed distance of clouds that only touch changes at first when B moves: by the best of the
+    /// planes in which they touch, each of which goes on separating them if B does not move against its
+    /// normal.</summary>
     /// <param name="pair">The clouds.</param>
     /// <param name="motion">Of B.</param>
     /// <param name="noise">Length: what is no further apart touches.</param>

@@ -1,15 +1,10 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>All that can be asked of a pair of shapes, or of a shape and a point.</summary>
 internal static class EveryQuery
 {
-    /// <summary>
-    /// Asks every pair query, with a warm start that may be another pair's and motions of the length of the scale. Each
-    /// query is named before it is asked.
-    /// </summary>
+    /// <summary>Asks every pair query, with a warm start that may be another pair's and motions of the length of the
+    /// scale. Each query is named before it is asked.</summary>
     public static void Ask<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref WarmStart stale, float scale, Rng rng,
         Action<string> says)

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Everything that two shapes can be asked, for tests of what a call takes beside its answer.</summary>

@@ -1,6 +1,3 @@
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>A pose in fractions, which round nothing: a matrix made of the quaternion, and the position.</summary>

@@ -1,12 +1,8 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// The depth of two solid hulls by all facets of their difference: those of each, and a pair of edges wherever the
-/// directions across the one cross those across the other. Slower than the library's, but it leaves nothing out.
-/// </summary>
+/// <summary>The depth of two solid hulls by all facets of their difference: those of each, and a pair of edges wherever
+/// the directions across the one cross those across the other. Slower than the library's, but it leaves nothing
+/// out.</summary>
 internal static class FacetDepth
 {
     public static double Of(ConvexHull a, in RigidPose poseA, ConvexHull b, in RigidPose poseB)

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>A quotient of two integers of any size: what the tests of the arithmetic compute in instead.</summary>

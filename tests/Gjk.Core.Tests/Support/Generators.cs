@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Seeded random shapes, poses and pairs. Sizes are about 1 unless a scale is asked for.</summary>
@@ -19,10 +15,8 @@ internal static class Generators
         "cylinder", "cone", "ellipsoid", "scaledCylinder", "scaledCone", "scaledCapsule", "scaledSphere",
     ];
 
-    /// <summary>
-    /// Meshes as people and programs make them, plain, far from their own origin, and scaled back to the size that they
-    /// were divided by.
-    /// </summary>
+    /// <summary>Meshes as people and programs make them, plain, far from their own origin, and scaled back to the size
+    /// that they were divided by.</summary>
     public static readonly string[] MadeKinds = ["made", "made", "madeFarOff", "madeUneven"];
 
     public static readonly string[] AllKinds = [.. PolytopeKinds, .. CurvedKinds];
@@ -58,10 +52,8 @@ internal static class Generators
 
     public static RigidPose Pose(Rng rng, Vector3 position) => new(rng.Rotation(), position);
 
-    /// <summary>
-    /// Two shapes at random whose centres are within a part of the sum of their radii, so that about half of them
-    /// overlap.
-    /// </summary>
+    /// <summary>Two shapes at random whose centres are within a part of the sum of their radii, so that about half of
+    /// them overlap.</summary>
     public static TestPair Pair(ulong seed, string[] kinds, double spread = 1.0)
     {
         var rng = new Rng(seed);
@@ -72,10 +64,8 @@ internal static class Generators
         return new TestPair($"seed {seed}", a, poseA, b, poseB);
     }
 
-    /// <summary>
-    /// Made meshes whose centres, wherever they are in the local frames, are within reach of each other, or whose
-    /// planes across one direction stand a gap apart.
-    /// </summary>
+    /// <summary>Made meshes whose centres, wherever they are in the local frames, are within reach of each other, or
+    /// whose planes across one direction stand a gap apart.</summary>
     public static TestPair MadePair(ulong seed, double? gap = null)
     {
         var rng = new Rng(seed);
@@ -93,10 +83,8 @@ internal static class Generators
             new RigidPose(turned.Rotation, (Vector3)(poseA.Position + centerA + n * apart - centerB)));
     }
 
-    /// <summary>
-    /// A pair whose planes across one direction stand a given gap apart (to the rounding of the position), negative for
-    /// shallow overlaps.
-    /// </summary>
+    /// <summary>A pair whose planes across one direction stand a given gap apart (to the rounding of the position),
+    /// negative for shallow overlaps.</summary>
     public static TestPair NearPair(ulong seed, string[] kinds, double gap)
     {
         var rng = new Rng(seed);

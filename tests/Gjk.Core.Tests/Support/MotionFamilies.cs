@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Seeded pairs that move and turn, up to ten turns, about half of which meet.</summary>
@@ -79,10 +75,8 @@ internal static class MotionFamilies
 
     private static RigidPose Pose(Rng rng, TestShape shape, Vector3 position) => new(rng.Rotation(), position);
 
-    /// <summary>
-    /// A place for B beside A across a direction, with a gap between 1e-7 and 1; faces lie flat on each other, edges
-    /// cross.
-    /// </summary>
+    /// <summary>A place for B beside A across a direction, with a gap between 1e-7 and 1; faces lie flat on each other,
+    /// edges cross.</summary>
     private static Vector3 Near(
         Rng rng, string family, TestShape a, ref RigidPose poseA, TestShape b, ref RigidPose poseB, Vector3 direction)
     {

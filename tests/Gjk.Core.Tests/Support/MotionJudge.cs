@@ -1,11 +1,8 @@
-using System;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// Holds an answer against the distances along the way: from each fraction it goes on by what the fastest points need
-/// for the gap there, at least a hundred thousandth of the way, so that it sees no less than 1e5 samples would.
-/// </summary>
+/// <summary>Holds an answer against the distances along the way: from each fraction it goes on by what the fastest
+/// points need for the gap there, at least a hundred thousandth of the way, so that it sees no less than 1e5 samples
+/// would.</summary>
 internal static class MotionJudge
 {
     /// <summary>Part of the way: the least step.</summary>

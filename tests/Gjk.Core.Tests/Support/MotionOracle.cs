@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// How far apart two moving shapes are at a fraction, by a plain GJK in double over all parts of each simplex, with
-/// poses from a matrix of the axis and the angle: written apart from the library, and slow.
-/// </summary>
+/// <summary>How far apart two moving shapes are at a fraction, by a plain GJK in double over all parts of each simplex,
+/// with poses from a matrix of the axis and the angle: written apart from the library, and slow.</summary>
 internal sealed class MotionOracle
 {
     private const int MaxRounds = 200;
@@ -17,9 +12,8 @@ internal sealed class MotionOracle
 
     public MotionOracle(MotionPair pair) => _pair = pair;
 
-    /// <summary>
-    /// The distance's bounds: a plane's gap, and the nearest points found; both 0 or less in contact.
-    /// </summary>
+    /// <summary>The distance's bounds: a plane's gap, and the nearest points found; both 0 or less in
+    /// contact.</summary>
     public (double Least, double Most) At(double fraction)
     {
         _a = new Frame(_pair.A, _pair.MotionA, default, fraction);
@@ -50,10 +44,8 @@ internal sealed class MotionOracle
     /// <summary>The furthest point of A - B in a direction.</summary>
     private Double3 Difference(in Double3 direction) => _a.Support(direction) - _b.Support(-direction);
 
-    /// <summary>
-    /// Keeps the part of the simplex whose nearest point to the origin is inside it and nearest of all; false where the
-    /// whole tetrahedron holds the origin.
-    /// </summary>
+    /// <summary>Keeps the part of the simplex whose nearest point to the origin is inside it and nearest of all; false
+    /// where the whole tetrahedron holds the origin.</summary>
     private bool Reduce(ref int count, out Double3 nearest)
     {
         double best = double.PositiveInfinity;

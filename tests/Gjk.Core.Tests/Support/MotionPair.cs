@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Two shapes that move and turn; its text is C# that makes the query again.</summary>

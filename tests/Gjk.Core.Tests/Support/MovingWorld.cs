@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// Objects of many kinds in a box at a density where about half touch another; they drift, turn, now and then jump,
-/// come and go.
-/// </summary>
+/// <summary>Objects of many kinds in a box at a density where about half touch another; they drift, turn, now and then
+/// jump, come and go.</summary>
 internal sealed class MovingWorld
 {
     private readonly Rng _rng;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Holds a pair to the exact oracle.</summary>

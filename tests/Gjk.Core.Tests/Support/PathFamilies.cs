@@ -1,12 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// Paths through a world that are hard for slabs: along axes and faces, grazing, from far away, very long, very short,
-/// and none at all.
-/// </summary>
+/// <summary>Paths through a world that are hard for slabs: along axes and faces, grazing, from far away, very long,
+/// very short, and none at all.</summary>
 internal static class PathFamilies
 {
     public const int Count = 12;

@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Shapes as a user writes them: centred, with a generous bounding radius.</summary>

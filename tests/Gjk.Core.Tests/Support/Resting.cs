@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Bodies on a slab whose top is at height 0, and what their contacts are compared with.</summary>

@@ -1,11 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// Seeded draws for the tests; directions and rotations are spread evenly by the normal distribution.
-/// </summary>
+/// <summary>Seeded draws for the tests; directions and rotations are spread evenly by the normal
+/// distribution.</summary>
 internal sealed class Rng(ulong seed) : SplitMix64(seed)
 {
     /// <summary>Evenly spread over the exponents.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Balls of many corners: inside each other, they have many ways out that are nearly equally long.</summary>

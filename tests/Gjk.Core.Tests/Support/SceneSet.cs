@@ -1,14 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// The same moving world in a scene of each broad phase, and the answers of asking each object alone. A few
-/// objects are twins of others, so that there are ties; some are static, in groups, or have masks.
-/// </summary>
+/// <summary>The same moving world in a scene of each broad phase, and the answers of asking each object alone. A few
+/// objects are twins of others, so that there are ties; some are static, in groups, or have masks.</summary>
 internal sealed class SceneSet
 {
     private readonly List<ObjectSettings> _settings = [];

@@ -1,12 +1,7 @@
-using System;
-using System.Linq;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// A shape whose supports are told in advance, whatever the direction; the last is repeated. With a point as the other
-/// shape it says which vertices of the Minkowski difference a solver meets, to the last bit.
-/// </summary>
+/// <summary>A shape whose supports are told in advance, whatever the direction; the last is repeated. With a point as
+/// the other shape it says which vertices of the Minkowski difference a solver meets, to the last bit.</summary>
 internal readonly struct ScriptedShape : ISupportMap
 {
     private readonly Double3[] _points;

@@ -1,17 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// A solver of the plainest kind, for bodies that stand on each other: sequential impulses (Catto 2006) over the points
-/// that <see cref="ConvexQuery"/> gives, begun with the impulses that points of the same name had a frame before.
-/// </summary>
-/// <param name="iterations">
-/// Sweeps over all points, there and back in turn: what a body pushes travels one body further with each.
-/// </param>
+/// <summary>A solver of the plainest kind, for bodies that stand on each other: sequential impulses (Catto 2006) over
+/// the points that <see cref="ConvexQuery"/> gives, begun with the impulses that points of the same name had a frame
+/// before.</summary>
+/// <param name="iterations">Sweeps over all points, there and back in turn: what a body pushes travels one body further
+/// with each.</param>
 internal sealed class StackSolver(int iterations = 10)
 {
     public const float Step = 1f / 60;

@@ -1,4 +1,3 @@
-using System;
 using System.Threading;
 
 namespace Gjk.Core.Tests.Support;
@@ -10,10 +9,8 @@ internal static unsafe class StackUse
 
     private const byte Paint = 0xA5;
 
-    /// <summary>
-    /// The fewest bytes of several runs, since the runtime interrupts a thread on its own stack now and then. The first
-    /// run compiles, which takes stack too.
-    /// </summary>
+    /// <summary>The fewest bytes of several runs, since the runtime interrupts a thread on its own stack now and then.
+    /// The first run compiles, which takes stack too.</summary>
     public static int Least(Action work)
     {
         int least = int.MaxValue;

@@ -1,8 +1,7 @@
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// A shape that counts how often it is asked for a support point; everything else is the shape's own.
-/// </summary>
+/// <summary>A shape that counts how often it is asked for a support point; everything else is the shape's
+/// own.</summary>
 internal readonly struct SupportCounter(ConvexShape shape, int[] calls) : ISupportMap
 {
     public Double3 Center => shape.Center;

@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>Two posed shapes; its text is C# that makes the query again.</summary>
 internal sealed record TestPair(string Name, TestShape A, RigidPose PoseA, TestShape B, RigidPose PoseB)
 {
-    /// <summary>
-    /// As contract 6 has it: the longest side of the local boxes, scale applied, the larger of the two.
-    /// </summary>
+    /// <summary>As contract 6 has it: the longest side of the local boxes, scale applied, the larger of the
+    /// two.</summary>
     public double Scale => Math.Max(A.LongestSide, B.LongestSide);
 
     /// <summary>How far its distance may be off.</summary>

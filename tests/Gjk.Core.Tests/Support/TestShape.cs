@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
-using System.Numerics;
 
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// A shape with what the tests know about it beside the library: its exact vertices, its extent, and the C# text that
-/// makes it again.
-/// </summary>
+/// <summary>A shape with what the tests know about it beside the library: its exact vertices, its extent, and the C#
+/// text that makes it again.</summary>
 internal sealed class TestShape
 {
     private TestShape(string text, in ConvexShape shape, Double3[]? vertices, double margin, Double3 extent)
@@ -26,9 +20,8 @@ internal sealed class TestShape
 
     public ConvexShape Shape { get; }
 
-    /// <summary>
-    /// The core's points, scale applied (exact: a product of two floats is a double); null where the core is curved.
-    /// </summary>
+    /// <summary>The core's points, scale applied (exact: a product of two floats is a double); null where the core is
+    /// curved.</summary>
     public Double3[]? Vertices { get; }
 
     public double Margin { get; }
@@ -36,9 +29,8 @@ internal sealed class TestShape
     /// <summary>The longest side of the local bounding box, scale applied, margin included.</summary>
     public double LongestSide { get; }
 
-    /// <summary>
-    /// A generous bounding radius, by which the generators place pairs: scaled by the largest factor.
-    /// </summary>
+    /// <summary>A generous bounding radius, by which the generators place pairs: scaled by the largest
+    /// factor.</summary>
     public double Reach { get; private init; }
 
     public static TestShape Point() => Polytope("ConvexShape.Point()", ConvexShape.Point(), [Vector3.Zero], 0);

@@ -1,13 +1,7 @@
-using System;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support;
 
-/// <summary>
-/// Polytopes on a lattice that touch exactly: with a corner of B on a corner of A, in a direction in which neither
-/// reaches further. Faces, edges and corners lie on each other as it happens; no float rounds.
-/// </summary>
+/// <summary>Polytopes on a lattice that touch exactly: with a corner of B on a corner of A, in a direction in which
+/// neither reaches further. Faces, edges and corners lie on each other as it happens; no float rounds.</summary>
 internal static class TouchingPairs
 {
     /// <summary>Turned by a quarter, which floats hold exactly, since q and -q's parts are the same number.</summary>

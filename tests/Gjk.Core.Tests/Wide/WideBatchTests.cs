@@ -1,16 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using System.Runtime.InteropServices;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Wide;
 
-/// <summary>
-/// A batch solves four pairs at once where it can; every field has the bits of the query alone. The builds for
-/// netstandard ask pair by pair and leave these tests out: the golden hash of batches holds them to the same bits.
-/// </summary>
+/// <summary>A batch solves four pairs at once where it can; every field has the bits of the query alone. The builds for
+/// netstandard ask pair by pair and leave these tests out: the golden hash of batches holds them to the same
+/// bits.</summary>
 public class WideBatchTests
 {
     /// <summary>Pairs per batch: whole parts, and one that is not filled.</summary>
@@ -134,9 +129,8 @@ public class WideBatchTests
         }
     }
 
-    /// <summary>
-    /// Frames that rest, creep, jump and rest again: each answer and each warm start is that of the query alone.
-    /// </summary>
+    /// <summary>Frames that rest, creep, jump and rest again: each answer and each warm start is that of the query
+    /// alone.</summary>
     private static void CheckWarm(
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, float maxDistance, string name)
     {

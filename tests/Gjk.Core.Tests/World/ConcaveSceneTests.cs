@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 
-/// <summary>
-/// A scene that holds surfaces, solids and compounds says what <see cref="ConcaveQuery"/> says of each pair, with the
-/// same bits for every broad phase and number of threads.
-/// </summary>
+/// <summary>A scene that holds surfaces, solids and compounds says what <see cref="ConcaveQuery"/> says of each pair,
+/// with the same bits for every broad phase and number of threads.</summary>
 public class ConcaveSceneTests
 {
     private const float Reach = 0.1f;

@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 
-/// <summary>
-/// Objects with sides from 1e-38 to the largest float in one scene: for every broad phase, what is found is
-/// what asking each object alone says.
-/// </summary>
+/// <summary>Objects with sides from 1e-38 to the largest float in one scene: for every broad phase, what is found is
+/// what asking each object alone says.</summary>
 public class ExtremeSceneTests
 {
     private const int Objects = 24, Frames = 3, Questions = 12;

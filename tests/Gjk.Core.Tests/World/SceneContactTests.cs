@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 
-/// <summary>
-/// A scene's depths and contacts are those of asking every pair, and the same bits for every broad phase and
-/// number of threads.
-/// </summary>
+/// <summary>A scene's depths and contacts are those of asking every pair, and the same bits for every broad phase and
+/// number of threads.</summary>
 public class SceneContactTests
 {
     private const int Objects = 80;

@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.World;
 
-/// <summary>
-/// What the questions about rays and shapes that are not in the scene refuse; small and empty scenes.
-/// </summary>
+/// <summary>What the questions about rays and shapes that are not in the scene refuse; small and empty
+/// scenes.</summary>
 public class ScenePathRefusalTests
 {
     private static readonly ConvexShape Ball = CollisionSceneTests.Ball;

@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 
-/// <summary>
-/// What a scene says of rays and shapes that are not in it is what asking every object alone says, to the last bit, for
-/// every broad phase.
-/// </summary>
+/// <summary>What a scene says of rays and shapes that are not in it is what asking every object alone says, to the last
+/// bit, for every broad phase.</summary>
 public class ScenePathTests
 {
     private const int Objects = 60;

@@ -1,11 +1,7 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.World;
 
-/// <summary>
-/// What a search left open at its limit may be a hit from its fraction on: a scene does not miss it in silence. No
-/// query of the library's own shapes is known to end so, hence the answers are made here.
-/// </summary>
+/// <summary>What a search left open at its limit may be a hit from its fraction on: a scene does not miss it in
+/// silence. No query of the library's own shapes is known to end so, hence the answers are made here.</summary>
 public class UndecidedHitTests
 {
     private static readonly CastResult LateHit =

@@ -1,14 +1,10 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Runtime.CompilerServices;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 
-/// <summary>
-/// The table against a dictionary that forgets nothing: what was asked for in this frame or the last must be there, and
-/// what is there must be the pair's own.
-/// </summary>
+/// <summary>The table against a dictionary that forgets nothing: what was asked for in this frame or the last must be
+/// there, and what is there must be the pair's own.</summary>
 public class WarmStartTableTests
 {
     [Theory]

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
@@ -42,10 +38,9 @@ public class WorldAllocationTests
             Assert.Equal(Least(() => { }), Least(frame));
         }
 
-        /// <summary>
-        /// What two runs, there and back, allocate in all threads, the measure's own included. The runtime and the test
-        /// host allocate now and then too, hence many short tries; what the work allocates, it allocates in every one.
-        /// </summary>
+        /// <summary>What two runs, there and back, allocate in all threads, the measure's own included. The runtime and
+        /// the test host allocate now and then too, hence many short tries; what the work allocates, it allocates in
+        /// every one.</summary>
         private static long Least(Action work)
         {
             long least = long.MaxValue;

@@ -1,14 +1,8 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Fuzz;
 using Gjk.Demo.Tests.Support;
 using Gjk.Exact.Fuzz.Blocks;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 

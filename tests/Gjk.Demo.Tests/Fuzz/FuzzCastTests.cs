@@ -1,12 +1,8 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Families;
 using Gjk.Exact.Fuzz.Promises;
 using Gjk.Exact.Fuzz.Shrinking;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 

@@ -1,22 +1,14 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Concave;
 using Gjk.Exact.Fuzz.Promises;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary>
-/// Tests the search for wrong answers about shapes that are not convex: pairs are repeatable, all answers occur, wrong
-/// ones are noticed, and what is found is shrunk to a scene file.
-/// </summary>
+/// <summary>Tests the search for wrong answers about shapes that are not convex: pairs are repeatable, all answers
+/// occur, wrong ones are noticed, and what is found is shrunk to a scene file.</summary>
 public sealed class FuzzConcaveTests
 {
     private const int Count = 250;

@@ -1,11 +1,7 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Families;
 using Gjk.Exact.Fuzz.Promises;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
@@ -23,11 +19,9 @@ public sealed class FuzzDepthTests
 
     private static readonly RigidPose Apart = new(new Vector3(2, 0.25f, 0.125f));
 
-    /// <summary>
-    /// The signed distance is replaced in turn by that of pairs a little further in and further out, by one whose
-    /// distance alone is rounded the wrong way, by that of the swapped pair, by a way out that is one but not the
-    /// shortest, by the plain distance, which has no normal, by that of a pair that is apart, and by nothing.
-    /// </summary>
+    /// <summary>The signed distance is replaced in turn by that of pairs a little further in and further out, by one
+    /// whose distance alone is rounded the wrong way, by that of the swapped pair, by a way out that is one but not the
+    /// shortest, by the plain distance, which has no normal, by that of a pair that is apart, and by nothing.</summary>
     [Theory]
     [InlineData("deeper", Touches + "|" + Shortest + "|" + Mirrors)]
     [InlineData("shallower", Touches + "|" + Shortest + "|" + Mirrors)]
@@ -64,10 +58,8 @@ public sealed class FuzzDepthTests
             TheSignedDistanceIsTheDistance.Broken(new FuzzPair(Cube, RigidPose.Identity, Cube, Apart)));
     }
 
-    /// <summary>
-    /// The search for the depth of two ellipsoids about one centre outgrows its room. That is allowed, and wrong for
-    /// cubes.
-    /// </summary>
+    /// <summary>The search for the depth of two ellipsoids about one centre outgrows its room. That is allowed, and
+    /// wrong for cubes.</summary>
     [Fact]
     public void OnlyCurvedShapesAndLargeHullsMayHaveBoundsAlone()
     {
@@ -135,9 +127,8 @@ public sealed class FuzzDepthTests
         ConvexQuery.SignedDistance(
             Cube, RigidPose.Identity, Cube, new RigidPose(Inside.Position + new Vector3(x, 0, 0)));
 
-    /// <summary>
-    /// The way out along y, of bars about the overlap that are as high as the cubes and too long to leave along x.
-    /// </summary>
+    /// <summary>The way out along y, of bars about the overlap that are as high as the cubes and too long to leave
+    /// along x.</summary>
     private static DistanceResult AlongY()
     {
         ConvexShape barA = Block(new Vector3(-4, -0.5f, -0.5f), new Vector3(4.75f, 0.5f, 0.5f));

@@ -1,10 +1,7 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Families;
 using Gjk.Exact.Fuzz.Promises;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 

@@ -1,6 +1,5 @@
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Promises;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 

@@ -1,22 +1,14 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Fuzz;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Families;
 using Gjk.Exact.Fuzz.Promises;
 using Gjk.Exact.Fuzz.Shrinking;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary>
-/// Tests the search of <c>fuzz</c> from within: pairs are repeatable, wrong answers are noticed, and failing pairs are
-/// shrunk and reported.
-/// </summary>
+/// <summary>Tests the search of <c>fuzz</c> from within: pairs are repeatable, wrong answers are noticed, and failing
+/// pairs are shrunk and reported.</summary>
 public sealed class FuzzSearchTests
 {
     private static readonly ConvexShape Cube = ConvexShape.Mesh(
@@ -52,10 +44,9 @@ public sealed class FuzzSearchTests
         Assert.InRange(overlaps, 0.3 * Count, 0.7 * Count);
     }
 
-    /// <summary>
-    /// The query's answer is replaced in turn by the answer of a pair that is so little further apart that only the
-    /// bound shows it, of a pair a thousandth further apart, of the swapped pair, of an overlap, and of nothing.
-    /// </summary>
+    /// <summary>The query's answer is replaced in turn by the answer of a pair that is so little further apart that
+    /// only the bound shows it, of a pair a thousandth further apart, of the swapped pair, of an overlap, and of
+    /// nothing.</summary>
     [Theory]
     [InlineData("bound", "lower bound|maximum")]
     [InlineData("further", "exact|planes|points|mirrors|bits|warm|maximum|repeated|unit|moving|check")]
@@ -78,10 +69,8 @@ public sealed class FuzzSearchTests
         foreach (Promise<FuzzPair> promise in AllPromises.Make()) Assert.Null(promise.Broken(pair));
     }
 
-    /// <summary>
-    /// Two points in the same place. One is a corner far from its own origin, the other is an ellipsoid of size zero.
-    /// There is no scale here, but rotating a corner still rounds.
-    /// </summary>
+    /// <summary>Two points in the same place. One is a corner far from its own origin, the other is an ellipsoid of
+    /// size zero. There is no scale here, but rotating a corner still rounds.</summary>
     [Fact]
     public void WhatHasNoExtentIsHeldToWhatArithmeticCanDo()
     {

@@ -1,13 +1,10 @@
-using System;
 using System.Text.RegularExpressions;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary>
-/// <c>fuzz</c> as its user runs it: length, seed, words and exit codes. FuzzSearchTests covers the search itself.
-/// </summary>
+/// <summary><c>fuzz</c> as its user runs it: length, seed, words and exit codes. FuzzSearchTests covers the search
+/// itself.</summary>
 public sealed class FuzzTests
 {
     [Fact]

@@ -1,18 +1,12 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Families;
 using Gjk.Exact.Fuzz.Promises;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary>
-/// Tests the truth that fuzz compares with: clouds instead of hulls, exact contacts, heights by formula, and error
-/// bands that no generous radius widens.
-/// </summary>
+/// <summary>Tests the truth that fuzz compares with: clouds instead of hulls, exact contacts, heights by formula, and
+/// error bands that no generous radius widens.</summary>
 public sealed class FuzzTruthTests
 {
     private static readonly Vector3[] Corners =
@@ -48,9 +42,8 @@ public sealed class FuzzTruthTests
         Assert.True(QueryRecord.TryParse(pair.Text, out _, out string? reason), reason);
     }
 
-    /// <summary>
-    /// Rational rotations turn lattice points without rounding. Their quaternions are exact, or rounded to float.
-    /// </summary>
+    /// <summary>Rational rotations turn lattice points without rounding. Their quaternions are exact, or rounded to
+    /// float.</summary>
     [Fact]
     public void IntegerRotationsAreExact()
     {
@@ -74,9 +67,8 @@ public sealed class FuzzTruthTests
         Assert.InRange(exact, 300, 500);
     }
 
-    /// <summary>
-    /// Bodies at rest with no gap really touch. They overlap, and they separate when one is lifted by a tiny amount.
-    /// </summary>
+    /// <summary>Bodies at rest with no gap really touch. They overlap, and they separate when one is lifted by a tiny
+    /// amount.</summary>
     [Fact]
     public void RestingBodiesTouchExactly()
     {
@@ -120,10 +112,8 @@ public sealed class FuzzTruthTests
         }
     }
 
-    /// <summary>
-    /// A cube that is stored two million times as long and scaled back is a cube. Its scale, noise and bands are those
-    /// of the cube.
-    /// </summary>
+    /// <summary>A cube that is stored two million times as long and scaled back is a cube. Its scale, noise and bands
+    /// are those of the cube.</summary>
     [Fact]
     public void AnUnevenScaleWidensNoBand()
     {

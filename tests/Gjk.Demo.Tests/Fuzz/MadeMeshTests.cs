@@ -1,16 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Fuzz;
 
-/// <summary>
-/// The meshes that fuzz generates have the features of real ones: tiny poles, doubled seams, repeated vertices, and
-/// copies one float apart.
-/// </summary>
+/// <summary>The meshes that fuzz generates have the features of real ones: tiny poles, doubled seams, repeated
+/// vertices, and copies one float apart.</summary>
 public sealed class MadeMeshTests
 {
     private const int Draws = 400;
@@ -99,9 +92,8 @@ public sealed class MadeMeshTests
         Assert.InRange(cloud.Zip(scan, (p, q) => (p - q).Length()).Max(), 1e-3, 1.8e-3);
     }
 
-    /// <summary>
-    /// No generator may give points that a hull refuses, or so many points that a search spends all its time on them.
-    /// </summary>
+    /// <summary>No generator may give points that a hull refuses, or so many points that a search spends all its time
+    /// on them.</summary>
     [Fact]
     public void EveryMeshIsFiniteAndOfAModestSize()
     {

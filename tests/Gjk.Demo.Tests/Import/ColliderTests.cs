@@ -1,8 +1,5 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 

@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Import;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
@@ -58,9 +53,8 @@ public sealed class ConvexityTests
         Assert.Contains("do not fill its outline", Convexity.Warning(dart));
     }
 
-    /// <summary>
-    /// A hull whose triangles are each cut into four, at corners that rounding moves out of their plane.
-    /// </summary>
+    /// <summary>A hull whose triangles are each cut into four, at corners that rounding moves out of their
+    /// plane.</summary>
     private static ImportedMesh HullPart(Vector3[] cloud, Vector3 offset, bool mirrored)
     {
         var hull = new ConvexHull(cloud);

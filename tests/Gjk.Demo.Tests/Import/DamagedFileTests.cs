@@ -1,21 +1,15 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Gjk.Demo.Tests.Support;
 using Gjk.Import;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
-/// <summary>
-/// A thousand damaged files of every kind: bytes exchanged, cut out, doubled or put in. Each is imported or refused, in
-/// one line for each thing that is wrong. What is neither refused nor told of is there: a count of the file's own words
-/// says so. It never ends in another exception, which the user would see as an internal error.
-/// </summary>
+/// <summary>A thousand damaged files of every kind: bytes exchanged, cut out, doubled or put in. Each is imported or
+/// refused, in one line for each thing that is wrong. What is neither refused nor told of is there: a count of the
+/// file's own words says so. It never ends in another exception, which the user would see as an internal
+/// error.</summary>
 public sealed partial class DamagedFileTests
 {
     private const int Seed = 88, Files = 1000;

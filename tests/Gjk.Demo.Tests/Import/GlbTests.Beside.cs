@@ -1,8 +1,5 @@
-using System;
-using System.IO;
 using System.Text;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 

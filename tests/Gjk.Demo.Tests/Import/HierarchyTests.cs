@@ -1,17 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
-/// <summary>
-/// Random hierarchies of three levels with uneven, negative and zero scales, so with skew. Every imported shape must
-/// reach as far as its vertices under the full matrix, worked out here in another way.
-/// </summary>
+/// <summary>Random hierarchies of three levels with uneven, negative and zero scales, so with skew. Every imported
+/// shape must reach as far as its vertices under the full matrix, worked out here in another way.</summary>
 public sealed class HierarchyTests
 {
     private const int Seed = 20_261_122, Hierarchies = 250, Directions = 40;
@@ -73,10 +66,8 @@ public sealed class HierarchyTests
         }
     }
 
-    /// <summary>
-    /// Without uneven scales nothing is skewed, so colliders must reach as far as the full matrix says, too. Mirrors
-    /// along any of the axes do not change that.
-    /// </summary>
+    /// <summary>Without uneven scales nothing is skewed, so colliders must reach as far as the full matrix says, too.
+    /// Mirrors along any of the axes do not change that.</summary>
     [Fact]
     public void CollidersStayExactUnderMirrors()
     {

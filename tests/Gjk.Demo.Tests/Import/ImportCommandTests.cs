@@ -1,8 +1,4 @@
-using System;
-using System.IO;
-using System.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
@@ -67,10 +63,9 @@ public sealed class ImportCommandTests
             run.Error);
     }
 
-    /// <summary>
-    /// An open box and a box with a dent become surfaces, the closed one a solid; a convex one stays a hull. The scene
-    /// is a scene that query takes: a ball in the dent touches nothing, and one in the wall of it does.
-    /// </summary>
+    /// <summary>An open box and a box with a dent become surfaces, the closed one a solid; a convex one stays a hull.
+    /// The scene is a scene that query takes: a ball in the dent touches nothing, and one in the wall of it
+    /// does.</summary>
     [Fact]
     public void ConcaveMeshesAreKeptAsSurfaces()
     {

@@ -1,21 +1,13 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Import;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
 using Gjk.Import;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
-/// <summary>
-/// A file as <c>import</c> makes a scene of it, written and read again by the reader of the other commands.
-/// </summary>
+/// <summary>A file as <c>import</c> makes a scene of it, written and read again by the reader of the other
+/// commands.</summary>
 internal sealed class Imported
 {
     private Imported(Scene scene, ImportResult result)

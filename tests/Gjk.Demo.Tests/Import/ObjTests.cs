@@ -1,11 +1,7 @@
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
 using Gjk.Import;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 

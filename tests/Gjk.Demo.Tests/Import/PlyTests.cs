@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
@@ -151,9 +145,8 @@ public sealed class PlyTests
         Imported.Refused(file, "the file ends here");
     }
 
-    /// <summary>
-    /// A vertex has a colour too, an element that nobody knows comes first, and a face has a list more.
-    /// </summary>
+    /// <summary>A vertex has a colour too, an element that nobody knows comes first, and a face has a list
+    /// more.</summary>
     internal static byte[] Write(string format, string coordinate, string index)
     {
         string header = $"ply\nformat {format} 1.0\ncomment by hand\nobj_info none\nelement camera 2\n"

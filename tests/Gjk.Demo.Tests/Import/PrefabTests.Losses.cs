@@ -1,16 +1,12 @@
-using System.IO;
-using System.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>What prefabs and models lack is counted, and said where it is missed.</summary>
 public sealed partial class PrefabTests
 {
-    /// <summary>
-    /// Each instance loses what its prefab cannot bring. All are counted; the first is listed with its place.
-    /// </summary>
+    /// <summary>Each instance loses what its prefab cannot bring. All are counted; the first is listed with its
+    /// place.</summary>
     [Fact]
     public void EachLossIsCounted()
     {

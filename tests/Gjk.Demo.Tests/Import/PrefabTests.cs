@@ -1,8 +1,4 @@
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 

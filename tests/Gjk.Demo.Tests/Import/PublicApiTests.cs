@@ -1,5 +1,4 @@
 using Gjk.Import;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 

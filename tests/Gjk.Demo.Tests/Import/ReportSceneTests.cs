@@ -1,16 +1,9 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 
-/// <summary>
-/// Scenes that are built as the report's two are: no prefab and no collider of Unity, but a mesh and a script on each
-/// object, and some of the objects inactive. The numbers are our own.
-/// </summary>
+/// <summary>Scenes that are built as the report's two are: no prefab and no collider of Unity, but a mesh and a script
+/// on each object, and some of the objects inactive. The numbers are our own.</summary>
 public sealed class ReportSceneTests
 {
     /// <summary>20 cubes below an active object, and 20 spheres below an inactive one.</summary>

@@ -1,10 +1,5 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 

@@ -1,9 +1,5 @@
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Import;
 

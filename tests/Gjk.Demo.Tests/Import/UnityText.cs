@@ -1,8 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text;
 using Gjk.Demo.Tests.Support;
 

@@ -1,14 +1,9 @@
-using System;
-using System.IO;
-using System.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Judge;
 
-/// <summary>
-/// The referee finds this library's answers right, every kind of wrong one wrong, and refuses bad files.
-/// </summary>
+/// <summary>The referee finds this library's answers right, every kind of wrong one wrong, and refuses bad
+/// files.</summary>
 public sealed class JudgeTests
 {
     private const string Scene = """

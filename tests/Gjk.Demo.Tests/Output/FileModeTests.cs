@@ -1,11 +1,6 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
 using System.Runtime.Versioning;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 
@@ -96,10 +91,8 @@ public sealed class FileModeTests
         Assert.Equal([inner, scene], directory.Files.Order());
     }
 
-    /// <summary>
-    /// A user who may write to a directory may rename over any file in it. But a file that the user may not write
-    /// stays.
-    /// </summary>
+    /// <summary>A user who may write to a directory may rename over any file in it. But a file that the user may not
+    /// write stays.</summary>
     [RootFact]
     public void SomebodyElsesFileIsRefused()
     {

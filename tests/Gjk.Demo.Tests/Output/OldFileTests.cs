@@ -1,17 +1,11 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json;
-using System.Threading;
 using Gjk.Demo.Tests.Scenes;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 
-/// <summary>
-/// A command that is interrupted, or fails while it writes, leaves the old file byte for byte, and no temporary file.
-/// </summary>
+/// <summary>A command that is interrupted, or fails while it writes, leaves the old file byte for byte, and no
+/// temporary file.</summary>
 public sealed class OldFileTests
 {
     /// <summary>These points make 200 million pairs. No command finishes them before it is interrupted.</summary>
@@ -35,9 +29,8 @@ public sealed class OldFileTests
         Assert.Equal(before, directory.Contents());
     }
 
-    /// <summary>
-    /// The second signal ends the process wherever it is. The first one has already removed the temporary file.
-    /// </summary>
+    /// <summary>The second signal ends the process wherever it is. The first one has already removed the temporary
+    /// file.</summary>
     [UnixFact]
     public void TwoSignalsLeaveTheOldFile()
     {
@@ -73,10 +66,8 @@ public sealed class OldFileTests
         }
     }
 
-    /// <summary>
-    /// A result with only some of the scenes may create a new file, but must not replace a complete one. The test
-    /// searches for the time of the interrupt, because machines differ.
-    /// </summary>
+    /// <summary>A result with only some of the scenes may create a new file, but must not replace a complete one. The
+    /// test searches for the time of the interrupt, because machines differ.</summary>
     [UnixTheory]
     [InlineData(true)]
     [InlineData(false)]
@@ -117,10 +108,8 @@ public sealed class OldFileTests
         Assert.Equal("cubes", scene.GetProperty("name").GetString());
     }
 
-    /// <summary>
-    /// A limit on the size of files simulates a full disk. The runtime needs a larger file of its own unless it is told
-    /// not to create it.
-    /// </summary>
+    /// <summary>A limit on the size of files simulates a full disk. The runtime needs a larger file of its own unless
+    /// it is told not to create it.</summary>
     [UnixTheory]
     [InlineData("query \"$1\" --out \"$2\"")]
     [InlineData("view \"$1\" --out \"$2\"")]

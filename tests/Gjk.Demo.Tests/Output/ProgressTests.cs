@@ -1,7 +1,4 @@
-using System.IO;
-using System.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 

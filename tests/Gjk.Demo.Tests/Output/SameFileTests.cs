@@ -1,9 +1,5 @@
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 
@@ -91,10 +87,8 @@ public sealed class SameFileTests
         Assert.Equal("old\n", File.ReadAllText(table));
     }
 
-    /// <summary>
-    /// A copy is a different file. A terminal and /dev/null are not files, so they may be read and written at the same
-    /// time.
-    /// </summary>
+    /// <summary>A copy is a different file. A terminal and /dev/null are not files, so they may be read and written at
+    /// the same time.</summary>
     [UnixFact]
     public void OtherFilesAreAllowed()
     {

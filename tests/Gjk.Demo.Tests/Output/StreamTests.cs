@@ -1,18 +1,11 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Tests.Scenes;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 
-/// <summary>
-/// Standard streams and pipes that are full, closed, or without a reader or writer. The command ends at once with the
-/// documented exit code and at most one line.
-/// </summary>
+/// <summary>Standard streams and pipes that are full, closed, or without a reader or writer. The command ends at once
+/// with the documented exit code and at most one line.</summary>
 public sealed class StreamTests
 {
     private const string Scene = """{"version":1,"objects":[{"shape":{"type":"point"}},{"shape":{"type":"point"}}]}""";
@@ -154,9 +147,8 @@ public sealed class StreamTests
         Assert.Equal([pipe], directory.Files);
     }
 
-    /// <summary>
-    /// A signal that comes before the demo listens ends the process directly. The test then sends it later.
-    /// </summary>
+    /// <summary>A signal that comes before the demo listens ends the process directly. The test then sends it
+    /// later.</summary>
     [UnixFact]
     public void ASignalEndsTheWaitForStandardInput()
     {

@@ -1,15 +1,10 @@
-using System;
 using System.Diagnostics;
-using System.IO;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 
-/// <summary>
-/// The kind of the target decides how an output is written: a file is replaced, a device or a pipe is written to, and a
-/// directory is refused.
-/// </summary>
+/// <summary>The kind of the target decides how an output is written: a file is replaced, a device or a pipe is written
+/// to, and a directory is refused.</summary>
 public sealed class TargetKindTests
 {
     private const string Scene = """{"version":1,"objects":[{"shape":{"type":"point"}},{"shape":{"type":"point"}}]}""";
@@ -121,9 +116,8 @@ public sealed class TargetKindTests
         Assert.Equal(3, directory.Files.Length);
     }
 
-    /// <summary>
-    /// The link's ".." starts at the directory that really holds the link, not at the one through which it was reached.
-    /// </summary>
+    /// <summary>The link's ".." starts at the directory that really holds the link, not at the one through which it was
+    /// reached.</summary>
     [UnixFact]
     public void ARelativeLinkIsFollowedFromWhereItLies()
     {

@@ -1,10 +1,6 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Xml.Linq;
 using Gjk.Demo.Output;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Output;
 

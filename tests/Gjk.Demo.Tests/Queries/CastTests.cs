@@ -1,8 +1,5 @@
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Queries;
 
@@ -41,9 +38,8 @@ public sealed class CastTests
         Assert.Equal(run.Out, File.ReadAllText(file));
     }
 
-    /// <summary>
-    /// What stands on a box may slide and rise, and is stopped when it sinks, with the normal; also while it turns.
-    /// </summary>
+    /// <summary>What stands on a box may slide and rise, and is stopped when it sinks, with the normal; also while it
+    /// turns.</summary>
     [Theory]
     [InlineData("[1,0,0]", "Miss", "1")]
     [InlineData("[0,2,0]", "Miss", "1")]

@@ -1,10 +1,7 @@
-using System.IO;
-using System.Linq;
 using Gjk.Core;
 using Gjk.Demo.Queries;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Queries;
 

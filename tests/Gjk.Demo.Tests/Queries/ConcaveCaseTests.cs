@@ -1,12 +1,7 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Queries;
 

@@ -1,6 +1,4 @@
-using System.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Queries;
 

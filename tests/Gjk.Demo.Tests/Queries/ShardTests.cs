@@ -1,9 +1,6 @@
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Scenes;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Queries;
 

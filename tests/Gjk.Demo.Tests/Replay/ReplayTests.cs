@@ -1,12 +1,7 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Replay;
 
@@ -90,9 +85,8 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.Equal(loops, _replay.Scene(name).GetProperty("loops_per_call").GetDouble(), 1e-12);
     }
 
-    /// <summary>
-    /// The hash is computed again from the numbers in the file. So these numbers are exactly the floats of the results.
-    /// </summary>
+    /// <summary>The hash is computed again from the numbers in the file. So these numbers are exactly the floats of the
+    /// results.</summary>
     [Theory]
     [InlineData("cubes")]
     [InlineData("spheres")]

@@ -1,18 +1,12 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Replay;
 
-/// <summary>
-/// Replay with a broad phase, motion, another number of objects, or threads. A frame finds the intersecting pairs.
-/// </summary>
+/// <summary>Replay with a broad phase, motion, another number of objects, or threads. A frame finds the intersecting
+/// pairs.</summary>
 public sealed class WorldReplayTests
 {
     private const int Objects = 150, Frames = 8;
@@ -176,10 +170,8 @@ public sealed class WorldReplayTests
 
     private static int Number(JsonElement element, string field) => element.GetProperty(field).GetInt32();
 
-    /// <summary>
-    /// FNV-1a over each frame. It takes the number of intersecting pairs and then both indices of each, as 32-bit
-    /// little-endian numbers.
-    /// </summary>
+    /// <summary>FNV-1a over each frame. It takes the number of intersecting pairs and then both indices of each, as
+    /// 32-bit little-endian numbers.</summary>
     private static string HashOf(BuiltInScene scene, double speed, int frames)
     {
         ulong hash = 14695981039346656037;

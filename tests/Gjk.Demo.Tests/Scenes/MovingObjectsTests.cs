@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;
 

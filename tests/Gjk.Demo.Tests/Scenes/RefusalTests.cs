@@ -1,15 +1,10 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;
 
-/// <summary>
-/// Every scene that is not exactly right gives exit code 2, one line with file, JSON path and reason, and no other
-/// output.
-/// </summary>
+/// <summary>Every scene that is not exactly right gives exit code 2, one line with file, JSON path and reason, and no
+/// other output.</summary>
 public sealed class RefusalTests
 {
     private const string Sphere = """{"shape":{"type":"sphere","radius":1}}""";

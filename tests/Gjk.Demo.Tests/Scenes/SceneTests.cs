@@ -1,22 +1,14 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Scenes;
 
-/// <summary>
-/// The meaning of a valid scene: every shape, every optional field, and numbers that are rounded once.
-/// </summary>
+/// <summary>The meaning of a valid scene: every shape, every optional field, and numbers that are rounded
+/// once.</summary>
 public sealed class SceneTests
 {
-    /// <summary>
-    /// Relative. The answers are exact up to their rounding to float, and these expectations are rounded too.
-    /// </summary>
+    /// <summary>Relative. The answers are exact up to their rounding to float, and these expectations are rounded
+    /// too.</summary>
     private const double Tolerance = 1e-6;
 
     /// <summary>The shape, more fields of its object, and its distance to the point (10, 0, 0).</summary>
@@ -79,10 +71,8 @@ public sealed class SceneTests
             expected * (1 + 2 * Tolerance));
     }
 
-    /// <summary>
-    /// Decimals just above and below the middle of two floats. Reading them through double would round twice, to the
-    /// even neighbour.
-    /// </summary>
+    /// <summary>Decimals just above and below the middle of two floats. Reading them through double would round twice,
+    /// to the even neighbour.</summary>
     [Theory]
     [InlineData("1.00000005960464477540", 1.0000001f)]
     [InlineData("1.0000001788139343261", 1.0000001f)]

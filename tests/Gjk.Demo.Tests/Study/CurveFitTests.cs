@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Fit;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Study;
 
@@ -15,10 +9,8 @@ public sealed class CurveFitTests
 {
     private static readonly string Cases = Repository.File("tests/Gjk.Demo.Tests/Study/Cases");
 
-    /// <summary>
-    /// The answers are those of R 4.2.2: glm(answer ~ gap, binomial(link = "probit")), PSE and sigma from its
-    /// coefficients, the deviance of the counts.
-    /// </summary>
+    /// <summary>The answers are those of R 4.2.2: glm(answer ~ gap, binomial(link = "probit")), PSE and sigma from its
+    /// coefficients, the deviance of the counts.</summary>
     public static IEnumerable<object[]> AnswersOfR() =>
         File.ReadLines(Path.Combine(Cases, "probit-answers.csv")).Skip(1).Select(line => line.Split(','))
             .Select(f => new object[] { f[0], Number(f[1]), Number(f[2]), Number(f[3]) });

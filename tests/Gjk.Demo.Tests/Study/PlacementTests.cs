@@ -1,12 +1,7 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using System.Text;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Study.Plan;
 using Gjk.Demo.View;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Study;
 

@@ -1,13 +1,9 @@
-using System;
 using System.Globalization;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Study.Fit;
 using Gjk.Demo.Study.Saves;
 using Gjk.Demo.Study.Simulate;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Study;
 

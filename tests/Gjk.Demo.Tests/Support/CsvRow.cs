@@ -1,8 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
-using System.Numerics;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Support;
 

@@ -1,13 +1,7 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using System.Text;
-using System.Threading;
 using System.Threading.Tasks;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Support;
 
@@ -24,9 +18,8 @@ public sealed record DemoRun(int ExitCode, string Out, string Error)
         return demo.Wait();
     }
 
-    /// <summary>
-    /// Asserts exit code 2, nothing on standard output, and one line on standard error that contains all the parts.
-    /// </summary>
+    /// <summary>Asserts exit code 2, nothing on standard output, and one line on standard error that contains all the
+    /// parts.</summary>
     public void AssertRefused(params string[] parts)
     {
         Assert.True(ExitCode == 2, $"exit code {ExitCode}, error: {Error}");
@@ -36,9 +29,7 @@ public sealed record DemoRun(int ExitCode, string Out, string Error)
         foreach (string part in parts) Assert.Contains(part, Error);
     }
 
-    /// <summary>
-    /// Asserts exit code 0, and nothing on standard error but what was written to which file.
-    /// </summary>
+    /// <summary>Asserts exit code 0, and nothing on standard error but what was written to which file.</summary>
     public void AssertDone()
     {
         Assert.True(ExitCode == 0, $"exit code {ExitCode}, error: {Error}");
@@ -47,9 +38,8 @@ public sealed record DemoRun(int ExitCode, string Out, string Error)
     }
 }
 
-/// <summary>
-/// Runs the built demo as a process, as its user does: for signals, shells, terminals and the process's own streams.
-/// </summary>
+/// <summary>Runs the built demo as a process, as its user does: for signals, shells, terminals and the process's own
+/// streams.</summary>
 public sealed class DemoProcess : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(90);

@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json.Nodes;
 
 namespace Gjk.Demo.Tests.Support;
 
-/// <summary>
-/// Checks JSON against the part of JSON schema (draft 2020-12) that the scene's schema uses. Any other keyword is an
-/// error, so that none is skipped in silence.
-/// </summary>
+/// <summary>Checks JSON against the part of JSON schema (draft 2020-12) that the scene's schema uses. Any other keyword
+/// is an error, so that none is skipped in silence.</summary>
 public sealed class JsonSchema
 {
     private static readonly HashSet<string> Descriptive = ["$schema", "$defs", "title", "description"];

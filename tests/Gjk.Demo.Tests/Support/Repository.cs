@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Gjk.Demo.Tests.Support;
 
 /// <summary>The files of the repository that the tests run in.</summary>

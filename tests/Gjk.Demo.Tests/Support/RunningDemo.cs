@@ -1,18 +1,12 @@
-using System;
 using System.Diagnostics;
-using System.IO;
 using System.Text;
-using System.Threading;
 using System.Threading.Tasks;
 using Gjk.Demo.Output;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Support;
 
-/// <summary>
-/// The demo on a thread of this process, with streams of its own: all but the signals, the exit code of the process and
-/// what kinds of streams it has. <see cref="DemoProcess"/> is for those.
-/// </summary>
+/// <summary>The demo on a thread of this process, with streams of its own: all but the signals, the exit code of the
+/// process and what kinds of streams it has. <see cref="DemoProcess"/> is for those.</summary>
 public sealed class RunningDemo : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(90);

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace Gjk.Demo.Tests.Support;
 
 /// <summary>An empty directory that is removed after the test.</summary>
@@ -24,10 +19,8 @@ public sealed class TempDirectory : IDisposable
         return file;
     }
 
-    /// <summary>
-    /// The contents of each file, by its name. A link has the contents of the file that it leads to. Anything else has
-    /// none.
-    /// </summary>
+    /// <summary>The contents of each file, by its name. A link has the contents of the file that it leads to. Anything
+    /// else has none.</summary>
     public Dictionary<string, string> Contents()
     {
         static string Text(string file)

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Gjk.Demo.Tests.Support;
 
 /// <summary>Notices that a temporary file was created in a directory, even if it is already gone.</summary>

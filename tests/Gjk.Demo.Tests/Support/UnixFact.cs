@@ -1,12 +1,7 @@
-using System;
-using Xunit;
-
 namespace Gjk.Demo.Tests.Support;
 
-/// <summary>
-/// A test of links, signals, permissions or pipes. Windows does not have these in this form, so the test is skipped
-/// there.
-/// </summary>
+/// <summary>A test of links, signals, permissions or pipes. Windows does not have these in this form, so the test is
+/// skipped there.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class UnixFactAttribute : FactAttribute
 {
@@ -42,10 +37,8 @@ public sealed class RootFactAttribute : FactAttribute
         Skip = UnixSkip.Reason ?? (Environment.IsPrivilegedProcess ? null : "Only root can give files away.");
 }
 
-/// <summary>
-/// A test of permissions, which do not restrict root. Root runs <see cref="DemoProcess.ShellAsUser"/> as nobody, with a
-/// program that Linux has.
-/// </summary>
+/// <summary>A test of permissions, which do not restrict root. Root runs <see cref="DemoProcess.ShellAsUser"/> as
+/// nobody, with a program that Linux has.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class UserFactAttribute : FactAttribute
 {

@@ -1,9 +1,6 @@
-using System;
-using System.Linq;
 using System.Text.Json;
 using Gjk.Demo.Tests.Scenes;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.Timing;
 

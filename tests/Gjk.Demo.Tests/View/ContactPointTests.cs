@@ -1,10 +1,6 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
 using Gjk.Demo.View;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 

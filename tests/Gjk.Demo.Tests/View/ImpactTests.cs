@@ -1,8 +1,5 @@
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 

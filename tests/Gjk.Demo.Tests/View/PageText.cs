@@ -1,9 +1,6 @@
-using System;
-using System.IO;
 using System.Runtime.InteropServices;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
@@ -29,10 +26,8 @@ public sealed class PageText
     public T[] Column<T>(string name)
         where T : unmanaged => MemoryMarshal.Cast<byte, T>(Data.GetProperty(name).GetBytesFromBase64()).ToArray();
 
-    /// <summary>
-    /// Asserts that the page has nothing that a browser would fetch, and that its content security policy forbids
-    /// fetching.
-    /// </summary>
+    /// <summary>Asserts that the page has nothing that a browser would fetch, and that its content security policy
+    /// forbids fetching.</summary>
     public void AssertSelfContained()
     {
         Assert.Contains(

@@ -1,20 +1,14 @@
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
 using Gjk.Demo.View;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
 /// <summary>The work for a picture, counted, so that a slow or busy machine changes nothing.</summary>
 public sealed class PictureCostTests
 {
-    /// <summary>
-    /// Boxes in a flat layer, seen from the front: each hides a few neighbours, however many there are. A look at all
-    /// other boxes for each box would take sixteen times the work for four times the boxes.
-    /// </summary>
+    /// <summary>Boxes in a flat layer, seen from the front: each hides a few neighbours, however many there are. A look
+    /// at all other boxes for each box would take sixteen times the work for four times the boxes.</summary>
     [Fact]
     public void FourTimesTheBoxesTakeAboutFourTimesTheWork()
     {

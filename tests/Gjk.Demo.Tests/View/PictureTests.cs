@@ -1,13 +1,8 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Net;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
@@ -55,9 +50,8 @@ public sealed class PictureTests
         Assert.Contains($"stroke=\"{White}\"", free);
     }
 
-    /// <summary>
-    /// Colour is not all that tells what intersects. The stripes are clipped by exactly the red faces.
-    /// </summary>
+    /// <summary>Colour is not all that tells what intersects. The stripes are clipped by exactly the red
+    /// faces.</summary>
     [Fact]
     public void IntersectingIsStriped()
     {
@@ -99,10 +93,8 @@ public sealed class PictureTests
         Assert.Contains(">This scene has no objects.</text>", Draw(""));
     }
 
-    /// <summary>
-    /// The arrow of the way out is as long in the picture as the box is there that it leads through. Touching draws
-    /// none.
-    /// </summary>
+    /// <summary>The arrow of the way out is as long in the picture as the box is there that it leads through. Touching
+    /// draws none.</summary>
     [Fact]
     public void AnIntersectingPairHasAnArrowAsLongAsItIsDeep()
     {
@@ -126,9 +118,8 @@ public sealed class PictureTests
         Assert.DoesNotContain("depth", touching);
     }
 
-    /// <summary>
-    /// The dots are the corners of the thin box's face, and the words say how far B's face is from them.
-    /// </summary>
+    /// <summary>The dots are the corners of the thin box's face, and the words say how far B's face is from
+    /// them.</summary>
     [Theory]
     [InlineData("[2,0,0]", 4, "4 contact points, gap -1.5")]
     [InlineData("[3.5,0,0]", 4, "4 contact points, gap 0")]
@@ -186,10 +177,8 @@ public sealed class PictureTests
         Assert.True(twice <= covered / 500, $"{twice} of {covered} points are covered twice");
     }
 
-    /// <summary>
-    /// Asserts that the SVG is well-formed, that every number is finite, that every path lies inside the picture, and
-    /// that the picture has its own background.
-    /// </summary>
+    /// <summary>Asserts that the SVG is well-formed, that every number is finite, that every path lies inside the
+    /// picture, and that the picture has its own background.</summary>
     internal static void AssertSound(string svg)
     {
         XElement root = XDocument.Parse(svg).Root!;

@@ -1,18 +1,12 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.RegularExpressions;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>
-/// What <c>play</c> writes, as far as no browser is needed: one file with the library, its licences, and a policy that
-/// allows its own scripts only. The browser tests use the page.
-/// </summary>
+/// <summary>What <c>play</c> writes, as far as no browser is needed: one file with the library, its licences, and a
+/// policy that allows its own scripts only. The browser tests use the page.</summary>
 public sealed class PlayTests
 {
     private const string TwoSpheres = """

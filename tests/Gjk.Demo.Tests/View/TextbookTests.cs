@@ -1,25 +1,16 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text.Json;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
 using Gjk.Demo.Trace;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>
-/// The textbook's GJK beside the exact one: right where nothing is close, and failing on the examples as the page says.
-/// </summary>
+/// <summary>The textbook's GJK beside the exact one: right where nothing is close, and failing on the examples as the
+/// page says.</summary>
 public sealed class TextbookTests
 {
-    /// <summary>
-    /// A loop that keeps going back is more than one that stands still: at least two steps repeat.
-    /// </summary>
+    /// <summary>A loop that keeps going back is more than one that stands still: at least two steps repeat.</summary>
     private const int LeastCycle = 2;
 
     [Fact]
@@ -40,10 +31,8 @@ public sealed class TextbookTests
         AssertSame(TextbookExamples.Triangles(x, z), TextbookExamples.Wrong);
     }
 
-    /// <summary>
-    /// The last simplex is the one of the step that it is said to repeat, corner by corner. Everything that the loop
-    /// does next depends on it alone. On the way |v| rises, which the exact query's never does.
-    /// </summary>
+    /// <summary>The last simplex is the one of the step that it is said to repeat, corner by corner. Everything that
+    /// the loop does next depends on it alone. On the way |v| rises, which the exact query's never does.</summary>
     [Fact]
     public void TheLoopComesBackToWhereItWas()
     {
@@ -70,9 +59,8 @@ public sealed class TextbookTests
         Assert.InRange(Exact(scene.Objects[0], scene.Objects[1]).Distance, 0.25f, 0.26f);
     }
 
-    /// <summary>
-    /// Where the textbook ends, it is right on nearly all pairs of the cubes: it is the algorithm, not a caricature.
-    /// </summary>
+    /// <summary>Where the textbook ends, it is right on nearly all pairs of the cubes: it is the algorithm, not a
+    /// caricature.</summary>
     [Fact]
     public void OnOrdinaryPairsTheTextbookIsRight()
     {
@@ -112,9 +100,8 @@ public sealed class TextbookTests
         }
     }
 
-    /// <summary>
-    /// Float cannot square these sizes. The exact query can, and the page says what became of the other.
-    /// </summary>
+    /// <summary>Float cannot square these sizes. The exact query can, and the page says what became of the
+    /// other.</summary>
     [Theory]
     [InlineData(1e25f, "NotFinite")]
     [InlineData(1e-25f, "NoNearer")]

@@ -1,15 +1,10 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>
-/// Tests what the page of <c>trace</c> holds about an overlapping pair. Its depth is that of <c>query --depth</c>, and
-/// the surfaces lead to it.
-/// </summary>
+/// <summary>Tests what the page of <c>trace</c> holds about an overlapping pair. Its depth is that of
+/// <c>query --depth</c>, and the surfaces lead to it.</summary>
 public sealed class TraceDepthTests
 {
     private const string Scene = """

@@ -1,17 +1,10 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using System.Text.Json;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>
-/// Tests the page that <c>trace</c> writes, without a browser. Its answer is that of <c>query</c>, and its steps lead
-/// to that answer.
-/// </summary>
+/// <summary>Tests the page that <c>trace</c> writes, without a browser. Its answer is that of <c>query</c>, and its
+/// steps lead to that answer.</summary>
 public sealed class TraceTests
 {
     private const string Scene = """
@@ -108,10 +101,8 @@ public sealed class TraceTests
         Assert.Equal([bad, scene], directory.Files.Order());
     }
 
-    /// <summary>
-    /// Asserts that each vertex is the difference of its points and lies on the drawn surface or inside it. Each
-    /// simplex continues the one before, and the last bounds meet at the answer.
-    /// </summary>
+    /// <summary>Asserts that each vertex is the difference of its points and lies on the drawn surface or inside it.
+    /// Each simplex continues the one before, and the last bounds meet at the answer.</summary>
     private static void AssertSteps(JsonElement data, CsvRow row)
     {
         var kept = new List<int>();

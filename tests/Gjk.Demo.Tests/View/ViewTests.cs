@@ -1,19 +1,11 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
-using Xunit;
 
 namespace Gjk.Demo.Tests.View;
 
-/// <summary>
-/// Tests the page that <c>view</c> writes, without a browser. Its answers are those of <c>query --depth</c>. The tests
-/// in tests/Gjk.Viewer open the page in a browser.
-/// </summary>
+/// <summary>Tests the page that <c>view</c> writes, without a browser. Its answers are those of <c>query --depth</c>.
+/// The tests in tests/Gjk.Viewer open the page in a browser.</summary>
 public sealed class ViewTests
 {
     private const string Moving = """
@@ -56,9 +48,8 @@ public sealed class ViewTests
             ["box", null, "</script><b>&"], page.Data.GetProperty("names").EnumerateArray().Select(n => n.GetString()));
     }
 
-    /// <summary>
-    /// Two boxes reach 0.5 into each other, two only touch, and those that are apart keep their distance.
-    /// </summary>
+    /// <summary>Two boxes reach 0.5 into each other, two only touch, and those that are apart keep their
+    /// distance.</summary>
     [Fact]
     public void AnIntersectingPairHasItsWayOut()
     {
@@ -78,10 +69,8 @@ public sealed class ViewTests
         Assert.Equal(0.5f, page.Column<float>("pointB")[0]);
     }
 
-    /// <summary>
-    /// The search for the depth outgrows its room for ellipsoids about one centre. They intersect all the same, but
-    /// have no deepest points, and so no arrow.
-    /// </summary>
+    /// <summary>The search for the depth outgrows its room for ellipsoids about one centre. They intersect all the
+    /// same, but have no deepest points, and so no arrow.</summary>
     [Fact]
     public void APairWithoutRoomForItsDepthIntersects()
     {

@@ -5,10 +5,8 @@ using UnityStubs;
 
 namespace Gjk.Unity.Checks;
 
-/// <summary>
-/// A small game: moving and resting colliders of every kind, a <see cref="ConvexDistance"/> and a
-/// <see cref="ProximitySensor"/>, driven frame by frame.
-/// </summary>
+/// <summary>A small game: moving and resting colliders of every kind, a <see cref="ConvexDistance"/> and a
+/// <see cref="ProximitySensor"/>, driven frame by frame.</summary>
 internal sealed class FrameLoad : IDisposable
 {
     private const int Objects = 60, Period = 20;

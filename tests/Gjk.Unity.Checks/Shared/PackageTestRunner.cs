@@ -5,10 +5,8 @@ using System.Reflection;
 
 namespace Gjk.Unity.Checks;
 
-/// <summary>
-/// Runs the tests that lie in the Unity package, without NUnit: by the names of the attributes, so that it does not
-/// matter where the attributes come from.
-/// </summary>
+/// <summary>Runs the tests that lie in the Unity package, without NUnit: by the names of the attributes, so that it
+/// does not matter where the attributes come from.</summary>
 internal static class PackageTestRunner
 {
     private const string Test = "TestAttribute", TearDown = "TearDownAttribute";

@@ -3,9 +3,8 @@ using System.Collections.Generic;
 
 namespace UnityEngine
 {
-    /// <summary>
-    /// World = parent * TRS(local), in float. What is assumed about the engine stands in the README beside the project.
-    /// </summary>
+    /// <summary>World = parent * TRS(local), in float. What is assumed about the engine stands in the README beside the
+    /// project.</summary>
     public class Transform : Component
     {
         internal readonly List<Transform> Children = new List<Transform>();

@@ -3,10 +3,8 @@ using UnityEngine;
 
 namespace Gjk.Unity.Editor
 {
-    /// <summary>
-    /// Measures the two selected objects, in play and outside of it, and draws the line between their closest points in
-    /// the scene view.
-    /// </summary>
+    /// <summary>Measures the two selected objects, in play and outside of it, and draws the line between their closest
+    /// points in the scene view.</summary>
     public sealed class MeasureWindow : EditorWindow
     {
         private readonly ShapeSource _first = new ShapeSource(), _second = new ShapeSource();

@@ -3,10 +3,8 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Vectors and rotations from the engine's types to those of the library, and back. The numbers stay as they are:
-    /// left-handed coordinates do not matter to distances.
-    /// </summary>
+    /// <summary>Vectors and rotations from the engine's types to those of the library, and back. The numbers stay as
+    /// they are: left-handed coordinates do not matter to distances.</summary>
     public static class GjkConvert
     {
         /// <summary>The same vector.</summary>

@@ -6,9 +6,8 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// The types of com.unity.mathematics, from 1.0. Only compiled where the project has that package.
-    /// </summary>
+    /// <summary>The types of com.unity.mathematics, from 1.0. Only compiled where the project has that
+    /// package.</summary>
     public static class GjkMathematics
     {
         /// <summary>The same vector.</summary>

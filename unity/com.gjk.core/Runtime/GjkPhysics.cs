@@ -5,29 +5,23 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Questions about two colliders that the engine's <c>Physics</c> does not answer, or answers only when they
-    /// overlap. No physics scene is asked, so neither needs a rigid body, a simulation step or to be enabled.
-    /// </summary>
-    /// <remarks>
-    /// For the main thread. Nothing is allocated once the hulls of the meshes are made. What a collider must be, and
-    /// the exceptions for one that is not, are those of <see cref="GjkShapes"/>.
-    /// </remarks>
+    /// <summary>Questions about two colliders that the engine's <c>Physics</c> does not answer, or answers only when
+    /// they overlap. No physics scene is asked, so neither needs a rigid body, a simulation step or to be
+    /// enabled.</summary>
+    /// <remarks>For the main thread. Nothing is allocated once the hulls of the meshes are made. What a collider must
+    /// be, and the exceptions for one that is not, are those of <see cref="GjkShapes"/>.</remarks>
     public static class GjkPhysics
     {
         private static readonly ShapeSource First = new ShapeSource(), Second = new ShapeSource();
 
-        /// <summary>
-        /// How far two colliders are apart, or how deep they overlap, with the closest or deepest points.
-        /// </summary>
+        /// <summary>How far two colliders are apart, or how deep they overlap, with the closest or deepest
+        /// points.</summary>
         /// <param name="colliderA">The first.</param>
         /// <param name="colliderB">The second.</param>
         public static ColliderDistance3D Distance(Collider colliderA, Collider colliderB) =>
             Distance(GjkShapes.From(colliderA), GjkShapes.From(colliderB));
 
-        /// <summary>
-        /// The same as if their transforms were somewhere else in the world; their scales stay.
-        /// </summary>
+        /// <summary>The same as if their transforms were somewhere else in the world; their scales stay.</summary>
         /// <param name="colliderA">The first.</param>
         /// <param name="positionA">Instead of its transform's position.</param>
         /// <param name="rotationA">Instead of its transform's rotation.</param>
@@ -44,14 +38,11 @@ namespace Gjk.Unity
         public static ColliderDistance3D Distance(in PosedShape a, in PosedShape b) =>
             new ColliderDistance3D(PairQueries.Signed(a, b));
 
-        /// <summary>
-        /// How far two objects are apart, each with all its colliders: the least over them. Of objects that overlap, it
-        /// is the depth of the two colliders that overlap deepest.
-        /// </summary>
-        /// <param name="a">
-        /// The first: with a Rigidbody its colliders and those of its children, without one its own; where there are
-        /// none, its MeshFilter. Colliders that are switched off are left out where others are on.
-        /// </param>
+        /// <summary>How far two objects are apart, each with all its colliders: the least over them. Of objects that
+        /// overlap, it is the depth of the two colliders that overlap deepest.</summary>
+        /// <param name="a">The first: with a Rigidbody its colliders and those of its children, without one its own;
+        /// where there are none, its MeshFilter. Colliders that are switched off are left out where others are
+        /// on.</param>
         /// <param name="b">The second.</param>
         /// <param name="isSolid">Whether closed meshes are meant with what they enclose.</param>
         /// <param name="withTriggers">Whether triggers are colliders here.</param>
@@ -82,8 +73,8 @@ namespace Gjk.Unity
             return count;
         }
 
-        /// <summary>Where two colliders touch or nearly do: up to four points for convex ones, else the nearest one.
-        /// </summary>
+        /// <summary>Where two colliders touch or nearly do: up to four points for convex ones, else the nearest
+        /// one.</summary>
         /// <param name="colliderA">The first.</param>
         /// <param name="colliderB">The second.</param>
         /// <param name="results">Gets the points; those that do not fit are left out.</param>
@@ -116,10 +107,8 @@ namespace Gjk.Unity
         public static bool Overlaps(in PosedShape a, in PosedShape b) =>
             PairQueries.Overlaps(a, b);
 
-        /// <summary>
-        /// The point of a collider closest to a point, with the arguments of <c>Physics.ClosestPoint</c>; the point
-        /// itself where it is inside.
-        /// </summary>
+        /// <summary>The point of a collider closest to a point, with the arguments of <c>Physics.ClosestPoint</c>; the
+        /// point itself where it is inside.</summary>
         /// <param name="point">World.</param>
         /// <param name="collider">The collider.</param>
         /// <param name="position">Where its transform is taken to be.</param>
@@ -131,21 +120,16 @@ namespace Gjk.Unity
         public static Vector3 ClosestPoint(Vector3 point, Collider collider) =>
             ClosestPoint(point, GjkShapes.From(collider));
 
-        /// <summary>
-        /// When a collider that moves along a straight line first touches another one.
-        /// </summary>
+        /// <summary>When a collider that moves along a straight line first touches another one.</summary>
         /// <param name="colliderA">The one that moves, from where its transform is.</param>
         /// <param name="direction">Any vector but zero; its length does not matter.</param>
         /// <param name="maxDistance">World units: how far it moves; Mathf.Infinity for all the way.</param>
         /// <param name="colliderB">The one that rests.</param>
         /// <param name="hit">Where they touch; <c>default</c> where they do not.</param>
-        /// <returns>
-        /// Whether they touch. Colliders that overlap at the start do; those that only touch there do if the motion
-        /// goes in, not if they slide or part.
-        /// </returns>
-        /// <exception cref="ArgumentOutOfRangeException">
-        /// The direction has no length, or the distance is negative or NaN.
-        /// </exception>
+        /// <returns>Whether they touch. Colliders that overlap at the start do; those that only touch there do if the
+        /// motion goes in, not if they slide or part.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The direction has no length, or the distance is negative or
+        /// NaN.</exception>
         public static bool Cast(
             Collider colliderA, Vector3 direction, float maxDistance, Collider colliderB, out ColliderCastHit hit)
         {
@@ -172,11 +156,9 @@ namespace Gjk.Unity
             return mayHit;
         }
 
-        /// <summary>
-        /// How to move the first collider out of the second, with the arguments of <c>Physics.ComputePenetration</c>;
-        /// the shortest way there is. Where one is not convex, it is the way out of the part that is deepest inside,
-        /// and another call may find the next.
-        /// </summary>
+        /// <summary>How to move the first collider out of the second, with the arguments of
+        /// <c>Physics.ComputePenetration</c>; the shortest way there is. Where one is not convex, it is the way out of
+        /// the part that is deepest inside, and another call may find the next.</summary>
         /// <param name="colliderA">The one to move.</param>
         /// <param name="positionA">Where its transform is taken to be.</param>
         /// <param name="rotationA">How its transform is taken to be turned.</param>

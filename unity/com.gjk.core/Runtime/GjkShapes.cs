@@ -4,27 +4,19 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Colliders and meshes as shapes of the library, where their transforms put them.
-    /// </summary>
-    /// <remarks>
-    /// For the main thread only, as all of the engine's objects are. Box, sphere and capsule take no memory; a mesh
-    /// builds its hull the first time, or the tree of its triangles where it is not convex, and keeps it as long as the
-    /// mesh lives and stays as it is. Skew, negative, uneven and zero scales are honoured as the engine does: a mesh
-    /// goes through the whole matrix, the others follow lossyScale.
-    /// </remarks>
+    /// <summary>Colliders and meshes as shapes of the library, where their transforms put them.</summary>
+    /// <remarks>For the main thread only, as all of the engine's objects are. Box, sphere and capsule take no memory; a
+    /// mesh builds its hull the first time, or the tree of its triangles where it is not convex, and keeps it as long
+    /// as the mesh lives and stays as it is. Skew, negative, uneven and zero scales are honoured as the engine does: a
+    /// mesh goes through the whole matrix, the others follow lossyScale.</remarks>
     public static class GjkShapes
     {
         /// <summary>The shape of a collider: box, sphere, capsule, mesh, terrain or character controller.</summary>
-        /// <param name="collider">
-        /// It may be disabled. A mesh must be readable. With Convex ticked, its convex hull is meant; without, a mesh
-        /// that is not convex is the surface of its triangles.
-        /// </param>
+        /// <param name="collider">It may be disabled. A mesh must be readable. With Convex ticked, its convex hull is
+        /// meant; without, a mesh that is not convex is the surface of its triangles.</param>
         /// <param name="isSolid">Whether closed meshes are meant with what they enclose.</param>
         /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
-        /// <exception cref="ArgumentException">
-        /// It has no shape; the message names the object and says why.
-        /// </exception>
+        /// <exception cref="ArgumentException">It has no shape; the message names the object and says why.</exception>
         public static PosedShape From(Collider collider, bool isSolid = false) =>
             From((Component)collider, isSolid);
 
@@ -32,9 +24,7 @@ namespace Gjk.Unity
         /// <param name="filter">Its mesh must be readable.</param>
         /// <param name="isSolid">Whether closed meshes are meant with what they enclose.</param>
         /// <exception cref="ArgumentNullException">There is none, or it was destroyed.</exception>
-        /// <exception cref="ArgumentException">
-        /// It has no shape; the message names the object and says why.
-        /// </exception>
+        /// <exception cref="ArgumentException">It has no shape; the message names the object and says why.</exception>
         public static PosedShape From(MeshFilter filter, bool isSolid = false) =>
             From((Component)filter, isSolid);
 
@@ -48,10 +38,8 @@ namespace Gjk.Unity
             throw Refused(source, reason, nameof(source));
         }
 
-        /// <summary>
-        /// The shape of a collider or mesh filter as if its transform were somewhere else in the world; the scale
-        /// stays.
-        /// </summary>
+        /// <summary>The shape of a collider or mesh filter as if its transform were somewhere else in the world; the
+        /// scale stays.</summary>
         /// <param name="source">The collider or mesh filter.</param>
         /// <param name="position">Instead of the transform's position.</param>
         /// <param name="rotation">Instead of the transform's rotation; of unit length.</param>
@@ -87,10 +75,9 @@ namespace Gjk.Unity
             return TryFrom(source, frame, isSolid, out posed, out reason);
         }
 
-        /// <summary>
-        /// Forgets the hull of a mesh. Changed vertices are noticed without, but for few of many: of a mesh of more
-        /// than 1,024 vertices every n-th is compared. So is a change of the number of indices, but not of their order.
-        /// </summary>
+        /// <summary>Forgets the hull of a mesh. Changed vertices are noticed without, but for few of many: of a mesh of
+        /// more than 1,024 vertices every n-th is compared. So is a change of the number of indices, but not of their
+        /// order.</summary>
         public static void Forget(Mesh mesh) => MeshHulls.Forget(mesh);
 
 #if GJK_TERRAIN

@@ -6,20 +6,16 @@ using UnityEngine;
 
 namespace Gjk.Unity.Tests
 {
-    /// <summary>
-    /// Over 1,000 random hierarchies of three levels each: the adapters against the whole matrix. The tolerance is a
-    /// millionth of the largest coordinate. Each failure names its seed.
-    /// </summary>
+    /// <summary>Over 1,000 random hierarchies of three levels each: the adapters against the whole matrix. The
+    /// tolerance is a millionth of the largest coordinate. Each failure names its seed.</summary>
     public class AdapterTests
     {
         private const int Hierarchies = 1000;
         private const int Directions = 24;
         private const double Tolerance = 1e-6;
 
-        /// <summary>
-        /// The cosine above which axes count as skewed: far above the rounding of quaternions, far below what random
-        /// scales give.
-        /// </summary>
+        /// <summary>The cosine above which axes count as skewed: far above the rounding of quaternions, far below what
+        /// random scales give.</summary>
         private const double SkewedFrom = 1e-5;
 
         [Test]

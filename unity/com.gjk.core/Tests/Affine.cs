@@ -4,9 +4,8 @@ using UnityEngine;
 
 namespace Gjk.Unity.Tests
 {
-    /// <summary>
-    /// A transform's whole matrix in double, from the local values: what the adapters are held against.
-    /// </summary>
+    /// <summary>A transform's whole matrix in double, from the local values: what the adapters are held
+    /// against.</summary>
     internal readonly struct Affine
     {
         private readonly Double3 _x, _y, _z, _position;
@@ -49,15 +48,12 @@ namespace Gjk.Unity.Tests
             return most;
         }
 
-        /// <summary>
-        /// The cosine of the two axes that are furthest from a right angle; 0 where one has no length.
-        /// </summary>
+        /// <summary>The cosine of the two axes that are furthest from a right angle; 0 where one has no
+        /// length.</summary>
         public double Skew => Math.Max(Cosine(_x, _y), Math.Max(Cosine(_y, _z), Cosine(_x, _z)));
 
-        /// <summary>
-        /// The diagonal of inverse(rotation) * matrix, with the rotation that the engine's manual implies: each turn as
-        /// the mirrors above it show it.
-        /// </summary>
+        /// <summary>The diagonal of inverse(rotation) * matrix, with the rotation that the engine's manual implies:
+        /// each turn as the mirrors above it show it.</summary>
         public static Double3 LossyScale(Transform transform, out Affine rotation)
         {
             rotation = Rotation(transform);

@@ -201,9 +201,8 @@ namespace Gjk.Unity.Tests
             Assert.AreEqual(8, GjkShapes.From(Filter(TestMeshes.Block())).Shape.Hull.VertexCount);
         }
 
-        /// <summary>
-        /// The hull reaches beyond a side of the roof by twice the dent; a thousandth of the size is allowed.
-        /// </summary>
+        /// <summary>The hull reaches beyond a side of the roof by twice the dent; a thousandth of the size is
+        /// allowed.</summary>
         [Test]
         public void ASmallDentIsNoConcavity()
         {

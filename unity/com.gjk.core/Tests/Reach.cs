@@ -5,9 +5,8 @@ using UnityEngine;
 
 namespace Gjk.Unity.Tests
 {
-    /// <summary>
-    /// How far sets of points reach in a direction of the world: two convex bodies that always agree are equal.
-    /// </summary>
+    /// <summary>How far sets of points reach in a direction of the world: two convex bodies that always agree are
+    /// equal.</summary>
     internal static class Reach
     {
         public static double Of(in PosedShape body, Vector3 direction)

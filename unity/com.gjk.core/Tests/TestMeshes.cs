@@ -12,9 +12,8 @@ namespace Gjk.Unity.Tests
 
         public static Mesh Cube() => Cuboid(Vector3.zero, Vector3.zero, 1);
 
-        /// <summary>
-        /// A cube with a five-sided top: its middle is lifted by a height, which is negative in a dented one.
-        /// </summary>
+        /// <summary>A cube with a five-sided top: its middle is lifted by a height, which is negative in a dented
+        /// one.</summary>
         public static Mesh Roof(float height)
         {
             Mesh mesh = Cube();

@@ -1,6 +1,3 @@
-using System;
-using System.Globalization;
-using System.Linq;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Study.Data;

@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text;
 using System.Text.Json;
-using System.Threading;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Study.Data;

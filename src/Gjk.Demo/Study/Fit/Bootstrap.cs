@@ -1,14 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using MathNet.Numerics.Distributions;
 
 namespace Gjk.Demo.Study.Fit;
 
-/// <summary>
-/// Intervals by resampling with replacement. Percentiles of few values are too narrow, so that their probabilities are
-/// widened as Hesterberg (2015) proposes: 2.5 % becomes Phi(-sqrt(n / (n - 1)) t), with Student's quantile t.
-/// </summary>
+/// <summary>Intervals by resampling with replacement. Percentiles of few values are too narrow, so that their
+/// probabilities are widened as Hesterberg (2015) proposes: 2.5 % becomes Phi(-sqrt(n / (n - 1)) t), with Student's
+/// quantile t.</summary>
 internal static class Bootstrap
 {
     public const int Resamples = 4_000;

@@ -1,4 +1,3 @@
-using System;
 using MathNet.Numerics;
 
 namespace Gjk.Demo.Study.Fit;
@@ -12,10 +11,8 @@ internal enum CurveForm
     Logistic,
 }
 
-/// <summary>
-/// A psychometric function: the probability of the answer "touching" at a signed gap. It falls from 1 - lapse to lapse,
-/// and it is one half at the point of subjective equality (PSE).
-/// </summary>
+/// <summary>A psychometric function: the probability of the answer "touching" at a signed gap. It falls from 1 - lapse
+/// to lapse, and it is one half at the point of subjective equality (PSE).</summary>
 /// <param name="Form">The distribution.</param>
 /// <param name="Pse">The gap at which both answers are equally likely, in units of the scene.</param>
 /// <param name="Scale">The distribution's own spread: the standard deviation of the Gaussian, the scale of the
@@ -70,9 +67,7 @@ internal readonly record struct Curve(CurveForm Form, double Pse, double Scale, 
         return Math.Max(0, 2 * (Loss(data) - best));
     }
 
-    /// <summary>
-    /// A probability that no answer with it costs more than 690 of loss, which keeps the logarithm finite. No fit rests
-    /// there, so its size does no harm.
-    /// </summary>
+    /// <summary>A probability that no answer with it costs more than 690 of loss, which keeps the logarithm finite. No
+    /// fit rests there, so its size does no harm.</summary>
     private const double Smallest = 1e-300;
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using MathNet.Numerics.Distributions;
 using MathNet.Numerics.LinearAlgebra;
 using MathNet.Numerics.Optimization;
@@ -16,8 +13,8 @@ internal enum FitStatus
     /// <summary>All answers are the same.</summary>
     OneAnswer,
 
-    /// <summary>One gap separates the answers, so the curve has no spread; see <see
-    /// cref="PsychometricData.IsStep"/>.</summary>
+    /// <summary>One gap separates the answers, so the curve has no spread; see
+    /// <see cref="PsychometricData.IsStep"/>.</summary>
     Step,
 
     /// <summary>"Touching" does not get rarer as the gap grows.</summary>
@@ -30,24 +27,19 @@ internal readonly record struct Estimate(double Value, double Low, double High)
     public static readonly Estimate None = new(double.NaN, double.NaN, double.NaN);
 }
 
-/// <summary>
-/// The maximum-likelihood fit of a psychometric function. Nelder and Mead's simplex (MathNet.Numerics) minimizes the
-/// loss over the PSE, the logarithm of the spread and, if asked for, the lapse rate. Gaps are shifted and scaled to
-/// their mean and range first, so that no unit of length matters. Intervals are those of the profile likelihood: all
-/// values whose best curve loses less than half of chi-squared's 95 % quantile (Kingdom and Prins 2016, 4.4).
-/// </summary>
+/// <summary>The maximum-likelihood fit of a psychometric function. Nelder and Mead's simplex (MathNet.Numerics)
+/// minimizes the loss over the PSE, the logarithm of the spread and, if asked for, the lapse rate. Gaps are shifted and
+/// scaled to their mean and range first, so that no unit of length matters. Intervals are those of the profile
+/// likelihood: all values whose best curve loses less than half of chi-squared's 95 % quantile (Kingdom and Prins 2016,
+/// 4.4).</summary>
 internal sealed class CurveFit
 {
-    /// <summary>
-    /// A larger lapse rate is a person who does not do the task. Wichmann and Hill (2001) allow 0.06; a little more
-    /// keeps the bound away from usual data. Pinned by CurveFitTests.LapsesAreFoundUpToTheirBound.
-    /// </summary>
+    /// <summary>A larger lapse rate is a person who does not do the task. Wichmann and Hill (2001) allow 0.06; a little
+    /// more keeps the bound away from usual data. Pinned by CurveFitTests.LapsesAreFoundUpToTheirBound.</summary>
     public const double MostLapse = 0.1;
 
-    /// <summary>
-    /// Relative change of the loss at which the simplex ends. R's answers are met to 1e-4; a tolerance four times
-    /// larger or smaller does no harm, since the parameters' error is its square root.
-    /// </summary>
+    /// <summary>Relative change of the loss at which the simplex ends. R's answers are met to 1e-4; a tolerance four
+    /// times larger or smaller does no harm, since the parameters' error is its square root.</summary>
     private const double Tolerance = 1e-12;
 
     private const int MostSteps = 5_000;
@@ -101,10 +93,9 @@ internal sealed class CurveFit
         return new Estimate(Curve.Jnd, Jnd(low), Jnd(high));
     }
 
-    /// <summary>
-    /// The share of studies by this very curve whose deviance is at least as large, by simulation: a check of fit that
-    /// needs no large numbers (Wichmann and Hill 2001). Below 0.05 the curve does not describe the answers.
-    /// </summary>
+    /// <summary>The share of studies by this very curve whose deviance is at least as large, by simulation: a check of
+    /// fit that needs no large numbers (Wichmann and Hill 2001). Below 0.05 the curve does not describe the
+    /// answers.</summary>
     public double FitProbability(int simulations, Random random)
     {
         double deviance = Curve.Deviance(_data);

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Demo.Study.Fit;
 
 /// <summary>How many answers were "touching" at one signed gap.</summary>
@@ -39,10 +36,8 @@ internal sealed class PsychometricData
     public bool HasOneAnswer =>
         Counts.All(c => c.Touching == 0) || Counts.All(c => c.Touching == c.Trials);
 
-    /// <summary>
-    /// True if one gap separates the answers: every larger one got "apart" only, every smaller one "touching" only. The
-    /// likelihood then grows for ever as the curve gets steeper, so it has no maximum.
-    /// </summary>
+    /// <summary>True if one gap separates the answers: every larger one got "apart" only, every smaller one "touching"
+    /// only. The likelihood then grows for ever as the curve gets steeper, so it has no maximum.</summary>
     public bool IsStep =>
         Counts.Where(c => c.Touching > 0).Max(c => c.Gap) <= Counts.Where(c => c.Touching < c.Trials).Min(c => c.Gap);
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Demo.Study.Data;
 
 namespace Gjk.Demo.Study.Fit;
@@ -27,11 +24,10 @@ internal sealed record AnalysisSettings
 /// <summary>One person's answers to one condition, and the curve through them.</summary>
 internal sealed record PersonCurve(string Condition, string Person, PsychometricData Data, CurveFit Fit);
 
-/// <summary>
-/// Everything that is learned from the trials of a study. People who fail catch trials are left out, and practice never
-/// counts. First every person is measured alone; what is said of all is the mean of people, with an interval by
-/// resampling people (Davison and Hinkley 1997, 3.8: trials of one person are not independent samples of people).
-/// </summary>
+/// <summary>Everything that is learned from the trials of a study. People who fail catch trials are left out, and
+/// practice never counts. First every person is measured alone; what is said of all is the mean of people, with an
+/// interval by resampling people (Davison and Hinkley 1997, 3.8: trials of one person are not independent samples of
+/// people).</summary>
 internal sealed class StudyAnalysis
 {
     private readonly AnalysisSettings _settings;

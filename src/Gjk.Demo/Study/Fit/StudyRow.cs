@@ -1,5 +1,3 @@
-using System.Globalization;
-using System.Linq;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Study.Fit;

@@ -1,21 +1,16 @@
-using System;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Demo.Study.Plan;
 
-/// <summary>
-/// Puts two shapes so that the library's own signed distance is a wanted gap. A stands where both touch when B is at
-/// the origin; B then moves along the line. Positions near the origin have the finest floats, so the gap is usually met
-/// to the last bit, and otherwise by the nearest position there is. The script of the page (study/placement.js) takes
-/// the same steps with the same numbers.
-/// </summary>
+/// <summary>Puts two shapes so that the library's own signed distance is a wanted gap. A stands where both touch when B
+/// is at the origin; B then moves along the line. Positions near the origin have the finest floats, so the gap is
+/// usually met to the last bit, and otherwise by the nearest position there is. The script of the page
+/// (study/placement.js) takes the same steps with the same numbers.</summary>
 internal sealed class Placement
 {
-    /// <summary>
-    /// Halvings. A float's bits are halved in 32 of them, and its exponents in 8 more; four times fewer would end
-    /// early, and more do no harm, because the search ends where no float is left.
-    /// </summary>
+    /// <summary>Halvings. A float's bits are halved in 32 of them, and its exponents in 8 more; four times fewer would
+    /// end early, and more do no harm, because the search ends where no float is left.</summary>
     private const int MostHalvings = 200;
 
     private readonly ConvexShape _a, _b;

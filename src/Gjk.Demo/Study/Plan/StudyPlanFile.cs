@@ -1,18 +1,12 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Security.Cryptography;
 using System.Text.RegularExpressions;
-using System.Threading;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Study.Plan;
 
-/// <summary>
-/// Reads a plan. It refuses everything that is not exactly right, with the file, the JSON path and the reason. Fields
-/// whose names begin with // are remarks.
-/// </summary>
+/// <summary>Reads a plan. It refuses everything that is not exactly right, with the file, the JSON path and the reason.
+/// Fields whose names begin with // are remarks.</summary>
 internal sealed partial class StudyPlanFile
 {
     public static readonly string[] Cameras = ["fixed", "random", "turning"];

@@ -1,8 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Numerics;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Study.Fit;
@@ -18,10 +15,8 @@ internal enum PairRule
     /// <summary>Two spheres around each centre, inside and outside, decide where they prove the answer.</summary>
     ProvedSpheres,
 
-    /// <summary>
-    /// As well, what is nearer than the threshold by its inner spheres touches: a gap that most people do not see. An
-    /// overlap is never called apart, because an overlap is seen.
-    /// </summary>
+    /// <summary>As well, what is nearer than the threshold by its inner spheres touches: a gap that most people do not
+    /// see. An overlap is never called apart, because an overlap is seen.</summary>
     TolerantSpheres,
 
     /// <summary>A sphere of middle size is the collider, and nothing is asked.</summary>

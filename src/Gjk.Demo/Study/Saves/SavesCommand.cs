@@ -1,10 +1,5 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Globalization;
-using System.Linq;
 using System.Numerics;
-using System.Text;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Study.Data;
@@ -9,10 +7,8 @@ using MathNet.Numerics.Distributions;
 
 namespace Gjk.Demo.Study.Simulate;
 
-/// <summary>
-/// What a simulated person sees: a gap looks closed below <see cref="Bias"/>, with Gaussian noise. Lengths are in units
-/// of the scene.
-/// </summary>
+/// <summary>What a simulated person sees: a gap looks closed below <see cref="Bias"/>, with Gaussian noise. Lengths are
+/// in units of the scene.</summary>
 internal sealed record Observer
 {
     /// <summary>The gap that looks like touching half of the time.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Demo.Study.Fit;
 using MathNet.Numerics.Distributions;
 

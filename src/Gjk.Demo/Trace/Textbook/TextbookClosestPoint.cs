@@ -1,13 +1,9 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// The point of a vertex, an edge or a triangle nearest the origin, by barycentric weights (Ericson 2004, section
-/// 5.1.5), in float.
-/// </summary>
+/// <summary>The point of a vertex, an edge or a triangle nearest the origin, by barycentric weights (Ericson 2004,
+/// section 5.1.5), in float.</summary>
 internal static class TextbookClosestPoint
 {
     /// <summary>The weights of the simplex's vertices, in their order.</summary>

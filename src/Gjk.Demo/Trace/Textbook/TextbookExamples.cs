@@ -4,10 +4,8 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// Pairs with parallel faces on which the textbook's GJK fails. Each is the first of its kind in a search over plain
-/// offsets, which a test does again.
-/// </summary>
+/// <summary>Pairs with parallel faces on which the textbook's GJK fails. Each is the first of its kind in a search over
+/// plain offsets, which a test does again.</summary>
 internal static class TextbookExamples
 {
     /// <summary>The gap between the parallel faces, and the steps of the search.</summary>

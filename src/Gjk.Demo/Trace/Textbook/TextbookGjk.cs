@@ -1,27 +1,19 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// GJK as books print it and as the report built it: Muratori's cases (2006) with the nearest point by barycentric
-/// weights (Ericson 2004), in float and in world coordinates, and with a tolerance in its test for the end. It is here
-/// to be compared with the library's, and to fail where the books' text fails.
-/// </summary>
+/// <summary>GJK as books print it and as the report built it: Muratori's cases (2006) with the nearest point by
+/// barycentric weights (Ericson 2004), in float and in world coordinates, and with a tolerance in its test for the end.
+/// It is here to be compared with the library's, and to fail where the books' text fails.</summary>
 internal static class TextbookGjk
 {
-    /// <summary>
-    /// A share of |v| squared, as careful books have it. A vertex that is nearer by less ends the loop. Without it many
-    /// more pairs loop for ever.
-    /// </summary>
+    /// <summary>A share of |v| squared, as careful books have it. A vertex that is nearer by less ends the loop.
+    /// Without it many more pairs loop for ever.</summary>
     public const float Tolerance = 1e-6f;
 
-    /// <summary>
-    /// The page's own limit, far above what pairs need that end. A loop over few vertices repeats itself much earlier,
-    /// and is then known to be endless; a curved shape has new vertices for very long.
-    /// </summary>
+    /// <summary>The page's own limit, far above what pairs need that end. A loop over few vertices repeats itself much
+    /// earlier, and is then known to be endless; a curved shape has new vertices for very long.</summary>
     public const int StepCap = 100;
 
     public static TextbookRun Run(SceneObject a, SceneObject b)

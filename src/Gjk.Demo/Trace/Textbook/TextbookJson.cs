@@ -1,4 +1,3 @@
-using System;
 using System.Text.Json;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
@@ -6,10 +5,8 @@ using static Gjk.Demo.Trace.TraceJson;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// The textbook's steps as the page reads them, in the form of the query's own: in A's frame, so that both are drawn in
-/// one picture. The numbers are the textbook's; only the page's turn into that frame is in double.
-/// </summary>
+/// <summary>The textbook's steps as the page reads them, in the form of the query's own: in A's frame, so that both are
+/// drawn in one picture. The numbers are the textbook's; only the page's turn into that frame is in double.</summary>
 internal static class TextbookJson
 {
     public static void Write(Utf8JsonWriter json, TextbookRun run, SceneObject a, in RelativeFrame bInA)

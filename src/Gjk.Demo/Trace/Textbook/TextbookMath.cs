@@ -2,10 +2,8 @@ using System.Numerics;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// Products of float vectors, one rounded operation after the other. System.Numerics joins some of them where the
-/// processor can, so its loops would fail on other pairs on other machines.
-/// </summary>
+/// <summary>Products of float vectors, one rounded operation after the other. System.Numerics joins some of them where
+/// the processor can, so its loops would fail on other pairs on other machines.</summary>
 internal static class TextbookMath
 {
     public static float Dot(Vector3 a, Vector3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Numerics;
 
 namespace Gjk.Demo.Trace;
@@ -18,9 +17,8 @@ internal enum TextbookEnding
     /// <summary>A number was not finite: nothing can be said.</summary>
     NotFinite,
 
-    /// <summary>
-    /// The simplex is one that was there before. The loop keeps nothing else, so it goes round for ever.
-    /// </summary>
+    /// <summary>The simplex is one that was there before. The loop keeps nothing else, so it goes round for
+    /// ever.</summary>
     Repeats,
 
     /// <summary>The page's own limit. The textbook has none.</summary>

@@ -1,12 +1,9 @@
-using System.Collections.Generic;
 using System.Numerics;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>
-/// Muratori's cases (2006), in float. The newest vertex, A, is the last of the list, and the origin is taken to lie
-/// nowhere behind the older ones. Each case leaves the part of the simplex that faces the origin.
-/// </summary>
+/// <summary>Muratori's cases (2006), in float. The newest vertex, A, is the last of the list, and the origin is taken
+/// to lie nowhere behind the older ones. Each case leaves the part of the simplex that faces the origin.</summary>
 internal static class TextbookSimplex
 {
     /// <summary>True when the simplex seems to hold the origin.</summary>

@@ -1,13 +1,9 @@
-using System;
-using System.IO;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The way out of an intersecting pair, as an arrow of the page's colour. A dark outline keeps it readable on bodies of
-/// any colour.
-/// </summary>
+/// <summary>The way out of an intersecting pair, as an arrow of the page's colour. A dark outline keeps it readable on
+/// bodies of any colour.</summary>
 internal static class PictureArrow
 {
     /// <summary>The page's colour of the ways out.</summary>

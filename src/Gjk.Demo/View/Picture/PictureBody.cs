@@ -1,20 +1,14 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// One object as the eye sees it: the triangles that face the eye, the lines to draw, and the region that the object
-/// hides.
-/// </summary>
+/// <summary>One object as the eye sees it: the triangles that face the eye, the lines to draw, and the region that the
+/// object hides.</summary>
 internal sealed class PictureBody
 {
-    /// <summary>
-    /// A mesh with more corners than this stands for something round. Drawing all its edges would cover it with a net,
-    /// so only its outline is drawn.
-    /// </summary>
+    /// <summary>A mesh with more corners than this stands for something round. Drawing all its edges would cover it
+    /// with a net, so only its outline is drawn.</summary>
     private const int MostEdges = 200;
 
     private readonly ShapeMesh _mesh;
@@ -74,9 +68,8 @@ internal sealed class PictureBody
         return Double3.Cross(Vertices[Corner(triangle, 1)] - a, Vertices[Corner(triangle, 2)] - a);
     }
 
-    /// <summary>
-    /// The lines to draw, each as two vertices: the outline, and the edges of a body that is not round.
-    /// </summary>
+    /// <summary>The lines to draw, each as two vertices: the outline, and the edges of a body that is not
+    /// round.</summary>
     public IEnumerable<(int From, int To)> Lines()
     {
         if (_mesh.Dimension == 1) yield return (0, 1);

@@ -1,18 +1,13 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The camera of a still picture. It looks in the page's first direction and stands as near as all balls allow. The
-/// picture is as tall as the balls need.
-/// </summary>
+/// <summary>The camera of a still picture. It looks in the page's first direction and stands as near as all balls
+/// allow. The picture is as tall as the balls need.</summary>
 internal sealed class PictureCamera
 {
-    /// <summary>
-    /// The tangent of half the angle that the longer side of the picture spans. The half angle is 19 degrees.
-    /// </summary>
+    /// <summary>The tangent of half the angle that the longer side of the picture spans. The half angle is 19
+    /// degrees.</summary>
     private const double HalfWidth = 0.344;
 
     /// <summary>Width over height of the widest and the narrowest picture.</summary>
@@ -21,9 +16,8 @@ internal sealed class PictureCamera
     /// <summary>The margin around the scene, as a share of the picture.</summary>
     private const double Border = 0.05;
 
-    /// <summary>
-    /// The least width of the picture, as a tangent. It sets how near the camera comes to a scene of one point.
-    /// </summary>
+    /// <summary>The least width of the picture, as a tangent. It sets how near the camera comes to a scene of one
+    /// point.</summary>
     private const double Smallest = 1e-3;
 
     private readonly Double3 _right, _up, _back;
@@ -88,10 +82,8 @@ internal sealed class PictureCamera
     /// <summary>A direction, given by its parts to the right, upwards and towards the viewer.</summary>
     public Double3 Direction(double right, double up, double back) => Unit(_right * right + _up * up + _back * back);
 
-    /// <summary>
-    /// The rectangle about a ball as the eye sees it, in tangents of the angles to the right and upwards. Infinite
-    /// where the ball reaches behind the eye.
-    /// </summary>
+    /// <summary>The rectangle about a ball as the eye sees it, in tangents of the angles to the right and upwards.
+    /// Infinite where the ball reaches behind the eye.</summary>
     public (double Left, double Right, double Bottom, double Top) Bounds(in Double3 center, double radius)
     {
         Double3 from = center - Eye;

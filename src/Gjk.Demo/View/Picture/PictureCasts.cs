@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Output;
@@ -9,10 +5,8 @@ using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The paths of the objects that move over the first frame, dashed; their outlines where they first meet another; and
-/// the points at which they do, each with its normal. All of it is drawn over the bodies.
-/// </summary>
+/// <summary>The paths of the objects that move over the first frame, dashed; their outlines where they first meet
+/// another; and the points at which they do, each with its normal. All of it is drawn over the bodies.</summary>
 internal sealed class PictureCasts
 {
     /// <summary>The page's colour of paths and impacts.</summary>

@@ -1,12 +1,7 @@
-using System;
-using System.Globalization;
-
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The colours of the page and the picture. Red marks objects that intersect, green the others, and yellow the
-/// triangles and parts that an answer is about.
-/// </summary>
+/// <summary>The colours of the page and the picture. Red marks objects that intersect, green the others, and yellow the
+/// triangles and parts that an answer is about.</summary>
 internal static class PictureColors
 {
     public static string Of(PictureTone tone, double brightness)

@@ -1,15 +1,11 @@
-using System;
-using System.IO;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Output;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The contact points of the pairs that intersect in the first frame: a dot on A's surface, and a thin line from it to
-/// B's. Dark outlines keep the dots readable on bodies of any colour.
-/// </summary>
+/// <summary>The contact points of the pairs that intersect in the first frame: a dot on A's surface, and a thin line
+/// from it to B's. Dark outlines keep the dots readable on bodies of any colour.</summary>
 internal sealed class PictureContacts
 {
     /// <summary>The page's colour of the contact points.</summary>

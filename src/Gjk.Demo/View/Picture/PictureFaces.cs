@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;
@@ -35,10 +33,8 @@ internal sealed class PictureFaces
         }
     }
 
-    /// <summary>
-    /// Adds the parts of a body that the other bodies leave visible. Whole triangles of one level are joined, so that
-    /// only their common outline is written.
-    /// </summary>
+    /// <summary>Adds the parts of a body that the other bodies leave visible. Whole triangles of one level are joined,
+    /// so that only their common outline is written.</summary>
     public void Add(PictureBody body, PictureTone tone, List<PictureBody> before)
     {
         var outlines = new SortedDictionary<int, HashSet<(int From, int To)>>();
@@ -73,9 +69,8 @@ internal sealed class PictureFaces
         foreach ((int level, HashSet<(int From, int To)> sides) in outlines) Trace(body, sides, Path(tone, level));
     }
 
-    /// <summary>
-    /// Adds a side of a triangle. A side that two triangles share lies inside their union and is removed.
-    /// </summary>
+    /// <summary>Adds a side of a triangle. A side that two triangles share lies inside their union and is
+    /// removed.</summary>
     private static void Join(HashSet<(int From, int To)> sides, int from, int to)
     {
         if (!sides.Remove((to, from))) sides.Add((from, to));

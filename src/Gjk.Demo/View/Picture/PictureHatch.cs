@@ -1,12 +1,7 @@
-using System.Collections.Generic;
-using System.IO;
-
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Stripes over the bodies that intersect, so that their colour is not all that tells them from the others. Their faces
-/// clip one striped rectangle, so the stripes repeat no outline.
-/// </summary>
+/// <summary>Stripes over the bodies that intersect, so that their colour is not all that tells them from the others.
+/// Their faces clip one striped rectangle, so the stripes repeat no outline.</summary>
 internal sealed class PictureHatch
 {
     private const string Pattern =

@@ -1,14 +1,10 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Finds the bodies that may hide a part of a ball, without a look at all bodies. Each body is a box in a tree: the
-/// rectangle that the eye sees, and how near it is.
-/// </summary>
+/// <summary>Finds the bodies that may hide a part of a ball, without a look at all bodies. Each body is a box in a
+/// tree: the rectangle that the eye sees, and how near it is.</summary>
 internal sealed class PictureIndex
 {
     /// <summary>Larger coordinates count as this one. It is far outside of any picture.</summary>
@@ -33,9 +29,8 @@ internal sealed class PictureIndex
     /// <summary>How many bodies were found so far, in all searches.</summary>
     public long Found { get; private set; }
 
-    /// <summary>
-    /// Lists the bodies that may be seen before a ball, or overlapping it, in the order of their numbers.
-    /// </summary>
+    /// <summary>Lists the bodies that may be seen before a ball, or overlapping it, in the order of their
+    /// numbers.</summary>
     public void Collect(in Double3 center, double radius, List<int> bodies)
     {
         double far = (center - _camera.Eye).Length + radius;

@@ -1,15 +1,11 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Gjk.Core;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The bodies of a picture. Each is convex, because what it hides is: an object, or one triangle or part of an object
-/// that is not convex.
-/// </summary>
+/// <summary>The bodies of a picture. Each is convex, because what it hides is: an object, or one triangle or part of an
+/// object that is not convex.</summary>
 internal static class PicturePieces
 {
     /// <summary>The most bodies of a scene that is not convex: a larger file is slow to show, and its triangles are

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;

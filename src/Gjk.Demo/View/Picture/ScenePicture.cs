@@ -1,42 +1,28 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Numerics;
-using System.Text;
-using System.Threading;
 using Gjk.Core;
 using Gjk.Demo.Output;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// Draws the first frame of a scene as an SVG picture. It shows what the page shows at first, and contains only the
-/// visible parts of shapes and lines. The picture has a dark background of its own, so that the white lines are
-/// readable on any page.
-/// </summary>
+/// <summary>Draws the first frame of a scene as an SVG picture. It shows what the page shows at first, and contains
+/// only the visible parts of shapes and lines. The picture has a dark background of its own, so that the white lines
+/// are readable on any page.</summary>
 internal sealed class ScenePicture
 {
     /// <summary>The width in the picture's own units. These are pixels if the picture is not scaled.</summary>
     private const double Width = 960;
 
-    /// <summary>
-    /// With more pairs than this, only the lines to nearest partners are drawn. The page starts in the same way.
-    /// </summary>
+    /// <summary>With more pairs than this, only the lines to nearest partners are drawn. The page starts in the same
+    /// way.</summary>
     private const int ManyPairs = 400;
 
-    /// <summary>
-    /// The distance from the middle of the scene to its end as it is drawn. It does not depend on the scene's size, as
-    /// on the page.
-    /// </summary>
+    /// <summary>The distance from the middle of the scene to its end as it is drawn. It does not depend on the scene's
+    /// size, as on the page.</summary>
     private const double DrawnRadius = 10;
 
-    /// <summary>
-    /// Ratio. Angles that differ by no more than this count as equal. It is far more than the rounding of the arc
-    /// functions.
-    /// </summary>
+    /// <summary>Ratio. Angles that differ by no more than this count as equal. It is far more than the rounding of the
+    /// arc functions.</summary>
     private const double Rounding = 1 + 1e-9;
 
     private readonly Scene _scene;
@@ -185,10 +171,8 @@ internal sealed class ScenePicture
         writer.WriteLine("</svg>");
     }
 
-    /// <summary>
-    /// Writes the lines between closest points. The line to each object's nearest partner is bright, the others are
-    /// faint.
-    /// </summary>
+    /// <summary>Writes the lines between closest points. The line to each object's nearest partner is bright, the
+    /// others are faint.</summary>
     private void WriteLines(StreamWriter writer, CancellationToken cancel)
     {
         SvgPath bright = new(), faint = new();
@@ -213,10 +197,9 @@ internal sealed class ScenePicture
         if (!bright.IsEmpty) writer.WriteLine($"{White} stroke-width=\"1.8\" d=\"{bright}\"/>");
     }
 
-    /// <summary>
-    /// Writes the way out of each intersecting pair, from B's deepest point to A's. It lies inside both bodies, so it
-    /// is drawn over all of them. Where only bounds of the depth are known, there are no deepest points.
-    /// </summary>
+    /// <summary>Writes the way out of each intersecting pair, from B's deepest point to A's. It lies inside both
+    /// bodies, so it is drawn over all of them. Where only bounds of the depth are known, there are no deepest
+    /// points.</summary>
     private void WriteArrows(StreamWriter writer, CancellationToken cancel)
     {
         int pair = -1;
@@ -235,10 +218,8 @@ internal sealed class ScenePicture
         }
     }
 
-    /// <summary>
-    /// Writes the contact points of each intersecting pair over all bodies. They are below the arrows, whose tips are
-    /// the deepest points.
-    /// </summary>
+    /// <summary>Writes the contact points of each intersecting pair over all bodies. They are below the arrows, whose
+    /// tips are the deepest points.</summary>
     private void WriteContacts(StreamWriter writer, CancellationToken cancel)
     {
         int pair = -1;
@@ -257,9 +238,8 @@ internal sealed class ScenePicture
 
     private string NameOf(int index) => _scene.Objects[index].Name ?? $"#{index}";
 
-    /// <summary>
-    /// Finds the bodies that hide a part of a ball. Returns false if one of them hides the whole ball.
-    /// </summary>
+    /// <summary>Finds the bodies that hide a part of a ball. Returns false if one of them hides the whole
+    /// ball.</summary>
     private bool TryBefore(in Double3 center, double radius, int except, out List<PictureBody> before)
     {
         before = [];
@@ -278,9 +258,8 @@ internal sealed class ScenePicture
         return true;
     }
 
-    /// <summary>
-    /// A quick test of two balls. True if the body is behind the ball, or if the eye sees them apart.
-    /// </summary>
+    /// <summary>A quick test of two balls. True if the body is behind the ball, or if the eye sees them
+    /// apart.</summary>
     private bool IsAside(PictureBody body, in Double3 center, double radius, double distance)
     {
         if (body.EyeDistance - body.Radius > distance + radius) return true;

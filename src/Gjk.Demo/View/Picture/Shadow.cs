@@ -1,28 +1,21 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The region that a convex body hides from the eye, including the body itself. A point is in it if the line from the
-/// eye to the point meets the body. The region is convex. It is bounded by the faces that the eye sees and by the
-/// planes through the eye and the outline. So the visible part of a convex polygon is a few convex polygons, and no
-/// sorting is needed.
-/// </summary>
+/// <summary>The region that a convex body hides from the eye, including the body itself. A point is in it if the line
+/// from the eye to the point meets the body. The region is convex. It is bounded by the faces that the eye sees and by
+/// the planes through the eye and the outline. So the visible part of a convex polygon is a few convex polygons, and no
+/// sorting is needed.</summary>
 internal sealed class Shadow
 {
-    /// <summary>
-    /// How deep inside a point must lie to be hidden, in the units of the picture (a scene is 20 across). It keeps
-    /// touching faces in sight.
-    /// </summary>
+    /// <summary>How deep inside a point must lie to be hidden, in the units of the picture (a scene is 20 across). It
+    /// keeps touching faces in sight.</summary>
     private const double Slack = 1e-5;
 
     private readonly (Double3 Normal, double Value)[] _planes;
 
-    /// <summary>
-    /// The plane that cleared the last polygon. It often clears the next one too, because that is a neighbour.
-    /// </summary>
+    /// <summary>The plane that cleared the last polygon. It often clears the next one too, because that is a
+    /// neighbour.</summary>
     private int _lastClear;
 
     public Shadow(IEnumerable<(Double3 Normal, double Value)> planes) => _planes = [.. planes];

@@ -1,14 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Text;
-
 namespace Gjk.Demo.View;
 
-/// <summary>
-/// The text of an SVG path. Points are rounded to tenths, and each one is written as the step from the last point. This
-/// takes the fewest characters that the format allows.
-/// </summary>
+/// <summary>The text of an SVG path. Points are rounded to tenths, and each one is written as the step from the last
+/// point. This takes the fewest characters that the format allows.</summary>
 internal sealed class SvgPath
 {
     private readonly StringBuilder _text = new();

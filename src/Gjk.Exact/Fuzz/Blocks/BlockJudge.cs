@@ -1,13 +1,10 @@
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Exact.Fuzz.Blocks;
 
-/// <summary>
-/// Asks one query about each pair of a block, in rotation, and holds the answer to its certificate and to what the
-/// distance says. Not thread-safe: it keeps a warm start.
-/// </summary>
+/// <summary>Asks one query about each pair of a block, in rotation, and holds the answer to its certificate and to what
+/// the distance says. Not thread-safe: it keeps a warm start.</summary>
 internal sealed class BlockJudge
 {
     /// <summary>Hulls with no more vertices always get a depth.</summary>
@@ -21,10 +18,8 @@ internal sealed class BlockJudge
     /// <summary>The verbs from here on ask for a depth.</summary>
     private const int FirstDepth = 5;
 
-    /// <summary>
-    /// Count: of so many depths of curved shapes one is asked. Deep in each other they use all the room of the search,
-    /// which takes as long as a thousand other pairs.
-    /// </summary>
+    /// <summary>Count: of so many depths of curved shapes one is asked. Deep in each other they use all the room of the
+    /// search, which takes as long as a thousand other pairs.</summary>
     private const int CurvedDepths = 32;
 
     private readonly BlockPairs _pairs;
@@ -147,9 +142,8 @@ internal sealed class BlockJudge
         return check.Status;
     }
 
-    /// <summary>
-    /// Whether a depth may end so; only curved shapes and large hulls outgrow the room of its search.
-    /// </summary>
+    /// <summary>Whether a depth may end so; only curved shapes and large hulls outgrow the room of its
+    /// search.</summary>
     private static bool HasDepth(GjkStatus status, in ConvexShape shape) =>
         status is GjkStatus.Separated or GjkStatus.Overlapping
             || (status == GjkStatus.IterationLimit

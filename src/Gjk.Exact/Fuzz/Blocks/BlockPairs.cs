@@ -1,14 +1,11 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Families;
 
 namespace Gjk.Exact.Fuzz.Blocks;
 
-/// <summary>
-/// The pairs of a block, one after the other. Its shapes are made once, and each pair follows from the one before, so
-/// that a pair costs little: what the last answer said is used to place B where the next one is hard.
-/// </summary>
+/// <summary>The pairs of a block, one after the other. Its shapes are made once, and each pair follows from the one
+/// before, so that a pair costs little: what the last answer said is used to place B where the next one is
+/// hard.</summary>
 internal sealed class BlockPairs
 {
     private const int ShapeCount = 96;
@@ -125,10 +122,8 @@ internal sealed class BlockPairs
             : (Vector3)(_random.Direction() * (Size * _random.Magnitude(1e2, 1e6)));
     }
 
-    /// <summary>
-    /// Moves B along the normal that was told so that it is a chosen gap away, of either sign; also where it has been
-    /// turned or moved since, a little.
-    /// </summary>
+    /// <summary>Moves B along the normal that was told so that it is a chosen gap away, of either sign; also where it
+    /// has been turned or moved since, a little.</summary>
     private void Touch()
     {
         double gap = _random.OneIn(4) ? 0 : _random.Sign() * _random.Magnitude(1e-15, 0.1) * Size;
@@ -162,9 +157,8 @@ internal sealed class BlockPairs
         });
     }
 
-    /// <summary>
-    /// Near the origin what B's position loses by rounding is put into A's, so that the smallest gaps can be had.
-    /// </summary>
+    /// <summary>Near the origin what B's position loses by rounding is put into A's, so that the smallest gaps can be
+    /// had.</summary>
     private bool TryPlace()
     {
         Double3 between = _centers + Turned(_turnA, _a.Center) - Turned(_turnB, _b.Center);

@@ -1,15 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 
 namespace Gjk.Exact.Fuzz.Blocks;
 
-/// <summary>
-/// Asks about pairs on several threads, block by block, until so many are done. Which pairs a block has depends on its
-/// number alone, and blocks that an earlier sitting left out come first.
-/// </summary>
+/// <summary>Asks about pairs on several threads, block by block, until so many are done. Which pairs a block has
+/// depends on its number alone, and blocks that an earlier sitting left out come first.</summary>
 internal sealed class BlockRun
 {
     /// <summary>Pairs: some seconds' work, which is what a sitting may lose at its end.</summary>

@@ -1,14 +1,10 @@
-using System;
-using System.Linq;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Blocks;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>
-/// Two posed shapes of which one is not convex, the library's cold answer, and what single queries say of all parts
-/// that the raw numbers have.
-/// </summary>
+/// <summary>Two posed shapes of which one is not convex, the library's cold answer, and what single queries say of all
+/// parts that the raw numbers have.</summary>
 internal sealed class ConcavePair
 {
     private readonly ulong _seed;

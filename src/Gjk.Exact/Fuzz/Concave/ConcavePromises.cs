@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Exact.Fuzz.Concave;

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Numerics;
 using System.Threading;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Promises;

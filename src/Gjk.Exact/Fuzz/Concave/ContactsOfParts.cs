@@ -1,15 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>
-/// Contacts against single queries of the parts: of compounds and convex shapes all of them, with their bits; of
-/// triangles those that push along a face, and no others but such as the parts have.
-/// </summary>
+/// <summary>Contacts against single queries of the parts: of compounds and convex shapes all of them, with their bits;
+/// of triangles those that push along a face, and no others but such as the parts have.</summary>
 internal static class ContactsOfParts
 {
     /// <summary>Angle: what rounding to float may turn a direction by. More loses no find, less nearly all.</summary>

@@ -1,11 +1,9 @@
-using System.Linq;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>
-/// How often triangles wind around a point, in integers of any size: slow, and independent of the library.
-/// </summary>
+/// <summary>How often triangles wind around a point, in integers of any size: slow, and independent of the
+/// library.</summary>
 internal static class ExactWinding
 {
     private const int Rays = 20, Reach = 1 << 20;

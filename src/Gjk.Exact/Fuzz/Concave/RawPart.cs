@@ -1,14 +1,11 @@
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>A convex shape in its place, by the numbers that it is made of.</summary>
 /// <param name="Kind">Of those that a scene file knows.</param>
-/// <param name="Sizes">
-/// Radius and half height, half sides, radii; a triangle's or mesh's corners; one vector for all but the latter.
-/// </param>
+/// <param name="Sizes">Radius and half height, half sides, radii; a triangle's or mesh's corners; one vector for all
+/// but the latter.</param>
 /// <param name="Pose">Where it is in the compound.</param>
 internal sealed record RawPart(ShapeKind Kind, Vector3[] Sizes, RigidPose Pose)
 {

@@ -1,14 +1,9 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>
-/// A shape by the numbers that it is made of: what the library is given, and what the oracle reads. Immutable.
-/// </summary>
+/// <summary>A shape by the numbers that it is made of: what the library is given, and what the oracle reads.
+/// Immutable.</summary>
 internal sealed record RawShape
 {
     private RawShape()

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Promises;
 

@@ -1,14 +1,10 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>
-/// A scene of the two shapes, in two frames, and a batch against the queries of the pair: with the same bits.
-/// </summary>
+/// <summary>A scene of the two shapes, in two frames, and a batch against the queries of the pair: with the same
+/// bits.</summary>
 internal static class ScenesOfParts
 {
     public static string? Broken(ConcavePair pair)

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Families;
@@ -37,10 +35,8 @@ internal static class ContactFamilies
     public static FuzzPair Touching(FuzzRandom random) =>
         Placement.Touching(random, Shapes.Any(random), Shapes.Any(random));
 
-    /// <summary>
-    /// A lies below the plane x = 0 and B above it, both in one rotation, and B's position is the gap itself: so gaps
-    /// down to 1e-15 are exactly what floats can hold nowhere else.
-    /// </summary>
+    /// <summary>A lies below the plane x = 0 and B above it, both in one rotation, and B's position is the gap itself:
+    /// so gaps down to 1e-15 are exactly what floats can hold nowhere else.</summary>
     public static FuzzPair AtTheOrigin(FuzzRandom random)
     {
         FuzzShape a = Below(random, -1), b = Below(random, 1);

@@ -1,21 +1,17 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Families;
 
-/// <summary>
-/// Pairs of meshes as people and programs make them: plain, baked, far from their own origin, and scaled back to size.
-/// </summary>
+/// <summary>Pairs of meshes as people and programs make them: plain, baked, far from their own origin, and scaled back
+/// to size.</summary>
 internal static class MadeFamilies
 {
     /// <summary>At random beside each other.</summary>
     public static FuzzPair Near(FuzzRandom random) =>
         Placement.Near(random, Shapes.Made(random), random.OneIn(3) ? Shapes.Any(random) : Shapes.Made(random));
 
-    /// <summary>
-    /// Planes stand a gap apart that is small, about the shapes' size, or up to a thousand times that.
-    /// </summary>
+    /// <summary>Planes stand a gap apart that is small, about the shapes' size, or up to a thousand times
+    /// that.</summary>
     public static FuzzPair Apart(FuzzRandom random)
     {
         FuzzShape a = random.OneIn(2) ? Shapes.Made(random) : FuzzShape.Mesh(MadeMeshes.Baked(random));
@@ -25,10 +21,8 @@ internal static class MadeFamilies
         return Placement.Gap(a, poseA, b, Rotations.Any(random), Placement.AnyNormal(random, a, poseA), gap);
     }
 
-    /// <summary>
-    /// Ten to ten million sizes away from their local origin, where their last places are coarse; turned and placed so
-    /// that they meet.
-    /// </summary>
+    /// <summary>Ten to ten million sizes away from their local origin, where their last places are coarse; turned and
+    /// placed so that they meet.</summary>
     public static FuzzPair OffsetMeshes(FuzzRandom random)
     {
         FuzzShape a = Offset(random);
@@ -47,10 +41,8 @@ internal static class MadeFamilies
             a, poseA, b, Rotations.Any(random), random.Direction() * Placement.Apart(random, a, b));
     }
 
-    /// <summary>
-    /// Meshes that were divided by a scale and are scaled back by it: powers of two, which round nothing, or other
-    /// factors.
-    /// </summary>
+    /// <summary>Meshes that were divided by a scale and are scaled back by it: powers of two, which round nothing, or
+    /// other factors.</summary>
     public static FuzzPair Uneven(FuzzRandom random)
     {
         FuzzShape a = Stretched(random);

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Families;
@@ -54,10 +52,9 @@ internal static class Motions
         return (aside - pair.Centers) * random.Range(0.3, 2);
     }
 
-    /// <summary>
-    /// So that a plane stays between the shapes, or nearly: of two directions, one with a gap and one without, the mean
-    /// is found across which the gap is next to nothing. B's furthest point then goes past A's in that plane.
-    /// </summary>
+    /// <summary>So that a plane stays between the shapes, or nearly: of two directions, one with a gap and one without,
+    /// the mean is found across which the gap is next to nothing. B's furthest point then goes past A's in that
+    /// plane.</summary>
     private static Double3 Grazing(FuzzRandom random, FuzzPair pair)
     {
         Double3 open = pair.Answer.Normal, closed = Placement.FaceNormal(random, pair.BodyA);

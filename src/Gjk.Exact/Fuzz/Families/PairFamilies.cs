@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>All families, and the draw between them. What a pair is does not depend on how it moves.</summary>

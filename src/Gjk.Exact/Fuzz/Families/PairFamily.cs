@@ -1,5 +1,3 @@
-using System;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>One kind of pairs that is hard in its own way.</summary>

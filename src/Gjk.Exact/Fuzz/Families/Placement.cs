@@ -1,4 +1,3 @@
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Families;
@@ -20,9 +19,8 @@ internal static class Placement
     public static double Apart(FuzzRandom random, in FuzzShape a, in FuzzShape b) =>
         random.Unit() * (Radius(a) + Radius(b));
 
-    /// <summary>
-    /// Planes across a direction stand a gap apart, as nearly as the float position allows; negative gaps overlap.
-    /// </summary>
+    /// <summary>Planes across a direction stand a gap apart, as nearly as the float position allows; negative gaps
+    /// overlap.</summary>
     public static FuzzPair Gap(
         in FuzzShape a, in RigidPose poseA, in FuzzShape b, Quaternion turnB, in Double3 n, double gap)
     {

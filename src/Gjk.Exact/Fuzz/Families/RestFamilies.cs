@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 using static Gjk.Exact.Fuzz.IntegerRotation;
 
@@ -8,11 +6,9 @@ namespace Gjk.Exact.Fuzz.Families;
 /// <summary>Bodies at rest on each other: contacts and gaps that floats hold exactly, in turned frames, too.</summary>
 internal static class RestFamilies
 {
-    /// <summary>
-    /// A below a plane that it reaches, B above it, both turned by one rational rotation and B once more about the
-    /// plane's normal. The plane stands at y = 0 of the turned frame, and positions are multiples of the rotation's
-    /// denominator, so nothing is rounded: they touch, or stand a known gap apart.
-    /// </summary>
+    /// <summary>A below a plane that it reaches, B above it, both turned by one rational rotation and B once more about
+    /// the plane's normal. The plane stands at y = 0 of the turned frame, and positions are multiples of the rotation's
+    /// denominator, so nothing is rounded: they touch, or stand a known gap apart.</summary>
     public static FuzzPair Resting(FuzzRandom random)
     {
         IntegerRotation frame = Any(random), turned = random.OneIn(2) ? frame : frame.Times(AboutY(random));
@@ -30,9 +26,8 @@ internal static class RestFamilies
             new RigidPose(turned.ToQuaternion(random), home + (Vector3)up));
     }
 
-    /// <summary>
-    /// Curved and flat shapes with lattice sizes at lattice places: rims on faces, axes side by side, slopes on edges.
-    /// </summary>
+    /// <summary>Curved and flat shapes with lattice sizes at lattice places: rims on faces, axes side by side, slopes
+    /// on edges.</summary>
     public static FuzzPair CurvedLattice(FuzzRandom random)
     {
         IntegerRotation frame = random.OneIn(2) ? Identity : Any(random);
@@ -48,10 +43,8 @@ internal static class RestFamilies
             new RigidPose(other.ToQuaternion(random), home + (Vector3)away));
     }
 
-    /// <summary>
-    /// Shapes with and without margins whose planes stand a gap of a few last places of a double apart: what B's
-    /// position loses by rounding is put into A's, which is 0 but for that.
-    /// </summary>
+    /// <summary>Shapes with and without margins whose planes stand a gap of a few last places of a double apart: what
+    /// B's position loses by rounding is put into A's, which is 0 but for that.</summary>
     public static FuzzPair AtTheThreshold(FuzzRandom random)
     {
         FuzzShape a = random.OneIn(3) ? Shapes.Any(random) : Shapes.Round(random);
@@ -62,9 +55,8 @@ internal static class RestFamilies
         return Exactly(a, turnA, b, turnB, n, Math.ScaleB(random.Below(33) - 16, -54));
     }
 
-    /// <summary>
-    /// Plates, needles, stretched and made meshes whose planes across a face of A stand next to nothing apart.
-    /// </summary>
+    /// <summary>Plates, needles, stretched and made meshes whose planes across a face of A stand next to nothing
+    /// apart.</summary>
     public static FuzzPair ThinGaps(FuzzRandom random)
     {
         FuzzShape a = Thin(random), b = random.OneIn(3) ? Shapes.Any(random) : Thin(random);

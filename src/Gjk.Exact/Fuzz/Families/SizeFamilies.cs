@@ -1,11 +1,9 @@
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Families;
 
-/// <summary>
-/// Pairs whose difficulty is in their numbers: sizes, distances from an origin, or how many corners there are.
-/// </summary>
+/// <summary>Pairs whose difficulty is in their numbers: sizes, distances from an origin, or how many corners there
+/// are.</summary>
 internal static class SizeFamilies
 {
     /// <summary>One shape up to a million times larger than the other, in contact or nearly.</summary>
@@ -50,9 +48,8 @@ internal static class SizeFamilies
         return Placement.Meeting(random, a, poseA, b);
     }
 
-    /// <summary>
-    /// Hulls of 100 to 4096 corners, deep, near tangent and apart, against each other and against small shapes.
-    /// </summary>
+    /// <summary>Hulls of 100 to 4096 corners, deep, near tangent and apart, against each other and against small
+    /// shapes.</summary>
     public static FuzzPair LargeHulls(FuzzRandom random)
     {
         FuzzShape a = Large(random), b = random.OneIn(2) ? Large(random) : Shapes.Any(random);

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>One thing that a user of the library relies on, checked for one pair.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
@@ -7,10 +5,8 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>How a cast begins and ends, and what changes none. <see cref="CastProof"/> holds it to the truth.</summary>
 internal static class CastPromises
 {
-    /// <summary>
-    /// A cast says that shapes overlap at its start exactly where the signed distance says so, with its depth and
-    /// normal. Shapes that only touch there are a hit at 0 or a miss.
-    /// </summary>
+    /// <summary>A cast says that shapes overlap at its start exactly where the signed distance says so, with its depth
+    /// and normal. Shapes that only touch there are a hit at 0 or a miss.</summary>
     public static string? BeginAsTheDepthSays(FuzzPair pair)
     {
         CastResult r = pair.Cast;
@@ -39,10 +35,8 @@ internal static class CastPromises
             && -start.Distance > (pair.IsCurved ? Accuracy.CurvedRatio * pair.Scale : 0);
     }
 
-    /// <summary>
-    /// A largest fraction cuts a cast off: before it nothing changes, to the last bit, and what comes after it is a
-    /// miss.
-    /// </summary>
+    /// <summary>A largest fraction cuts a cast off: before it nothing changes, to the last bit, and what comes after it
+    /// is a miss.</summary>
     public static string? EndAtTheLargestFraction(FuzzPair pair)
     {
         CastResult r = pair.Cast;
@@ -65,10 +59,8 @@ internal static class CastPromises
         return SameCast.Problem(pair, s.Swapped, "exchanged");
     }
 
-    /// <summary>
-    /// Moving both shapes by one more vector over the cast changes neither the fraction nor the normal, where the sums
-    /// of floats are exact.
-    /// </summary>
+    /// <summary>Moving both shapes by one more vector over the cast changes neither the fraction nor the normal, where
+    /// the sums of floats are exact.</summary>
     public static string? CountTheRelativeMotion(FuzzPair pair)
     {
         Vector3 a = pair.Motion.A, b = pair.Motion.B;
@@ -84,10 +76,8 @@ internal static class CastPromises
         return null;
     }
 
-    /// <summary>
-    /// A warm start changes a cast by no more than the accuracy: an empty one, what the cast itself left, and what the
-    /// distance did.
-    /// </summary>
+    /// <summary>A warm start changes a cast by no more than the accuracy: an empty one, what the cast itself left, and
+    /// what the distance did.</summary>
     public static string? AreColdWhenWarm(FuzzPair pair)
     {
         WarmStart own = default, ofDistance = default;

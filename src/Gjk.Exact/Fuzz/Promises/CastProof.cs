@@ -1,4 +1,3 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
@@ -6,27 +5,20 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>Holds any answer for a moving pair to what a certificate without the library's solvers can prove.</summary>
 internal static class CastProof
 {
-    /// <summary>
-    /// Length, as a fraction of the scale or of the way, whichever is larger: how exact a fraction is along the motion.
-    /// It holds its rounding to float, which is 6e-8 of the way.
-    /// </summary>
+    /// <summary>Length, as a fraction of the scale or of the way, whichever is larger: how exact a fraction is along
+    /// the motion. It holds its rounding to float, which is 6e-8 of the way.</summary>
     public const double Along = 1e-7;
 
-    /// <summary>
-    /// Length, as a fraction of the scale: a graze may be called either way where the shapes miss each other, or reach
-    /// into each other, by no more.
-    /// </summary>
+    /// <summary>Length, as a fraction of the scale: a graze may be called either way where the shapes miss each other,
+    /// or reach into each other, by no more.</summary>
     private const double Graze = 2 * Accuracy.FlagScale;
 
-    /// <summary>
-    /// Length, as a fraction of the scale: curved cores touch when they are within 1e-9 of it, and their points are
-    /// then known to the root of that.
-    /// </summary>
+    /// <summary>Length, as a fraction of the scale: curved cores touch when they are within 1e-9 of it, and their
+    /// points are then known to the root of that.</summary>
     private const double CurvedPoint = 5e-5;
 
-    /// <summary>
-    /// A hit is a contact, with a proof that there is none before; of a miss, planes prove that there is none at all.
-    /// </summary>
+    /// <summary>A hit is a contact, with a proof that there is none before; of a miss, planes prove that there is none
+    /// at all.</summary>
     public static string? Broken(FuzzPair pair) => Problem(pair, pair.Cast, 1);
 
     /// <summary>How an answer breaks the contract of a cast, or null.</summary>
@@ -64,10 +56,8 @@ internal static class CastProof
         return way > 0 ? Along * Math.Max(pair.Scale / way, fraction) + Accuracy.LeastFloat : 0;
     }
 
-    /// <summary>
-    /// The distance is a convex function of the fraction. So a contact near the fraction, and a gap just before it,
-    /// prove together that nothing touches any earlier.
-    /// </summary>
+    /// <summary>The distance is a convex function of the fraction. So a contact near the fraction, and a gap just
+    /// before it, prove together that nothing touches any earlier.</summary>
     private static string? Touch(FuzzPair pair, in CastResult r, float most)
     {
         if (!(r.Fraction >= 0 && r.Fraction <= most)) return Say.Line($"a hit at {r.Fraction:R}, asked up to {most:R}");
@@ -78,10 +68,9 @@ internal static class CastProof
         return before > 0 ? Apart(pair, before, before, r.Normal, Say.Line($"a hit at {r.Fraction:R}")) : null;
     }
 
-    /// <summary>
-    /// Whether planes prove the shapes apart, or to reach into each other by no more than a graze: then B moved out by
-    /// that along the plane that separates them best is apart. A plane's gap is linear in the fraction: its ends tell.
-    /// </summary>
+    /// <summary>Whether planes prove the shapes apart, or to reach into each other by no more than a graze: then B
+    /// moved out by that along the plane that separates them best is apart. A plane's gap is linear in the fraction:
+    /// its ends tell.</summary>
     private static string? Apart(FuzzPair pair, double from, double to, in Double3 hint, string name)
     {
         Moment least = pair.Sweep.Least(from, to);
@@ -105,10 +94,8 @@ internal static class CastProof
         return Say.Line($"{name}, but at {least.Fraction:R} they overlap, by {-least.AtLeast} at most");
     }
 
-    /// <summary>
-    /// The plane that touches: it closes, and no gap or overlap is left in it. As it closes in proportion to the way,
-    /// it separates the shapes at every fraction before.
-    /// </summary>
+    /// <summary>The plane that touches: it closes, and no gap or overlap is left in it. As it closes in proportion to
+    /// the way, it separates the shapes at every fraction before.</summary>
     private static string? Normal(FuzzPair pair, in CastResult r)
     {
         Double3 n = r.Normal;

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>Sums of floats that lose nothing.</summary>

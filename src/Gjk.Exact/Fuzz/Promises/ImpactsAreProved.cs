@@ -1,16 +1,12 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// A time of impact of the pair when it turns as well: before the fraction nothing overlaps, at it the shapes are
-/// within the tolerance, and where they miss, nothing overlaps at all.
-/// </summary>
-/// <remarks>
-/// The motion is looked at in steps, and more closely before the fraction, at poses rounded to float. So an overlap
-/// counts where it is deeper than that rounding, and a gap where it is wider than the tolerance by as much.
-/// </remarks>
+/// <summary>A time of impact of the pair when it turns as well: before the fraction nothing overlaps, at it the shapes
+/// are within the tolerance, and where they miss, nothing overlaps at all.</summary>
+/// <remarks>The motion is looked at in steps, and more closely before the fraction, at poses rounded to float. So an
+/// overlap counts where it is deeper than that rounding, and a gap where it is wider than the tolerance by as
+/// much.</remarks>
 internal static class ImpactsAreProved
 {
     /// <summary>Looks at the whole way, and at its last parts, each half of the one before.</summary>

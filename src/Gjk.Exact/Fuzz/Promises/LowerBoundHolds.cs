@@ -2,9 +2,8 @@ using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// The lower bound is below the true distance, without a band, and as near it as the distance is promised to be.
-/// </summary>
+/// <summary>The lower bound is below the true distance, without a band, and as near it as the distance is promised to
+/// be.</summary>
 internal static class LowerBoundHolds
 {
     public static string? Broken(FuzzPair pair) => Problem(pair, pair.Answer);

@@ -1,11 +1,9 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// With a maximum distance the answer is the full one where that is nearer, to the last bit; beyond, a plane proves it.
-/// </summary>
+/// <summary>With a maximum distance the answer is the full one where that is nearer, to the last bit; beyond, a plane
+/// proves it.</summary>
 internal static class MaxDistanceEndsEarly
 {
     public static string? Broken(FuzzPair pair)

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// Moving both shapes alike changes nothing: half turns about the axes, which are exact in floats, and shifts where the
-/// sums are.
-/// </summary>
+/// <summary>Moving both shapes alike changes nothing: half turns about the axes, which are exact in floats, and shifts
+/// where the sums are.</summary>
 internal static class MotionChangesNothing
 {
     public static string? Broken(FuzzPair pair) => Turned(pair) ?? Shifted(pair);
@@ -41,9 +37,8 @@ internal static class MotionChangesNothing
         return null;
     }
 
-    /// <summary>
-    /// The product of the axis's unit quaternion with the pose's: its components, exchanged, some negated.
-    /// </summary>
+    /// <summary>The product of the axis's unit quaternion with the pose's: its components, exchanged, some
+    /// negated.</summary>
     private static RigidPose HalfTurn(in RigidPose pose, int axis)
     {
         Quaternion q = pose.Rotation;

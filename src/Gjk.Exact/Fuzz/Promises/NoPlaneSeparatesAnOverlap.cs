@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// Of shapes that are said to overlap, no plane has one on either side: looked for along many directions and across the
-/// faces of both.
-/// </summary>
+/// <summary>Of shapes that are said to overlap, no plane has one on either side: looked for along many directions and
+/// across the faces of both.</summary>
 internal static class NoPlaneSeparatesAnOverlap
 {
     private const int MostFaces = 200;

@@ -1,22 +1,17 @@
-using System;
-using System.Collections.Generic;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// No direction parts overlapping shapes at a lower cost than the depth. The shortest way out of polytopes is across a
-/// face of their difference: a face of either, or two edges. Of small ones all of these are tried, of larger ones some.
-/// Shapes that overlap by their margins alone have a depth that is known exactly.
-/// </summary>
+/// <summary>No direction parts overlapping shapes at a lower cost than the depth. The shortest way out of polytopes is
+/// across a face of their difference: a face of either, or two edges. Of small ones all of these are tried, of larger
+/// ones some. Shapes that overlap by their margins alone have a depth that is known exactly.</summary>
 internal static class NoWayOutIsShorter
 {
     /// <summary>Dot products to spend on the faces of a difference.</summary>
     private const int MostWork = 200_000;
 
-    /// <summary>
-    /// Ratio to the scale: how far the best of all faces may be off the truth, where nearly parallel edges span them.
-    /// </summary>
+    /// <summary>Ratio to the scale: how far the best of all faces may be off the truth, where nearly parallel edges
+    /// span them.</summary>
     private const double Slivers = 1e-7;
 
     /// <summary>A sine: edges that are more parallel span no face.</summary>

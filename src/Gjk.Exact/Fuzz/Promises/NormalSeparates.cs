@@ -1,13 +1,10 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// The certificate of a distance: the planes across the normal that touch the shapes stand the distance apart. From
-/// above that proves the distance by itself (no gap between planes can exceed it); from below as far as a normal
-/// rounded to float can tell.
-/// </summary>
+/// <summary>The certificate of a distance: the planes across the normal that touch the shapes stand the distance apart.
+/// From above that proves the distance by itself (no gap between planes can exceed it); from below as far as a normal
+/// rounded to float can tell.</summary>
 internal static class NormalSeparates
 {
     public static string? Broken(FuzzPair pair)

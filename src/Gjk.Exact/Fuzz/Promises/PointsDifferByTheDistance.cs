@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// From one closest point to the other is normal times distance, in the world and through the local frames; of
-/// overlapping shapes both are one.
-/// </summary>
+/// <summary>From one closest point to the other is normal times distance, in the world and through the local frames; of
+/// overlapping shapes both are one.</summary>
 internal static class PointsDifferByTheDistance
 {
     /// <summary>Ratio to the distance: the rounding of the distance and of the normal's three components.</summary>

@@ -1,12 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// Each closest point lies in its shape, in its own frame as in the world's, as far as a float can hold it.
-/// </summary>
+/// <summary>Each closest point lies in its shape, in its own frame as in the world's, as far as a float can hold
+/// it.</summary>
 internal static class PointsLieOnTheShapes
 {
     private const int MostFaces = 64;

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
@@ -7,9 +5,8 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>Comparisons with the cold answer.</summary>
 internal static class Same
 {
-    /// <summary>
-    /// How an answer to the same question differs from the cold one by more than the accuracy, or null.
-    /// </summary>
+    /// <summary>How an answer to the same question differs from the cold one by more than the accuracy, or
+    /// null.</summary>
     /// <param name="pair">The pair with its cold answer.</param>
     /// <param name="other">The other answer.</param>
     /// <param name="name">What the other one is.</param>

@@ -1,4 +1,3 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
@@ -6,10 +5,8 @@ namespace Gjk.Exact.Fuzz.Promises;
 /// <summary>Comparisons with the cold cast.</summary>
 internal static class SameCast
 {
-    /// <summary>
-    /// How an answer to the same question differs from the cold one by more than the accuracy, or null. Where a graze
-    /// was called the other way, both answers must have their proof.
-    /// </summary>
+    /// <summary>How an answer to the same question differs from the cold one by more than the accuracy, or null. Where
+    /// a graze was called the other way, both answers must have their proof.</summary>
     public static string? Problem(FuzzPair pair, in CastResult other, string name)
     {
         CastResult r = pair.Cast;

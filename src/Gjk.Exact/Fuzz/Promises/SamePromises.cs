@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
@@ -24,10 +21,8 @@ internal static class SamePromises
             : Say.Line($"Overlaps says {overlaps} ({status}), Distance {r.Status}, {r.Distance}");
     }
 
-    /// <summary>
-    /// With A and B exchanged the answer is the same, mirrored, within the accuracy. Where the search for a depth
-    /// outgrew its room either way, there are only bounds.
-    /// </summary>
+    /// <summary>With A and B exchanged the answer is the same, mirrored, within the accuracy. Where the search for a
+    /// depth outgrew its room either way, there are only bounds.</summary>
     public static string? SwappingMirrors(FuzzPair pair)
     {
         DistanceResult r = ConvexQuery.Distance(pair.B, pair.PoseB, pair.A, pair.PoseA);
@@ -38,10 +33,8 @@ internal static class SamePromises
             : Same.Problem(pair, pair.Signed, s, "the signed distance, exchanged");
     }
 
-    /// <summary>
-    /// A query depends on its arguments alone: asked again it gives the same bits, and so does the overload with the
-    /// final simplex, whose weights are those of points.
-    /// </summary>
+    /// <summary>A query depends on its arguments alone: asked again it gives the same bits, and so does the overload
+    /// with the final simplex, whose weights are those of points.</summary>
     public static string? TheSameBitsAgain(FuzzPair pair)
     {
         DistanceResult again = ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB);

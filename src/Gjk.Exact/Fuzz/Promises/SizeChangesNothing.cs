@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// A pair in another unit of length has the same answer in that unit. The factors are powers of two, so that the larger
-/// and the smaller pair are exactly the same.
-/// </summary>
+/// <summary>A pair in another unit of length has the same answer in that unit. The factors are powers of two, so that
+/// the larger and the smaller pair are exactly the same.</summary>
 internal static class SizeChangesNothing
 {
     private const float Least = 1e-30f, Most = 1e30f;

@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// In no direction does a shape's support value differ from the greatest dot product with the points that it was made
-/// of; of curved shapes, from the formula. The support point is one of those points, to the last bit, and is the vertex
-/// that its id names.
-/// </summary>
+/// <summary>In no direction does a shape's support value differ from the greatest dot product with the points that it
+/// was made of; of curved shapes, from the formula. The support point is one of those points, to the last bit, and is
+/// the vertex that its id names.</summary>
 internal static class SupportsReachTheCloud
 {
     /// <summary>Ratio: a component so far below the largest one counts for nothing.</summary>
@@ -74,17 +70,14 @@ internal static class SupportsReachTheCloud
             : Say.Line($"vertex {id} is not point {shape.Hull.SourceIndex(id)} of the cloud");
     }
 
-    /// <summary>
-    /// What the roundings of two scaled dot products with points of the shape come to, and of the check; products below
-    /// the range of doubles are 0.
-    /// </summary>
+    /// <summary>What the roundings of two scaled dot products with points of the shape come to, and of the check;
+    /// products below the range of doubles are 0.</summary>
     private static double Rounding(PosedShape body, in Double3 unit) =>
         Underflow * body.LongestSide + 2 * Accuracy.Rounding * (
             Math.Abs(unit.X) * body.Extents.X + Math.Abs(unit.Y) * body.Extents.Y + Math.Abs(unit.Z) * body.Extents.Z);
 
-    /// <summary>
-    /// Brought near unit length by a power of two, which rounds nothing but what is far below the rest.
-    /// </summary>
+    /// <summary>Brought near unit length by a power of two, which rounds nothing but what is far below the
+    /// rest.</summary>
     private static Double3 Normal(in Double3 d)
     {
         int exponent = -Math.ILogB(Math.Max(Math.Abs(d.X), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z))));

@@ -2,9 +2,8 @@ using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// The check that users can make refutes no answer, and where the truth is known it is between the check's bounds.
-/// </summary>
+/// <summary>The check that users can make refutes no answer, and where the truth is known it is between the check's
+/// bounds.</summary>
 internal static class TheCheckAgrees
 {
     public static string? Broken(FuzzPair pair)

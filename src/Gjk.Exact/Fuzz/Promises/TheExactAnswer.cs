@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// Every pair without a curved core is solved again in integers of any size: flag and distance are held to the true
-/// answer within the accuracy.
-/// </summary>
+/// <summary>Every pair without a curved core is solved again in integers of any size: flag and distance are held to the
+/// true answer within the accuracy.</summary>
 internal static class TheExactAnswer
 {
     public static string? Broken(FuzzPair pair)

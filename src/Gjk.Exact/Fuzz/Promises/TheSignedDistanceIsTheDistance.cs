@@ -2,10 +2,9 @@ using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// The signed distance overlaps where the distance does, and is the distance bit for bit elsewhere. Only curved shapes
-/// and large hulls may outgrow the room of its search, and then the truth is between its bounds.
-/// </summary>
+/// <summary>The signed distance overlaps where the distance does, and is the distance bit for bit elsewhere. Only
+/// curved shapes and large hulls may outgrow the room of its search, and then the truth is between its
+/// bounds.</summary>
 internal static class TheSignedDistanceIsTheDistance
 {
     /// <summary>Hulls with no more vertices always get an answer.</summary>

@@ -2,10 +2,8 @@ using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// Moved along the normal by the depth, B only touches A: a plane stands between them, and the deepest points, which
-/// are points of the shapes, have met.
-/// </summary>
+/// <summary>Moved along the normal by the depth, B only touches A: a plane stands between them, and the deepest points,
+/// which are points of the shapes, have met.</summary>
 internal static class TheWayOutEndsTouching
 {
     public static string? Broken(FuzzPair pair)

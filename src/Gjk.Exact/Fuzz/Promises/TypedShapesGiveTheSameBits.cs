@@ -1,15 +1,12 @@
-using System;
 using System.Globalization;
-using System.Numerics;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Shrinking;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// A shape of its own type is solved like the same one as a <see cref="ConvexShape"/>, to the last bit: as A and as B,
-/// meshes scaled as well. Other shapes multiply a scale in or keep it, and then agree within the accuracy only.
-/// </summary>
+/// <summary>A shape of its own type is solved like the same one as a <see cref="ConvexShape"/>, to the last bit: as A
+/// and as B, meshes scaled as well. Other shapes multiply a scale in or keep it, and then agree within the accuracy
+/// only.</summary>
 internal static class TypedShapesGiveTheSameBits
 {
     public static string? Broken(FuzzPair pair)

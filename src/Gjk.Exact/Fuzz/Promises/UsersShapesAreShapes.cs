@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// A user's own shape with the same supports gets an answer that is as exact, however generous its bounding radius is:
-/// flag, distance and bound.
-/// </summary>
+/// <summary>A user's own shape with the same supports gets an answer that is as exact, however generous its bounding
+/// radius is: flag, distance and bound.</summary>
 internal static class UsersShapesAreShapes
 {
     public static string? Broken(FuzzPair pair)

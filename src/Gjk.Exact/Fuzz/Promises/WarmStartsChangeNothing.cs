@@ -1,14 +1,10 @@
-using System;
-using System.Numerics;
 using System.Runtime.InteropServices;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// A warm start, whatever it remembers, changes the answer by no more than the accuracy: its own, that of a moved pair,
-/// and those of quite other shapes.
-/// </summary>
+/// <summary>A warm start, whatever it remembers, changes the answer by no more than the accuracy: its own, that of a
+/// moved pair, and those of quite other shapes.</summary>
 internal static class WarmStartsChangeNothing
 {
     private static readonly WarmStart[] BytePatterns = MakeBytePatterns();
@@ -57,9 +53,8 @@ internal static class WarmStartsChangeNothing
         return null;
     }
 
-    /// <summary>
-    /// Memory that no query wrote: a guess like any other. What the query leaves in it must be one, too.
-    /// </summary>
+    /// <summary>Memory that no query wrote: a guess like any other. What the query leaves in it must be one,
+    /// too.</summary>
     private static string? AnyBytes(FuzzPair pair)
     {
         for (int i = 0; i < BytePatterns.Length; i++)
@@ -76,9 +71,8 @@ internal static class WarmStartsChangeNothing
     private static string? Problem(FuzzPair pair, ref WarmStart warm, string name) =>
         Same.Problem(pair, ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, ref warm), name);
 
-    /// <summary>
-    /// Words of one value each, small whole numbers, least floats, infinities and NaN among them, and words at random.
-    /// </summary>
+    /// <summary>Words of one value each, small whole numbers, least floats, infinities and NaN among them, and words at
+    /// random.</summary>
     private static WarmStart[] MakeBytePatterns()
     {
         int[] words = [-1, 1, 4, 0x00000007, 0x7F800000, 0x7FC00000, 0x7F7FFFFF];

@@ -1,13 +1,9 @@
-using System;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 
-/// <summary>
-/// A cast that passes what gets no deeper says the same as without the option, or misses; and then no place on the way
-/// is deeper than is allowed.
-/// </summary>
+/// <summary>A cast that passes what gets no deeper says the same as without the option, or misses; and then no place on
+/// the way is deeper than is allowed.</summary>
 internal static class WhatPassesGetsNoDeeper
 {
     /// <summary>Places on the way that are looked at.</summary>

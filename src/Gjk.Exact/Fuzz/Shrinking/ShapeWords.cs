@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Shrinking;

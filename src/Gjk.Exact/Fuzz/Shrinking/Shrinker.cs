@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
 using Gjk.Exact.Fuzz.Promises;
@@ -9,9 +7,8 @@ namespace Gjk.Exact.Fuzz.Shrinking;
 /// <summary>Makes a pair that breaks a promise as small as it gets while it still breaks the same one.</summary>
 internal static class Shrinker
 {
-    /// <summary>
-    /// Large hulls have very many smaller ones; what is found by then is small enough to be looked at.
-    /// </summary>
+    /// <summary>Large hulls have very many smaller ones; what is found by then is small enough to be looked
+    /// at.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
 
     public static FuzzPair Shrink(FuzzPair pair, Promise<FuzzPair> promise, CancellationToken cancel)

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Concave.Trees;
@@ -50,10 +48,8 @@ public unsafe class BoxLanesTests
         Assert.InRange((double)bytes / mesh.TriangleCount, 20, 70);
     }
 
-    /// <summary>
-    /// The corners of triangles in far and near boxes: their distance, in double, is at least the bound. The slack is
-    /// not generous either: bounds of touching boxes come near.
-    /// </summary>
+    /// <summary>The corners of triangles in far and near boxes: their distance, in double, is at least the bound. The
+    /// slack is not generous either: bounds of touching boxes come near.</summary>
     [Fact]
     public void BoundsAreNeverAboveTheDistance()
     {

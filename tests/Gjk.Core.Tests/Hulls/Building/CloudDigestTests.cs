@@ -1,5 +1,3 @@
-using System.Linq;
-using System.Numerics;
 using System.Security.Cryptography;
 using Gjk.Core.Tests.Support;
 

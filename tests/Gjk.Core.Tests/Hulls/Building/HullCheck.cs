@@ -1,14 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// Is this the hull of that cloud? Checked against exact arithmetic; the label, with the seed in it, opens every
-/// failure message.
-/// </summary>
+/// <summary>Is this the hull of that cloud? Checked against exact arithmetic; the label, with the seed in it, opens
+/// every failure message.</summary>
 internal static class HullCheck
 {
     public static void All(ConvexHull hull, Vector3[] cloud, string label)
@@ -184,10 +177,8 @@ internal static class HullCheck
         return axis is not null && normals.Any(n => !HullOracle.Dot(axis, n).IsZero);
     }
 
-    /// <summary>
-    /// Below dimension 3: a corner is a point that is not between two others and not inside a triangle of others, by
-    /// trying all.
-    /// </summary>
+    /// <summary>Below dimension 3: a corner is a point that is not between two others and not inside a triangle of
+    /// others, by trying all.</summary>
     private static void Flat(ConvexHull hull, Vector3[] cloud, string label)
     {
         Vector3[] distinct = cloud.Distinct().ToArray();
@@ -213,10 +204,8 @@ internal static class HullCheck
                 $"{label}: triangle {a} {b} {c} has no other side");
     }
 
-    /// <summary>
-    /// In a plane p is a corner when the others fit into less than a half turn around it: some line through p and
-    /// another point has all of them on one side, none opposite.
-    /// </summary>
+    /// <summary>In a plane p is a corner when the others fit into less than a half turn around it: some line through p
+    /// and another point has all of them on one side, none opposite.</summary>
     private static bool IsCorner(Vector3 p, Vector3[] points)
     {
         BigInteger[] origin = HullOracle.Exact(p);

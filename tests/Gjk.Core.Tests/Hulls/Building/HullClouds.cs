@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>Clouds of points, each made again by its seed.</summary>
@@ -60,9 +56,8 @@ internal static class HullClouds
         return radius * new Vector3((float)(r * Math.Cos(angle)), (float)(r * Math.Sin(angle)), (float)z);
     });
 
-    /// <summary>
-    /// Bit patterns at random: signs and magnitudes from denormal to the largest float, all equally likely.
-    /// </summary>
+    /// <summary>Bit patterns at random: signs and magnitudes from denormal to the largest float, all equally
+    /// likely.</summary>
     public static Vector3[] AnyFloats(int seed, int count)
     {
         var random = new Random(seed);
@@ -97,19 +92,16 @@ internal static class HullClouds
         });
     }
 
-    /// <summary>
-    /// Multiples of (1, 3, 5) from 1 down to 2^-44: on a line exactly, but double rounds their differences.
-    /// </summary>
+    /// <summary>Multiples of (1, 3, 5) from 1 down to 2^-44: on a line exactly, but double rounds their
+    /// differences.</summary>
     public static Vector3[] WideLine(int seed, int count)
     {
         var random = new Random(seed);
         return Make(count, _ => Shrunk(random, 44) * new Vector3(1, 3, 5));
     }
 
-    /// <summary>
-    /// Points of the plane z = x + y through the origin, from 1 down to 2^-depth: exactly coplanar, but double rounds
-    /// what is computed from them.
-    /// </summary>
+    /// <summary>Points of the plane z = x + y through the origin, from 1 down to 2^-depth: exactly coplanar, but double
+    /// rounds what is computed from them.</summary>
     public static Vector3[] WidePlane(int seed, int count, int depth)
     {
         var random = new Random(seed);
@@ -121,10 +113,8 @@ internal static class HullClouds
         });
     }
 
-    /// <summary>
-    /// A plane that holds a coordinate axis: small whole numbers along the other two, any magnitude along it. A lattice
-    /// in two of three axes.
-    /// </summary>
+    /// <summary>A plane that holds a coordinate axis: small whole numbers along the other two, any magnitude along it.
+    /// A lattice in two of three axes.</summary>
     public static Vector3[] PlaneAlongAxis(int seed, int count)
     {
         var random = new Random(seed);

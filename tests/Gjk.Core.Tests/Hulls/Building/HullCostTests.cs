@@ -1,19 +1,12 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// No cloud takes more than about n log n to build. Counted in tests of a point against a plane, so that a slow or busy
-/// machine changes nothing.
-/// </summary>
+/// <summary>No cloud takes more than about n log n to build. Counted in tests of a point against a plane, so that a
+/// slow or busy machine changes nothing.</summary>
 public class HullCostTests
 {
-    /// <summary>
-    /// Work per point and log2 n. The furthest points first may take QuickHull.MostWork and one step, the random
-    /// order takes up to 30 where double often cannot tell. A quadratic order would take 260 on 10,000 points of a
-    /// log spiral.
-    /// </summary>
+    /// <summary>Work per point and log2 n. The furthest points first may take QuickHull.MostWork and one step, the
+    /// random order takes up to 30 where double often cannot tell. A quadratic order would take 260 on 10,000 points of
+    /// a log spiral.</summary>
     private const double MostWork = 64;
 
     /// <summary>As above, for clouds that never need the random order.</summary>

@@ -1,11 +1,7 @@
-using System;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// Exact geometry on whole numbers: every float is a multiple of 2^-149. Slow, and shares nothing with the library.
-/// </summary>
+/// <summary>Exact geometry on whole numbers: every float is a multiple of 2^-149. Slow, and shares nothing with the
+/// library.</summary>
 internal static class HullOracle
 {
     public static BigInteger Exact(float x)
@@ -35,15 +31,13 @@ internal static class HullOracle
         return Cross(Minus(Exact(b), origin), Minus(Exact(c), origin));
     }
 
-    /// <summary>
-    /// 1 when p is strictly above the plane through a, b and c, seen from where they are counter-clockwise.
-    /// </summary>
+    /// <summary>1 when p is strictly above the plane through a, b and c, seen from where they are
+    /// counter-clockwise.</summary>
     public static int Side(Vector3 a, Vector3 b, Vector3 c, Vector3 p) =>
         Dot(Normal(a, b, c), Minus(Exact(p), Exact(a))).Sign;
 
-    /// <summary>
-    /// As <see cref="Side"/>; asks doubles first, with a bound a thousand times wider than their rounding.
-    /// </summary>
+    /// <summary>As <see cref="Side"/>; asks doubles first, with a bound a thousand times wider than their
+    /// rounding.</summary>
     public static int QuickSide(Vector3 a, Vector3 b, Vector3 c, Vector3 p)
     {
         const double WideBound = 1e-12;

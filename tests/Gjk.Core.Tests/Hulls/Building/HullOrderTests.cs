@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>The order in which points are added changes the time, not the hull.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
 public class HullPredicatesTests

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>Clouds with faces of many corners and rims of many sides, where no list of candidates is short.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>Clouds that make an incremental hull slow, in the order in which programs make them.</summary>
@@ -53,10 +48,8 @@ internal static class WorstHullClouds
     /// <summary>A circle and an apex that is joined to all of it.</summary>
     public static Vector3[] Cone(int count) => [.. Index(count - 1, i => OnCircle(i, count - 1, 0)), Vector3.UnitZ];
 
-    /// <summary>
-    /// Parabolas in two planes, z = x exactly, whose points halve their distance from the vertex seventy times:
-    /// coplanar points with magnitudes far apart.
-    /// </summary>
+    /// <summary>Parabolas in two planes, z = x exactly, whose points halve their distance from the vertex seventy
+    /// times: coplanar points with magnitudes far apart.</summary>
     public static Vector3[] DeepFacets(int count) => Index(count, i =>
     {
         float x = (float)Math.Pow(2, -70.0 * (i / 2) / (count / 2));

@@ -1,21 +1,15 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// The look-up finds the vertex that the plain scan finds, whatever the hull and the direction; and it is as far as the
-/// furthest point of the cloud. 10^4 directions per hull, 10^6 with GJK_LONG=1.
-/// </summary>
+/// <summary>The look-up finds the vertex that the plain scan finds, whatever the hull and the direction; and it is as
+/// far as the furthest point of the cloud. 10^4 directions per hull, 10^6 with GJK_LONG=1.</summary>
 public class HullLookupTests
 {
     private const int Directions = 10000, MadeHulls = 250, CloudEvery = 16;
 
-    /// <summary>
-    /// Ratio to the sum of the terms' magnitudes: two dot products of double, and a direction that was folded.
-    /// </summary>
+    /// <summary>Ratio to the sum of the terms' magnitudes: two dot products of double, and a direction that was
+    /// folded.</summary>
     private const double HeightError = 16.0 / (1L << 53);
 
     public static TheoryData<string> Families => [.. CaseFamily.Names];

@@ -1,12 +1,9 @@
-using System;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests;
 
-/// <summary>
-/// Directions in which a look-up can go wrong: normals of faces and edges, borders of cells, axes, tiny and missing
-/// components, and everything close to these.
-/// </summary>
+/// <summary>Directions in which a look-up can go wrong: normals of faces and edges, borders of cells, axes, tiny and
+/// missing components, and everything close to these.</summary>
 internal sealed class LookupDirections(ConvexHull hull, Rng rng)
 {
     private const int Kinds = 8;
@@ -54,9 +51,8 @@ internal sealed class LookupDirections(ConvexHull hull, Rng rng)
     /// <summary>A direction orthogonal to an edge: both ends are level.</summary>
     private Double3 AcrossAnEdge() => Unit(Double3.Cross(AlongAnEdge(), (Double3)rng.Direction()));
 
-    /// <summary>
-    /// A direction whose stretched components are exactly between two cells, or on the edge of the cube.
-    /// </summary>
+    /// <summary>A direction whose stretched components are exactly between two cells, or on the edge of the
+    /// cube.</summary>
     private Double3 OnACellBorder()
     {
         int side = Math.Max(1, hull.Cells.Side);

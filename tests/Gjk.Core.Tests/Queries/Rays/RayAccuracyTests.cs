@@ -1,13 +1,10 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.Support.Rays;
 
 namespace Gjk.Core.Tests.Queries.Rays;
 
-/// <summary>
-/// Rays against a reference that computes with 640 digits: outcome, distance and normal, on random and on hard rays.
-/// </summary>
+/// <summary>Rays against a reference that computes with 640 digits: outcome, distance and normal, on random and on hard
+/// rays.</summary>
 public class RayAccuracyTests
 {
     private const int Count = 60;
@@ -163,9 +160,8 @@ public class RayAccuracyTests
 
     private static Double3 CoreMiddle(RayShape shape) => shape.Shape.Center;
 
-    /// <summary>
-    /// From the middle of the shape's box, in it or a little beside it; nearer where corners are cut.
-    /// </summary>
+    /// <summary>From the middle of the shape's box, in it or a little beside it; nearer where corners are
+    /// cut.</summary>
     private static Vector3 Inside(Rng rng, RayShape shape)
     {
         double most = shape.Shape.Kind == ShapeKind.Mesh ? 0.3 : 0.75;

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries.Rays;
@@ -189,10 +186,8 @@ public class RayCastTests
         Assert.True(hits > 0.05 * count || kind is "point" or "segment" or "needle", $"{hits} hits");
     }
 
-    /// <summary>
-    /// An origin counts as in the shape where the shape contains it, by more than touching: there the ray hits at 0 or
-    /// misses.
-    /// </summary>
+    /// <summary>An origin counts as in the shape where the shape contains it, by more than touching: there the ray hits
+    /// at 0 or misses.</summary>
     [Theory]
     [MemberData(nameof(Kinds))]
     public void TheStartIsWhatContainsSays(string kind)

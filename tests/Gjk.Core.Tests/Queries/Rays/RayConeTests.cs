@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries.Rays;
@@ -7,10 +5,8 @@ namespace Gjk.Core.Tests.Queries.Rays;
 /// <summary>Rays parallel to a side of a cone, where the quadratic loses its square.</summary>
 public class RayConeTests
 {
-    /// <summary>
-    /// Every point of the ray is looked at in small steps: the first that is inside follows the hit within one step,
-    /// and where there is none, the ray misses or only grazes.
-    /// </summary>
+    /// <summary>Every point of the ray is looked at in small steps: the first that is inside follows the hit within one
+    /// step, and where there is none, the ray misses or only grazes.</summary>
     [Theory]
     [InlineData(2, 1)]
     [InlineData(1, 1)]

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.Support.Rays;
 
@@ -28,10 +26,8 @@ public class RayGrazeTests
         Assert.Equal(0.5f, along.Fraction, 1e-3f);
     }
 
-    /// <summary>
-    /// Along an end or a side, in its plane or a little tilted: the exact place and the normal of the surface that is
-    /// met, be it the rim.
-    /// </summary>
+    /// <summary>Along an end or a side, in its plane or a little tilted: the exact place and the normal of the surface
+    /// that is met, be it the rim.</summary>
     [Theory]
     [InlineData("box")]
     [InlineData("cylinder")]
@@ -61,10 +57,8 @@ public class RayGrazeTests
         Assert.InRange(hits, 0.2 * count, 0.8 * count);
     }
 
-    /// <summary>
-    /// Lines that touch a ball or a cylinder exactly, from two hundred radii away: a rounding of the foot would move
-    /// the entry by the root of it.
-    /// </summary>
+    /// <summary>Lines that touch a ball or a cylinder exactly, from two hundred radii away: a rounding of the foot
+    /// would move the entry by the root of it.</summary>
     [Theory]
     [InlineData("sphere")]
     [InlineData("cylinder")]

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries.Rays;
@@ -40,9 +37,8 @@ public class RayHullTests
         Assert.Null(new ConvexHull(dense).Planes);
     }
 
-    /// <summary>
-    /// Planes that rounding has moved tell where a plate ends to 1e-9 of its size, if it is thick enough.
-    /// </summary>
+    /// <summary>Planes that rounding has moved tell where a plate ends to 1e-9 of its size, if it is thick
+    /// enough.</summary>
     [Theory]
     [InlineData(1e-6, false)]
     [InlineData(4e-6, true)]

@@ -1,5 +1,3 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries.Rays;
@@ -56,10 +54,8 @@ public class RaySameBitsTests
             ConvexShape.Cylinder(0.4f, 0.7f).Scaled(Uneven).Rounded(0.1f));
     }
 
-    /// <summary>
-    /// Plain balls and boxes have a way of their own, and what is written otherwise has not; also along faces, where
-    /// that way hands over.
-    /// </summary>
+    /// <summary>Plain balls and boxes have a way of their own, and what is written otherwise has not; also along faces,
+    /// where that way hands over.</summary>
     [Fact]
     public void PlainBodiesAgreeWithOthersOfTheirForm()
     {

@@ -1,21 +1,16 @@
-using System;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.Support.Rays;
 
 namespace Gjk.Core.Tests.Queries.Rays;
 
-/// <summary>
-/// Rays that begin on a surface or within rounding of it: what exact geometry says of the line decides, not how deep a
-/// search for a depth believes the origin to be.
-/// </summary>
+/// <summary>Rays that begin on a surface or within rounding of it: what exact geometry says of the line decides, not
+/// how deep a search for a depth believes the origin to be.</summary>
 public class RayStartTests
 {
     private static readonly RigidPose Here = RigidPose.Identity;
 
-    /// <summary>
-    /// Beside the rim of a cap the line goes in by no more than the rim is near; a point that is cast, too.
-    /// </summary>
+    /// <summary>Beside the rim of a cap the line goes in by no more than the rim is near; a point that is cast,
+    /// too.</summary>
     [Theory]
     [InlineData(20)]
     [InlineData(21)]
@@ -46,10 +41,8 @@ public class RayStartTests
         }
     }
 
-    /// <summary>
-    /// Flat round bodies from beside their surface: whether a ray hits, where and with which normal, is what 640 digits
-    /// say; only the origins that these put inside may be touching.
-    /// </summary>
+    /// <summary>Flat round bodies from beside their surface: whether a ray hits, where and with which normal, is what
+    /// 640 digits say; only the origins that these put inside may be touching.</summary>
     [Theory]
     [InlineData("cylinder")]
     [InlineData("cone")]
@@ -92,9 +85,8 @@ public class RayStartTests
         Assert.True(hits > 30, $"{hits} hits, {misses} misses");
     }
 
-    /// <summary>
-    /// A touching origin hits at 0 where the surface is a hundredth of a millionth ahead; three times that is a way.
-    /// </summary>
+    /// <summary>A touching origin hits at 0 where the surface is a hundredth of a millionth ahead; three times that is
+    /// a way.</summary>
     [Theory]
     [InlineData(4e-8, true)]
     [InlineData(1.2e-7, false)]

@@ -1,15 +1,10 @@
-using System;
-using System.Linq;
-using System.Numerics;
 using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.Support.Rays;
 
 namespace Gjk.Core.Tests.Queries.Rays;
 
-/// <summary>
-/// Bodies thinner than rounding at their size: in the axes in which they are round, the line begins far away. Judged by
-/// a reference of 640 digits, with no excuse for a short chord.
-/// </summary>
+/// <summary>Bodies thinner than rounding at their size: in the axes in which they are round, the line begins far away.
+/// Judged by a reference of 640 digits, with no excuse for a short chord.</summary>
 public class RayThinTests
 {
     private static readonly Vector3[] Thin =
@@ -35,9 +30,8 @@ public class RayThinTests
         kind, [.. Thin.Take(3), new(1e-9f, 1, 1), new(1, 1e-12f, 1e-5f)], (rng, thin) =>
             RayShapes.Scaled(RayShapes.Make(rng, kind, Vector3.One), thin * rng.Float(0.5, 2)));
 
-    /// <summary>
-    /// Seen from the edge, where the rounding of the foot turns the normal: from some two hundred sizes away.
-    /// </summary>
+    /// <summary>Seen from the edge, where the rounding of the foot turns the normal: from some two hundred sizes
+    /// away.</summary>
     [Theory]
     [InlineData(1e-4f)]
     [InlineData(3e-4f)]

@@ -1,11 +1,7 @@
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support.Rays;
 
-/// <summary>
-/// A number with 640 binary digits behind the point: what the closed forms of rays are judged by. Even the fourth power
-/// of 1e-30 keeps two hundred of them, so the naive formulas of a textbook will do.
-/// </summary>
+/// <summary>A number with 640 binary digits behind the point: what the closed forms of rays are judged by. Even the
+/// fourth power of 1e-30 keeps two hundred of them, so the naive formulas of a textbook will do.</summary>
 internal readonly record struct Fixed(BigInteger Raw)
 {
     private const int Digits = 640;

@@ -1,15 +1,10 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Core.Tests.Support.Rays;
 
 /// <summary>Where a line may cross a surface, and the normal there.</summary>
 internal readonly record struct Crossing(Fixed T, FixedVector Normal);
 
-/// <summary>
-/// A convex body by brute force: all points of a line that are on one of its surfaces and in the body. The least and
-/// the greatest are where the line enters and leaves.
-/// </summary>
+/// <summary>A convex body by brute force: all points of a line that are on one of its surfaces and in the body. The
+/// least and the greatest are where the line enters and leaves.</summary>
 internal abstract class RayBodyReference
 {
     public abstract IEnumerable<Crossing> Crossings(FixedVector o, FixedVector d);

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Core.Tests.Support.Rays;
 
 /// <summary>What a ray truly meets.</summary>

@@ -9,10 +9,9 @@ namespace Gjk.Unity
     /// <summary>Colliders that are kept to be asked together, in a scene of the library.</summary>
     internal sealed class ColliderScene
     {
-        /// <summary>
-        /// Ratio to the radius by which what may be near is collected from a little further away, so that rounding
-        /// loses nothing; the distance itself decides. Four times as much costs a few queries more, and no answer.
-        /// </summary>
+        /// <summary>Ratio to the radius by which what may be near is collected from a little further away, so that
+        /// rounding loses nothing; the distance itself decides. Four times as much costs a few queries more, and no
+        /// answer.</summary>
         private const float Reach = 1 + 1e-5f;
 
         private readonly CollisionScene _scene = new CollisionScene();

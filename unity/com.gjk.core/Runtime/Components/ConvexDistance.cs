@@ -3,14 +3,11 @@ using UnityEngine.Events;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Measures the distance between this object and another one in every frame, and tells when they begin and end to
-    /// overlap. In the scene view a line joins the closest points: white when apart, red when overlapping.
-    /// </summary>
-    /// <remarks>
-    /// Each of the two is all its colliders, those of its children among them where it is a Rigidbody, or its mesh
-    /// filter where it has none. Nothing is allocated per frame as long as both can be measured.
-    /// </remarks>
+    /// <summary>Measures the distance between this object and another one in every frame, and tells when they begin and
+    /// end to overlap. In the scene view a line joins the closest points: white when apart, red when
+    /// overlapping.</summary>
+    /// <remarks>Each of the two is all its colliders, those of its children among them where it is a Rigidbody, or its
+    /// mesh filter where it has none. Nothing is allocated per frame as long as both can be measured.</remarks>
     [AddComponentMenu("Gjk/Convex Distance")]
     [DisallowMultipleComponent]
     public sealed class ConvexDistance : MonoBehaviour
@@ -74,10 +71,8 @@ namespace Gjk.Unity
             set => _exited = value;
         }
 
-        /// <summary>
-        /// What the last frame found; A is this object, B the other. Not valid while one of them cannot be measured,
-        /// nor while the component is disabled.
-        /// </summary>
+        /// <summary>What the last frame found; A is this object, B the other. Not valid while one of them cannot be
+        /// measured, nor while the component is disabled.</summary>
         public ColliderDistance3D Result => _result;
 
         /// <summary>Null, or why there is no result.</summary>

@@ -2,11 +2,9 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Brings the colliders of its object and children to a <see cref="GjkWorld"/> when it is enabled, and takes them
-    /// out when it is disabled: for prefabs that are spawned. Without it, only those are found that were there when the
-    /// world was enabled.
-    /// </summary>
+    /// <summary>Brings the colliders of its object and children to a <see cref="GjkWorld"/> when it is enabled, and
+    /// takes them out when it is disabled: for prefabs that are spawned. Without it, only those are found that were
+    /// there when the world was enabled.</summary>
     [AddComponentMenu("Gjk/World Member")]
     [DisallowMultipleComponent]
     public sealed class GjkMember : MonoBehaviour

@@ -6,16 +6,13 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// All colliders of some layers in one scene, for sensors to share and for questions about all of them: what is
-    /// near, what a ray meets, what a moving collider meets.
-    /// </summary>
-    /// <remarks>
-    /// It collects the colliders once, when it is enabled. Those that are made later belong to it by a <see
-    /// cref="GjkMember"/> on their object, or by <see cref="Add(GameObject)"/>; destroyed ones leave by themselves.
-    /// Before the first question of a frame all that is not static is read again; after moving things in the same
-    /// frame, call <see cref="Refresh"/>. For the main thread. Questions allocate nothing once lists have their size.
-    /// </remarks>
+    /// <summary>All colliders of some layers in one scene, for sensors to share and for questions about all of them:
+    /// what is near, what a ray meets, what a moving collider meets.</summary>
+    /// <remarks>It collects the colliders once, when it is enabled. Those that are made later belong to it by a
+    /// <see cref="GjkMember"/> on their object, or by <see cref="Add(GameObject)"/>; destroyed ones leave by
+    /// themselves. Before the first question of a frame all that is not static is read again; after moving things in
+    /// the same frame, call <see cref="Refresh"/>. For the main thread. Questions allocate nothing once lists have
+    /// their size.</remarks>
     [AddComponentMenu("Gjk/World")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(-100)]
@@ -43,9 +40,8 @@ namespace Gjk.Unity
             set => _layers = value;
         }
 
-        /// <summary>
-        /// Whether closed meshes that are not convex count with what they enclose. Set it before they are added.
-        /// </summary>
+        /// <summary>Whether closed meshes that are not convex count with what they enclose. Set it before they are
+        /// added.</summary>
         public bool SolidMeshes
         {
             get => _solidMeshes;
@@ -134,10 +130,8 @@ namespace Gjk.Unity
             return isHit;
         }
 
-        /// <summary>
-        /// What a collider meets first when it moves; itself, its object and its children are passed. The arguments are
-        /// those of <c>Rigidbody.SweepTest</c>.
-        /// </summary>
+        /// <summary>What a collider meets first when it moves; itself, its object and its children are passed. The
+        /// arguments are those of <c>Rigidbody.SweepTest</c>.</summary>
         public bool ColliderCast(
             Collider collider, Vector3 direction, out ColliderCastHit hit, float maxDistance = Mathf.Infinity,
             int layerMask = ~0)

@@ -5,18 +5,14 @@ using UnityEngine.Events;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Finds in every frame all colliders within a distance of this object's own shape, and tells when one comes near
-    /// and when it leaves.
-    /// </summary>
-    /// <remarks>
-    /// The colliders are those of a <see cref="GjkWorld"/>, or else the sensor's own, which it collects when it is
-    /// enabled, and by <see cref="Rescan"/> and <see cref="Watch"/>; moving ones are read in every frame, static ones
-    /// once. The colliders of this object and of its children are left out. Nothing is allocated per frame once the
-    /// lists have their size. Destroyed colliders leave by themselves. One that has no shape is reported once, and left
-    /// out until it is switched off and on. Each <see cref="Entered"/> has one <see cref="Exited"/>, whatever a
-    /// listener does: it may disable the sensor, call <see cref="Sense"/> or throw, which is logged.
-    /// </remarks>
+    /// <summary>Finds in every frame all colliders within a distance of this object's own shape, and tells when one
+    /// comes near and when it leaves.</summary>
+    /// <remarks>The colliders are those of a <see cref="GjkWorld"/>, or else the sensor's own, which it collects when
+    /// it is enabled, and by <see cref="Rescan"/> and <see cref="Watch"/>; moving ones are read in every frame, static
+    /// ones once. The colliders of this object and of its children are left out. Nothing is allocated per frame once
+    /// the lists have their size. Destroyed colliders leave by themselves. One that has no shape is reported once, and
+    /// left out until it is switched off and on. Each <see cref="Entered"/> has one <see cref="Exited"/>, whatever a
+    /// listener does: it may disable the sensor, call <see cref="Sense"/> or throw, which is logged.</remarks>
     [AddComponentMenu("Gjk/Proximity Sensor")]
     [DisallowMultipleComponent]
     public sealed class ProximitySensor : MonoBehaviour
@@ -103,10 +99,8 @@ namespace Gjk.Unity
             set => _includeTriggers = value;
         }
 
-        /// <summary>
-        /// Whether closed meshes that are not convex count with what they enclose. A mesh that is known already keeps
-        /// what it was taken for until it is switched off and on.
-        /// </summary>
+        /// <summary>Whether closed meshes that are not convex count with what they enclose. A mesh that is known
+        /// already keeps what it was taken for until it is switched off and on.</summary>
         public bool SolidMeshes
         {
             get => _solidMeshes;
@@ -120,9 +114,8 @@ namespace Gjk.Unity
             set => _entered = value;
         }
 
-        /// <summary>
-        /// Called with the collider that has left, was switched off or was destroyed; then it equals null.
-        /// </summary>
+        /// <summary>Called with the collider that has left, was switched off or was destroyed; then it equals
+        /// null.</summary>
         public UnityEvent<Component> Exited
         {
             get => _exited;
@@ -241,10 +234,8 @@ namespace Gjk.Unity
             }
         }
 
-        /// <summary>
-        /// Calls the events, leaving before entering. What a listener is told is noted before it is called; and where
-        /// it makes the sensor look again or switches it off, that has told the rest.
-        /// </summary>
+        /// <summary>Calls the events, leaving before entering. What a listener is told is noted before it is called;
+        /// and where it makes the sensor look again or switches it off, that has told the rest.</summary>
         private void Tell()
         {
             int own = ++_changes;

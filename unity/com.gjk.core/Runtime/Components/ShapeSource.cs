@@ -4,10 +4,8 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Reads the shapes of a game object in each frame: of its colliders, those of its children among them where it is
-    /// a rigid body, or else of its mesh filter.
-    /// </summary>
+    /// <summary>Reads the shapes of a game object in each frame: of its colliders, those of its children among them
+    /// where it is a rigid body, or else of its mesh filter.</summary>
     internal sealed class ShapeSource
     {
         private readonly List<Collider> _colliders = new List<Collider>();

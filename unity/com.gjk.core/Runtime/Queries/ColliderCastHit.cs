@@ -4,9 +4,7 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Where a moving collider first touches another one. World units, world frame. Immutable.
-    /// </summary>
+    /// <summary>Where a moving collider first touches another one. World units, world frame. Immutable.</summary>
     public readonly struct ColliderCastHit
     {
         internal ColliderCastHit(in CastResult result, float reach, Collider met)
@@ -34,11 +32,9 @@ namespace Gjk.Unity
         /// <summary>A point that the two share then.</summary>
         public Vector3 point { get; }
 
-        /// <summary>
-        /// The unit normal of the surface that was hit, towards the collider that moved. Where the two overlapped
-        /// before, it is the direction in which that one leaves the other by the shortest way; zero where the search
-        /// ended at its limit, with nothing in the way up to the distance.
-        /// </summary>
+        /// <summary>The unit normal of the surface that was hit, towards the collider that moved. Where the two
+        /// overlapped before, it is the direction in which that one leaves the other by the shortest way; zero where
+        /// the search ended at its limit, with nothing in the way up to the distance.</summary>
         public Vector3 normal { get; }
 
         /// <summary>World units: how far it has to leave along the normal; 0 where they did not overlap.</summary>

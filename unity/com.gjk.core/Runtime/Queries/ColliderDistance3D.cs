@@ -4,17 +4,13 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// How far two colliders are apart or how deep they overlap: in 3D what the engine's <c>ColliderDistance2D</c> is
-    /// in 2D, with the same members. World units, world frame. Immutable.
-    /// </summary>
-    /// <remarks>
-    /// Always pointB = pointA + normal * distance. Moving collider A by normal * distance makes the two touch, from
-    /// either side; of shapes that are not convex, the two parts that overlap deepest, or that are nearest. Those that
-    /// touch count as overlapped, at distance 0: they share a point, as <c>Physics.OverlapBox</c> and the engine's
+    /// <summary>How far two colliders are apart or how deep they overlap: in 3D what the engine's
+    /// <c>ColliderDistance2D</c> is in 2D, with the same members. World units, world frame. Immutable.</summary>
+    /// <remarks>Always pointB = pointA + normal * distance. Moving collider A by normal * distance makes the two touch,
+    /// from either side; of shapes that are not convex, the two parts that overlap deepest, or that are nearest. Those
+    /// that touch count as overlapped, at distance 0: they share a point, as <c>Physics.OverlapBox</c> and the engine's
     /// triggers see it, while <c>ColliderDistance2D.isOverlapped</c> asks for <c>distance &lt; 0</c>. Ask for that
-    /// yourself where touching is to count as apart.
-    /// </remarks>
+    /// yourself where touching is to count as apart.</remarks>
     public readonly struct ColliderDistance3D
     {
         internal ColliderDistance3D(in DistanceResult result)
@@ -28,14 +24,12 @@ namespace Gjk.Unity
             iterations = result.Iterations;
         }
 
-        /// <summary>
-        /// The distance; minus the depth when they overlap, 0 where no parts of two surfaces do; NaN when not valid.
-        /// </summary>
+        /// <summary>The distance; minus the depth when they overlap, 0 where no parts of two surfaces do; NaN when not
+        /// valid.</summary>
         public float distance { get; }
 
-        /// <summary>
-        /// A unit vector from A to B; when they overlap, the direction in which B leaves A by the shortest way.
-        /// </summary>
+        /// <summary>A unit vector from A to B; when they overlap, the direction in which B leaves A by the shortest
+        /// way.</summary>
         public Vector3 normal { get; }
 
         /// <summary>The point of A closest to B; when they overlap, the one deepest in B.</summary>

@@ -6,10 +6,8 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// The queries of two posed shapes, convex or not: one place that knows which class of the library to ask. Memory
-    /// for the search is kept for each thread.
-    /// </summary>
+    /// <summary>The queries of two posed shapes, convex or not: one place that knows which class of the library to ask.
+    /// Memory for the search is kept for each thread.</summary>
     internal static class PairQueries
     {
         [ThreadStatic]
@@ -26,10 +24,8 @@ namespace Gjk.Unity
                 ? ConvexQuery.Distance(a.Shape, a.Pose, b.Shape, b.Pose, maxDistance)
                 : ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, Scratch, maxDistance).Result;
 
-        /// <summary>
-        /// The distance, or minus the depth. Of shapes that are not convex it is that of the two parts that overlap
-        /// deepest, and 0 where one lies inside the other without a part of its surface.
-        /// </summary>
+        /// <summary>The distance, or minus the depth. Of shapes that are not convex it is that of the two parts that
+        /// overlap deepest, and 0 where one lies inside the other without a part of its surface.</summary>
         public static DistanceResult Signed(in PosedShape a, in PosedShape b)
         {
             if (a.IsConvex && b.IsConvex) return ConvexQuery.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose);
@@ -66,13 +62,10 @@ namespace Gjk.Unity
             return hit.Result;
         }
 
-        /// <summary>
-        /// The vector and the part of it that a motion along a direction is: all of a finite one, and of an endless one
-        /// the direction itself, without end.
-        /// </summary>
-        /// <exception cref="ArgumentOutOfRangeException">
-        /// The direction has no length, or the distance is negative or NaN.
-        /// </exception>
+        /// <summary>The vector and the part of it that a motion along a direction is: all of a finite one, and of an
+        /// endless one the direction itself, without end.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The direction has no length, or the distance is negative or
+        /// NaN.</exception>
         public static Numerics.Vector3 Way(Vector3 direction, float maxDistance, out float maxFraction)
         {
             var given = new Double3(direction.x, direction.y, direction.z);

@@ -9,17 +9,13 @@ namespace Gjk.Unity
     /// <summary>What is kept of a mesh: its hull, whether that is the mesh, its triangles, each stretched.</summary>
     internal sealed class MeshHull
     {
-        /// <summary>
-        /// Ratio to the longest side of the hull: a mesh is concave where its hull reaches further than this beyond a
-        /// face. Modelled meshes leave quads a little bent; a thousandth is less than one sees. Pinned by
-        /// MeshTests.ASmallDentIsNoConcavity.
-        /// </summary>
+        /// <summary>Ratio to the longest side of the hull: a mesh is concave where its hull reaches further than this
+        /// beyond a face. Modelled meshes leave quads a little bent; a thousandth is less than one sees. Pinned by
+        /// MeshTests.ASmallDentIsNoConcavity.</summary>
         private const double DentTolerance = 1e-3;
 
-        /// <summary>
-        /// Count of skewed or flattened copies that are kept of one mesh; when there are more, all are made anew. Only
-        /// an uneven scale that is animated above a rotation makes many.
-        /// </summary>
+        /// <summary>Count of skewed or flattened copies that are kept of one mesh; when there are more, all are made
+        /// anew. Only an uneven scale that is animated above a rotation makes many.</summary>
         private const int MostCopies = 64;
 
         private readonly ConvexHull _hull;
@@ -100,10 +96,8 @@ namespace Gjk.Unity
 
         private static bool IsFactor(float x) => x != 0 && x - x == 0;
 
-        /// <summary>
-        /// A mesh is its hull where all its faces are the hull's: on one side of a face's plane there is nothing. The
-        /// face that has most on both sides decides. Faces may be wound either way.
-        /// </summary>
+        /// <summary>A mesh is its hull where all its faces are the hull's: on one side of a face's plane there is
+        /// nothing. The face that has most on both sides decides. Faces may be wound either way.</summary>
         private double DeepestDent(Mesh mesh)
         {
             Vector3[] vertices = mesh.vertices;

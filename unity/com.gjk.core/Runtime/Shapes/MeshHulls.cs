@@ -5,10 +5,8 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// The hulls of meshes, made once for each mesh, and again after it has changed. A mesh that is not used any more
-    /// takes its hull with it.
-    /// </summary>
+    /// <summary>The hulls of meshes, made once for each mesh, and again after it has changed. A mesh that is not used
+    /// any more takes its hull with it.</summary>
     internal static class MeshHulls
     {
         private static ConditionalWeakTable<Mesh, MeshHull> _known = new ConditionalWeakTable<Mesh, MeshHull>();

@@ -3,16 +3,12 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// By what a changed mesh is known, since the engine counts no versions: the numbers of its vertices and indices,
-    /// its bounds, and a hash over its vertices.
-    /// </summary>
+    /// <summary>By what a changed mesh is known, since the engine counts no versions: the numbers of its vertices and
+    /// indices, its bounds, and a hash over its vertices.</summary>
     internal readonly struct MeshPrint
     {
-        /// <summary>
-        /// Count of vertices that are hashed at most, evenly spread: so that a look at a mesh stays in microseconds. Of
-        /// a smaller mesh all are. Pinned by MeshTests.AMovedVertexIsNoticed.
-        /// </summary>
+        /// <summary>Count of vertices that are hashed at most, evenly spread: so that a look at a mesh stays in
+        /// microseconds. Of a smaller mesh all are. Pinned by MeshTests.AMovedVertexIsNoticed.</summary>
         private const int MostHashed = 1024;
 
         private static readonly List<Vector3> Vertices = new List<Vector3>();

@@ -3,14 +3,12 @@ using Gjk.Core;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// A shape and where it is: what <see cref="ConvexQuery"/> or <see cref="ConcaveQuery"/> takes for one of its two
-    /// sides. Immutable.
-    /// </summary>
+    /// <summary>A shape and where it is: what <see cref="ConvexQuery"/> or <see cref="ConcaveQuery"/> takes for one of
+    /// its two sides. Immutable.</summary>
     public readonly struct PosedShape
     {
-        /// <summary>The shape in its own frame, every scale in it; a <c>default</c> struct where it is not convex.
-        /// </summary>
+        /// <summary>The shape in its own frame, every scale in it; a <c>default</c> struct where it is not
+        /// convex.</summary>
         public readonly ConvexShape Shape;
 
         /// <summary>The frame in the world: a rotation and a position.</summary>

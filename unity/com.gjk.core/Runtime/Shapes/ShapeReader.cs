@@ -5,18 +5,14 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// Reads colliders and mesh filters by the engine's own rules.
-    /// </summary>
-    /// <remarks>
-    /// Box: the size times the absolute lossyScale. Sphere: the radius times the largest absolute scale. Capsule: the
-    /// radius times the larger of the two absolute scales across, the height times the one along; a height below two
-    /// radii is a sphere. Mesh: every vertex through the whole matrix, skew included. Centres go through the whole
-    /// matrix. A scale of 0 flattens; the shape may become a polygon, a segment or a point. CharacterController: a
-    /// capsule along the world's y, its radius times the larger of the absolute scales along x and z, its height times
-    /// that along y; its skin is no part of it. Terrain: its heights, where they are in the world; it neither turns nor
-    /// scales.
-    /// </remarks>
+    /// <summary>Reads colliders and mesh filters by the engine's own rules.</summary>
+    /// <remarks>Box: the size times the absolute lossyScale. Sphere: the radius times the largest absolute scale.
+    /// Capsule: the radius times the larger of the two absolute scales across, the height times the one along; a height
+    /// below two radii is a sphere. Mesh: every vertex through the whole matrix, skew included. Centres go through the
+    /// whole matrix. A scale of 0 flattens; the shape may become a polygon, a segment or a point. CharacterController:
+    /// a capsule along the world's y, its radius times the larger of the absolute scales along x and z, its height
+    /// times that along y; its skin is no part of it. Terrain: its heights, where they are in the world; it neither
+    /// turns nor scales.</remarks>
     internal static class ShapeReader
     {
         private static readonly double HalfRoot = Math.Sqrt(0.5);

@@ -4,16 +4,12 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// What a transform's matrix does beside turning and moving: scale, mirroring and skew, as the columns of a
-    /// 3 x 3 matrix in double. Immutable.
-    /// </summary>
+    /// <summary>What a transform's matrix does beside turning and moving: scale, mirroring and skew, as the columns of
+    /// a 3 x 3 matrix in double. Immutable.</summary>
     internal readonly struct Stretch : IEquatable<Stretch>
     {
-        /// <summary>
-        /// Relative to the largest entry. An entry off the diagonal that is smaller moves a point by less than float
-        /// rounds it. Pinned by AdapterTests.ALittleNoiseIsNoSkew.
-        /// </summary>
+        /// <summary>Relative to the largest entry. An entry off the diagonal that is smaller moves a point by less than
+        /// float rounds it. Pinned by AdapterTests.ALittleNoiseIsNoSkew.</summary>
         private const double SkewTolerance = 5e-8;
 
         public static readonly Stretch None =
@@ -52,9 +48,8 @@ namespace Gjk.Unity
 
         public Double3 Apply(in Double3 v) => _x * v.X + _y * v.Y + _z * v.Z;
 
-        /// <summary>
-        /// That of a child: inverse(seen) * this * turn * scale, where seen is the child's turn as this mirrors it.
-        /// </summary>
+        /// <summary>That of a child: inverse(seen) * this * turn * scale, where seen is the child's turn as this
+        /// mirrors it.</summary>
         public Stretch Child(in Turn seen, in Turn turn, in Double3 scale)
         {
             // Of an even stretch a rotation and the mirrored one cancel; without them the result has no rounding.

@@ -6,9 +6,8 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// The surfaces of terrains, made once for each: two triangles between four heights, none where there is a hole.
-    /// </summary>
+    /// <summary>The surfaces of terrains, made once for each: two triangles between four heights, none where there is a
+    /// hole.</summary>
     internal static class TerrainSurfaces
     {
         private static ConditionalWeakTable<TerrainData, TriangleMesh> _known =

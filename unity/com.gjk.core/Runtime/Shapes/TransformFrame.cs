@@ -4,16 +4,12 @@ using Numerics = System.Numerics;
 
 namespace Gjk.Unity
 {
-    /// <summary>
-    /// A transform's matrix as a rigid pose times a stretch, in double.
-    /// </summary>
-    /// <remarks>
-    /// It is computed from the local values of the transform and its parents, not from localToWorldMatrix: that way a
-    /// stretch keeps its bits while the whole hierarchy turns and moves, so that a hull made for it can be kept, and
-    /// nothing depends on how the engine rounds. The product is the same matrix.
-    /// The rotation is the one that the engine's manual implies for <c>Transform.rotation</c>: without skew, rotation
-    /// times lossyScale is the matrix, mirrored parents included.
-    /// </remarks>
+    /// <summary>A transform's matrix as a rigid pose times a stretch, in double.</summary>
+    /// <remarks>It is computed from the local values of the transform and its parents, not from localToWorldMatrix:
+    /// that way a stretch keeps its bits while the whole hierarchy turns and moves, so that a hull made for it can be
+    /// kept, and nothing depends on how the engine rounds. The product is the same matrix. The rotation is the one that
+    /// the engine's manual implies for <c>Transform.rotation</c>: without skew, rotation times lossyScale is the
+    /// matrix, mirrored parents included.</remarks>
     internal struct TransformFrame
     {
         /// <summary>The rotation of the rigid pose.</summary>

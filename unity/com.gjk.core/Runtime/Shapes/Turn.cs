@@ -15,9 +15,8 @@ namespace Gjk.Unity
         private readonly double _x, _y, _z, _w;
 
         /// <summary>Makes a rotation of a quaternion of any length but 0.</summary>
-        /// <remarks>
-        /// The diagonal is a difference of squares instead of 1 - 2 (...), so that quarter turns give exact zeros.
-        /// </remarks>
+        /// <remarks>The diagonal is a difference of squares instead of 1 - 2 (...), so that quarter turns give exact
+        /// zeros.</remarks>
         public Turn(double x, double y, double z, double w)
         {
             _x = x;

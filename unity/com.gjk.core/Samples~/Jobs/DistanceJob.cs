@@ -5,11 +5,9 @@ using Unity.Jobs;
 
 namespace Gjk.Samples
 {
-    /// <summary>
-    /// The distance of one pair. A job may hold no references, so the arrays travel by handles, which whoever schedules
-    /// the job frees when it is complete. Burst compiles no job that uses managed objects, as hulls are: it must not
-    /// have the attribute.
-    /// </summary>
+    /// <summary>The distance of one pair. A job may hold no references, so the arrays travel by handles, which whoever
+    /// schedules the job frees when it is complete. Burst compiles no job that uses managed objects, as hulls are: it
+    /// must not have the attribute.</summary>
     internal struct DistanceJob : IJobParallelFor
     {
         /// <summary>Of an array of <see cref="PosedShape"/>.</summary>

@@ -6,10 +6,9 @@ using UnityEngine;
 
 namespace Gjk.Samples
 {
-    /// <summary>
-    /// The distances of all pairs of convex objects below this one, by Unity's job threads or by the library's own
-    /// batch. Queries are thread-safe and shapes immutable; only reading the objects belongs to the main thread.
-    /// </summary>
+    /// <summary>The distances of all pairs of convex objects below this one, by Unity's job threads or by the library's
+    /// own batch. Queries are thread-safe and shapes immutable; only reading the objects belongs to the main
+    /// thread.</summary>
     public sealed class ParallelDistances : MonoBehaviour
     {
         /// <summary>Pairs that a thread takes at a time: a query lasts about a microsecond.</summary>

@@ -9,10 +9,8 @@ using UnityEngine.InputSystem;
 
 namespace Gjk.Samples
 {
-    /// <summary>
-    /// Table 1 of the report: 20 objects, 190 calls a frame, on screen the time and the loops per call. The space bar
-    /// goes from the cubes to the spheres and back.
-    /// </summary>
+    /// <summary>Table 1 of the report: 20 objects, 190 calls a frame, on screen the time and the loops per call. The
+    /// space bar goes from the cubes to the spheres and back.</summary>
     public sealed class MeasureTest : MonoBehaviour
     {
         /// <summary>Frames: how many the figures on screen are the mean of.</summary>

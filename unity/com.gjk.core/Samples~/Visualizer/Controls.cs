@@ -6,10 +6,8 @@ using UnityEngine.InputSystem;
 
 namespace Gjk.Samples
 {
-    /// <summary>
-    /// The mouse and two keys, from whichever of Unity's input packages the project uses, and a material that its
-    /// render pipeline can show.
-    /// </summary>
+    /// <summary>The mouse and two keys, from whichever of Unity's input packages the project uses, and a material that
+    /// its render pipeline can show.</summary>
     internal static class Controls
     {
 #if ENABLE_LEGACY_INPUT_MANAGER

@@ -4,10 +4,8 @@ using UnityEngine;
 
 namespace Gjk.Samples
 {
-    /// <summary>
-    /// Moves the object under the mouse in the plane of the screen. Uses the library's own rays, so that it needs no
-    /// colliders.
-    /// </summary>
+    /// <summary>Moves the object under the mouse in the plane of the screen. Uses the library's own rays, so that it
+    /// needs no colliders.</summary>
     internal sealed class Dragging
     {
         private int _dragged = -1;

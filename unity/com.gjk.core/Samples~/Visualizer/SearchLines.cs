@@ -5,10 +5,9 @@ using UnityEngine;
 
 namespace Gjk.Samples
 {
-    /// <summary>
-    /// Draws how the solver searches: from A's centre each direction in which it asked for support points, in yellow,
-    /// and about A's position each simplex of A - B, in blue. All is told in A's frame and drawn with A's rotation.
-    /// </summary>
+    /// <summary>Draws how the solver searches: from A's centre each direction in which it asked for support points, in
+    /// yellow, and about A's position each simplex of A - B, in blue. All is told in A's frame and drawn with A's
+    /// rotation.</summary>
     internal sealed class SearchLines
     {
         public void Draw(in PosedShape a, in PosedShape b)

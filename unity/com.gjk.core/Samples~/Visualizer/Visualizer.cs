@@ -4,12 +4,10 @@ using UnityEngine;
 
 namespace Gjk.Samples
 {
-    /// <summary>
-    /// Figure 1 of the report, alive: the objects below this one turn red when they intersect, white lines join the
-    /// closest points of the others, and the search for one pair is drawn as the solver makes it. Drag objects with the
-    /// mouse; S shows the search or hides it, N goes to the next pair. Lines are debug lines: switch Gizmos on in the
-    /// game view.
-    /// </summary>
+    /// <summary>Figure 1 of the report, alive: the objects below this one turn red when they intersect, white lines
+    /// join the closest points of the others, and the search for one pair is drawn as the solver makes it. Drag objects
+    /// with the mouse; S shows the search or hides it, N goes to the next pair. Lines are debug lines: switch Gizmos on
+    /// in the game view.</summary>
     public sealed class Visualizer : MonoBehaviour
     {
         [SerializeField]
