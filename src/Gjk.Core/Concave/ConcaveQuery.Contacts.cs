@@ -29,38 +29,47 @@ public static partial class ConcaveQuery
         if (scratch is null) return false;
         List<PartDistance> pairs = scratch.Pairs;
         if (!FindPairsWithin(a, poseA, b, poseB, maxGap, scratch, pairs)) return false;
-        List<PartContacts> faces = scratch.Faces;
+        List<FaceContact> faces = scratch.FaceContacts, orphans = scratch.Orphans;
         faces.Clear();
-        for (int i = 0; i < pairs.Count; i++)
+        orphans.Clear();
+        for (int i = 0; i < pairs.Count; i++) SeamContacts.Find(scratch, pairs[i], maxGap, contacts);
+        bool hasInside = scratch.A.IsSolid || scratch.B.IsSolid || scratch.A.Compound is not null || scratch.B.Compound is not null;
+        if (contacts.Count > 1 && hasInside) SeamContacts.RemoveNeedless(scratch, contacts);
+        int own = contacts.Count;
+        for (int i = 0; i < faces.Count; i++) AddFace(scratch, faces[i], contacts, own, false);
+        while (orphans.Count > 0)
         {
-            PartDistance pair = pairs[i];
-            if (SeamContacts.TryFind(
-                scratch.A, pair.PartA, scratch.B, pair.PartB, maxGap, out PartContacts found, out bool isGhost))
-            {
-                (isGhost ? faces : contacts).Add(found);
-            }
+            // The one that is deepest first: its push takes most others apart.
+            int deepest = 0;
+            for (int i = 1; i < orphans.Count; i++)
+                if (orphans[i].Contact.Result.Distance < orphans[deepest].Contact.Result.Distance) deepest = i;
+            AddFace(scratch, orphans[deepest], contacts, contacts.Count, true);
+            orphans.RemoveAt(deepest);
         }
 
-        AddFaces(faces, contacts);
+        if (contacts.Count > own) SortByParts(contacts);
         return true;
     }
 
-    /// <summary>Adds the contacts of faces that are needed, each in its place.</summary>
-    private static void AddFaces(List<PartContacts> faces, List<PartContacts> contacts)
+    private static void AddFace(
+        ConcaveScratch scratch, in FaceContact face, List<PartContacts> contacts, int own, bool isLast)
     {
-        int needed = 0;
-        for (int i = 0; i < faces.Count; i++)
-            if (SeamContacts.IsNeeded(faces[i], contacts)) faces[needed++] = faces[i];
-        int from = contacts.Count - 1;
-        for (int i = 0; i < needed; i++) contacts.Add(faces[i]);
-        for (int to = contacts.Count - 1; needed > 0; to--)
+        for (int i = 0; i < contacts.Count; i++)
+            if (contacts[i].PartA == face.Contact.PartA && contacts[i].PartB == face.Contact.PartB) return;
+        if (SeamContacts.IsNeeded(scratch, face, contacts, own, isLast)) contacts.Add(face.Contact);
+    }
+
+    private static void SortByParts(List<PartContacts> contacts)
+    {
+        for (int i = 1; i < contacts.Count; i++)
         {
-            PartContacts face = faces[needed - 1];
-            bool isLast = from < 0 || contacts[from].PartA < face.PartA
-                || (contacts[from].PartA == face.PartA && contacts[from].PartB < face.PartB);
-            contacts[to] = isLast ? face : contacts[from];
-            if (isLast) needed--;
-            else from--;
+            PartContacts moved = contacts[i];
+            int to = i;
+            for (; to > 0 && IsAfter(contacts[to - 1], moved); to--) contacts[to] = contacts[to - 1];
+            contacts[to] = moved;
         }
     }
+
+    private static bool IsAfter(in PartContacts one, in PartContacts other) =>
+        one.PartA != other.PartA ? one.PartA > other.PartA : one.PartB > other.PartB;
 }

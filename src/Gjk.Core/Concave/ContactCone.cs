@@ -14,26 +14,20 @@ internal enum ContactFit : byte
 }
 
 /// <summary>Whether the direction of a contact lies in a surface's normal cone: whether no triangle around the corner
-/// or edge that is furthest along it reaches further.</summary>
-/// <remarks>
-/// At the inside of a triangle the cone is both its normals. At an edge it is what lies between the normals of its two
-/// triangles where these bend away from it, a single direction where they are flat, nothing where they bend towards it:
-/// so the cone tells convex, flat and concave edges apart, seen from the side of the contact. Edges with one triangle
-/// or more than two do not restrict it. A corner's cone is that of all triangles around it that are joined by edges.
-///
-/// Tolerance: a direction is rounded to float at least once, and so are the poses that should make two faces parallel.
-/// So an angle of <see cref="Slack"/> is none. It is taken of unit directions: of what a neighbour reaches beyond, by
-/// its own length, so that slivers count like all others.
-/// </remarks>
+/// or edge that is furthest along it reaches further. A solid's cone is that part of it which looks out.</summary>
+/// <remarks>At the inside of a triangle the cone is both its normals, of a solid the one that looks out. At an edge or
+/// corner it is where no triangle with that edge, or that corner, reaches further, however many there are. Triangles
+/// without area (<see cref="Flat"/>) say nothing of the surface, but what is joined to them is joined to what they
+/// fill.</remarks>
 internal readonly ref struct ContactCone
 {
-    /// <summary>Angle: 2^-20, a few times what rounding to float makes of the poses of two bodies. More lets normals
-    /// tilt, as SeamContactTests shows; less takes contacts of bodies at rest for leaning ones, which costs time
-    /// only.</summary>
+    /// <summary>Angle: 2^-20, a few times what rounding to float makes of the poses of two bodies.</summary>
     public const double Slack = 1.0 / (1 << 20);
 
-    /// <summary>Cosine of 26 degrees: a contact that is tilted by less is measured along the triangle's normal instead.
-    /// A body that rocks tilts by a few; more or less makes no difference to one at rest.</summary>
+    /// <summary>Ratio of a triangle's height to its place and size, 2^-20: less is rounding.</summary>
+    public const double Flat = 1.0 / (1 << 20);
+
+    /// <summary>Cosine of 26 degrees: a contact that is tilted by less is measured along the normal instead.</summary>
     public const float LeastCosine = 0.9f;
 
     /// <summary>Count: over so many triangles without area the neighbour of an edge is looked for.</summary>
@@ -41,39 +35,62 @@ internal readonly ref struct ContactCone
 
     private readonly TriangleMesh _mesh;
     private readonly Double3 _direction;
+    private readonly int _outward;
 
     /// <param name="mesh">The surface.</param>
+    /// <param name="isSolid">Whether it has an inside.</param>
     /// <param name="direction">From the surface to the other shape, in its frame; of unit length.</param>
-    public ContactCone(TriangleMesh mesh, in Double3 direction)
+    public ContactCone(TriangleMesh mesh, bool isSolid, in Double3 direction)
     {
         _mesh = mesh;
         _direction = direction;
+        _outward = isSolid ? mesh.Outward : 0;
+    }
+
+    /// <summary>A triangle's normal, of a solid outward; 0 where it has none.</summary>
+    public static Double3 NormalOf(TriangleMesh mesh, bool isSolid, int triangle)
+    {
+        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        if (IsFlat(a, b, c)) return default;
+        Double3 normal = UnitOrZero(Double3.Cross(DirectionRange.ToUnit(b - a), DirectionRange.ToUnit(c - a)));
+        return isSolid && mesh.Outward < 0 ? -normal : normal;
     }
 
     /// <summary>What becomes of a contact.</summary>
     /// <param name="triangle">The triangle that it is of.</param>
-    /// <param name="normal">The triangle's normal on the side of the contact, where it leans.</param>
+    /// <param name="normal">The triangle's normal on the side of the contact; a solid's outward.</param>
     public ContactFit Judge(int triangle, out Double3 normal)
     {
         int first = 3 * triangle;
         _mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
-        normal = UnitOrZero(Double3.Cross(DirectionRange.ToUnit(b - a), DirectionRange.ToUnit(c - a)));
+        normal = NormalOf(_mesh, _outward != 0, triangle);
+        bool isFlat = normal.LengthSquared == 0;
         double along = Double3.Dot(normal, _direction);
-        if (along < 0) (along, normal) = (-along, -normal);
-        if ((_direction - normal * along).LengthSquared <= Slack * Slack) return ContactFit.Stays;
+        if (_outward == 0 && along < 0) (along, normal) = (-along, -normal);
+        if (!isFlat && (_direction - normal * along).LengthSquared <= Slack * Slack)
+            return along > 0 ? ContactFit.Stays : ContactFit.Ghost;
         double heightB = Double3.Dot(_direction, b - a), heightC = Double3.Dot(_direction, c - a);
         int top = heightB > 0 ? (heightC > heightB ? 2 : 1) : heightC > 0 ? 2 : 0;
         int next = first + top, last = first + (top + 2) % 3;
         bool isNext = IsLevel(next), isLast = IsLevel(last);
         bool stays = isNext || isLast
-            ? (!isNext || EndsAt(next, MostFlattened)) && (!isLast || EndsAt(last, MostFlattened))
+            ? (!isNext || EndsAt(next)) && (!isLast || EndsAt(last))
             : EndsAround(next);
         return stays ? ContactFit.Stays : along >= LeastCosine ? ContactFit.Leans : ContactFit.Ghost;
     }
 
-    private static int After(int side) => side % 3 == 2 ? side - 2 : side + 1;
+    public static int After(int side) => side % 3 == 2 ? side - 2 : side + 1;
 
-    private static int Before(int side) => side % 3 == 0 ? side + 2 : side - 1;
+    public static int Before(int side) => side % 3 == 0 ? side + 2 : side - 1;
+
+    /// <summary>Whether a triangle is a line, but for rounding.</summary>
+    public static bool IsFlat(in Double3 a, in Double3 b, in Double3 c)
+    {
+        Double3 u = b - a, v = c - a, w = c - b;
+        double longest = Math.Sqrt(Math.Max(Math.Max(u.LengthSquared, v.LengthSquared), w.LengthSquared));
+        double height = Double3.Cross(u, v).Length / longest;
+        return !(height > Flat * (longest + Math.Sqrt(a.LengthSquared)));
+    }
 
     private static Double3 UnitOrZero(in Double3 v)
     {
@@ -82,59 +99,90 @@ internal readonly ref struct ContactCone
         return length > 0 ? unit * (1 / length) : default;
     }
 
-    /// <summary>Whether all of a side is as far along the direction, and the triangle is not further.</summary>
+    /// <summary>Whether all of a side is as far along the direction.</summary>
     private bool IsLevel(int side)
     {
         Double3 edge = UnitOrZero(_mesh.GetCorner(After(side)) - _mesh.GetCorner(side));
-        return Math.Abs(Double3.Dot(edge, _direction)) <= Slack && !ReachesBeyond(side, edge, out _);
-    }
-
-    /// <summary>Whether the triangle at a side reaches further than the side.</summary>
-    /// <param name="side">The side.</param>
-    /// <param name="edge">Along it, of unit length.</param>
-    /// <param name="isFlattened">Whether the triangle has no area, so that it tells nothing.</param>
-    private bool ReachesBeyond(int side, in Double3 edge, out bool isFlattened)
-    {
+        if (Math.Abs(Double3.Dot(edge, _direction)) > Slack) return false;
         Double3 to = DirectionRange.ToUnit(_mesh.GetCorner(Before(side)) - _mesh.GetCorner(side));
-        Double3 inward = UnitOrZero(to - edge * Double3.Dot(edge, to));
-        isFlattened = inward.LengthSquared == 0;
-        return Double3.Dot(inward, _direction) > Slack;
+        return !(Double3.Dot(UnitOrZero(to - edge * Double3.Dot(edge, to)), _direction) > Slack) || IsFlat(side);
     }
 
-    /// <summary>Whether what is joined to a side does not reach beyond it.</summary>
-    private bool EndsAt(int side, int most)
+    private bool IsFlat(int side)
     {
-        int twin = _mesh.TwinOf(side);
-        if (twin < 0 || most == 0) return true;
-        Double3 edge = UnitOrZero(_mesh.GetCorner(After(side)) - _mesh.GetCorner(side));
-        if (ReachesBeyond(twin, edge, out bool isFlattened)) return false;
-        return !isFlattened || (EndsAt(After(twin), most - 1) && EndsAt(Before(twin), most - 1));
+        _mesh.GetCorners(side / 3, out Double3 a, out Double3 b, out Double3 c);
+        return IsFlat(a, b, c);
+    }
+
+    private bool EndsAt(int side)
+    {
+        Double3 sum = default;
+        return EndsAt(side, -1, MostFlattened, ref sum) && IsOutward(sum);
+    }
+
+    private bool IsOutward(in Double3 sum) => _outward == 0 || Double3.Dot(sum, _direction) * _outward > -Slack;
+
+    /// <summary>Whether no triangle at a side, or joined to it, reaches beyond it.</summary>
+    private bool EndsAt(int side, int from, int most, ref Double3 sum)
+    {
+        Double3 start = _mesh.GetCorner(side), end = _mesh.GetCorner(After(side));
+        Double3 edge = UnitOrZero(end - start);
+        for (CornerRing ring = _mesh.SidesAt(side); ring.MoveNext();)
+        {
+            int at = ring.Current;
+            if (at / 3 == from) continue;
+            Double3 after = _mesh.GetCorner(After(at)), before = _mesh.GetCorner(Before(at));
+            bool isAlong = after == end;
+            if (!isAlong && before != end) continue;
+            Double3 third = isAlong ? before : after;
+            if (third == start || third == end) continue;
+            if (IsFlat(start, end, third))
+            {
+                if (most == 0) continue;
+                int mine = isAlong ? at : Before(at);
+                if (!EndsAt(After(mine), at / 3, most - 1, ref sum)
+                    || !EndsAt(Before(mine), at / 3, most - 1, ref sum))
+                {
+                    return false;
+                }
+
+                continue;
+            }
+
+            Double3 to = DirectionRange.ToUnit(third - start);
+            Double3 inward = UnitOrZero(to - edge * Double3.Dot(edge, to));
+            if (Double3.Dot(inward, _direction) > Slack) return false;
+            if (_outward != 0) sum += isAlong ? Double3.Cross(edge, inward) : Double3.Cross(inward, edge);
+        }
+
+        return true;
     }
 
     /// <summary>Whether no triangle around the corner at which a side begins reaches beyond it.</summary>
     private bool EndsAround(int side)
     {
-        Double3 corner = _mesh.GetCorner(side);
-        return EndsAround(side, side, corner, out bool isBorder)
-            && (!isBorder || EndsAround(Before(side), side, corner, out _));
-    }
-
-    /// <summary>As the other, one way round.</summary>
-    private bool EndsAround(int side, int start, in Double3 corner, out bool isBorder)
-    {
-        isBorder = false;
-        for (int steps = 0; steps < _mesh.TriangleCount; steps++)
+        Double3 corner = _mesh.GetCorner(side), sum = default;
+        for (CornerRing ring = _mesh.SidesAt(side); ring.MoveNext();)
         {
-            int twin = _mesh.TwinOf(side);
-            isBorder = twin < 0;
-            if (isBorder || twin / 3 == start / 3) return true;
-            Double3 to = UnitOrZero(_mesh.GetCorner(Before(twin)) - corner);
-            if (Double3.Dot(to, _direction) > Slack) return false;
-
-            // On to the other side at the corner.
-            side = _mesh.GetCorner(twin) == corner ? Before(twin) : After(twin);
+            int at = ring.Current;
+            Double3 after = UnitOrZero(_mesh.GetCorner(After(at)) - corner);
+            Double3 before = UnitOrZero(_mesh.GetCorner(Before(at)) - corner);
+            if (Double3.Dot(after, _direction) > Slack || Double3.Dot(before, _direction) > Slack) return false;
+            bool isMiddle = Double3.Dot(after, before) < 0;
+            if (IsFlat(at))
+            {
+                // A corner on a longer edge: what is joined to that edge is around the corner too.
+                Double3 ignored = default;
+                if (isMiddle && !EndsAt(After(at), at / 3, MostFlattened, ref ignored)) return false;
+            }
+            else if (_outward != 0)
+            {
+                Double3 cross = Double3.Cross(after, before);
+                double sine = cross.Length;
+                if (sine > 0) sum += cross * (Math.Atan2(sine, Double3.Dot(after, before)) / sine);
+            }
         }
 
-        return true;
+        return IsOutward(sum);
     }
 }

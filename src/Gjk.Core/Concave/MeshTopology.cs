@@ -23,6 +23,8 @@ internal sealed class MeshTopology
         _corners = Array.ConvertAll(indices, i => _joined[i]);
         _component = new int[vertices.Length];
         Twins = new int[indices.Length];
+        Around = RingsAround(_corners, vertices.Length);
+        Outward = SignOfVolume(vertices, indices);
         CountEdges();
         CountTriangles(vertices);
         FindComponents();
@@ -35,6 +37,7 @@ internal sealed class MeshTopology
         if (!Joined(vertices).SequenceEqual(_joined)) return new MeshTopology(vertices, indices);
         var same = (MeshTopology)MemberwiseClone();
         var predicates = new HullPredicates(vertices);
+        same.Outward = SignOfVolume(vertices, indices);
         same.Degenerate = 0;
         for (int i = 0; i < indices.Length; i += 3)
             if (IsDegenerate(predicates, _joined[indices[i]], _joined[indices[i + 1]], _joined[indices[i + 2]]))
@@ -48,7 +51,8 @@ internal sealed class MeshTopology
     /// <summary>What is known of a grid without a look: its outline is open.</summary>
     public MeshTopology(int columns, int rows)
     {
-        (_corners, _indices, _component, Twins) = ([], [], [], []);
+        (_corners, _indices, _component, Twins, Around) = ([], [], [], [], []);
+        Outward = 1;
         BorderEdges = 2 * (columns + rows - 2);
         IsClosed = false;
         (FaultyA, FaultyB, FaultyAlong) = (0, columns, 1);
@@ -81,6 +85,12 @@ internal sealed class MeshTopology
     /// corners at one place, do not count.</summary>
     public int[] Twins { get; }
 
+    /// <summary>Of each side the next one that begins at the same place, in a ring.</summary>
+    public int[] Around { get; }
+
+    /// <summary>1 where the triangles' normals look out of what they enclose, -1 where they look in.</summary>
+    public int Outward { get; private set; }
+
     public int Degenerate { get; private set; }
 
     public int Duplicate { get; private set; }
@@ -101,6 +111,33 @@ internal sealed class MeshTopology
         }
 
         return joined;
+    }
+
+    private static int[] RingsAround(int[] corners, int vertices)
+    {
+        int[] first = new int[vertices], around = new int[corners.Length];
+        for (int i = corners.Length - 1; i >= 0; i--)
+        {
+            int next = first[corners[i]] - 1;
+            around[i] = next < 0 ? i : around[next];
+            if (next >= 0) around[next] = i;
+            else first[corners[i]] = i + 1;
+        }
+
+        return around;
+    }
+
+    private static int SignOfVolume(Vector3[] vertices, int[] indices)
+    {
+        double volume = 0;
+        Double3 from = vertices[indices[0]];
+        for (int i = 0; i < indices.Length; i += 3)
+        {
+            volume += Double3.Triple(
+                vertices[indices[i]] - from, vertices[indices[i + 1]] - from, vertices[indices[i + 2]] - from);
+        }
+
+        return volume < 0 ? -1 : 1;
     }
 
     private void CountEdges()

@@ -16,22 +16,30 @@ internal readonly ref struct TipContact
     /// <param name="other">The other side.</param>
     /// <param name="shape">Its part.</param>
     /// <param name="face">The triangle's normal on the side of the contact, in its frame.</param>
-    /// <param name="hasSide">Whether that side is known; else it is the one that the tip leaves by less.</param>
-    public TipContact(
-        PartSide mesh, int triangle, PartSide other, in ConvexShape shape, in Double3 face, bool hasSide)
+    public TipContact(PartSide mesh, int triangle, PartSide other, in ConvexShape shape, in Double3 face)
+        : this(mesh, triangle, other, face)
+    {
+        _tip = Furthest(shape, face, out _corner);
+        Gap = Double3.Dot(face, _tip - _a);
+    }
+
+    /// <summary>As the other, of a corner of the other side's mesh.</summary>
+    public TipContact(PartSide mesh, int triangle, PartSide other, int corner, in Double3 face)
+        : this(mesh, triangle, other, face)
+    {
+        _tip = _toMesh.InverseRotate(_toOther.Rotate(other.Mesh!.GetCorner(corner))) + _offset;
+        _corner = -1;
+        Gap = Double3.Dot(face, _tip - _a);
+    }
+
+    private TipContact(PartSide mesh, int triangle, PartSide other, in Double3 face)
     {
         _toMesh = new RotationD(mesh.Pose.Rotation);
         _toOther = new RotationD(other.Pose.Rotation);
         _offset = _toMesh.InverseRotate((Double3)other.Pose.Position - mesh.Pose.Position);
         mesh.Mesh!.GetCorners(triangle, out _a, out _b, out _c);
         Face = face;
-        _tip = Furthest(shape, face, out _corner);
-        Gap = Double3.Dot(face, _tip - _a);
-        if (hasSide) return;
-        Double3 back = Furthest(shape, -face, out int corner);
-        double gap = Double3.Dot(-face, back - _a);
-        if (!(gap > Gap)) return;
-        (Face, _tip, _corner, Gap) = (-face, back, corner, gap);
+        (_tip, _corner, Gap) = (default, -1, 0);
     }
 
     /// <summary>The triangle's normal on the side to which it pushes.</summary>
@@ -45,10 +53,12 @@ internal readonly ref struct TipContact
     /// <param name="mesh">The side of the triangle.</param>
     /// <param name="maxGap">In world units.</param>
     /// <param name="manifold">Gets the point.</param>
+    /// <param name="isAnywhere">Whether it need not be over the triangle.</param>
     /// <returns>False where the tip is not over the triangle, or too far away.</returns>
-    public bool TryAdd(bool isMeshA, PartSide mesh, float maxGap, ref ContactManifold manifold)
+    public bool TryAdd(
+        bool isMeshA, PartSide mesh, float maxGap, ref ContactManifold manifold, bool isAnywhere = false)
     {
-        if (!(Gap <= Math.Max(maxGap, 0)) || !IsOver()) return false;
+        if (!(Gap <= Math.Max(maxGap, 0)) || !(isAnywhere || IsOver(_tip))) return false;
         Double3 foot = _tip - Face * Gap, normal = _toMesh.Rotate(Face);
         var onMesh = (Vector3)(_toMesh.Rotate(foot) + mesh.Pose.Position);
         var onOther = (Vector3)(_toMesh.Rotate(_tip) + mesh.Pose.Position);
@@ -70,15 +80,15 @@ internal readonly ref struct TipContact
 
     /// <summary>Whether the tip is over the triangle, or beside it by what its seams may bend without counting as
     /// bent.</summary>
-    private bool IsOver()
+    public bool IsOver(in Double3 tip)
     {
         double sign = Double3.Dot(Double3.Cross(_b - _a, _c - _a), Face) < 0 ? -1 : 1;
-        return IsInside(_a, _b, sign) && IsInside(_b, _c, sign) && IsInside(_c, _a, sign);
+        return IsInside(_a, _b, sign, tip) && IsInside(_b, _c, sign, tip) && IsInside(_c, _a, sign, tip);
     }
 
-    private bool IsInside(in Double3 from, in Double3 to, double sign)
+    private bool IsInside(in Double3 from, in Double3 to, double sign, in Double3 tip)
     {
         Double3 edge = to - from;
-        return sign * Double3.Dot(Double3.Cross(Face, edge), _tip - from) >= -ContactCone.Slack * edge.LengthSquared;
+        return sign * Double3.Dot(Double3.Cross(Face, edge), tip - from) >= -ContactCone.Slack * edge.LengthSquared;
     }
 }

@@ -101,6 +101,16 @@ internal sealed class TriangleList
         return indices;
     }
 
+    /// <summary>One of the six sides of a grid that begin at a vertex, or -1 beyond its outline.</summary>
+    public int SideInGrid(int vertex, int k)
+    {
+        int row = vertex / _columns, column = vertex - row * _columns, across = _columns - 1;
+        int cellRow = k < 3 ? row : row - 1, cellColumn = k is 0 or 3 or 4 ? column : column - 1;
+        if (cellRow < 0 || cellRow > Rows - 2 || cellColumn < 0 || cellColumn >= across) return -1;
+        int cell = 6 * (cellRow * across + cellColumn);
+        return cell + (k switch { 0 => 0, 1 => 2, 2 => 3, 3 => 1, 4 => 4, _ => 5 });
+    }
+
     /// <summary>The side of a grid's other triangle at a side, or -1.</summary>
     public int TwinInGrid(int side)
     {

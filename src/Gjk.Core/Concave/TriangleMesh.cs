@@ -135,6 +135,12 @@ public sealed partial class TriangleMesh
     /// <inheritdoc cref="MeshTopology.Twins"/>
     internal int TwinOf(int side) => _list.IsGrid ? _list.TwinInGrid(side) : _topology.Twins[side];
 
+    /// <summary>The sides that begin where a side begins.</summary>
+    internal CornerRing SidesAt(int side) => new(_list, _topology.Around, side);
+
+    /// <summary>1 where the triangles' normals look out of the solid, else -1.</summary>
+    internal int Outward => Scale.X * Scale.Y * Scale.Z < 0 ? -_topology.Outward : _topology.Outward;
+
     internal bool IsScaled => Scale != Vector3.One;
 
     /// <summary>The corners of a triangle with the scale.</summary>
