@@ -10,7 +10,7 @@ public sealed class ConcaveScratch
     internal readonly PlaneProof Plane = new();
     internal readonly WindingNumber Winding = new();
     internal readonly List<PartDistance> Pairs = [];
-    internal readonly List<PartContacts> Contacts = [];
+    internal readonly List<PartContacts> Contacts = [], Pushes = [];
     internal readonly List<FaceContact> FaceContacts = [], Orphans = [];
     private readonly Stack<ConcaveScratch> _idle = new();
     internal PartPairSearch Search;

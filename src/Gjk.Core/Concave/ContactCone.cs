@@ -24,7 +24,9 @@ internal readonly ref struct ContactCone
     /// <summary>Angle: 2^-20, a few times what rounding to float makes of the poses of two bodies.</summary>
     public const double Slack = 1.0 / (1 << 20);
 
-    /// <summary>Ratio of a triangle's height to its place and size, 2^-20: less is rounding.</summary>
+    /// <summary>Ratio of a triangle's least height to its size and its place, 2^-20: a corner put on the line between
+    /// two others is off it by 2^-24 of these. Less makes walls of such triangles, more hides thin ones, as
+    /// FloorTests shows.</summary>
     public const double Flat = 1.0 / (1 << 20);
 
     /// <summary>Cosine of 26 degrees: a contact that is tilted by less is measured along the normal instead.</summary>
@@ -35,40 +37,55 @@ internal readonly ref struct ContactCone
 
     private readonly TriangleMesh _mesh;
     private readonly Double3 _direction;
-    private readonly int _outward;
+    private readonly int _triangle, _outward;
 
-    /// <param name="mesh">The surface.</param>
-    /// <param name="isSolid">Whether it has an inside.</param>
+    /// <param name="side">With the surface.</param>
+    /// <param name="triangle">The triangle that the contact is of.</param>
     /// <param name="direction">From the surface to the other shape, in its frame; of unit length.</param>
-    public ContactCone(TriangleMesh mesh, bool isSolid, in Double3 direction)
+    public ContactCone(PartSide side, int triangle, in Double3 direction)
     {
-        _mesh = mesh;
+        _mesh = side.Mesh!;
+        _triangle = triangle;
         _direction = direction;
-        _outward = isSolid ? mesh.Outward : 0;
+        _outward = side.IsSolid ? _mesh.OutwardOf(triangle) : 0;
     }
 
     /// <summary>A triangle's normal, of a solid outward; 0 where it has none.</summary>
-    public static Double3 NormalOf(TriangleMesh mesh, bool isSolid, int triangle)
+    public static Double3 NormalOf(PartSide side, int triangle)
     {
-        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        side.Mesh!.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
         if (IsFlat(a, b, c)) return default;
-        Double3 normal = UnitOrZero(Double3.Cross(DirectionRange.ToUnit(b - a), DirectionRange.ToUnit(c - a)));
-        return isSolid && mesh.Outward < 0 ? -normal : normal;
+        return side.IsSolid && side.Mesh.OutwardOf(triangle) < 0 ? -FaceOf(a, b, c) : FaceOf(a, b, c);
     }
 
-    /// <summary>What becomes of a contact.</summary>
-    /// <param name="triangle">The triangle that it is of.</param>
-    /// <param name="normal">The triangle's normal on the side of the contact; a solid's outward.</param>
-    public ContactFit Judge(int triangle, out Double3 normal)
+    /// <summary>The unit normal of a triangle with area.</summary>
+    public static Double3 FaceOf(in Double3 a, in Double3 b, in Double3 c) =>
+        UnitOrZero(Double3.Cross(DirectionRange.ToUnit(b - a), DirectionRange.ToUnit(c - a)));
+
+    public static double LongestSide(in Double3 a, in Double3 b, in Double3 c) => Math.Sqrt(
+        Math.Max(Math.Max((b - a).LengthSquared, (c - b).LengthSquared), (a - c).LengthSquared));
+
+    /// <summary>Whether a triangle is a line, but for rounding.</summary>
+    public static bool IsFlat(in Double3 a, in Double3 b, in Double3 c)
     {
-        int first = 3 * triangle;
-        _mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
-        normal = NormalOf(_mesh, _outward != 0, triangle);
-        bool isFlat = normal.LengthSquared == 0;
+        double longest = LongestSide(a, b, c), height = Double3.Cross(b - a, c - a).Length / longest;
+        return !(height > Flat * (longest + a.Length));
+    }
+
+    public static int After(int side) => side % 3 == 2 ? side - 2 : side + 1;
+
+    public static int Before(int side) => side % 3 == 0 ? side + 2 : side - 1;
+
+    /// <summary>What becomes of the contact.</summary>
+    public ContactFit Judge()
+    {
+        int first = 3 * _triangle;
+        _mesh.GetCorners(_triangle, out Double3 a, out Double3 b, out Double3 c);
+        Double3 normal = IsFlat(a, b, c) ? default : FaceOf(a, b, c);
         double along = Double3.Dot(normal, _direction);
-        if (_outward == 0 && along < 0) (along, normal) = (-along, -normal);
-        if (!isFlat && (_direction - normal * along).LengthSquared <= Slack * Slack)
-            return along > 0 ? ContactFit.Stays : ContactFit.Ghost;
+        bool isFace = along != 0 && (_direction - normal * along).LengthSquared <= Slack * Slack;
+        along = _outward == 0 ? Math.Abs(along) : along * _outward;
+        if (isFace) return along > 0 ? ContactFit.Stays : ContactFit.Ghost;
         double heightB = Double3.Dot(_direction, b - a), heightC = Double3.Dot(_direction, c - a);
         int top = heightB > 0 ? (heightC > heightB ? 2 : 1) : heightC > 0 ? 2 : 0;
         int next = first + top, last = first + (top + 2) % 3;
@@ -77,19 +94,6 @@ internal readonly ref struct ContactCone
             ? (!isNext || EndsAt(next)) && (!isLast || EndsAt(last))
             : EndsAround(next);
         return stays ? ContactFit.Stays : along >= LeastCosine ? ContactFit.Leans : ContactFit.Ghost;
-    }
-
-    public static int After(int side) => side % 3 == 2 ? side - 2 : side + 1;
-
-    public static int Before(int side) => side % 3 == 0 ? side + 2 : side - 1;
-
-    /// <summary>Whether a triangle is a line, but for rounding.</summary>
-    public static bool IsFlat(in Double3 a, in Double3 b, in Double3 c)
-    {
-        Double3 u = b - a, v = c - a, w = c - b;
-        double longest = Math.Sqrt(Math.Max(Math.Max(u.LengthSquared, v.LengthSquared), w.LengthSquared));
-        double height = Double3.Cross(u, v).Length / longest;
-        return !(height > Flat * (longest + Math.Sqrt(a.LengthSquared)));
     }
 
     private static Double3 UnitOrZero(in Double3 v)

@@ -1,23 +1,42 @@
 namespace Gjk.Core;
 
-/// <summary>A contact along the face of a triangle, whose pair's own way does not show.</summary>
-internal readonly struct FaceContact
+/// <summary>A contact that may stand for a pair whose own way out does not show, if the pair needs one.</summary>
+internal readonly struct FaceContact : IComparable<FaceContact>
 {
     public readonly PartContacts Contact;
 
-    /// <summary>The pair that it was found of; its contact may name another part where the other side's tip
-    /// is.</summary>
+    /// <summary>The pair; the contact may name another part, where the other side's tip is.</summary>
     public readonly int PartA, PartB;
 
-    /// <summary>Whether the face is A's.</summary>
+    /// <summary>Whether the contact is along a face of A.</summary>
     public readonly bool IsOfA;
 
     /// <summary>How far the two parts are apart, by their own way; negative where they overlap.</summary>
     public readonly float Own;
 
-    public FaceContact(in PartContacts contact, int partA, int partB, bool isOfA, float own)
+    /// <summary>That way, from A to B.</summary>
+    public readonly Vector3 OwnNormal;
+
+    public FaceContact(in PartContacts contact, in PartDistance pair, bool isOfA, in DistanceResult own)
     {
         Contact = contact;
-        (PartA, PartB, IsOfA, Own) = (partA, partB, isOfA, own);
+        (PartA, PartB, IsOfA) = (pair.PartA, pair.PartB, isOfA);
+        (Own, OwnNormal) = (own.Distance, own.Normal);
+    }
+
+    /// <summary>A contact along its pair's own way.</summary>
+    public FaceContact(in PartContacts own)
+    {
+        Contact = own;
+        (PartA, PartB, IsOfA) = (own.PartA, own.PartB, true);
+        (Own, OwnNormal) = (own.Result.Distance, own.Result.Normal);
+    }
+
+    /// <summary>The deepest first, and then by the parts.</summary>
+    public int CompareTo(FaceContact other)
+    {
+        int order = Contact.Result.Distance.CompareTo(other.Contact.Result.Distance);
+        if (order == 0) order = PartA.CompareTo(other.PartA);
+        return order != 0 ? order : PartB.CompareTo(other.PartB);
     }
 }

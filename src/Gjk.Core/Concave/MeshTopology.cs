@@ -22,9 +22,7 @@ internal sealed class MeshTopology
         _joined = Joined(vertices);
         _corners = Array.ConvertAll(indices, i => _joined[i]);
         _component = new int[vertices.Length];
-        Twins = new int[indices.Length];
         Around = RingsAround(_corners, vertices.Length);
-        Outward = SignOfVolume(vertices, indices);
         CountEdges();
         CountTriangles(vertices);
         FindComponents();
@@ -37,7 +35,6 @@ internal sealed class MeshTopology
         if (!Joined(vertices).SequenceEqual(_joined)) return new MeshTopology(vertices, indices);
         var same = (MeshTopology)MemberwiseClone();
         var predicates = new HullPredicates(vertices);
-        same.Outward = SignOfVolume(vertices, indices);
         same.Degenerate = 0;
         for (int i = 0; i < indices.Length; i += 3)
             if (IsDegenerate(predicates, _joined[indices[i]], _joined[indices[i + 1]], _joined[indices[i + 2]]))
@@ -51,8 +48,7 @@ internal sealed class MeshTopology
     /// <summary>What is known of a grid without a look: its outline is open.</summary>
     public MeshTopology(int columns, int rows)
     {
-        (_corners, _indices, _component, Twins, Around) = ([], [], [], [], []);
-        Outward = 1;
+        (_corners, _indices, _component, Around) = ([], [], [], []);
         BorderEdges = 2 * (columns + rows - 2);
         IsClosed = false;
         (FaultyA, FaultyB, FaultyAlong) = (0, columns, 1);
@@ -80,16 +76,9 @@ internal sealed class MeshTopology
     /// <inheritdoc cref="FaultyAlong"/>
     public int FaultyAgainst { get; private set; }
 
-    /// <summary>Of each side of a triangle (three times the triangle, and the corner at which it begins) the one of the
-    /// other triangle at the edge; -1 where there is none or more than one. Triangles that are a segment, with two
-    /// corners at one place, do not count.</summary>
-    public int[] Twins { get; }
-
-    /// <summary>Of each side the next one that begins at the same place, in a ring.</summary>
+    /// <summary>Of each side of a triangle (three times the triangle, and the corner at which it begins) the next one
+    /// that begins at the same place, in a ring.</summary>
     public int[] Around { get; }
-
-    /// <summary>1 where the triangles' normals look out of what they enclose, -1 where they look in.</summary>
-    public int Outward { get; private set; }
 
     public int Degenerate { get; private set; }
 
@@ -97,6 +86,10 @@ internal sealed class MeshTopology
 
     /// <summary>One triangle of each connected part: the first.</summary>
     public int[] Components { get; private set; } = [];
+
+    /// <summary>Of each vertex the number of its connected part in <see cref="Components"/>; empty where there is
+    /// one.</summary>
+    public int[] Pieces { get; private set; } = [];
 
     /// <summary>The first vertex at each vertex's place.</summary>
     private static int[] Joined(Vector3[] vertices)
@@ -113,6 +106,7 @@ internal sealed class MeshTopology
         return joined;
     }
 
+    /// <summary>Hangs the sides that begin at each vertex together, in their order.</summary>
     private static int[] RingsAround(int[] corners, int vertices)
     {
         int[] first = new int[vertices], around = new int[corners.Length];
@@ -125,19 +119,6 @@ internal sealed class MeshTopology
         }
 
         return around;
-    }
-
-    private static int SignOfVolume(Vector3[] vertices, int[] indices)
-    {
-        double volume = 0;
-        Double3 from = vertices[indices[0]];
-        for (int i = 0; i < indices.Length; i += 3)
-        {
-            volume += Double3.Triple(
-                vertices[indices[i]] - from, vertices[indices[i + 1]] - from, vertices[indices[i + 2]] - from);
-        }
-
-        return volume < 0 ? -1 : 1;
     }
 
     private void CountEdges()
@@ -154,29 +135,17 @@ internal sealed class MeshTopology
         Array.Sort(keys, sides);
         for (int begin = 0; begin < keys.Length;)
         {
-            int end = begin, along = 0, first = int.MaxValue, count = 0, one = -1, other = -1;
+            int end = begin, along = 0, first = int.MaxValue;
             int low = (int)(keys[begin] >> 32), high = (int)(keys[begin] & uint.MaxValue);
             for (; end < keys.Length && keys[end] == keys[begin]; end++)
             {
                 if (_corners[sides[end]] == low) along++;
                 first = Math.Min(first, sides[end]);
-                Twins[sides[end]] = -1;
-                if (IsSegment(sides[end] / 3)) continue;
-                count++;
-                (one, other) = (other, sides[end]);
             }
-
-            if (count == 2) (Twins[one], Twins[other]) = (other, one);
 
             if (low != high) CountEdge(along, end - begin - along, first);
             begin = end;
         }
-    }
-
-    private bool IsSegment(int triangle)
-    {
-        int a = _corners[3 * triangle], b = _corners[3 * triangle + 1], c = _corners[3 * triangle + 2];
-        return a == b || b == c || c == a;
     }
 
     private void CountEdge(int along, int against, int first)
@@ -215,10 +184,22 @@ internal sealed class MeshTopology
         }
 
         var firsts = new List<int>();
-        var seen = new HashSet<int>();
-        for (int i = 0; i < _corners.Length; i += 3)
-            if (seen.Add(Root(_corners[i]))) firsts.Add(i / 3);
+        int[] pieces = new int[_component.Length];
+        var numbers = new Dictionary<int, int>();
+        for (int i = 0; i < _corners.Length; i++)
+        {
+            int root = Root(_corners[i]);
+            if (!numbers.TryGetValue(root, out int number))
+            {
+                numbers.Add(root, number = firsts.Count);
+                firsts.Add(i / 3);
+            }
+
+            pieces[_indices[i]] = number;
+        }
+
         Components = firsts.ToArray();
+        if (firsts.Count > 1) Pieces = pieces;
     }
 
     private void Join(int a, int b)

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>Where a part of one shape touches a part of another. Immutable.</summary>
-public readonly struct PartContacts
+public readonly struct PartContacts : IComparable<PartContacts>
 {
     /// <summary>The part of A: a triangle or part as the caller numbered it; -1 where A is convex.</summary>
     public readonly int PartA;
@@ -22,6 +22,13 @@ public readonly struct PartContacts
         PartB = partB;
         Result = result;
         Manifold = manifold;
+    }
+
+    /// <summary>By the part of A, then by that of B.</summary>
+    public int CompareTo(PartContacts other)
+    {
+        int order = PartA.CompareTo(other.PartA);
+        return order != 0 ? order : PartB.CompareTo(other.PartB);
     }
 
     /// <summary>The parts, their result and their points, for people to read.</summary>

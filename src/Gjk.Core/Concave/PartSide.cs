@@ -17,6 +17,9 @@ internal sealed class PartSide
     /// <summary>Whether it has an inside that its parts do not hold.</summary>
     public bool IsSolid;
 
+    /// <summary>Whether a part may lie within the body that it is of.</summary>
+    public bool MayHoldParts => IsSolid || Compound is not null;
+
     /// <summary>World units: by so much the parts reach beyond their boxes.</summary>
     public double Margin;
 

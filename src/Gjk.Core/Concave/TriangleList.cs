@@ -102,27 +102,21 @@ internal sealed class TriangleList
     }
 
     /// <summary>One of the six sides of a grid that begin at a vertex, or -1 beyond its outline.</summary>
-    public int SideInGrid(int vertex, int k)
+    public int SideInGrid(int vertex, int index)
     {
-        int row = vertex / _columns, column = vertex - row * _columns, across = _columns - 1;
-        int cellRow = k < 3 ? row : row - 1, cellColumn = k is 0 or 3 or 4 ? column : column - 1;
-        if (cellRow < 0 || cellRow > Rows - 2 || cellColumn < 0 || cellColumn >= across) return -1;
-        int cell = 6 * (cellRow * across + cellColumn);
-        return cell + (k switch { 0 => 0, 1 => 2, 2 => 3, 3 => 1, 4 => 4, _ => 5 });
-    }
-
-    /// <summary>The side of a grid's other triangle at a side, or -1.</summary>
-    public int TwinInGrid(int side)
-    {
-        int cell = side / 6, across = _columns - 1, row = cell / across, column = cell - row * across;
-        return (side - 6 * cell) switch
+        // Of the cell at the vertex, that before it in its row, and the same two of the row before.
+        (int rowsBack, int columnsBack, int side) = index switch
         {
-            0 => column > 0 ? side - 1 : -1,
-            1 => side + 2,
-            2 => row > 0 ? side - 6 * across + 2 : -1,
-            3 => side - 2,
-            4 => row + 2 < Rows ? side + 6 * across - 2 : -1,
-            _ => column + 1 < across ? side + 1 : -1,
+            0 => (0, 0, 0),
+            1 => (0, 1, 2),
+            2 => (0, 1, 3),
+            3 => (1, 0, 1),
+            4 => (1, 0, 4),
+            _ => (1, 1, 5),
         };
+        int row = vertex / _columns, column = vertex - row * _columns - columnsBack, across = _columns - 1;
+        row -= rowsBack;
+        bool isInside = row >= 0 && row < Rows - 1 && column >= 0 && column < across;
+        return isInside ? 6 * (row * across + column) + side : -1;
     }
 }

@@ -17,6 +17,9 @@ public sealed partial class TriangleMesh
     /// <summary>The tree over the triangles.</summary>
     internal readonly PartTree Tree;
 
+    /// <summary>Of each connected piece whether its normals look into the solid; empty where none do.</summary>
+    private readonly bool[] _looksIn;
+
     /// <summary>The scale in double, so that products with vertices are exact.</summary>
     private readonly Double3 _scale;
 
@@ -38,6 +41,7 @@ public sealed partial class TriangleMesh
         Scale = Vector3.One;
         _scale = Scale;
         Tree = BuildTree();
+        _looksIn = PieceSides.LooksIn(this);
     }
 
     private TriangleMesh(TriangleList list, MeshTopology topology, Vector3 scale, PartTree? like = null)
@@ -46,6 +50,7 @@ public sealed partial class TriangleMesh
         Scale = scale;
         _scale = scale;
         Tree = like is null ? BuildTree() : PartTreeRefit.Fit(Source, like);
+        _looksIn = PieceSides.LooksIn(this);
     }
 
     /// <summary>How many triangles there are, at least one.</summary>
@@ -132,14 +137,15 @@ public sealed partial class TriangleMesh
     /// <summary>One triangle of each connected piece.</summary>
     internal int[] Components => _topology.Components;
 
-    /// <inheritdoc cref="MeshTopology.Twins"/>
-    internal int TwinOf(int side) => _list.IsGrid ? _list.TwinInGrid(side) : _topology.Twins[side];
-
     /// <summary>The sides that begin where a side begins.</summary>
     internal CornerRing SidesAt(int side) => new(_list, _topology.Around, side);
 
-    /// <summary>1 where the triangles' normals look out of the solid, else -1.</summary>
-    internal int Outward => Scale.X * Scale.Y * Scale.Z < 0 ? -_topology.Outward : _topology.Outward;
+    /// <summary>The number of a triangle's connected piece.</summary>
+    internal int PieceOf(int triangle) =>
+        _topology.Pieces.Length == 0 ? 0 : _topology.Pieces[_list.Corner(3 * triangle)];
+
+    /// <summary>1 where a triangle's normal looks out of the solid, else -1.</summary>
+    internal int OutwardOf(int triangle) => _looksIn.Length > 0 && _looksIn[PieceOf(triangle)] ? -1 : 1;
 
     internal bool IsScaled => Scale != Vector3.One;
 

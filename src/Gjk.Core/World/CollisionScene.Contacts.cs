@@ -7,6 +7,12 @@ public sealed partial class CollisionScene
 
     private readonly PairAnswers<PairDistance> _depths = new();
     private readonly PairAnswers<PairContacts> _contacts = new();
+    private readonly SceneSeams _seams;
+
+    /// <summary>Whether static objects that are flush, such as the tiles of a floor, count as one body in
+    /// <see cref="FindContacts"/>: an object has no contact with a side of one that another one covers. True unless it
+    /// is set.</summary>
+    public bool JoinsStatic { get; set; } = true;
 
     /// <summary>The gap that the contacts are for.</summary>
     private float _contactGap;
@@ -33,8 +39,9 @@ public sealed partial class CollisionScene
 
     /// <summary>The contact points of all pairs that overlap or are no further apart than a gap: with the bits of
     /// <c>ConvexQuery.Contacts</c>; of objects that are not convex one manifold for each pair of parts, with the bits
-    /// of <c>ConcaveQuery.FindContacts</c>. A pair whose objects have not moved since the last call with the same gap
-    /// keeps its answer, which costs next to nothing.</summary>
+    /// of <c>ConcaveQuery.FindContacts</c>; less those at seams of static objects (<see cref="JoinsStatic"/>). A pair
+    /// whose objects have not moved since the last call with the same gap keeps its answer, which costs next to
+    /// nothing.</summary>
     /// <param name="maxGap">At least 0: points, and pairs, further apart are left out.</param>
     /// <param name="results">Emptied first; then the pairs, sorted by ids and parts.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
@@ -52,6 +59,8 @@ public sealed partial class CollisionScene
             if (_objects.Parts.Has(_touching[i])) results.AddRange(_contacts.Parts(i));
             else if (_contacts[i].Manifold.Count > 0) results.Add(_contacts[i]);
         }
+
+        if (JoinsStatic) _seams.Remove(results);
     }
 
     private void MeasureDepths(Workers? workers)

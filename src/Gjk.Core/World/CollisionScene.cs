@@ -41,6 +41,7 @@ public sealed partial class CollisionScene
     public CollisionScene(IBroadPhase broadPhase)
     {
         _phase = Guard.NotNull(broadPhase, nameof(broadPhase));
+        _seams = new SceneSeams(_objects);
         if (_phase.Count != 0) throw new ArgumentException("Must be empty.", nameof(broadPhase));
     }
 

@@ -25,6 +25,16 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>The shape in a slot, convex or not.</summary>
     public AnyShape this[int slot] => Has(slot) ? _shapes[slot] : AnyShape.Of(objects.Shapes[slot]);
 
+    /// <summary>A part of the object in a slot, or all of it; it may be written to the room that is given.</summary>
+    public ref readonly ConvexShape Part(int slot, int part, ref ConvexShape room)
+    {
+        if (!Has(slot)) return ref objects.Shapes[slot];
+        AnyShape shape = _shapes[slot];
+        if (shape.Compound is not null) return ref shape.Compound.Parts[part];
+        room = shape.Mesh!.GetShape(part);
+        return ref room;
+    }
+
     public void Set(int slot, in AnyShape shape)
     {
         Any = true;

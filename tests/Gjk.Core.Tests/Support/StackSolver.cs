@@ -1,7 +1,7 @@
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>A solver of the plainest kind, for bodies that stand on each other: sequential impulses (Catto 2006) over
-/// the points that <see cref="ConvexQuery"/> gives, begun with the impulses that points of the same name had a frame
+/// the points that the queries give, begun with the impulses that points of the same name had a frame
 /// before.</summary>
 /// <param name="iterations">Sweeps over all points, there and back in turn: what a body pushes travels one body further
 /// with each.</param>
@@ -12,6 +12,8 @@ internal sealed class StackSolver(int iterations = 10)
     private const float Gravity = 9.81f, Friction = 0.5f, Slop = 0.005f, Push = 0.2f, MaxGap = 0.02f;
 
     private readonly List<SolidBody> _bodies = [];
+    private readonly List<PartContacts> _contacts = [];
+    private readonly ConcaveScratch _scratch = new();
     private readonly Dictionary<(int A, int B), PointState[]> _pairs = [];
 
     /// <summary>Pairs with contacts in a frame and the frame before, and those of them with the same names.</summary>
@@ -30,6 +32,10 @@ internal sealed class StackSolver(int iterations = 10)
     /// <param name="mass">0 for a body that stays.</param>
     /// <param name="inertia">About its axes, for a mass of 1.</param>
     public void Add(ConvexShape shape, RigidPose pose, float mass = 0, Vector3 inertia = default) =>
+        Add(AnyShape.Of(shape), pose, mass, inertia);
+
+    /// <inheritdoc cref="Add(ConvexShape, RigidPose, float, Vector3)"/>
+    public void Add(AnyShape shape, RigidPose pose, float mass = 0, Vector3 inertia = default) =>
         _bodies.Add(new SolidBody(shape, pose, mass, inertia));
 
     /// <summary>Solves a frame.</summary>
@@ -64,18 +70,18 @@ internal sealed class StackSolver(int iterations = 10)
     private PointState[] PointsOf(int i, int k)
     {
         SolidBody a = _bodies[i], b = _bodies[k];
-        ContactManifold manifold = default;
-        if (Vector3.Distance(a.Pose.Position, b.Pose.Position) < a.Reach + b.Reach + MaxGap)
-            ConvexQuery.Contacts(a.Shape, a.Pose, b.Shape, b.Pose, MaxGap, out manifold);
+        FindContacts(a, b);
         _pairs.TryGetValue((i, k), out PointState[]? before);
-        var points = new PointState[manifold.Count];
-        for (int p = 0; p < points.Length; p++)
+        PointState[] points =
+        [
+            .. from one in _contacts
+               from p in Enumerable.Range(0, one.Manifold.Count)
+               select MadeOf(a, b, one, one.Manifold[p]),
+        ];
+        foreach (PointState point in points)
         {
-            ManifoldPoint contact = manifold[p];
-            float away = contact.Gap > 0 ? -contact.Gap / Step : Push / Step * MathF.Max(-contact.Gap - Slop, 0);
-            points[p] = new PointState(a, b, contact, manifold.Normal, away);
-            PointState? last = before?.FirstOrDefault(q => q.Id == contact.FeatureId);
-            if (last is not null) points[p].TakeImpulses(last);
+            PointState? last = before?.FirstOrDefault(q => q.Id == point.Id);
+            if (last is not null) point.TakeImpulses(last);
         }
 
         if (before is { Length: > 0 } && points.Length > 0)
@@ -88,14 +94,36 @@ internal sealed class StackSolver(int iterations = 10)
         return points;
     }
 
+    private void FindContacts(SolidBody a, SolidBody b)
+    {
+        _contacts.Clear();
+        if (Vector3.Distance(a.Pose.Position, b.Pose.Position) >= a.Reach + b.Reach + MaxGap) return;
+        if (a.Shape.Kind != AnyShapeKind.Convex || b.Shape.Kind != AnyShapeKind.Convex)
+        {
+            ConcaveQuery.FindContacts(a.Shape, a.Pose, b.Shape, b.Pose, MaxGap, _scratch, _contacts);
+            return;
+        }
+
+        DistanceResult result = ConvexQuery.Contacts(
+            a.Shape.Convex, a.Pose, b.Shape.Convex, b.Pose, MaxGap, out ContactManifold manifold);
+        if (manifold.Count > 0) _contacts.Add(new PartContacts(-1, -1, result, manifold));
+    }
+
+    private static PointState MadeOf(SolidBody a, SolidBody b, in PartContacts one, in ManifoldPoint contact)
+    {
+        float away = contact.Gap > 0 ? -contact.Gap / Step : Push / Step * MathF.Max(-contact.Gap - Slop, 0);
+        return new PointState(a, b, contact, one.Manifold.Normal, away, (one.PartA, one.PartB, contact.FeatureId));
+    }
+
     /// <summary>A contact point of a frame and its impulses.</summary>
-    private sealed class PointState(SolidBody a, SolidBody b, ManifoldPoint contact, Vector3 normal, float away)
+    private sealed class PointState(
+        SolidBody a, SolidBody b, ManifoldPoint contact, Vector3 normal, float away, (int, int, long) id)
     {
         private readonly Vector3 _fromA = contact.PointA - a.Pose.Position, _fromB = contact.PointB - b.Pose.Position;
         private readonly Vector3 _first = Across(normal), _second = Vector3.Cross(normal, Across(normal));
         private float _push, _alongFirst, _alongSecond;
 
-        public long Id => contact.FeatureId;
+        public (int PartA, int PartB, long Feature) Id => id;
 
         public void TakeImpulses(PointState last) =>
             (_push, _alongFirst, _alongSecond) = (last._push, last._alongFirst, last._alongSecond);
@@ -144,19 +172,19 @@ internal sealed class StackSolver(int iterations = 10)
 }
 
 /// <summary>A body of a <see cref="StackSolver"/>.</summary>
-internal sealed class SolidBody(ConvexShape shape, RigidPose pose, float mass, Vector3 inertia)
+internal sealed class SolidBody(AnyShape shape, RigidPose pose, float mass, Vector3 inertia)
 {
     private readonly Vector3 _inverseInertia = mass > 0 ? Vector3.One / (inertia * mass) : Vector3.Zero;
 
     public Vector3 Velocity, Spin;
 
-    public ConvexShape Shape => shape;
+    public AnyShape Shape => shape;
 
     public RigidPose Pose { get; private set; } = pose;
 
     public float InverseMass { get; } = mass > 0 ? 1 / mass : 0;
 
-    public float Reach { get; } = mass > 0 ? (float)shape.BoundingRadius : 1e3f;
+    public float Reach { get; } = mass > 0 ? RadiusOf(shape) : 1e3f;
 
     public void Apply(Vector3 impulse, Vector3 at)
     {
@@ -178,6 +206,10 @@ internal sealed class SolidBody(ConvexShape shape, RigidPose pose, float mass, V
         q += new Quaternion(Spin * (0.5f * step), 0) * q;
         Pose = new RigidPose(Quaternion.Normalize(q), Pose.Position + Velocity * step);
     }
+
+    private static float RadiusOf(in AnyShape shape) => shape.Mesh is not { } mesh
+        ? (float)shape.Convex.BoundingRadius
+        : Enumerable.Range(0, mesh.VertexCount).Max(i => (mesh.GetVertex(i) * mesh.Scale).Length());
 
     private Vector3 Turned(Vector3 v) => Vector3.Transform(
         Vector3.Transform(v, Quaternion.Conjugate(Pose.Rotation)) * _inverseInertia, Pose.Rotation);

@@ -1,0 +1,175 @@
+namespace Gjk.Core;
+
+/// <summary>What the push of a contact does to other pairs of parts: B is moved along its normal by its depth. A pair
+/// that this takes apart is held by that contact and needs none of its own.</summary>
+internal static class ContactPush
+{
+    /// <summary>Of a depth: less is much less. At a half no face pushes more than twice as far as it must.</summary>
+    public const float MuchLess = 0.5f;
+
+    /// <summary>Count: of so many directions the deepest pushes are tried on pairs without contact. More costs time;
+    /// with fewer some pairs get a contact that they do not need.</summary>
+    private const int MostPushes = 16;
+
+    /// <summary>Cosine of 8 degrees: contacts that push the same way.</summary>
+    private const float SameWay = 0.99f;
+
+    /// <summary>Ratios: a push goes so much further than the contact is deep, and by this of 1 and the place, so that
+    /// what was as deep is apart and not just touching. More takes shallow neighbours for held ones.</summary>
+    private const float Further = 1.01f, Room = 8 * (float)ContactCone.Slack;
+
+    /// <summary>How far a contact pushes.</summary>
+    public static float LengthOf(in DistanceResult result)
+    {
+        Vector3 at = Vector3.Abs(result.PointA);
+        return Further * Math.Max(-result.Distance, 0) + Room * (1 + at.X + at.Y + at.Z);
+    }
+
+    /// <summary>Collects the deepest pushes in each direction.</summary>
+    public static void Collect(List<PartContacts> contacts, List<PartContacts> pushes)
+    {
+        pushes.Clear();
+        foreach (PartContacts one in contacts) Collect(one, pushes);
+    }
+
+    /// <summary>Adds the push of a contact, unless one of its direction is as deep.</summary>
+    public static void Collect(in PartContacts contact, List<PartContacts> pushes)
+    {
+        if (!(contact.Result.Distance <= ContactCone.Slack)) return;
+        int nearest = -1;
+        float cosine = -2;
+        for (int i = 0; i < pushes.Count; i++)
+        {
+            float found = Vector3.Dot(pushes[i].Manifold.Normal, contact.Manifold.Normal);
+            if (found > cosine) (nearest, cosine) = (i, found);
+        }
+
+        if (cosine < SameWay && pushes.Count < MostPushes) pushes.Add(contact);
+        else if (contact.Result.Distance < pushes[nearest].Result.Distance) pushes[nearest] = contact;
+    }
+
+    /// <summary>Makes orphans of contacts that another one makes needless: its push takes their parts apart, and theirs
+    /// does not do that for it.</summary>
+    public static void RemoveNeedless(ConcaveScratch scratch, List<PartContacts> contacts)
+    {
+        if (contacts.Count < 2) return;
+        Collect(contacts, scratch.Pushes);
+        int kept = 0;
+        for (int i = 0; i < contacts.Count; i++)
+        {
+            if (IsNeedless(scratch, contacts[i])) scratch.Orphans.Add(new FaceContact(contacts[i]));
+            else contacts[kept++] = contacts[i];
+        }
+
+        contacts.RemoveRange(kept, contacts.Count - kept);
+    }
+
+    /// <summary>Whether the contact of a face is needed: where a contact of another direction takes the two parts apart
+    /// by much less, it is not the face that they meet, but what it ends at.</summary>
+    /// <param name="scratch">With both sides.</param>
+    /// <param name="face">The contact.</param>
+    /// <param name="others">Those that are there.</param>
+    /// <param name="count">How many of them are asked.</param>
+    public static bool IsNeeded(ConcaveScratch scratch, in FaceContact face, List<PartContacts> others, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            PartContacts other = others[i];
+            if (!IsElsewhere(face, other)) continue;
+            if (TakesApart(scratch, other, face) || IsHeldShorter(scratch, face, other)) return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>Whether a collected push takes a pair apart that has no contact of its own.</summary>
+    public static bool IsHeld(ConcaveScratch scratch, in FaceContact orphan)
+    {
+        foreach (PartContacts push in scratch.Pushes)
+        {
+            if (TakesApart(scratch, push, orphan)
+                || (IsElsewhere(orphan, push) && IsHeldShorter(scratch, orphan, push)))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static bool IsNeedless(ConcaveScratch scratch, in PartContacts one)
+    {
+        if (!(one.Result.Distance < 0)) return false;
+        var pair = new FaceContact(one);
+        foreach (PartContacts push in scratch.Pushes)
+        {
+            if (push.Result.Distance < 0 && AreApart(push, one) && TakesApart(scratch, push, pair)
+                && !TakesApart(scratch, one, new FaceContact(push)))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static bool AreApart(in PartContacts one, in PartContacts other) =>
+        Vector3.Dot(one.Manifold.Normal, other.Manifold.Normal) < ContactCone.LeastCosine;
+
+    /// <summary>Whether a contact has another direction than a face's, and is much less deep.</summary>
+    private static bool IsElsewhere(in FaceContact face, in PartContacts other) =>
+        other.Result.Distance <= ContactCone.Slack && AreApart(other, face.Contact)
+            && other.Result.Distance > face.Contact.Result.Distance * MuchLess;
+
+    /// <summary>Whether the pair itself has a much shorter way out than the face's, and its convex part is held by a
+    /// contact.</summary>
+    private static bool IsHeldShorter(ConcaveScratch scratch, in FaceContact face, in PartContacts other)
+    {
+        bool isSame = face.IsOfA
+            ? scratch.B.Mesh is null && other.PartB == face.PartB
+            : scratch.A.Mesh is null && other.PartA == face.PartA;
+        return isSame && face.Own > face.Contact.Result.Distance * MuchLess;
+    }
+
+    /// <summary>Whether a push takes the parts of a pair apart, or goes half the way.</summary>
+    private static bool TakesApart(ConcaveScratch scratch, in PartContacts push, in FaceContact pair)
+    {
+        Vector3 by = push.Manifold.Normal * LengthOf(push.Result);
+        if (pair.Own > 0) return !IsBehind(scratch, pair, by);
+        ConvexShape roomA = default, roomB = default;
+        return TakesApart(
+            scratch.A.Part(Math.Max(pair.PartA, 0), ref roomA), scratch.A.Pose,
+            scratch.B.Part(Math.Max(pair.PartB, 0), ref roomB), scratch.B.Pose, pair.Own, pair.OwnNormal, by);
+    }
+
+    /// <summary>Whether two shapes are apart, or half as deep, when B has been moved.</summary>
+    public static bool TakesApart(
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float own, Vector3 ownNormal,
+        Vector3 by)
+    {
+        // They come out by no less than their own way is pushed, and by no more than all of the push.
+        if (own + Vector3.Dot(by, ownNormal) > MuchLess * own) return true;
+        if (own + by.Length() < MuchLess * own) return false;
+        var moved = new RigidPose(poseB.Rotation, poseB.Position + by);
+        float left = ConvexQuery.SignedDistance(a, poseA, b, moved).Distance;
+        return left >= 0 || left > MuchLess * own;
+    }
+
+    /// <summary>Whether a point of a face's contact is still over the triangle and behind it after a push.</summary>
+    private static bool IsBehind(ConcaveScratch scratch, in FaceContact face, Vector3 push)
+    {
+        PartSide mesh = face.IsOfA ? scratch.A : scratch.B;
+        int sign = face.IsOfA ? 1 : -1;
+        ContactManifold manifold = face.Contact.Manifold;
+        RotationD turn = new(mesh.Pose.Rotation);
+        Double3 normal = turn.InverseRotate(sign * manifold.Normal), shift = turn.InverseRotate(sign * push);
+        var over = new TriangleColumn(mesh.Mesh!, face.IsOfA ? face.PartA : face.PartB, normal);
+        for (int i = 0; i < manifold.Count; i++)
+        {
+            Double3 foot = face.IsOfA ? manifold[i].LocalPointA : manifold[i].LocalPointB;
+            if (manifold[i].Gap + Double3.Dot(shift, normal) < 0 && over.Holds(foot + shift)) return true;
+        }
+
+        return false;
+    }
+}

@@ -1,0 +1,36 @@
+namespace Gjk.Core;
+
+/// <summary>The point of a manifold that is deepest.</summary>
+internal static class DeepestPoint
+{
+    public static int Of(in ContactManifold manifold)
+    {
+        int deepest = 0;
+        for (int i = 1; i < manifold.Count; i++)
+            if (manifold[i].Gap < manifold[deepest].Gap) deepest = i;
+        return deepest;
+    }
+
+    /// <summary>Puts it first.</summary>
+    public static void Lead(ref ContactManifold manifold)
+    {
+        int deepest = Of(manifold);
+        if (deepest == 0) return;
+        ContactManifold before = manifold;
+        manifold = default;
+        manifold.Begin(before.Normal);
+        manifold.Add(before[deepest]);
+        for (int i = 0; i < before.Count; i++)
+            if (i != deepest) manifold.Add(before[i]);
+    }
+
+    /// <summary>It as the result of a query, whose own result is given.</summary>
+    public static DistanceResult Result(in ContactManifold manifold, in DistanceResult own)
+    {
+        ManifoldPoint point = manifold[Of(manifold)];
+        return new DistanceResult(
+            point.Gap > 0 ? GjkStatus.Separated : GjkStatus.Overlapping, point.Gap,
+            Math.Min(own.LowerBound, point.Gap), point.PointA, point.PointB, manifold.Normal, point.LocalPointA,
+            point.LocalPointB, own.Iterations);
+    }
+}

@@ -1,0 +1,169 @@
+namespace Gjk.Core;
+
+/// <summary>What a pair of parts has along the faces of its triangles, where its own way out does not show: the contact
+/// of a face that meets the other body's tip, and a stand-in, for a pair that nothing else holds.</summary>
+internal ref struct FaceSearch
+{
+    /// <summary>Cosine: triangles that are so steep to each other do not tell which side of an open one is meant.
+    /// More asks for the tips of both sides, which costs time only.</summary>
+    private const double Steep = 0.1;
+
+    /// <summary>Ratio to a depth: points along a face of which the deepest is less deep than the tip by more are not
+    /// what the body shows there. At a tenth a rocking body keeps its points.</summary>
+    private const double TipRoom = 0.1;
+
+    private readonly ConcaveScratch _scratch;
+    private readonly PartDistance _pair;
+    private readonly DistanceResult _own;
+    private readonly float _maxGap;
+    private readonly ContactPlane _plane;
+    private Candidate _best, _standIn;
+    private bool _isGhost, _isLed;
+
+    public FaceSearch(
+        ConcaveScratch scratch, in PartDistance pair, in DistanceResult own, in ContactPlane plane, float maxGap)
+    {
+        (_scratch, _pair, _own, _plane, _maxGap) = (scratch, pair, own, plane, Math.Max(maxGap, 0));
+        _best = _standIn = default;
+        _isGhost = _isLed = false;
+    }
+
+    /// <summary>Tries the faces of both sides' triangles; where the own way only leans and one side is convex, the one
+    /// that leans.</summary>
+    /// <param name="normal">The pair's own way from A to B, in the world.</param>
+    /// <param name="fitA">What A makes of it.</param>
+    /// <param name="fitB">What B makes of it.</param>
+    /// <param name="shapeA">The part of A.</param>
+    /// <param name="shapeB">The part of B.</param>
+    public void Run(
+        in Double3 normal, ContactFit fitA, ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
+    {
+        bool isMeshA = _scratch.A.Mesh is not null, isMeshB = _scratch.B.Mesh is not null;
+        _isGhost = fitA == ContactFit.Ghost || fitB == ContactFit.Ghost;
+        bool isOne = !_isGhost && !(isMeshA && isMeshB);
+        if (isMeshA && (!isOne || fitA >= fitB)) Try(true, normal, fitA, shapeA, shapeB);
+        if (isMeshB && (!isOne || fitB > fitA)) Try(false, -normal, fitB, shapeA, shapeB);
+    }
+
+    /// <summary>Puts what was found where it belongs.</summary>
+    /// <param name="own">The contact along the pair's own way.</param>
+    /// <param name="contacts">Gets a contact that is as good as the pair's own.</param>
+    public readonly void Add(in PartContacts own, List<PartContacts> contacts)
+    {
+        if (_best.IsThere)
+        {
+            if (!_isGhost) contacts.Add(_best.Contact);
+            else _scratch.FaceContacts.Add(new FaceContact(_best.Contact, _pair, _best.IsOfA, _own));
+        }
+        else if (_standIn.IsThere && _own.Distance < 0)
+        {
+            // Of a convex part the own way, where the face's is much longer: it leads out, if not straight.
+            bool isLong = (_standIn.IsOfA ? _scratch.B : _scratch.A).Mesh is null
+                && _standIn.Contact.Result.Distance * ContactPush.MuchLess < _own.Distance;
+            _scratch.Orphans.Add(new FaceContact(isLong ? own : _standIn.Contact, _pair, _standIn.IsOfA, _own));
+        }
+    }
+
+    private void Try(
+        bool isOfA, in Double3 own, ContactFit fit, in ConvexShape shapeA, in ConvexShape shapeB)
+    {
+        PartSide mesh = isOfA ? _scratch.A : _scratch.B, other = isOfA ? _scratch.B : _scratch.A;
+        int triangle = isOfA ? _pair.PartA : _pair.PartB, part = isOfA ? _pair.PartB : _pair.PartA;
+        ref readonly ConvexShape shape = ref isOfA ? ref shapeB : ref shapeA;
+        Double3 face = ContactCone.NormalOf(mesh, triangle);
+        if (face.LengthSquared == 0) return;
+        if (!mesh.IsSolid && !IsFront(mesh, triangle, other, part, shape, face, own, fit)) face = -face;
+        var tip = new TipContact(mesh, triangle, other, shape, face);
+        if (tip.Gap > _maxGap) return;
+        Double3 world = new RotationD(mesh.Pose.Rotation).Rotate(face);
+        ContactManifold along = Along(isOfA ? world : -world, shapeA, shapeB);
+
+        // Of a mesh only its tip is known to be shown along the face, and not what lies beside it.
+        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays && (other.Mesh is null
+            || along.Count == 0
+            || along[DeepestPoint.Of(along)].Gap <= tip.Gap + TipRoom * Math.Abs(tip.Gap) + ContactCone.Slack);
+        if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
+        if (isShown && along.Count > 0) Offer(_pair.PartA, _pair.PartB, along, isOfA);
+        bool isLed = TryClimb(other, part, -world, out int corner);
+        TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
+        isLed &= led.Gap <= 0;
+        int ledA = isOfA ? triangle : corner / 3, ledB = isOfA ? corner / 3 : triangle;
+        if (isLed && !isShown && led.IsOver) Offer(ledA, ledB, led.Manifold(isOfA), isOfA);
+        if (isLed && other.IsSolid) StandIn(ledA, ledB, led.Manifold(isOfA), isOfA, true);
+        else StandIn(_pair.PartA, _pair.PartB, along.Count > 0 ? along : tip.Manifold(isOfA), isOfA, false);
+    }
+
+    /// <summary>The points of the two parts along a direction, from A to B in the world.</summary>
+    private readonly ContactManifold Along(in Double3 direction, in ConvexShape shapeA, in ConvexShape shapeB)
+    {
+        ContactManifold manifold = default;
+        if (_plane.Normal.LengthSquared == 0) return manifold;
+        ContactPlane plane = _plane;
+        ConvexQuery.ContactsAlong(shapeA, _scratch.A.Pose, shapeB, direction, _maxGap, ref plane, out manifold);
+        return manifold;
+    }
+
+    /// <summary>The corner to which the other side's mesh climbs from a part along a direction in the world.</summary>
+    private static bool TryClimb(PartSide side, int part, in Double3 direction, out int corner)
+    {
+        corner = -1;
+        return side.Mesh is not null && MeshClimb.TryFind(
+            side.Mesh, part, new RotationD(side.Pose.Rotation).InverseRotate(direction), out corner);
+    }
+
+    /// <summary>Whether an open surface's triangle pushes to the side of its normal: against the face of a solid, where
+    /// that is not too steep; else to that of the own way, unless that is far from it; else to the side that the tip
+    /// leaves by less.</summary>
+    private static bool IsFront(
+        PartSide mesh, int triangle, PartSide other, int part, in ConvexShape shape, in Double3 face,
+        in Double3 own, ContactFit fit)
+    {
+        Double3 world = new RotationD(mesh.Pose.Rotation).Rotate(face);
+        if (!other.IsSolid)
+        {
+            return fit <= ContactFit.Leans
+                ? Double3.Dot(world, own) >= 0
+                : new TipContact(mesh, triangle, other, shape, -face).Gap
+                    <= new TipContact(mesh, triangle, other, shape, face).Gap;
+        }
+
+        Double3 outward = new RotationD(other.Pose.Rotation).Rotate(ContactCone.NormalOf(other, part));
+        double against = Double3.Dot(world, outward);
+        if (Math.Abs(against) > Steep) return against < 0;
+        bool isFront = TryClimb(other, part, -world, out int front);
+        if (!TryClimb(other, part, world, out int back) || !isFront) return isFront;
+        return new TipContact(mesh, triangle, other, back, -face).Gap
+            <= new TipContact(mesh, triangle, other, front, face).Gap;
+    }
+
+    /// <summary>Takes the shallowest. Parts that do not overlap are not deeper than their gap may be.</summary>
+    private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA)
+    {
+        PartContacts made = Made(partA, partB, manifold);
+        if (_own.Distance > 0 && made.Result.Distance < -2 * _maxGap - (float)ContactCone.Slack) return;
+        if (!_best.IsThere || _best.Contact.Result.Distance < made.Result.Distance) _best = new(made, isOfA);
+    }
+
+    /// <summary>Takes a corner to which the other side climbs before other tips, and then the shallowest.</summary>
+    private void StandIn(int partA, int partB, in ContactManifold manifold, bool isOfA, bool isLed)
+    {
+        PartContacts made = Made(partA, partB, manifold);
+        if (!(made.Result.Distance < 0) || (_isLed && !isLed)) return;
+        if (_standIn.IsThere && _isLed == isLed && _standIn.Contact.Result.Distance >= made.Result.Distance) return;
+        (_standIn, _isLed) = (new(made, isOfA), isLed);
+    }
+
+    private readonly PartContacts Made(int partA, int partB, ContactManifold manifold)
+    {
+        DeepestPoint.Lead(ref manifold);
+        return new(partA, partB, DeepestPoint.Result(manifold, _own), manifold);
+    }
+
+    private readonly struct Candidate(in PartContacts contact, bool isOfA)
+    {
+        public readonly PartContacts Contact = contact;
+        public readonly bool IsOfA = isOfA;
+
+        public bool IsThere => Contact.Manifold.Count > 0;
+    }
+}

@@ -1,0 +1,93 @@
+using Gjk.Core.Tests.Concave;
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.World;
+
+/// <summary>Static objects that are flush are one floor to what slides over them, unless the scene is told
+/// otherwise.</summary>
+public class SceneSeamTests
+{
+    private const float Reach = 0.02f;
+
+    private readonly List<PairContacts> _contacts = [];
+
+    [Theory]
+    [InlineData("boxes")]
+    [InlineData("boxes, the body first")]
+    [InlineData("fields")]
+    public void FlushTilesPushStraightUp(string tiles)
+    {
+        int kicks = 0;
+        for (int i = 0; i < 200; i++)
+        {
+            var random = new FuzzRandom((ulong)i);
+            var scene = new CollisionScene();
+            bool isFirst = tiles.Contains("first");
+            AnyShape body = SeamBodies.Named(i % 2 == 0 ? "ball" : "box");
+            Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, i % 4 == 1 ? 0 : random.Float(0, 6));
+            var over = new Vector3(i % 3 == 0 ? 1.5f : random.Float(0.9, 2.1), 0, random.Float(0.9, 2.1));
+            RigidPose at = SeamBodies.Placed(body, over, yaw, -random.Of(1e-3f, 5e-3f));
+            if (isFirst) scene.Add(body, at);
+            AddTiles(scene, tiles == "fields", isStatic: true);
+            if (!isFirst) scene.Add(body, at);
+            scene.FindContacts(Reach, _contacts);
+            Assert.True(_contacts.Exists(c => c.Result.Distance < 0), $"{i}: contact lost");
+            foreach (PairContacts one in _contacts)
+                Assert.True(MathF.Abs(one.Manifold.Normal.Y) > 0.9999f, $"{i}: {one}");
+            scene.JoinsStatic = false;
+            scene.FindContacts(Reach, _contacts);
+            if (_contacts.Exists(c => MathF.Abs(c.Manifold.Normal.Y) < 0.9999f)) kicks++;
+        }
+
+        Assert.InRange(kicks, 20, 200);
+    }
+
+    [Fact]
+    public void ObjectsThatMoveAreNotJoined()
+    {
+        var scene = new CollisionScene();
+        AddTiles(scene, areFields: false, isStatic: false);
+        AnyShape ball = SeamBodies.Named("ball");
+        int id = scene.Add(ball, SeamBodies.Placed(ball, new Vector3(1.48f, 0, 1.2f), Quaternion.Identity, -0.005f));
+        scene.FindContacts(Reach, _contacts);
+        Assert.Contains(_contacts, c => c.Pair.B == id && c.Manifold.Normal.Y < 0.9999f);
+    }
+
+    /// <summary>A wall at the end of a floor, flush with its end and higher, keeps its push.</summary>
+    [Fact]
+    public void AWallKeepsItsContacts()
+    {
+        var scene = new CollisionScene();
+        var still = new ObjectSettings(isStatic: true);
+        scene.Add(ConvexShape.Box(new Vector3(1, 0.5f, 1)), new RigidPose(new Vector3(0, -0.5f, 0)), still);
+        scene.Add(ConvexShape.Box(new Vector3(0.5f, 2, 1)), new RigidPose(new Vector3(1.5f, 0, 0)), still);
+        scene.Add(ConvexShape.Sphere(0.3f), new RigidPose(new Vector3(0.705f, 0.295f, 0)));
+        scene.FindContacts(Reach, _contacts);
+        Assert.Contains(_contacts, c => c.Manifold.Normal.Y > 0.999f);
+        Assert.Contains(_contacts, c => c.Manifold.Normal.X < -0.999f);
+        Assert.Equal(2, _contacts.Count);
+    }
+
+    [Fact]
+    public void WarmCallsAllocateNothing()
+    {
+        var scene = new CollisionScene();
+        AddTiles(scene, areFields: false, isStatic: true);
+        AnyShape ball = SeamBodies.Named("ball");
+        scene.Add(ball, SeamBodies.Placed(ball, new Vector3(1.48f, 0, 1.2f), Quaternion.Identity, -0.005f));
+        Assert.Equal(0, Allocation.Least(() => scene.FindContacts(Reach, _contacts)));
+        Assert.NotEmpty(_contacts);
+    }
+
+    private static void AddTiles(CollisionScene scene, bool areFields, bool isStatic)
+    {
+        var settings = new ObjectSettings(isStatic: isStatic, mask: isStatic ? uint.MaxValue : 2 | 1);
+        AnyShape field = AnyShape.Surface(TriangleMesh.FromHeights(new float[9], 3, new Vector2(0.25f)));
+        foreach (CompoundPart tile in Floors.Tiles(0))
+        {
+            Vector3 low = tile.Pose.Position + new Vector3(-0.25f, 0.2f, -0.25f);
+            if (areFields) scene.Add(field, new RigidPose(low), settings);
+            else scene.Add(tile.Shape, tile.Pose, settings);
+        }
+    }
+}
