@@ -6,7 +6,7 @@ internal static class CompoundJoints
 {
     /// <summary>Ratio to lengths: 2^-18, some roundings of the places of two parts. Less makes a kerb of a seam between
     /// parts whose places are rounded.</summary>
-    private const double Room = 4 * ContactCone.Slack;
+    public const double Room = 4 * ContactCone.Slack;
 
     /// <summary>Whether another part of a compound covers the witness of a pair. Such a part is among the pairs, as it
     /// is as near.</summary>

@@ -39,14 +39,16 @@ public static partial class ConcaveQuery
         return true;
     }
 
-    /// <summary>Adds the contacts of faces that are needed beside those of the pairs' own ways.</summary>
+    /// <summary>Adds the contacts of faces that are needed beside those that are there: the shallowest first, as only
+    /// what is less deep makes one needless.</summary>
     private static void AddFaces(ConcaveScratch scratch, List<PartContacts> contacts)
     {
-        int own = contacts.Count;
-        foreach (FaceContact face in scratch.FaceContacts)
+        List<FaceContact> faces = scratch.FaceContacts;
+        InPlaceSort.Sort(faces);
+        for (int i = faces.Count - 1; i >= 0; i--)
         {
-            if (!IsThere(face, contacts) && ContactPush.IsNeeded(scratch, face, contacts, own))
-                contacts.Add(face.Contact);
+            if (!IsThere(faces[i], contacts) && ContactPush.IsNeeded(scratch, faces[i], contacts))
+                contacts.Add(faces[i].Contact);
         }
     }
 

@@ -14,6 +14,10 @@ internal static class ContactPush
     /// <summary>Cosine of 8 degrees: contacts that push the same way.</summary>
     private const float SameWay = 0.99f;
 
+    /// <summary>Cosine of 60 degrees: a contact within it moves a body along a face by at least half its depth.
+    /// More pushes aslant what is pushed straight already.</summary>
+    private const float Alike = 0.5f;
+
     /// <summary>Ratios: a push goes so much further than the contact is deep, and by this of 1 and the place, so that
     /// what was as deep is apart and not just touching. More takes shallow neighbours for held ones.</summary>
     private const float Further = 1.01f, Room = 8 * (float)ContactCone.Slack;
@@ -69,12 +73,10 @@ internal static class ContactPush
     /// <param name="scratch">With both sides.</param>
     /// <param name="face">The contact.</param>
     /// <param name="others">Those that are there.</param>
-    /// <param name="count">How many of them are asked.</param>
-    public static bool IsNeeded(ConcaveScratch scratch, in FaceContact face, List<PartContacts> others, int count)
+    public static bool IsNeeded(ConcaveScratch scratch, in FaceContact face, List<PartContacts> others)
     {
-        for (int i = 0; i < count; i++)
+        foreach (PartContacts other in others)
         {
-            PartContacts other = others[i];
             if (!IsElsewhere(face, other)) continue;
             if (TakesApart(scratch, other, face) || IsHeldShorter(scratch, face, other)) return false;
         }
@@ -87,11 +89,8 @@ internal static class ContactPush
     {
         foreach (PartContacts push in scratch.Pushes)
         {
-            if (TakesApart(scratch, push, orphan)
-                || (IsElsewhere(orphan, push) && IsHeldShorter(scratch, orphan, push)))
-            {
-                return true;
-            }
+            if (TakesApart(scratch, push, orphan) || IsPushedAlike(scratch, orphan, push)) return true;
+            if (IsElsewhere(orphan, push) && IsHeldShorter(scratch, orphan, push)) return true;
         }
 
         return false;
@@ -123,13 +122,18 @@ internal static class ContactPush
 
     /// <summary>Whether the pair itself has a much shorter way out than the face's, and its convex part is held by a
     /// contact.</summary>
-    private static bool IsHeldShorter(ConcaveScratch scratch, in FaceContact face, in PartContacts other)
-    {
-        bool isSame = face.IsOfA
+    private static bool IsHeldShorter(ConcaveScratch scratch, in FaceContact face, in PartContacts other) =>
+        AreOfOneConvex(scratch, face, other) && face.Own > face.Contact.Result.Distance * MuchLess;
+
+    /// <summary>Whether a contact pushes a convex part along the face whose place the pair's own way took.</summary>
+    private static bool IsPushedAlike(ConcaveScratch scratch, in FaceContact orphan, in PartContacts push) =>
+        push.Result.Distance < 0 && Vector3.Dot(push.Manifold.Normal, orphan.Shortened) > Alike
+            && AreOfOneConvex(scratch, orphan, push);
+
+    private static bool AreOfOneConvex(ConcaveScratch scratch, in FaceContact face, in PartContacts other) =>
+        face.IsOfA
             ? scratch.B.Mesh is null && other.PartB == face.PartB
             : scratch.A.Mesh is null && other.PartA == face.PartA;
-        return isSame && face.Own > face.Contact.Result.Distance * MuchLess;
-    }
 
     /// <summary>Whether a push takes the parts of a pair apart, or goes half the way.</summary>
     private static bool TakesApart(ConcaveScratch scratch, in PartContacts push, in FaceContact pair)

@@ -17,6 +17,10 @@ internal readonly struct FaceContact : IComparable<FaceContact>
     /// <summary>That way, from A to B.</summary>
     public readonly Vector3 OwnNormal;
 
+    /// <summary>The face's normal, from A to B, where the contact is along the pair's own way, as that is much shorter;
+    /// else 0.</summary>
+    public readonly Vector3 Shortened;
+
     public FaceContact(in PartContacts contact, in PartDistance pair, bool isOfA, in DistanceResult own)
     {
         Contact = contact;
@@ -25,10 +29,10 @@ internal readonly struct FaceContact : IComparable<FaceContact>
     }
 
     /// <summary>A contact along its pair's own way.</summary>
-    public FaceContact(in PartContacts own)
+    public FaceContact(in PartContacts own, bool isOfA = true, Vector3 shortened = default)
     {
         Contact = own;
-        (PartA, PartB, IsOfA) = (own.PartA, own.PartB, true);
+        (PartA, PartB, IsOfA, Shortened) = (own.PartA, own.PartB, isOfA, shortened);
         (Own, OwnNormal) = (own.Result.Distance, own.Result.Normal);
     }
 

@@ -12,6 +12,10 @@ internal ref struct FaceSearch
     /// what the body shows there. At a tenth a rocking body keeps its points.</summary>
     private const double TipRoom = 0.1;
 
+    /// <summary>Ratio of depths: a body beside a corner of a surface is not pushed through it by more than this. With
+    /// less, more bodies are pushed aslant; TipContactTests has some that 10 pushes too far.</summary>
+    private const float FarLonger = 4;
+
     private readonly ConcaveScratch _scratch;
     private readonly PartDistance _pair;
     private readonly DistanceResult _own;
@@ -55,12 +59,15 @@ internal ref struct FaceSearch
             if (!_isGhost) contacts.Add(_best.Contact);
             else _scratch.FaceContacts.Add(new FaceContact(_best.Contact, _pair, _best.IsOfA, _own));
         }
-        else if (_standIn.IsThere && _own.Distance < 0)
+        else if (_standIn.IsThere)
         {
-            // Of a convex part the own way, where the face's is much longer: it leads out, if not straight.
+            // Of a convex part the own way, where the face's is far longer: it leads out, if not straight.
+            PartContacts face = _standIn.Contact;
             bool isLong = (_standIn.IsOfA ? _scratch.B : _scratch.A).Mesh is null
-                && _standIn.Contact.Result.Distance * ContactPush.MuchLess < _own.Distance;
-            _scratch.Orphans.Add(new FaceContact(isLong ? own : _standIn.Contact, _pair, _standIn.IsOfA, _own));
+                && face.Result.Distance < FarLonger * _own.Distance;
+            _scratch.Orphans.Add(isLong
+                ? new FaceContact(own, _standIn.IsOfA, face.Manifold.Normal)
+                : new FaceContact(face, _pair, _standIn.IsOfA, _own));
         }
     }
 
@@ -76,22 +83,30 @@ internal ref struct FaceSearch
         var tip = new TipContact(mesh, triangle, other, shape, face);
         if (tip.Gap > _maxGap) return;
         Double3 world = new RotationD(mesh.Pose.Rotation).Rotate(face);
-        ContactManifold along = Along(isOfA ? world : -world, shapeA, shapeB);
-
-        // Of a mesh only its tip is known to be shown along the face, and not what lies beside it.
-        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays && (other.Mesh is null
-            || along.Count == 0
-            || along[DeepestPoint.Of(along)].Gap <= tip.Gap + TipRoom * Math.Abs(tip.Gap) + ContactCone.Slack);
-        if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
-        if (isShown && along.Count > 0) Offer(_pair.PartA, _pair.PartB, along, isOfA);
+        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays;
         bool isLed = TryClimb(other, part, -world, out int corner);
         TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
         isLed &= led.Gap <= 0;
+        ContactManifold along = default;
+        if (isShown || !(isLed && other.IsSolid))
+        {
+            along = Along(isOfA ? world : -world, shapeA, shapeB);
+            isShown &= other.Mesh is null || along.Count == 0 || IsAsDeep(along, tip.Gap);
+            if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
+        }
+
         int ledA = isOfA ? triangle : corner / 3, ledB = isOfA ? corner / 3 : triangle;
-        if (isLed && !isShown && led.IsOver) Offer(ledA, ledB, led.Manifold(isOfA), isOfA);
+        if (isShown && along.Count > 0) Offer(_pair.PartA, _pair.PartB, along, isOfA);
+        else if (isLed && !isShown && led.IsOver) Offer(ledA, ledB, led.Manifold(isOfA), isOfA);
+        if (_own.Distance >= 0) return;
         if (isLed && other.IsSolid) StandIn(ledA, ledB, led.Manifold(isOfA), isOfA, true);
         else StandIn(_pair.PartA, _pair.PartB, along.Count > 0 ? along : tip.Manifold(isOfA), isOfA, false);
     }
+
+    /// <summary>Whether the points of a mesh's part are as deep as its tip: only the tip is known to be shown along the
+    /// face, and not what lies beside it.</summary>
+    private static bool IsAsDeep(in ContactManifold manifold, double tip) =>
+        manifold[DeepestPoint.Of(manifold)].Gap <= tip + TipRoom * Math.Abs(tip) + ContactCone.Slack;
 
     /// <summary>The points of the two parts along a direction, from A to B in the world.</summary>
     private readonly ContactManifold Along(in Double3 direction, in ConvexShape shapeA, in ConvexShape shapeB)

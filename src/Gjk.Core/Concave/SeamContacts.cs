@@ -25,7 +25,7 @@ internal static class SeamContacts
             ? plane.Frame.RotationA.Rotate(plane.Normal)
             : (Double3)result.Normal;
         ContactFit fitA = Judge(a, pair.PartA, normal), fitB = Judge(b, pair.PartB, -normal);
-        DeepestPoint.Lead(ref manifold);
+        if (!a.IsConvex || !b.IsConvex) DeepestPoint.Lead(ref manifold);
         var own = new PartContacts(pair.PartA, pair.PartB, result, manifold);
         if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
         {

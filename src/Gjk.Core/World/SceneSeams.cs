@@ -105,7 +105,7 @@ internal sealed class SceneSeams(SceneObjects objects)
         /// <summary>From the static object to the body, in the world.</summary>
         private Vector3 Outward => _isBodyA ? -_contact.Manifold.Normal : _contact.Manifold.Normal;
 
-        /// <summary>Whether the other contact's part of another static object goes on where this one is.</summary>
+        /// <summary>Whether the static object of another contact goes on where this one is.</summary>
         public bool IsCoveredBy(in BodyContact other)
         {
             if (other._ground == _ground) return false;
@@ -114,8 +114,7 @@ internal sealed class SceneSeams(SceneObjects objects)
             Double3 moved = (Double3)pose.Position - cover.Position;
             RotationD turn = new(cover.Rotation);
             Double3 witness = turn.InverseRotate(new RotationD(pose.Rotation).Rotate(local) + moved);
-            ConvexShape room = default;
-            return CompoundJoints.GoesOn(other.Ground(ref room), witness, turn.InverseRotate(Outward));
+            return _objects.Parts.GoesOn(other._ground, witness, turn.InverseRotate(Outward));
         }
 
         /// <summary>Whether another contact's push takes the body out of this part.</summary>
