@@ -162,15 +162,15 @@ internal struct PartCastSearch
     private void SetReached(double fraction)
     {
         double along = Math.Min(fraction, _to) - _from;
-        double way = (_motion == PartMotion.Ray ? along : along * _length) * Beyond / _frame.Unit;
+        double length = _motion == PartMotion.Ray ? 1 : _length;
+        double way = length > 0 ? along * length * Beyond / _frame.Unit : 0;
         if (_motion == PartMotion.Impact)
         {
             double size = _frame.RadiusA + _frame.RadiusB + _room;
             way += _room + Math.Max(_tolerance / _frame.Unit, ImpactRoom * size) * Beyond;
         }
 
-        _reached = _motion == PartMotion.Impact ? BoxLanes.Squared(way) : (float)(way * Beyond) + float.Epsilon;
-        if (!(_reached < float.MaxValue)) _reached = float.MaxValue;
+        _reached = _motion == PartMotion.Impact ? BoxLanes.Squared(way) : BoxLanes.AtMost(way * Beyond);
     }
 
     private readonly unsafe bool Bounds(
