@@ -88,8 +88,9 @@ internal static class PartAdvancement
         QuaternionD rotation = motion.Pose.Rotation;
         if (rate > 0) rotation = QuaternionD.About(turn * (1 / rate), rate * fraction) * rotation;
         var position = (Vector3)((Double3)motion.Pose.Position + (Double3)motion.Velocity * fraction);
+        if (!Guard.IsFinite(position)) return false;
         side.Pose = new RigidPose(
             new Quaternion((float)rotation.X, (float)rotation.Y, (float)rotation.Z, (float)rotation.W), position);
-        return Guard.IsFinite(position);
+        return true;
     }
 }
