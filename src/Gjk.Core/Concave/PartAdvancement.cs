@@ -36,7 +36,7 @@ internal static class PartAdvancement
         double speed = search.Speed, touch = search.TouchRoom, from = 0, span = 0;
         for (int step = 0; from <= search.Last; step++)
         {
-            if (!TryPose(sideA, a, from) || !TryPose(sideB, b, from))
+            if (!TryPoseAt(a, from, out sideA.Pose) || !TryPoseAt(b, from, out sideB.Pose))
             {
                 (sideA.Pose, sideB.Pose) = (a.Pose, b.Pose);
                 search.Look(scratch, 0, double.PositiveInfinity, 0);
@@ -79,9 +79,13 @@ internal static class PartAdvancement
 
     private static double Size(in RigidPose pose) => ((Double3)pose.Position).SumOfMagnitudes;
 
-    /// <summary>Poses a side at a fraction; false where float has no such pose.</summary>
-    private static bool TryPose(PartSide side, in RigidMotion motion, double fraction)
+    /// <summary>The pose at a fraction, or the first one where float has no such pose.</summary>
+    public static RigidPose PoseAt(in RigidMotion motion, double fraction) =>
+        TryPoseAt(motion, fraction, out RigidPose pose) ? pose : motion.Pose;
+
+    private static bool TryPoseAt(in RigidMotion motion, double fraction, out RigidPose pose)
     {
+        pose = default;
         Double3 turn = motion.AngularVelocity;
         double rate = turn.Length;
         if (!(rate * fraction < SineCosine.MaxAngle)) return false;
@@ -89,7 +93,7 @@ internal static class PartAdvancement
         if (rate > 0) rotation = QuaternionD.About(turn * (1 / rate), rate * fraction) * rotation;
         var position = (Vector3)((Double3)motion.Pose.Position + (Double3)motion.Velocity * fraction);
         if (!Guard.IsFinite(position)) return false;
-        side.Pose = new RigidPose(
+        pose = new RigidPose(
             new Quaternion((float)rotation.X, (float)rotation.Y, (float)rotation.Z, (float)rotation.W), position);
         return true;
     }

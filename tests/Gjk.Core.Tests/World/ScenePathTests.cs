@@ -60,7 +60,7 @@ public class ScenePathTests
                 CastOptions options = set.Options();
                 if (set.Rng.Below(10) == 0) motion = default;
                 CastHit[] expected = [.. set.Seen(filter).Select(
-                    i => new CastHit(i, set.Cast(i, shape, pose, motion, most, options)))
+                    i => new CastHit(i, set.PartCast(i, shape, pose, motion, most, options)))
                     .Where(h => h.Result.Status != CastStatus.Miss).Order()];
                 counts[expected.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
