@@ -70,6 +70,9 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
     /// <summary>The slot of the first object, or -1.</summary>
     public int Slot = -1;
 
+    /// <summary>When the shape meets it.</summary>
+    public readonly CastResult Result => _first.Result;
+
     private PartCast _first =
         new(CastResult.Nothing(CastStatus.Miss, maxFraction, 0), PartSide.NoPart, PartSide.NoPart);
 
