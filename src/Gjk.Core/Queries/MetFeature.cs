@@ -16,7 +16,7 @@ internal enum MetFeature : byte
 internal static class MetFeatures
 {
     /// <summary>Ratio to a face's size: 2^-18, some 60 roundings of a normal to float. A normal that is tilted by no
-    /// more looks along the face. Pinned by CastSeamTests.</summary>
+    /// more looks along the face; the seams of CastSeamTests tilt it by a thousand times that.</summary>
     private const double Level = 1.0 / (1 << 18);
 
     /// <summary>The better of both shapes' features. A round one says nothing beside a flat one.</summary>

@@ -36,21 +36,24 @@ public class UnionSlideTests
     }
 
     [Theory]
-    [InlineData(false)]
-    [InlineData(true)]
-    public void ABodyThatIsDeepInACompoundSlidesAlongIt(bool turns)
+    [InlineData(false, 0, 1e-3f)]
+    [InlineData(true, 0, 1e-3f)]
+    [InlineData(false, 1000, 0)]
+    [InlineData(false, -3000, 0)]
+    public void ABodyThatIsDeepInACompoundSlidesAlongIt(bool turns, float height, float allowed)
     {
+        var at = new RigidPose(new Vector3(0, height, 0));
+        CastOptions options = CastOptions.OnlyDeeper(allowed);
         AnyShape floor = Tiles();
         var scratch = new ConcaveScratch();
         AnyShape body = AnyShape.Of(ConvexShape.Capsule(0.3f, 0.5f));
-        var from = new RigidPose(new Vector3(1.1f, 1.29f, 0.05f));
+        var from = new RigidPose(new Vector3(1.1f, height + 1.29f, 0.05f));
         PartCast found = turns
             ? ConcaveQuery.TimeOfImpact(
-                floor, new RigidMotion(RigidPose.Identity, Vector3.Zero), body,
-                new RigidMotion(from, new Vector3(5, 0, 0), new Vector3(0, 0.1f, 0)), scratch, options: NoDeeper)
+                floor, new RigidMotion(at, Vector3.Zero), body,
+                new RigidMotion(from, new Vector3(5, 0, 0), new Vector3(0, 0.1f, 0)), scratch, options: options)
             : ConcaveQuery.Cast(
-                floor, RigidPose.Identity, Vector3.Zero, body, from, new Vector3(5, 0, 0), scratch,
-                options: NoDeeper);
+                floor, at, Vector3.Zero, body, from, new Vector3(5, 0, 0), scratch, options: options);
         Assert.Equal(CastStatus.Miss, found.Status);
     }
 
