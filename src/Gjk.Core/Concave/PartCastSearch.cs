@@ -18,8 +18,9 @@ internal enum PartMotion : byte
 /// <remarks>The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their
 /// distance where the search begins, which closes no faster than the velocities and the turns of the furthest points
 /// allow. <see cref="PartAdvancement"/> says where that is. Exactness: parts are asked up to the float after the least
-/// fraction so far, since a contact may be found behind it and still round to it; of contacts
-/// that are equal in <see cref="ContactOrder"/> the best feature stays, then the least numbers. So the answer is that of all pairs asked in turn.</remarks>
+/// fraction so far, since a contact may be found behind it and still round to it; of those that
+/// are equal in <see cref="ContactOrder"/> the best feature stays, then the least numbers. So the answer is that of all
+/// pairs asked in turn.</remarks>
 internal struct PartCastSearch
 {
     /// <summary>Ratio: 2^-18; more than rounding makes of the products with a fraction. More only costs time.</summary>
@@ -218,7 +219,8 @@ internal struct PartCastSearch
 
         // What is passed depends on the whole way, and so does where an impact's steps end.
         bool isWhole = PartA < 0 || AllCasts is not null || _options.PassesShallow || _motion == PartMotion.Impact;
-        double least = _best.Solved + (_motion == PartMotion.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0);
+        double error = _motion == PartMotion.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0;
+        double least = _best.Solved + error;
         var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
         if (_motion == PartMotion.Ray)
         {

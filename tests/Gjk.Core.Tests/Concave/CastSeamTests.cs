@@ -46,8 +46,8 @@ public class CastSeamTests
 
             Assert.True(flush.TryFindCastHit(ball.Convex, from, down, out _, out CastResult met));
             AssertUp(-met.Normal, $"{met} on flush boxes");
-            Assert.True(
-                flush.TryFindRayHit(new RayQuery(new Vector3(side * 0.4f, 0.5f, 0), new Vector3(-side, -1, 0)), out _, out RayCastResult ray));
+            var slanted = new RayQuery(new Vector3(side * 0.4f, 0.5f, 0), new Vector3(-side, -1, 0));
+            Assert.True(flush.TryFindRayHit(slanted, out _, out RayCastResult ray));
             AssertUp(ray.Normal, $"{ray}");
         }
     }

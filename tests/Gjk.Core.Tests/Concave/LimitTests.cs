@@ -94,7 +94,8 @@ public class LimitTests
             var over = new RigidPose(new Vector3(0, Apart * size, 0));
             scene.Add(Make(size, kind), over);
             scene.Add(ConvexShape.Sphere(0.1f * size), new RigidPose(new Vector3(0, -Apart * size, 0)));
-            var (pairs, contacts, depths) = (new List<PairDistance>(), new List<PairContacts>(), new List<PairDistance>());
+            var (pairs, depths) = (new List<PairDistance>(), new List<PairDistance>());
+            var contacts = new List<PairContacts>();
             var (casts, rays) = (new List<CastHit>(), new List<RayHit>());
             ConvexShape ball = ConvexShape.Sphere(0.5f * size);
             foreach (float limit in Limits)

@@ -115,6 +115,28 @@ public class StartInsideTests
         Assert.InRange(inside, 60, 180);
     }
 
+    [Fact]
+    public void CastAllRefusesWhatCastRefuses()
+    {
+        var ball = AnyShape.Of(ConvexShape.Sphere(1));
+        var cube = AnyShape.Solid(ConcaveShapes.Box(Vector3.One));
+        var (at, up) = (RigidPose.Identity, Vector3.UnitY);
+        var hits = new List<PartCast>();
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, _scratch, null!));
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, null!, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, default, at, up, _scratch, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, default, up, cube, at, up, _scratch, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, at, new Vector3(float.NaN, 0, 0), cube, at, up, _scratch, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, _scratch, hits, float.NaN));
+        Assert.Empty(hits);
+        Assert.True(ConcaveQuery.CastAll(ball, at, up, ball, new RigidPose(3 * up), Vector3.Zero, _scratch, hits, 9));
+        Assert.Equal(CastStatus.Hit, Assert.Single(hits).Status);
+        Assert.True(ConcaveQuery.CastAll(ball, at, up, cube, new RigidPose(9 * up), up, _scratch, hits));
+        Assert.Empty(hits);
+        Assert.True(ConcaveQuery.CastAll(ball, at, up, cube, new RigidPose(up), up, _scratch, hits));
+        Assert.Equal(CastStatus.OverlappingAtStart, hits[0].Status);
+    }
+
     private PartCast Start(in AnyShape ground, in ConvexShape body, Vector3 at) => ConcaveQuery.Cast(
         ground, RigidPose.Identity, Vector3.Zero, AnyShape.Of(body), new RigidPose(at), new Vector3(0, -1, 0),
         _scratch);

@@ -55,7 +55,8 @@ public class CharacterTests
                 scene.Add(AnyShape.Surface(heights), new RigidPose(corners[0]));
                 break;
             case "mesh":
-                scene.Add(AnyShape.Surface(Support.ConcaveShapes.Grid(40).Scaled(new Vector3(Half))), RigidPose.Identity);
+                TriangleMesh grid = Support.ConcaveShapes.Grid(40).Scaled(new Vector3(Half));
+                scene.Add(AnyShape.Surface(grid), RigidPose.Identity);
                 break;
             case "tiles":
                 foreach (CompoundPart tile in tiles) scene.Add(tile.Shape, tile.Pose);
