@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>What meets a flat floor near or on a seam gets the floor's normal: fractions are compared as they were
