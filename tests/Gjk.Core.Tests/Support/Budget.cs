@@ -8,5 +8,10 @@ internal static class Budget
 
     private static readonly bool Long = Environment.GetEnvironmentVariable("GJK_LONG") == "1";
 
-    public static int Count(int usual) => Long ? usual * LongFactor : (usual + QuickShare - 1) / QuickShare;
+    public static int Count(int usual) => Long ? usual * LongFactor : Share(usual);
+
+    /// <summary>For what more of would prove no more: GJK_LONG=1 asks for the count itself.</summary>
+    public static int Whole(int usual) => Long ? usual : Share(usual);
+
+    private static int Share(int usual) => (usual + QuickShare - 1) / QuickShare;
 }
