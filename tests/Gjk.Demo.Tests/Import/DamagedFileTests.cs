@@ -37,7 +37,7 @@ public sealed partial class DamagedFileTests
         File.WriteAllBytes(file, good);
         Assert.NotEmpty(Imported.Of(file).Names);
         var random = new Random(Seed);
-        int told = 0, files = Budget.Count(Files);
+        int told = 0, files = Budget.Whole(Files);
         for (int i = 0; i < files; i++)
         {
             byte[] bad = Damage(good, random);
