@@ -44,7 +44,7 @@ public class RepositoryTests
         string[] projects = [.. Tracked("*.csproj").Select(p => Path.GetRelativePath(ProjectFolder.Root, p))];
         Assert.True(projects.Length > 20, $"{projects.Length} projects");
         Assert.Empty(projects.Select(p => p.Replace('\\', '/')).Where(
-            p => !solution.Contains($"\"{p}\"") && !runs.Contains(Path.GetDirectoryName(p)!.Replace('\\', '/') + "/run.sh")));
+            p => !solution.Contains($"\"{p}\"") && !runs.Contains(p[..p.LastIndexOf('/')] + "/run.sh")));
     }
 
     private static string Read(string path) => File.ReadAllText(Path.Combine(ProjectFolder.Root, path));

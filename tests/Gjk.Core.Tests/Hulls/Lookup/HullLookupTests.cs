@@ -74,7 +74,7 @@ public class HullLookupTests
     {
         var hull = new ConvexHull(cloud);
         var next = new LookupDirections(hull, new Rng(seed));
-        int count = Budget.Count(directions);
+        int count = Budget.Few(directions);
         for (int i = 0; i < count; i++)
         {
             Double3 d = next.Next();
