@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Does what docs/tasks/many-machines.md says, on a Slurm of one node: the job file of that page, with its number of parts
 # and its names alone exchanged, for a scene of a million pairs. One part is killed and run again; the parts in order must
-# be the bytes of one run. Installs Slurm where that is possible, else says so and ends well. It needs root.
+# be the bytes of one run. Installs Slurm where that is possible, else says so and ends well. It needs
+# root. --no-build takes the Release build of the demo that is there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
@@ -39,7 +40,7 @@ fail() {
   exit 1
 }
 
-dotnet build -c Release -v quiet --nologo src/Gjk.Demo
+[ "${1:-}" = --no-build ] || dotnet build -c Release -v quiet --nologo src/Gjk.Demo
 mkdir "$work/bin" "$work/jobs" "$work/spool" "$work/state"
 printf '#!/bin/sh\nexec dotnet "%s" "$@"\n' "$PWD/src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll" > "$work/bin/gjk-demo"
 chmod +x "$work/bin/gjk-demo"
