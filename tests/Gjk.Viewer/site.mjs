@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { extname, join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 import { FLAGS } from './browser.mjs';
@@ -33,7 +34,14 @@ const pages = files(site).filter((file) => file.endsWith('.html') && !/(^|\/)(40
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
 const links = new Map();
 const context = await browser.newContext({ viewport: SIZES.wide });
-for (const page of pages) await check(`${page} is whole, wide and narrow`, () => look(context, page));
+// Each core has a page to open.
+const waiting = [...pages];
+await Promise.all(Array.from({ length: availableParallelism() + 1 }, async () => {
+  while (waiting.length) {
+    const page = waiting.shift();
+    await check(`${page} is whole, wide and narrow`, () => look(context, page));
+  }
+}));
 await context.close();
 
 await check('no link is dead', async () => {
