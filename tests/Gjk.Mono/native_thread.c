@@ -14,18 +14,27 @@ unsigned short control_word(void)
     return word;
 }
 
-static void *run(void *argument)
+static void call_in_extended_precision(callback call)
 {
     __asm__ volatile("fldcw %0" : : "m"(extended_precision));
-    (*(callback *)argument)();
+    call();
+}
+
+/* Mono meets the thread in the first call, and changes its control word; the second call changes it back. */
+static void *run(void *argument)
+{
+    callback *calls = argument;
+    call_in_extended_precision(calls[0]);
+    call_in_extended_precision(calls[1]);
     return NULL;
 }
 
-/* Calls back on a new thread and waits for it; 0 if there was a thread. */
-int run_on_native_thread(callback call)
+/* Calls back twice on a new thread and waits for it; 0 if there was a thread. */
+int run_on_native_thread(callback first, callback second)
 {
+    callback calls[] = { first, second };
     pthread_t thread;
-    int problem = pthread_create(&thread, NULL, run, &call);
+    int problem = pthread_create(&thread, NULL, run, calls);
     if (problem == 0) pthread_join(thread, NULL);
     return problem;
 }

@@ -5,8 +5,8 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>What Mono's compiler makes slow, found in a build: it keeps no struct in registers, clears large locals with
-/// a call even where a path never touches them, and copies large structs with a call through native code.</summary>
+/// <summary>What Mono's compiler makes slow, found in a build: it keeps no struct in registers, clears large locals by a
+/// call even where a path never touches them, and copies large structs by a call through native code.</summary>
 internal static class CostOnMono
 {
     /// <summary>Bytes: a larger struct is not passed by value. Two words travel in registers.</summary>
@@ -27,8 +27,8 @@ internal static class CostOnMono
 
     private static readonly MethodInfo SizeOf = typeof(Unsafe).GetMethod(nameof(Unsafe.SizeOf))!;
 
-    /// <summary>Methods with a local of a type parameter's type: a shape that is copied before a method of its interface
-    /// is called, because it came as a readonly reference.</summary>
+    /// <summary>Methods with a local of a type parameter's type: a shape that is copied before a method of its
+    /// interface is called, because it came as a readonly reference.</summary>
     public static IEnumerable<string> CopiedShapes(Assembly library) =>
         from method in HotMethods(library)
         where method.GetMethodBody()?.LocalVariables.Any(l => l.LocalType.IsGenericParameter) == true

@@ -25,11 +25,13 @@ public class BuildCostOnMonoTests
     private static readonly (string Method, string Reason)[] ByValue =
     [
         ("SegmentCore.UnitDot", Range), ("TriangleCore.FurthestInUnits", Range),
-        ("XyzExtensions.ToVector3D", "so short that Mono inlines it unasked"), ("PairFrame.OutOfA", "placed shapes, once for each query"),
+        ("XyzExtensions.ToVector3D", "so short that Mono inlines it unasked"),
+        ("PairFrame.OutOfA", "placed shapes, once for each query"),
         ("PairFrame.OutOfB", "placed shapes, once for each query"), ("ConvexQuery.SettleImpact", Answer),
         ("DistanceFinish.Common", "once, of pairs that overlap or touch"), ("ShapeParts.set_Scale", Making),
         ("ClosestPointWeights.FaceWeightsExtended", Exact), ("ClosestPointWeights.VolumeWeightsExtended", Exact),
-        ("NextSimplex.Nearest", "where more than one face sees the origin"), ("BestNormal.set_Normal", "once for each normal"),
+        ("NextSimplex.Nearest", "where more than one face sees the origin"),
+        ("BestNormal.set_Normal", "once for each normal"),
         ("GjkDistance.Stop", "once for each search"), ("GjkDistance.Tell", Trace),
         ("Proofs.IsCertainlyInside", "once, where the simplex may hold the origin"),
     ];
