@@ -35,7 +35,7 @@ internal static class MonoBuild
     {
         string runtime = column.Framework == MonoColumn.MonoFramework ? "mono" : "dotnet";
         string text = Output(
-            runtime, [file, seconds.ToString(CultureInfo.InvariantCulture)],
+            runtime, [file, seconds.ToString(CultureInfo.InvariantCulture), column.Build],
             $"--mono: the run on {column.Name} failed");
         return text.Split('\n', StringSplitOptions.RemoveEmptyEntries)
             .Select(line => line.Split(','))

@@ -4,7 +4,8 @@ namespace Gjk.Bench.Mono;
 /// <param name="Name">The head of its column.</param>
 /// <param name="Framework">What the program is built for.</param>
 /// <param name="Library">The library's target; empty for that of the framework.</param>
-internal sealed record MonoColumn(string Name, string Framework, string Library)
+/// <param name="Build">How that build of the library names itself.</param>
+internal sealed record MonoColumn(string Name, string Framework, string Library, string Build)
 {
     public const string MonoFramework = "net472";
 
@@ -12,8 +13,8 @@ internal sealed record MonoColumn(string Name, string Framework, string Library)
     /// can be run without Unity: the same sources without vector registers, and a good compiler.</summary>
     public static IReadOnlyList<MonoColumn> All { get; } =
     [
-        new("mono", MonoFramework, ""),
-        new("net10.0", "net10.0", ""),
-        new("netstandard2.1", "net10.0", "netstandard2.1"),
+        new("mono", MonoFramework, "", ".NETStandard,Version=v2.0"),
+        new("net10.0", "net10.0", "", ".NETCoreApp,Version=v10.0"),
+        new("netstandard2.1", "net10.0", "netstandard2.1", ".NETStandard,Version=v2.1"),
     ];
 }

@@ -1,9 +1,13 @@
+using System.Reflection;
+using System.Runtime.Versioning;
 using Gjk.Bench.Table;
+using Gjk.Core;
 
 namespace Gjk.Bench.Runtimes;
 
 /// <summary>Measures the queries on the runtime that started it, the library and the report's algorithm in turn. The
-/// only argument is for how many seconds. Prints a line for each row: name, what a call is, its nanoseconds.</summary>
+/// arguments are for how many seconds, and which build of the library it must be. Prints a line for each row: the name
+/// and the nanoseconds of a call.</summary>
 internal static class Program
 {
     /// <summary>The most seconds of warm-up.</summary>
@@ -11,6 +15,8 @@ internal static class Program
 
     private static void Main(string[] args)
     {
+        string build = typeof(ConvexQuery).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName;
+        if (build != args[1]) throw new InvalidOperationException($"The library is the build for {build}.");
         double seconds = double.Parse(args[0], CultureInfo.InvariantCulture);
         (string Name, TimedLoop Loop)[] rows = [.. RuntimeRows.All()];
         TimedLoop[] loops = [.. rows.Select(r => r.Loop)];
