@@ -46,25 +46,6 @@ public class ResultFigureTests
     }
 
     [Fact]
-    public void TheTableOfRuntimes()
-    {
-        string[] runtimes = ["mono", "net10.0", "netstandard2.1"];
-        string[][] rows = [.. Rows(Performance).SkipWhile(r => r[0] != "on Unity's runtimes").Skip(2)
-            .TakeWhile(r => r.Length == 7 && r[0] != "set")];
-        Assert.True(rows.Length > 15, $"{rows.Length} rows");
-        foreach (string[] row in rows)
-        {
-            double unit = row[0].Contains("frame") ? 1e6 : 1;
-            for (int i = 0; i < runtimes.Length; i++)
-            {
-                (string, string)[] where = [("row", row[0].Replace(", ms", "")), ("runtime", runtimes[i])];
-                AssertShows(row[2 * i + 1], Value("amd-epyc-mono.csv", "ns", where) / unit);
-                AssertShows(row[2 * i + 2], Value("amd-epyc-mono.csv", "ratio", where));
-            }
-        }
-    }
-
-    [Fact]
     public void TheTableOfSurfaces()
     {
         string[][] rows = [.. Rows(Performance).Where(r => r.Length == 7 && r[0].Contains("100k"))];
