@@ -43,9 +43,8 @@ internal static partial class MinkowskiDifference
         return Xyz(w);
     }
 
-    /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static unsafe void SupportInLanes<TA, TB>(
+    private static unsafe void SupportInLanes<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 direction, PolytopeVertex* vertex)
     {
         Vector256<double> w = SupportInLanes(

@@ -29,7 +29,7 @@ internal static partial class MinkowskiDifference
         frame.Rotation.InverseRotate(normal, out direction);
         int idB = b.Support(direction, out Double3 onB);
         ids = idA | idB;
-        Double3 w = VertexOf(frame, onA, onB);
+        SetVertex(frame, onA, onB, out Double3 w);
         simplex.Fill(slot, w, onA, onB, idA, idB);
         return w;
     }
@@ -48,7 +48,29 @@ internal static partial class MinkowskiDifference
         ids = a.Support(direction, out Double3 onA);
         frame.Rotation.InverseRotate(normal, out direction);
         ids |= b.Support(direction, out Double3 onB);
-        return VertexOf(frame, onA, onB);
+        SetVertex(frame, onA, onB, out Double3 w);
+        return w;
+    }
+
+    /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
+    [MethodImpl(Jit.Step)]
+    public static unsafe void Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 direction, PolytopeVertex* vertex)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+#if NET
+        if (HaveLanes<TA, TB>())
+        {
+            SupportInLanes(ref a, ref b, frame, direction, vertex);
+            return;
+        }
+#endif
+        Double3.Write(-direction.X, -direction.Y, -direction.Z, out Double3 normal);
+        vertex->IdA = a.Support(direction, out vertex->OnA);
+        frame.Rotation.InverseRotate(normal, out normal);
+        vertex->IdB = b.Support(normal, out vertex->OnB);
+        SetVertex(frame, vertex->OnA, vertex->OnB, out vertex->W);
     }
 
     /// <summary>Puts the vertex made of two support points, where they are now, into a slot.</summary>
@@ -63,7 +85,8 @@ internal static partial class MinkowskiDifference
         if (HaveLanes<TA, TB>()) return TryPlaceLanes(ref a, ref b, frame, idA, idB, ref simplex, slot);
 #endif
         if (!a.TryGetVertex(idA, out Double3 onA) | !b.TryGetVertex(idB, out Double3 onB)) return false;
-        simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, idA, idB);
+        SetVertex(frame, onA, onB, out Double3 w);
+        simplex.Fill(slot, w, onA, onB, idA, idB);
         return true;
     }
 
@@ -74,16 +97,18 @@ internal static partial class MinkowskiDifference
         {
             int slot = simplex[i];
             Double3 onA = simplex.OnA(slot), onB = simplex.OnB(slot);
-            simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, simplex.IdA(slot), simplex.IdB(slot));
+            SetVertex(frame, onA, onB, out Double3 w);
+            simplex.Fill(slot, w, onA, onB, simplex.IdA(slot), simplex.IdB(slot));
         }
     }
 
     /// <summary>The vertex made of a point of each shape, measured from its centre in its own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double3 VertexOf(in PairFrame frame, in Double3 onA, in Double3 onB)
+    private static void SetVertex(in PairFrame frame, in Double3 onA, in Double3 onB, out Double3 w)
     {
         frame.Rotation.Rotate(onB, out double x, out double y, out double z);
-        return new Double3(
-            onA.X - (x + frame.Translation.X), onA.Y - (y + frame.Translation.Y), onA.Z - (z + frame.Translation.Z));
+        Double3.Write(
+            onA.X - (x + frame.Translation.X), onA.Y - (y + frame.Translation.Y), onA.Z - (z + frame.Translation.Z),
+            out w);
     }
 }

@@ -101,13 +101,14 @@ internal static class SignedSolver
         where TTrace : struct, IPolytopeTrace
     {
         var verdict = DepthVerdict.Undecided;
-        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == RayForm.Box
-            && ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB) == RayForm.Box)
+        RayForm formA = ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA);
+        RayForm formB = ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB);
+        if (frame.Margins == 0 && formA == RayForm.Box && formB == RayForm.Box)
         {
             if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
             verdict = BoxDepth.Solve(halfA, halfB, frame, ref state);
         }
-        else if (MayBeRound<TA>() && MayBeRound<TB>())
+        else if (MayBeRound<TA>(formA) && MayBeRound<TB>(formB))
         {
             verdict = SolveRound(ref a, ref b, frame, ref state, ref trace);
             if (verdict != DepthVerdict.Undecided) return verdict;
@@ -146,9 +147,10 @@ internal static class SignedSolver
         return verdict == DepthVerdict.Undecided ? DepthCells.Solve(ref a, ref b, frame, ref state) : verdict;
     }
 
-    /// <summary>Whether the type may be that of a round body; the meshes' core is not, and costs no look.</summary>
+    /// <summary>Whether a shape may be a round body; the meshes' core is not, and costs no look.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool MayBeRound<T>() => typeof(T) != typeof(HullCore) && typeof(T) != typeof(BoxCore);
+    private static bool MayBeRound<T>(RayForm form) =>
+        typeof(T) != typeof(HullCore) && form is not (RayForm.Hull or RayForm.Box);
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
