@@ -26,7 +26,7 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         ContactPlane plane;
-        Make(out manifold);
+        Uncleared.Begin(out manifold);
         return AskContacts(a, poseA, b, poseB, maxGap, null, &plane, ref manifold);
     }
 
@@ -50,7 +50,7 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         ContactPlane plane;
-        Make(out manifold);
+        Uncleared.Begin(out manifold);
         fixed (WarmStart* warm = &warmStart)
             return AskContacts(a, poseA, b, poseB, maxGap, warm, &plane, ref manifold);
     }
@@ -60,7 +60,7 @@ public static unsafe partial class ConvexQuery
         in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float maxGap,
         ref ContactPlane plane, out ContactManifold manifold)
     {
-        Make(out manifold);
+        Uncleared.Begin(out manifold);
         fixed (ContactPlane* found = &plane)
             return AskContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold);
     }
@@ -86,17 +86,6 @@ public static unsafe partial class ConvexQuery
         TryAddFaces(
             ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
         if (manifold.Count == 0) manifold.Clear();
-    }
-
-    /// <summary>Room for points, not cleared.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Make(out ContactManifold manifold)
-    {
-#if NET
-        Unsafe.SkipInit(out manifold);
-#else
-        manifold = default;
-#endif
     }
 
     private static DistanceResult AskContacts<TA, TB>(
