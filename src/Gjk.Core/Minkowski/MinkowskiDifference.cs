@@ -13,43 +13,41 @@ internal static partial class MinkowskiDifference
     /// <param name="normal">In A's frame, of any length.</param>
     /// <param name="simplex">Gets the vertex, with the support points that it is made from and their ids.</param>
     /// <param name="slot">Where in the simplex.</param>
-    /// <param name="ids">Both ids in one: negative where a support point has none.</param>
-    /// <returns>The vertex: A's support point less B's, in A's frame.</returns>
+    /// <param name="w">The vertex: A's support point less B's, in A's frame.</param>
+    /// <returns>Both ids in one: negative where a support point has none.</returns>
     [MethodImpl(Jit.Step)]
-    public static Double3 Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out int ids)
+    public static int Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out Double3 w)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
 #if NET
-        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, ref simplex, slot, out ids);
+        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, ref simplex, slot, out w);
 #endif
         Double3.Write(-normal.X, -normal.Y, -normal.Z, out Double3 direction);
         int idA = a.Support(direction, out Double3 onA);
         frame.Rotation.InverseRotate(normal, out direction);
         int idB = b.Support(direction, out Double3 onB);
-        ids = idA | idB;
-        SetVertex(frame, onA, onB, out Double3 w);
+        SetVertex(frame, onA, onB, out w);
         simplex.Fill(slot, w, onA, onB, idA, idB);
-        return w;
+        return idA | idB;
     }
 
     /// <summary>The same for a search that needs no support points.</summary>
     [MethodImpl(Jit.Step)]
-    public static Double3 Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out int ids)
+    public static int Support<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out Double3 w)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
 #if NET
-        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, out ids);
+        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, out w);
 #endif
         Double3.Write(-normal.X, -normal.Y, -normal.Z, out Double3 direction);
-        ids = a.Support(direction, out Double3 onA);
+        int ids = a.Support(direction, out Double3 onA);
         frame.Rotation.InverseRotate(normal, out direction);
         ids |= b.Support(direction, out Double3 onB);
-        SetVertex(frame, onA, onB, out Double3 w);
-        return w;
+        SetVertex(frame, onA, onB, out w);
+        return ids;
     }
 
     /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
