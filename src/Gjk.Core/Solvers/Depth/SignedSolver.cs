@@ -101,14 +101,13 @@ internal static class SignedSolver
         where TTrace : struct, IPolytopeTrace
     {
         var verdict = DepthVerdict.Undecided;
-        RayForm formA = ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA);
-        RayForm formB = ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB);
-        if (frame.Margins == 0 && formA == RayForm.Box && formB == RayForm.Box)
+        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == RayForm.Box
+            && ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB) == RayForm.Box)
         {
             if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
             verdict = BoxDepth.Solve(halfA, halfB, frame, ref state);
         }
-        else if (MayBeRound<TA>(formA) && MayBeRound<TB>(formB))
+        else if (MayBeRound(ref a) && MayBeRound(ref b))
         {
             verdict = SolveRound(ref a, ref b, frame, ref state, ref trace);
             if (verdict != DepthVerdict.Undecided) return verdict;
@@ -149,8 +148,10 @@ internal static class SignedSolver
 
     /// <summary>Whether a shape may be a round body; the meshes' core is not, and costs no look.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool MayBeRound<T>(RayForm form) =>
-        typeof(T) != typeof(HullCore) && form is not (RayForm.Hull or RayForm.Box);
+    private static bool MayBeRound<T>(ref T shape)
+        where T : struct, ISupportMap =>
+        typeof(T) != typeof(HullCore) && typeof(T) != typeof(BoxCore)
+        && ShapeTraits<T>.Of.GetPlain(ref shape, out _) is not (RayForm.Hull or RayForm.Box);
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
