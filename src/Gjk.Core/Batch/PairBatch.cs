@@ -136,9 +136,9 @@ public static partial class PairBatch
         {
             for (int i = begin; i < end; i++)
             {
-                ObjectPair pair = pairs[i];
-                results[i] = ConvexQuery.SignedDistance(
-                    shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]);
+                (int a, int b) = (pairs[i].A, pairs[i].B);
+                var solver = new SignedDistanceSolver<NoPolytopeTrace>();
+                PairQuery.Run(shapes[a], poses[a], shapes[b], poses[b], ref solver, out results[i]);
             }
         }
     }
@@ -168,7 +168,7 @@ public static partial class PairBatch
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results,
         float maxDistance) : IPartJob
     {
-        public void Run(int begin, int end)
+        public unsafe void Run(int begin, int end)
         {
 #if NET
             if (WideBatch.IsSupported)
@@ -181,7 +181,8 @@ public static partial class PairBatch
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
-                results[i] = ConvexQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance);
+                var solver = new DistanceSolver<NoTrace>(maxDistance);
+                PairQuery.Run(shapes[a], poses[a], shapes[b], poses[b], ref solver, out results[i]);
             }
         }
     }

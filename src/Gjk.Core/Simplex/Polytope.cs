@@ -38,7 +38,7 @@ internal unsafe partial struct Polytope
     public const int Doubles = (Alignment + MostFaces * (BytesPerFace + sizeof(double)) + Room * BytesPerVertex
         + MostCuts * 3 * sizeof(double) + 2 * MostEdges * sizeof(ushort)) / sizeof(double),
         FirstDoubles = Doubles - ((MostFaces - FirstFaces) * (BytesPerFace + sizeof(double))
-        + (Room - FirstRoom) * BytesPerVertex + (FirstRoom < Room ? MostCuts * 3 * sizeof(double) : 0)) / sizeof(double);
+        + (Room - FirstRoom) * BytesPerVertex) / sizeof(double);
 
     private readonly PolytopeVertex* _vertices;
     private readonly PolytopeFace* _faces;
@@ -56,20 +56,19 @@ internal unsafe partial struct Polytope
 
     /// <summary>A polytope without vertices.</summary>
     /// <param name="memory">As many doubles as <see cref="Doubles"/> or <see cref="FirstDoubles"/> says.</param>
-    /// <param name="isFirst">With the first room, and without one for cuts.</param>
+    /// <param name="isFirst">With the first room.</param>
     public Polytope(double* memory, bool isFirst = false)
     {
         _noise = _level = 0;
         _vertexCount = _faceCount = _cutCount = 0;
-        bool isSmall = isFirst && FirstRoom < Room;
-        int faces = isSmall ? FirstFaces : MostFaces;
-        _room = isSmall ? FirstRoom : Room;
-        _lastFace = isSmall ? FirstFaces - 2 * FirstRoom : MostFaces;
+        int faces = isFirst ? FirstFaces : MostFaces;
+        _room = isFirst ? FirstRoom : Room;
+        _lastFace = CanGrow ? FirstFaces - 2 * FirstRoom : MostFaces;
         _faces = (PolytopeFace*)(((ulong)memory + Alignment - 1) / Alignment * Alignment);
         _vertices = (PolytopeVertex*)(_faces + faces);
         _keys = (double*)(_vertices + _room);
         _cuts = (Double3*)(_keys + faces);
-        _stack = (ushort*)(_cuts + (isSmall ? 0 : MostCuts));
+        _stack = (ushort*)(_cuts + MostCuts);
         _rim = _stack + MostEdges;
     }
 
