@@ -13,15 +13,20 @@ internal static class PrimitiveSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Segment(in Double3 a, in Double3 b, in Double3 direction, out Double3 point)
     {
-        bool first = SegmentCore.FurthestEnd(a - b, direction) == 0;
-        point = first ? a : b;
-        return first ? 0 : 1;
+        Double3.Plus(a, b, -1, out point);
+        int id = SegmentCore.FurthestEnd(point, direction);
+        ref readonly Double3 end = ref id == 0 ? ref a : ref b;
+        Double3.Write(end.X, end.Y, end.Z, out point);
+        return id;
     }
 
     public static int Triangle(in Double3 a, in Double3 b, in Double3 c, in Double3 direction, out Double3 point)
     {
-        int id = TriangleCore.Furthest(b - a, c - a, direction);
-        point = id == 0 ? a : id == 1 ? b : c;
+        Double3.Plus(b, a, -1, out Double3 toSecond);
+        Double3.Plus(c, a, -1, out point);
+        int id = TriangleCore.Furthest(toSecond, point, direction);
+        ref readonly Double3 corner = ref id == 0 ? ref a : ref id == 1 ? ref b : ref c;
+        Double3.Write(corner.X, corner.Y, corner.Z, out point);
         return id;
     }
 
