@@ -137,8 +137,7 @@ public static partial class PairBatch
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
-                var solver = new SignedDistanceSolver<NoPolytopeTrace>();
-                PairQuery.Run(shapes[a], poses[a], shapes[b], poses[b], ref solver, out results[i]);
+                PairQuery.SignedDistance(shapes[a], poses[a], shapes[b], poses[b], out results[i]);
             }
         }
     }
@@ -168,7 +167,7 @@ public static partial class PairBatch
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results,
         float maxDistance) : IPartJob
     {
-        public unsafe void Run(int begin, int end)
+        public void Run(int begin, int end)
         {
 #if NET
             if (WideBatch.IsSupported)
@@ -181,8 +180,7 @@ public static partial class PairBatch
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
-                var solver = new DistanceSolver<NoTrace>(maxDistance);
-                PairQuery.Run(shapes[a], poses[a], shapes[b], poses[b], ref solver, out results[i]);
+                PairQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance, out results[i]);
             }
         }
     }
