@@ -25,10 +25,9 @@ internal static class DepthFigure
         right.Origin("", 0, 0);
         right.Arrow(default, push, Ink.Answer);
         right.Label(push, Length(push), Ink.Answer, dx: 30, dy: 4);
-        canvas.Text(
-            new(380, 322),
-            "The depth is the distance from the origin to the nearest side of A - B. Moved by it, B only touches A.");
-        canvas.Text(new(380, 344), "The dashed circle is the largest one around the origin that fits into A - B.");
+        canvas.Note(
+            322, "The depth is the distance from the origin to the nearest side of A - B. Moved by it, B only touches A.");
+        canvas.Note(344, "The dashed circle is the largest one around the origin that fits into A - B.");
         return canvas.Finish("depth");
     }
 

@@ -20,9 +20,8 @@ internal static class DistanceFigure
         right.Polygon(a.Minus(b).Corners, Ink.Difference);
         right.Origin("");
         Ends(right, nearest, default, nearest.Length());
-        canvas.Text(
-            new(380, 290),
-            "PointA - PointB is the point of A - B nearest the origin: the two red lines have the same length.");
+        canvas.Note(
+            290, "PointA - PointB is the point of A - B nearest the origin: the two red lines have the same length.");
         return canvas.Finish("distance");
     }
 

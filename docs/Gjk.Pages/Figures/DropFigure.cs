@@ -39,7 +39,6 @@ internal static class DropFigure
     }
 
     private static Panel Side(
-
         Canvas canvas, float left, PlaneShape a, PlaneShape b,
         IReadOnlyList<Vector2> simplex, Vector2 nearest, string caption)
     {
@@ -51,7 +50,7 @@ internal static class DropFigure
         panel.Dot(nearest, Ink.Origin);
         panel.Label(nearest, "v", Ink.Origin, dx: 6, dy: -10);
         panel.Origin();
-        canvas.Text(new(left + 175, 324), caption);
+        canvas.Caption(new(left + 175, 324), caption, 350);
         return panel;
     }
 }

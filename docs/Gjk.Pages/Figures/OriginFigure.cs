@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>Apart and overlapping: where the origin is in A - B.</summary>
@@ -23,6 +21,6 @@ internal static class OriginFigure
         right.Polygon(difference.Corners, Ink.Difference);
         right.Label(difference.Middle, "A - B", Ink.Difference, dx: -30);
         right.Origin();
-        canvas.Text(new Vector2(380, top + 218), caption);
+        canvas.Note(top + 218, caption);
     }
 }

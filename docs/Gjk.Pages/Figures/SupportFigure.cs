@@ -31,9 +31,8 @@ internal static class SupportFigure
         right.Dot(step.Vertex, Ink.Answer, 7);
         right.Label(step.Vertex, "a - b", Ink.Answer, dx: -12, dy: 4, anchor: "end");
         right.Origin();
-        canvas.Text(
-            new(380, 312),
-            "a is furthest along d in A, b is furthest along -d in B; so a - b is furthest along d in A - B.");
+        canvas.Note(
+            312, "a is furthest along d in A, b is furthest along -d in B; so a - b is furthest along d in A - B.");
         return canvas.Finish("support");
     }
 }

@@ -36,10 +36,9 @@ internal static class WeightsFigure
         foreach ((Panel panel, Vector2 at) in new[] { (left, onA), (left, onB), (right, last.Nearest) })
             panel.Dot(at, Ink.Answer, 6);
         left.Line(onA, onB, Ink.Answer, isDashed: true);
-        canvas.Text(
-            new(380, 290),
-            "Red: the sum of the corners, each times its weight. On A - B it is v, on A and B the closest points.");
-        canvas.Text(new(380, 312), "A corner that appears in both vertices of the simplex gets both weights.");
+        canvas.Note(
+            290, "Red: the sum of the corners, each times its weight. On A - B it is v, on A and B the closest points.");
+        canvas.Note(312, "A corner that appears in both vertices of the simplex gets both weights.");
         return canvas.Finish("weights");
     }
 }
