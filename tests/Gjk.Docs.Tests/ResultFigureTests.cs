@@ -58,7 +58,8 @@ public partial class ResultFigureTests
     [Fact]
     public void NumbersAreWrittenWithTheDigitsThatTheyHave()
     {
-        string[] shown = [.. new[] { 1234, 12.34, 1.234, 0.1234, 0.01234, 0.001234, double.NaN }.Select(Shown.TwoDigits)];
+        double[] numbers = [1234, 12.34, 1.234, 0.1234, 0.01234, 0.001234, double.NaN];
+        string[] shown = [.. numbers.Select(Shown.TwoDigits)];
         Assert.Equal(["1,234", "12", "1.2", "0.12", "0.01", "0.001", "-"], shown);
     }
 

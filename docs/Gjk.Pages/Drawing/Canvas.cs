@@ -95,10 +95,13 @@ internal sealed class Canvas
           font-family="system-ui, sans-serif" stroke-linejoin="round" stroke-linecap="round">
         <title>{{_title}}</title>
         <style>
-        text { font-size: {{WideText}}px }
+        text { font-size: {{WideText}}px; paint-order: stroke; stroke: {{Ink.Paper}}; stroke-width: 3px }
         .narrow { display: none }
-        @media (max-width: 520px) { text { font-size: {{NarrowText}}px } .narrow { display: block } .wide { display: none } }
+        @media (max-width: 520px) {
+        text { font-size: {{NarrowText}}px } .narrow { display: block } .wide { display: none }
+        }
         @media (prefers-color-scheme: dark) {
+        text { stroke: {{Ink.InTheDark.Single(ink => ink.Light == Ink.Paper).Dark}} }
         {{string.Concat(Ink.InTheDark.Select(ink =>
             $"[fill=\"{ink.Light}\"] {{ fill: {ink.Dark} }} [stroke=\"{ink.Light}\"] {{ stroke: {ink.Dark} }}\n"))}}}
         </style>

@@ -23,7 +23,8 @@ internal static class DifferenceFigure
         }
 
         panel.Origin();
-        canvas.Note(404, $"{all.Count} differences of corners (grey); the query asked for {asked.Count} of them (numbered)");
+        canvas.Note(
+            404, $"{all.Count} differences of corners (grey); the query asked for {asked.Count} of them (numbered)");
         canvas.Note(426, "The outline of A - B is drawn for you. The query never has it.");
         return canvas.Finish("difference");
     }

@@ -30,6 +30,6 @@ internal static class DistanceFigure
         panel.Line(from, to, Ink.Answer, width: 3);
         panel.Dot(from, Ink.Answer);
         panel.Dot(to, Ink.Answer);
-        panel.Label((from + to) / 2, System.FormattableString.Invariant($"{length:0.000}"), Ink.Answer, dy: -14);
+        panel.Label((from + to) / 2, System.FormattableString.Invariant($"{length:0.000}"), Ink.Answer, dy: 56);
     }
 }

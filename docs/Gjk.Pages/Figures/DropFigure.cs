@@ -18,9 +18,9 @@ internal static class DropFigure
         Side(canvas, 20, a, b, before.Simplex, before.Nearest, "before: the simplex and its point nearest the origin");
         Panel right = Side(
             canvas, 390, a, b, after.Simplex, after.Nearest, "after: one vertex joined, one was dropped");
-        right.Label(after.Vertex, "new", Ink.Answer, dx: 0, dy: 24);
+        right.Label(after.Vertex, "new", Ink.Answer, dx: 14, dy: 16, anchor: "start");
         right.Dot(dropped, Ink.Faint, 7);
-        right.Label(dropped, "dropped", Ink.Text, dx: -10, dy: -10, anchor: "end");
+        right.Label(dropped, "dropped", Ink.Text, dx: -14, dy: 20, anchor: "end");
         return canvas.Finish("drop");
     }
 
@@ -48,7 +48,7 @@ internal static class DropFigure
         foreach (Vector2 vertex in simplex) panel.Dot(vertex, Ink.Answer, 7);
         panel.Line(default, nearest, Ink.Origin, isDashed: true);
         panel.Dot(nearest, Ink.Origin);
-        panel.Label(nearest, "v", Ink.Origin, dx: 6, dy: -10);
+        panel.Label(nearest, "v", Ink.Origin, dx: 4, dy: 34);
         panel.Origin();
         canvas.Caption(new(left + 175, 324), caption, 350);
         return panel;

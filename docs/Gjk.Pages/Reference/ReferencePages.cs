@@ -26,7 +26,8 @@ internal static partial class ReferencePages
         Dictionary<string, string> folders = Folders(sources);
         Type[] types = [.. Roots.SelectMany(r => r.Assembly.GetExportedTypes())
             .Where(t => !t.IsNested).OrderBy(t => t.Name, StringComparer.Ordinal)];
-        foreach (Type type in types.Where(t => t.Assembly == typeof(Importer).Assembly)) folders[Plain(type)] = ImportGroup;
+        foreach (Type type in types.Where(t => t.Assembly == typeof(Importer).Assembly))
+            folders[Plain(type)] = ImportGroup;
         Dictionary<string, string> links = types.Select(Plain).Distinct()
             .ToDictionary(name => name, name => $"{PageOf(folders[name])}#{name.ToLowerInvariant()}");
         var writer = new ReferenceWriter(Comments(), links);

@@ -25,10 +25,11 @@ internal static class JudgeTable
     {
         string[] sets = ["cubes", "hull32", "hull2048"];
         return Shown.Table(
-            ["engine", "wrong distances", "wrong depths", "time: cubes", "hull 32", "hull 2048"], 1,
+            ["engine", "wrong distances", "wrong depths", "time, cubes", "hull of 32", "hull of 2,048"], 1,
             Engines.Select(e => (IEnumerable<string>)[e.Name,
                 Wrong(judge, e.Key, "distance"), Wrong(judge, e.Key, "depth"),
-                .. sets.Select(set => e.Key == "gjk" ? "1" : WithoutCount(PeerTables.Ratio(peers, set, "distance", e.Key)))]));
+                .. sets.Select(set => e.Key == "gjk"
+                    ? "1" : WithoutCount(PeerTables.Ratio(peers, set, "distance", e.Key)))]));
     }
 
     private static string Wrong(ResultFile judge, string engine, string question)
