@@ -11,6 +11,11 @@ export function labelledCells(markdown) {
       if (token.type === 'td_open') token.attrSet('data-label', heads[column++] ?? '')
     })
   })
+  // VitePress writes its own tag here, without the class.
+  markdown.renderer.rules.table_open = (tokens, i, options, env, self) => {
+    tokens[i].attrSet('tabindex', '0')
+    return self.renderToken(tokens, i, options)
+  }
 }
 
 const plain = ({ children }) => (children ?? []).map(({ content }) => content).join('')

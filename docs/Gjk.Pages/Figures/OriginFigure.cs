@@ -20,7 +20,7 @@ internal static class OriginFigure
         PlaneShape difference = a.Minus(b);
         right.Polygon(difference.Corners, Ink.Difference);
         right.Label(difference.Middle, "A - B", Ink.Difference, dx: -30);
-        right.Origin(dx: a.Overlaps(b) ? 56 : 16, dy: a.Overlaps(b) ? -40 : 30);
+        right.Origin(dx: a.Overlaps(b) ? 34 : 16, dy: a.Overlaps(b) ? -46 : 30);
         canvas.Note(top + 218, caption);
     }
 }

@@ -28,7 +28,7 @@ internal static class WeightsFigure
             foreach ((Panel panel, Vector2 at, string ink, Vector2 beside) in new[]
             {
                 (left, found.OnA, Ink.A, new Vector2(10, i == 0 ? 24 : -10)),
-                (left, found.OnB, Ink.B, new Vector2(-66, i == 0 ? 52 : 26)),
+                (left, found.OnB, Ink.B, new Vector2(10, i == 0 ? 86 : 60)),
                 (right, found.Vertex, Ink.Difference, new Vector2(14, i == 0 ? 16 : 4)),
             })
             {
