@@ -36,10 +36,11 @@ internal static partial class ReferencePages
             + "`Gjk.Import`. Made from the documentation comments.\n");
         foreach (var group in types.GroupBy(t => folders[Plain(t)]).OrderBy(g => g.Key, StringComparer.Ordinal))
         {
-            index.Append($"\n## {(group.Key == ImportGroup ? "Gjk.Import" : group.Key)}\n\n| type | |\n|---|---|\n");
+            string title = group.Key == ImportGroup ? "Gjk.Import" : group.Key;
+            index.Append($"\n## {title}\n\n| type | |\n|---|---|\n");
             foreach (Type type in group)
                 index.Append($"| [{Plain(type)}]({links[Plain(type)]}) | {writer.FirstSentence(type)} |\n");
-            pages[PageOf(group.Key)] = $"# {group.Key}\n{string.Concat(group.Select(writer.Section))}";
+            pages[PageOf(group.Key)] = $"# {title}\n{string.Concat(group.Select(writer.Section))}";
         }
 
         pages["index.md"] = index.ToString();
