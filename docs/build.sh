@@ -17,3 +17,4 @@ mkdir -p public
 cp ../src/Gjk.Core/Package/icon.svg example.scene.json scene.schema.json public/
 dotnet ../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll play --out public/play.html
 npx --no-install vitepress build .
+echo "The site is in docs/site. To look at it: npx --prefix docs vitepress preview docs"
