@@ -55,7 +55,7 @@ public sealed class UnityMeshTests
         string scene = text.Save(directory, "scene.unity");
         Assert.Equal(
             $"{scene}:{line}: fileID 4711 (Mesh): warning: it is not convex: it fills 37.5 % of its hull's volume; it "
-            + "is taken as its hull",
+            + "is its hull",
             Assert.Single(Imported.Of(scene).Lines));
     }
 
