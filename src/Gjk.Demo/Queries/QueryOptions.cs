@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;
@@ -35,10 +34,10 @@ internal static class QueryOptions
         var input = new PairInput(command);
         command.Validators.Add(result =>
         {
-            bool isGiven(Option option) => result.GetResult(option) is { Implicit: false };
-            if (isGiven(max) && isGiven(within)) result.AddError("--max-distance and --within exclude each other.");
-            if (!isGiven(contacts)) return;
-            Option? other = new[] { max, depth, parts, input.Check }.FirstOrDefault(isGiven);
+            bool IsGiven(Option option) => result.GetResult(option) is { Implicit: false };
+            if (IsGiven(max) && IsGiven(within)) result.AddError("--max-distance and --within exclude each other.");
+            if (!IsGiven(contacts)) return;
+            Option? other = new[] { max, depth, parts, input.Check }.FirstOrDefault(IsGiven);
             if (other is not null) result.AddError($"--contacts and {other.Name} exclude each other.");
         });
         command.SetAction(r =>

@@ -24,9 +24,9 @@ internal static class ReplayTable
 
     private static IEnumerable<string> Explanations(bool hasFactor)
     {
-        yield return "loops: supports asked of each shape until the answer is proved, the mean of all calls";
-        yield return "time in support: how much longer the calls take if they search each support point twice";
-        if (hasFactor) yield return "factor: the report's milliseconds per frame divided by the median here";
+        yield return "loops: supports asked of each shape until the answer is proved, mean of all";
+        yield return "time in support: what a second search of each support point adds to the time";
+        if (hasFactor) yield return "factor: the report's milliseconds per frame over the median here";
         yield return "hash: of the bits of all answers, the same on every machine";
     }
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using Gjk.Core;
 using Gjk.Demo.Tests.Support;
