@@ -37,7 +37,7 @@ public sealed class FaceTests
         float Distance(float x, float y, float z) => ConcaveQuery.Distance(
             solid, one.Pose, point, new RigidPose(Quaternion.Identity, new Vector3(x, y, z)), new ConcaveScratch())
             .Result.Distance;
-        Assert.Equal(0.7f, Distance(1.7f, 2.1f, 0.5f));
+        Assert.Equal(0.7f, Distance(1.7f, 2.1f, 0.5f), 1e-6f);
         Assert.Equal(0.2f, Distance(1.2f, 2.6f, 0.4f), 1e-6f);
         Assert.Equal(0, Distance(0.5f, 2, 0.5f));
 
