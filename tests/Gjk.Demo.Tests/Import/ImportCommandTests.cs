@@ -59,7 +59,8 @@ public sealed class ImportCommandTests
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(
             $"gjk-demo: {file}: warning: the part \"default\" is not closed, so whether it is convex is not known: "
-            + $"as a convex shape it is the hull of its points\ngjk-demo: wrote 1 object to {directory.File("scene.json")}\n",
+            + $"as a convex shape it is the hull of its points\n"
+            + $"gjk-demo: wrote 1 object to {directory.File("scene.json")}\n",
             run.Error);
     }
 
