@@ -18,8 +18,7 @@ internal static class ExampleCommand
         };
         var command = new Command(
             "example",
-            "Write a scene with every convex shape, to begin with. docs/scene-format.md describes the format, and "
-            + "docs/scene.schema.json is its JSON schema.")
+            "Write a scene with every convex shape, to begin with. gjk-demo query reads it.")
         {
             output,
         };
