@@ -12,6 +12,7 @@ public sealed class ConcaveScratch
     internal readonly List<PartDistance> Pairs = [];
     internal readonly List<PartContacts> Contacts = [], Pushes = [];
     internal readonly List<FaceContact> FaceContacts = [], Orphans = [];
+    internal readonly List<PartCast> Casts = [];
     private readonly Stack<ConcaveScratch> _idle = new();
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;

@@ -158,6 +158,20 @@ public sealed partial class TriangleMesh
         c = Double3.Multiply(third, _scale);
     }
 
+    /// <summary>The unit normal of a solid's triangle that leads out of the solid, and a corner of it, in the
+    /// world.</summary>
+    /// <returns>False where the triangle has no area.</returns>
+    internal bool TryGetOutward(int triangle, in RigidPose pose, out Double3 outward, out Double3 corner)
+    {
+        GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        Double3 across = Double3.Cross((b - a) * (1 / Tree.Unit), (c - a) * (1 / Tree.Unit));
+        double length = across.Length;
+        var rotation = new RotationD(pose.Rotation);
+        corner = rotation.Rotate(a) + pose.Position;
+        outward = length > 0 ? rotation.Rotate(across * (OutwardOf(triangle) / length)) : default;
+        return length > 0;
+    }
+
     /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>
     internal double Reach(in Double3 direction, int step)
     {
