@@ -2,7 +2,9 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Concave;
 
-/// <summary>Contacts are what single queries say of the parts, less what a surface does not show.</summary>
+/// <summary>Contacts are what single queries say of the parts, less what a surface does not show. A pair that
+/// overlaps, that nothing else takes apart and whose face is far away keeps its own way out, shown or not: a body that
+/// a thin wall runs through has to be held by something, and not to be pushed through by the face.</summary>
 public class ContactBruteForceTests
 {
     private const float Reach = 0.02f;
@@ -12,7 +14,7 @@ public class ContactBruteForceTests
     [Fact]
     public void TheContactsAreThoseOfAllTrianglesThatTheSurfaceShows()
     {
-        int kept = 0, dropped = 0;
+        int kept = 0, dropped = 0, held = 0;
         for (int seed = 0; seed < 200; seed++)
         {
             var random = new FuzzRandom((ulong)seed);
@@ -27,7 +29,7 @@ public class ContactBruteForceTests
             List<ConvexShape> parts = ConcaveShapes.Parts(ground);
             for (int i = 0; i < parts.Count; i++)
             {
-                ConvexQuery.Contacts(
+                DistanceResult own = ConvexQuery.Contacts(
                     parts[i], RigidPose.Identity, body.Convex, at, 0.1f, out ContactManifold manifold);
                 int index = _contacts.FindIndex(one => one.PartA == i);
                 if (manifold.Count == 0)
@@ -46,9 +48,11 @@ public class ContactBruteForceTests
                 }
                 else if (index >= 0)
                 {
-                    Assert.True(
-                        Math.Abs(Vector3.Dot(_contacts[index].Manifold.Normal, truth.Face)) > 1 - 1e-6f,
-                        $"seed {seed}: {i} is a ghost");
+                    if (Math.Abs(Vector3.Dot(_contacts[index].Manifold.Normal, truth.Face)) > 1 - 1e-6f) continue;
+                    held++;
+                    Assert.Equal(own.Normal, _contacts[index].Manifold.Normal);
+                    Assert.True(IsFarThrough(parts[i], truth.Face, body, at, own), $"seed {seed}: {i} is a ghost");
+                    Assert.False(IsHeldByAnother(index, parts[i], body, at, own), $"seed {seed}: {i} is held");
                 }
                 else
                 {
@@ -59,6 +63,41 @@ public class ContactBruteForceTests
 
         Assert.InRange(kept, 100, 10000);
         Assert.InRange(dropped, 100, 10000);
+        Assert.InRange(held, 1, 3);
+    }
+
+    /// <summary>Whether a body overlaps a triangle and is four times as deep behind its face, to either side: to push it
+    /// that far would push it through what is there.</summary>
+    private static bool IsFarThrough(
+        in ConvexShape triangle, Vector3 face, in AnyShape body, in RigidPose at, in DistanceResult own)
+    {
+        triangle.Support(face, out Double3 corner);
+        double height = Double3.Dot(face, triangle.Center + corner);
+        return Depth(face, body, at, height) < 4 * own.Distance && Depth(-face, body, at, -height) < 4 * own.Distance;
+    }
+
+    private static double Depth(Vector3 face, in AnyShape body, in RigidPose at, double height)
+    {
+        Vector3 local = Vector3.Transform(-face, Quaternion.Conjugate(at.Rotation));
+        body.Convex.Support(local, out Double3 tip);
+        tip += body.Convex.Center + (Double3)local * body.Convex.Margin;
+        return Double3.Dot(face, at.TransformPoint((Vector3)tip)) - height;
+    }
+
+    /// <summary>Whether the push of another contact takes a pair apart, or half the way.</summary>
+    private bool IsHeldByAnother(
+        int index, in ConvexShape triangle, in AnyShape body, in RigidPose at, in DistanceResult own)
+    {
+        for (int i = 0; i < _contacts.Count; i++)
+        {
+            if (i == index) continue;
+            Vector3 push = _contacts[i].Manifold.Normal * Math.Max(0, -_contacts[i].Result.Distance);
+            var moved = new RigidPose(at.Rotation, at.Position + push);
+            float left = ConvexQuery.SignedDistance(triangle, RigidPose.Identity, body.Convex, moved).Distance;
+            if (left > own.Distance / 2) return true;
+        }
+
+        return false;
     }
 
     [Fact]
