@@ -32,46 +32,7 @@ public static partial class ConcaveQuery
         scratch.Orphans.Clear();
         for (int i = 0; i < pairs.Count; i++) SeamContacts.Find(scratch, pairs[i], maxGap, contacts);
         if (scratch.A.MayHoldParts || scratch.B.MayHoldParts) ContactPush.RemoveNeedless(scratch, contacts);
-        int own = contacts.Count;
-        AddFaces(scratch, contacts);
-        AddOrphans(scratch, contacts);
-        if (contacts.Count > own) InPlaceSort.Sort(contacts);
+        ContactPush.AddNeeded(scratch, contacts);
         return true;
-    }
-
-    /// <summary>Adds the contacts of faces that are needed beside those that are there: the shallowest first, as only
-    /// what is less deep makes one needless.</summary>
-    private static void AddFaces(ConcaveScratch scratch, List<PartContacts> contacts)
-    {
-        List<FaceContact> faces = scratch.FaceContacts;
-        InPlaceSort.Sort(faces);
-        for (int i = faces.Count - 1; i >= 0; i--)
-        {
-            if (!IsThere(faces[i], contacts) && ContactPush.IsNeeded(scratch, faces[i], contacts))
-                contacts.Add(faces[i].Contact);
-        }
-    }
-
-    /// <summary>Adds what holds the pairs that no contact takes apart: the deepest first, as its push takes most others
-    /// apart.</summary>
-    private static void AddOrphans(ConcaveScratch scratch, List<PartContacts> contacts)
-    {
-        List<FaceContact> orphans = scratch.Orphans;
-        if (orphans.Count == 0) return;
-        InPlaceSort.Sort(orphans);
-        ContactPush.Collect(contacts, scratch.Pushes);
-        foreach (FaceContact orphan in orphans)
-        {
-            if (IsThere(orphan, contacts) || ContactPush.IsHeld(scratch, orphan)) continue;
-            ContactPush.Collect(orphan.Contact, scratch.Pushes);
-            contacts.Add(orphan.Contact);
-        }
-    }
-
-    private static bool IsThere(in FaceContact face, List<PartContacts> contacts)
-    {
-        foreach (PartContacts one in contacts)
-            if (one.PartA == face.Contact.PartA && one.PartB == face.Contact.PartB) return true;
-        return false;
     }
 }

@@ -29,15 +29,67 @@ internal static class ContactPush
         return Further * Math.Max(-result.Distance, 0) + Room * (1 + at.X + at.Y + at.Z);
     }
 
-    /// <summary>Collects the deepest pushes in each direction.</summary>
-    public static void Collect(List<PartContacts> contacts, List<PartContacts> pushes)
+    /// <summary>Adds the contacts of faces that are needed beside those that are there, and then of the pairs that no
+    /// contact takes apart what holds them.</summary>
+    /// <param name="scratch">With both sides, the contacts of faces and the orphans.</param>
+    /// <param name="contacts">Those that need no others to be judged, sorted; it is sorted again.</param>
+    public static void AddNeeded(ConcaveScratch scratch, List<PartContacts> contacts)
     {
-        pushes.Clear();
-        foreach (PartContacts one in contacts) Collect(one, pushes);
+        if (scratch.FaceContacts.Count == 0 && scratch.Orphans.Count == 0) return;
+        int own = contacts.Count;
+        scratch.Named.Clear();
+        foreach (PartContacts one in contacts) scratch.Named.Add((one.PartA, one.PartB));
+        if (scratch.FaceContacts.Count > 0) AddFaces(scratch, contacts);
+        if (scratch.Orphans.Count > 0) AddOrphans(scratch, contacts);
+        if (contacts.Count > own) InPlaceSort.Sort(contacts);
+    }
+
+    /// <summary>The shallowest face first: what is at most half as deep as a face is collected before it is judged, and
+    /// so are the faces before it.</summary>
+    private static void AddFaces(ConcaveScratch scratch, List<PartContacts> contacts)
+    {
+        List<FaceContact> faces = scratch.FaceContacts;
+        List<(float Distance, int Contact)> others = scratch.Shallowest;
+        others.Clear();
+        for (int i = 0; i < contacts.Count; i++) others.Add((-contacts[i].Result.Distance, i));
+        InPlaceSort.Sort(others);
+        InPlaceSort.Sort(faces);
+        scratch.Pushes.Clear();
+        int next = 0, nextFace = contacts.Count;
+        for (int i = faces.Count - 1; i >= 0; i--)
+        {
+            float much = faces[i].Contact.Result.Distance * MuchLess;
+            for (; next < others.Count && -others[next].Distance > much; next++)
+                Collect(contacts[others[next].Contact], scratch.Pushes);
+            for (; nextFace < contacts.Count && contacts[nextFace].Result.Distance > much; nextFace++)
+                Collect(contacts[nextFace], scratch.Pushes);
+            if (IsNeeded(scratch, faces[i])) Add(scratch, faces[i], contacts);
+        }
+    }
+
+    /// <summary>The deepest orphan first, as its push takes most others apart.</summary>
+    private static void AddOrphans(ConcaveScratch scratch, List<PartContacts> contacts)
+    {
+        List<FaceContact> orphans = scratch.Orphans;
+        InPlaceSort.Sort(orphans);
+        scratch.Pushes.Clear();
+        foreach (PartContacts one in contacts) Collect(one, scratch.Pushes);
+        foreach (FaceContact orphan in orphans)
+        {
+            if (!IsHeld(scratch, orphan) && Add(scratch, orphan, contacts)) Collect(orphan.Contact, scratch.Pushes);
+        }
+    }
+
+    /// <summary>Adds a contact, if its parts have none.</summary>
+    private static bool Add(ConcaveScratch scratch, in FaceContact face, List<PartContacts> contacts)
+    {
+        bool isNew = scratch.Named.Add((face.Contact.PartA, face.Contact.PartB));
+        if (isNew) contacts.Add(face.Contact);
+        return isNew;
     }
 
     /// <summary>Adds the push of a contact, unless one of its direction is as deep.</summary>
-    public static void Collect(in PartContacts contact, List<PartContacts> pushes)
+    private static void Collect(in PartContacts contact, List<PartContacts> pushes)
     {
         if (!(contact.Result.Distance <= ContactCone.Slack)) return;
         int nearest = -1;
@@ -57,7 +109,8 @@ internal static class ContactPush
     public static void RemoveNeedless(ConcaveScratch scratch, List<PartContacts> contacts)
     {
         if (contacts.Count < 2) return;
-        Collect(contacts, scratch.Pushes);
+        scratch.Pushes.Clear();
+        foreach (PartContacts one in contacts) Collect(one, scratch.Pushes);
         int kept = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
@@ -70,27 +123,28 @@ internal static class ContactPush
 
     /// <summary>Whether the contact of a face is needed: where a contact of another direction takes the two parts apart
     /// by much less, it is not the face that they meet, but what it ends at.</summary>
-    /// <param name="scratch">With both sides.</param>
-    /// <param name="face">The contact.</param>
-    /// <param name="others">Those that are there.</param>
-    public static bool IsNeeded(ConcaveScratch scratch, in FaceContact face, List<PartContacts> others)
+    private static bool IsNeeded(ConcaveScratch scratch, in FaceContact face)
     {
-        foreach (PartContacts other in others)
+        foreach (PartContacts push in scratch.Pushes)
         {
-            if (!IsElsewhere(face, other)) continue;
-            if (TakesApart(scratch, other, face) || IsHeldShorter(scratch, face, other)) return false;
+            if (!AreApart(push, face.Contact)) continue;
+            if (TakesApart(scratch, push, face) || IsHeldShorter(scratch, face, push)) return false;
         }
 
         return true;
     }
 
     /// <summary>Whether a collected push takes a pair apart that has no contact of its own.</summary>
-    public static bool IsHeld(ConcaveScratch scratch, in FaceContact orphan)
+    private static bool IsHeld(ConcaveScratch scratch, in FaceContact orphan)
     {
         foreach (PartContacts push in scratch.Pushes)
         {
             if (TakesApart(scratch, push, orphan) || IsPushedAlike(scratch, orphan, push)) return true;
-            if (IsElsewhere(orphan, push) && IsHeldShorter(scratch, orphan, push)) return true;
+            if (push.Result.Distance > orphan.Contact.Result.Distance * MuchLess && AreApart(push, orphan.Contact)
+                && IsHeldShorter(scratch, orphan, push))
+            {
+                return true;
+            }
         }
 
         return false;
@@ -114,11 +168,6 @@ internal static class ContactPush
 
     private static bool AreApart(in PartContacts one, in PartContacts other) =>
         Vector3.Dot(one.Manifold.Normal, other.Manifold.Normal) < ContactCone.LeastCosine;
-
-    /// <summary>Whether a contact has another direction than a face's, and is much less deep.</summary>
-    private static bool IsElsewhere(in FaceContact face, in PartContacts other) =>
-        other.Result.Distance <= ContactCone.Slack && AreApart(other, face.Contact)
-            && other.Result.Distance > face.Contact.Result.Distance * MuchLess;
 
     /// <summary>Whether the pair itself has a much shorter way out than the face's, and its convex part is held by a
     /// contact.</summary>
