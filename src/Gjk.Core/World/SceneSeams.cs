@@ -6,6 +6,7 @@ internal sealed class SceneSeams(SceneObjects objects)
 {
     private ulong[] _keys = new ulong[16];
     private bool[] _isCovered = new bool[16];
+    private readonly List<int> _grounds = [];
 
     /// <summary>Takes the contacts at such seams out of a scene's.</summary>
     public void Remove(List<PairContacts> contacts)
@@ -16,7 +17,8 @@ internal sealed class SceneSeams(SceneObjects objects)
         {
             end = begin + 1;
             while (end < count && _keys[end] >> 32 == _keys[begin] >> 32) end++;
-            if (end > begin + 1) isAny |= Cover(contacts, begin, end);
+            FindGrounds(contacts, begin, end);
+            if (_grounds.Count > 1) isAny |= Cover(contacts, begin, end);
         }
 
         if (!isAny) return;
@@ -48,6 +50,19 @@ internal sealed class SceneSeams(SceneObjects objects)
         return count;
     }
 
+    /// <summary>The static objects that a body touches. Contacts are sorted, so those with one object are
+    /// together.</summary>
+    private void FindGrounds(List<PairContacts> contacts, int begin, int end)
+    {
+        _grounds.Clear();
+        int body = (int)(_keys[begin] >> 32);
+        for (int i = begin; i < end; i++)
+        {
+            int ground = new BodyContact(objects, contacts[(int)(uint)_keys[i]], body).Ground;
+            if (_grounds.Count == 0 || _grounds[_grounds.Count - 1] != ground) _grounds.Add(ground);
+        }
+    }
+
     /// <summary>Finds the contacts of a body that are covered; those of pairs that overlap only where another contact
     /// holds them.</summary>
     private bool Cover(List<PairContacts> contacts, int begin, int end)
@@ -57,12 +72,7 @@ internal sealed class SceneSeams(SceneObjects objects)
         {
             int at = (int)(uint)_keys[i];
             var one = new BodyContact(objects, contacts[at], (int)(_keys[i] >> 32));
-            for (int k = begin; k < end && !_isCovered[at]; k++)
-            {
-                PairContacts other = contacts[(int)(uint)_keys[k]];
-                _isCovered[at] = k != i && one.IsCoveredBy(new BodyContact(objects, other, one.Body));
-            }
-
+            for (int k = 0; k < _grounds.Count && !_isCovered[at]; k++) _isCovered[at] = one.IsCoveredBy(_grounds[k]);
             isAny |= _isCovered[at];
         }
 
@@ -90,31 +100,33 @@ internal sealed class SceneSeams(SceneObjects objects)
     {
         private readonly SceneObjects _objects;
         private readonly PairContacts _contact;
-        private readonly int _ground;
         private readonly bool _isBodyA;
 
         public BodyContact(SceneObjects objects, in PairContacts contact, int body)
         {
             (_objects, _contact, Body) = (objects, contact, body);
             _isBodyA = objects.SlotOf(contact.Pair.A) == body;
-            _ground = objects.SlotOf(_isBodyA ? contact.Pair.B : contact.Pair.A);
+            Ground = objects.SlotOf(_isBodyA ? contact.Pair.B : contact.Pair.A);
         }
 
         public int Body { get; }
 
+        /// <summary>The slot of the static object.</summary>
+        public int Ground { get; }
+
         /// <summary>From the static object to the body, in the world.</summary>
         private Vector3 Outward => _isBodyA ? -_contact.Manifold.Normal : _contact.Manifold.Normal;
 
-        /// <summary>Whether the static object of another contact goes on where this one is.</summary>
-        public bool IsCoveredBy(in BodyContact other)
+        /// <summary>Whether another static object goes on where this contact is.</summary>
+        public bool IsCoveredBy(int ground)
         {
-            if (other._ground == _ground) return false;
-            RigidPose pose = _objects.Poses[_ground], cover = _objects.Poses[other._ground];
+            if (ground == Ground) return false;
+            RigidPose pose = _objects.Poses[Ground], cover = _objects.Poses[ground];
             Double3 local = _isBodyA ? _contact.Result.LocalPointB : _contact.Result.LocalPointA;
             Double3 moved = (Double3)pose.Position - cover.Position;
             RotationD turn = new(cover.Rotation);
             Double3 witness = turn.InverseRotate(new RotationD(pose.Rotation).Rotate(local) + moved);
-            return _objects.Parts.GoesOn(other._ground, witness, turn.InverseRotate(Outward));
+            return _objects.Parts.GoesOn(ground, witness, turn.InverseRotate(Outward));
         }
 
         /// <summary>Whether another contact's push takes the body out of this part.</summary>
@@ -123,12 +135,12 @@ internal sealed class SceneSeams(SceneObjects objects)
             Vector3 push = other.Outward * ContactPush.LengthOf(other._contact.Result);
             ConvexShape ground = default, body = default;
             return ContactPush.TakesApart(
-                Ground(ref ground), _objects.Poses[_ground], BodyPart(ref body), _objects.Poses[Body],
+                GroundPart(ref ground), _objects.Poses[Ground], BodyPart(ref body), _objects.Poses[Body],
                 _contact.Result.Distance, Outward, push);
         }
 
-        private ref readonly ConvexShape Ground(ref ConvexShape room) =>
-            ref _objects.Parts.Part(_ground, _isBodyA ? _contact.PartB : _contact.PartA, ref room);
+        private ref readonly ConvexShape GroundPart(ref ConvexShape room) =>
+            ref _objects.Parts.Part(Ground, _isBodyA ? _contact.PartB : _contact.PartA, ref room);
 
         private ref readonly ConvexShape BodyPart(ref ConvexShape room) =>
             ref _objects.Parts.Part(Body, _isBodyA ? _contact.PartA : _contact.PartB, ref room);
