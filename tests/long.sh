@@ -18,6 +18,7 @@ viewer       10  the pages in Chromium and Firefox, two whole studies, pictures 
 arm64        10  hard pairs and golden hashes on emulated 64-bit ARM
 mono          5  the Unity package compiled ahead of time, and without any JIT
 debug        20  the tests of a debug build, with its assertions
+runtimes      5  bench/runtimes: the library beside the algorithm of the report, on Mono and on .NET
 builds       10  the ways in which people build: one folder, artifacts, a path with spaces, one file, no network
 slurm        10  the job file of docs/tasks/many-machines.md on a one-node Slurm
 '
@@ -38,6 +39,8 @@ run_step() {
     arm64) tests/Gjk.Arm64/run.sh ;;
     mono) tests/Gjk.Mono/run.sh && GJK_LONG=1 tests/Gjk.Unity.Mono/run.sh ;;
     debug) dotnet test tests/Gjk.Core.Tests -c Debug -f net10.0 ;;
+    runtimes) command -v mono > /dev/null && dotnet run -c Release --project bench -- --mono --seconds 2 \
+      || { ! command -v mono > /dev/null && echo "skipped: Mono is not installed"; } ;;
     builds) tests/Gjk.Package/builds.sh ;;
     slurm) tests/Gjk.Slurm/run.sh ;;
   esac

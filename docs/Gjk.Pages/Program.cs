@@ -12,9 +12,8 @@ internal static class Program
         if (args.Length > 0 || !Directory.Exists("docs") || !Directory.Exists("src"))
         {
             Console.Error.WriteLine(
-                "Gjk.Pages writes docs/figures, docs/api and what pages show of bench/results. It takes no arguments, and "
-                + "runs in the project's folder: "
-                + "dotnet run -c Release --project docs/Gjk.Pages");
+                "Gjk.Pages writes docs/figures, docs/api and what pages show of bench/results. It takes no arguments "
+                + "and runs in the project's folder: dotnet run -c Release --project docs/Gjk.Pages");
             return args is ["--help"] or ["-h"] ? 0 : 2;
         }
 

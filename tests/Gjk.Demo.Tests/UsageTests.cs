@@ -14,9 +14,9 @@ public sealed class UsageTests
     [InlineData("view --help", "SCENE.json", "--out", "--svg")]
     [InlineData("trace --help", "SCENE.json", "--pair", "--out")]
     [InlineData("cast --help", "--builtin", "--mesh", "--names")]
-    [InlineData("judge --help", "RESULTS.csv", "EXPECTED.csv", "docs/cases.md")]
+    [InlineData("judge --help", "RESULTS.csv", "EXPECTED.csv", "SCENE.json")]
     [InlineData("time --help", "--builtin", "512 MiB", "386 distinct corners")]
-    [InlineData("example --help", "--out", "scene-format.md", "scene.schema.json")]
+    [InlineData("example --help", "--out", "every convex shape", "gjk-demo query")]
     public void HelpSaysWhatThereIs(string args, string one, string two, string three)
     {
         DemoRun run = DemoRun.Of(args.Split(' '));

@@ -14,7 +14,8 @@ public class CountedStatementTests
         "thirteen", "fourteen", "fifteen", "sixteen",
     ];
 
-    /// <summary>"A sample with every convex shape": the types of the format's table that are no parts of others.</summary>
+    /// <summary>"A sample with every convex shape": the types of the format's table that are no parts of
+    /// others.</summary>
     [Fact]
     public void TheExampleHasEveryConvexShape()
     {

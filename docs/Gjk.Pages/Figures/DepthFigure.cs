@@ -27,7 +27,8 @@ internal static class DepthFigure
         right.Arrow(default, push, Ink.Answer);
         right.Label(push, Length(push), Ink.Answer, dx: 40, dy: 30, anchor: "start");
         canvas.Note(
-            322, "The depth is the distance from the origin to the nearest side of A - B. Moved by it, B only touches A.");
+            322,
+            "The depth is the distance from the origin to the nearest side of A - B. Moved by it, B only touches A.");
         canvas.Note(344, "The dashed circle is the largest one around the origin that fits into A - B.");
         return canvas.Finish("depth");
     }

@@ -42,7 +42,8 @@ internal static class WeightsFigure
             panel.Dot(at, Ink.Answer, 6);
         left.Line(onA, onB, Ink.Answer, isDashed: true);
         canvas.Note(
-            290, "Red: the sum of the corners, each times its weight. On A - B it is v, on A and B the closest points.");
+            290,
+            "Red: the sum of the corners, each times its weight. On A - B it is v, on A and B the closest points.");
         canvas.Note(312, "A corner that appears in both vertices of the simplex gets both weights.");
         return canvas.Finish("weights");
     }

@@ -67,8 +67,8 @@ internal sealed class SceneReport
     /// <summary>The 99th percentile of the frame times.</summary>
     public double P99Ms { get; init; }
 
-    /// <summary>Which part of the queries is the search for support points: <see cref="Replay.SupportShare"/>. Null if not
-    /// all shapes are meshes.</summary>
+    /// <summary>Which part of the queries is the search for support points: <see cref="Replay.SupportShare"/>. Null if
+    /// not all shapes are meshes.</summary>
     public double? SupportShare { get; init; }
 
     public double BytesPerCall { get; init; }

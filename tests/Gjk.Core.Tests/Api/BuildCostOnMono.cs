@@ -5,8 +5,8 @@ using System.Runtime.CompilerServices;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>What Mono's compiler makes slow, found in a build: it keeps no struct in registers, clears large locals by a
-/// call even where a path never touches them, and copies large structs by a call through native code.</summary>
+/// <summary>What Mono's compiler makes slow, found in a build: it keeps no struct in registers, clears large locals by
+/// a call even where a path never touches them, and copies large structs by a call through native code.</summary>
 internal static class CostOnMono
 {
     /// <summary>Bytes: a larger struct is not passed by value. Two words travel in registers.</summary>

@@ -102,7 +102,7 @@ public sealed class BlockTests
         DemoRun again = DemoRun.Of("fuzz", "--certificate", "--pairs", "500", "--resume", file);
         again.AssertDone();
         Assert.StartsWith("500 pairs, seed 3: ", again.Out);
-        Assert.Contains("1 blocks, 0 of them now", again.Out);
+        Assert.Contains("1 block, 0 of them now", again.Out);
         Assert.Equal(before, File.ReadAllText(file));
         DemoRun.Of("fuzz", "--certificate", "--pairs", "500", "--seed", "4", "--resume", file)
             .AssertRefused(file, "line 1", "3, not 4");

@@ -6,7 +6,7 @@ using Gjk.Import;
 
 namespace Gjk.Demo.Tests.Import;
 
-/// <summary>Faces of files that are no triangles: concave polygons, strips, and what is too little for a face.</summary>
+/// <summary>Faces of files that are no triangles: concave polygons, strips, and what is too small for one.</summary>
 public sealed class FaceTests
 {
     private static readonly Vector3[] Corners =

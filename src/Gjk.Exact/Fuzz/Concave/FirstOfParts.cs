@@ -34,15 +34,14 @@ internal static class FirstOfParts
         RayCastResult[] all =
             [.. pair.PartsA.Select(part => ConvexQuery.RayCast(part, pair.PoseA, origin, direction, most))];
         if (all.Any(one => one.Status is CastStatus.IterationLimit or CastStatus.InvalidInput)) return null;
-        int[] order =
-        [
-            .. Enumerable.Range(0, all.Length).Where(i => all[i].IsHit).OrderBy(i => all[i].Distance).ThenBy(i => i),
-        ];
+        int[] met = [.. Enumerable.Range(0, all.Length).Where(i => all[i].IsHit)];
         var found = new List<PartRayHit>();
         ConcaveQuery.RayCastAll(pair.A, pair.PoseA, origin, direction, pair.Scratch, found, most);
-        if (!found.Select(hit => pair.RawA.IsConvex ? 0 : hit.Part).SequenceEqual(order)
+        if (!found.Select(hit => pair.RawA.IsConvex ? 0 : hit.Part).Order().SequenceEqual(met)
             || found.Any(hit => hit.Distance != all[Math.Max(hit.Part, 0)].Distance))
-            return Say.Line($"{found.Count} hits of parts, but there are {order.Length}");
+            return Say.Line($"{found.Count} hits of parts, but there are {met.Length}");
+        if (found.Zip(found.Skip(1)).Any(two => two.First.Distance > two.Second.Distance))
+            return Say.Line($"{found.Count} hits of parts, not in their order");
         PartRayHit first = ConcaveQuery.RayCast(pair.A, pair.PoseA, origin, direction, pair.Scratch, most);
         if (pair.RawA.IsSolid)
         {
@@ -54,13 +53,15 @@ internal static class FirstOfParts
                     : Say.Line($"{first}, but it begins {at.Distance:R} inside");
         }
 
-        if (order.Length == 0) return first.Status == CastStatus.Miss ? null : Say.Line($"{first}, but no part is met");
-        int least = order.OrderBy(i => all[i].Distance)
-            .ThenBy(i => all[i].Status == CastStatus.OverlappingAtStart ? 0 : 1).ThenBy(i => i).First();
-        return Math.Max(first.Part, 0) == least && first.Status == all[least].Status
-            && first.Distance == all[least].Distance && first.Result.Normal == all[least].Normal
+        if (met.Length == 0) return first.Status == CastStatus.Miss ? null : Say.Line($"{first}, but no part is met");
+        RayCastResult least = met.Select(i => all[i])
+            .OrderBy(r => r.Distance).ThenByDescending(r => r.Status == CastStatus.OverlappingAtStart)
+            .ThenByDescending(r => r.Depth).First();
+        RayCastResult own = all[Math.Max(first.Part, 0)];
+        return first.Status == least.Status && first.Distance == least.Distance && first.Result.Depth == least.Depth
+            && own.Status == first.Status && own.Distance == first.Distance && own.Normal == first.Result.Normal
             ? null
-            : Say.Line($"{first}, but {all[least]} of {least}");
+            : Say.Line($"{first}, but {least}, and {own} of that part");
     }
 
     public static string? Casts(ConcavePair pair)
@@ -81,7 +82,10 @@ internal static class FirstOfParts
         }
 
         if (pair.HasSolid && pair.Least == 0) return null;
-        return First(pair, all, found);
+
+        // What begins deeper in the union than is allowed may slide along it, so that some contacts do not count.
+        bool slides = options.PassesShallow && pair.Least == 0;
+        return slides ? Own(pair, all, found) : First(pair, all, found);
     }
 
     public static string? Impacts(ConcavePair pair)
@@ -98,18 +102,23 @@ internal static class FirstOfParts
     {
         if (all.Any(one => one.Status is not (CastStatus.Hit or CastStatus.Miss or CastStatus.OverlappingAtStart)))
             return null;
-        int least = -1;
-        for (int i = 0; i < all.Length; i++)
-            if (all[i].IsHit && (least < 0 || IsBefore(all[i], all[least]))) least = i;
-        if (least < 0) return found.Status == CastStatus.Miss ? null : Say.Line($"{found}, but no parts meet");
-        return pair.IndexOf(found.PartA, found.PartB) == least && found.Status == all[least].Status
-            && found.Fraction == all[least].Fraction
-            ? null
-            : Say.Line($"{found}, but {all[least]} of pair {least}");
+        CastResult[] met = [.. all.Where(one => one.IsHit)];
+        if (met.Length == 0) return found.Status == CastStatus.Miss ? null : Say.Line($"{found}, but no parts meet");
+        CastResult least = met.OrderBy(r => r.Fraction)
+            .ThenByDescending(r => r.Status == CastStatus.OverlappingAtStart).ThenByDescending(r => r.Depth).First();
+        return found.Status == least.Status && found.Fraction == least.Fraction && found.Result.Depth == least.Depth
+            ? Own(pair, all, found)
+            : Say.Line($"{found}, but {least} of other parts");
     }
 
-    private static bool IsBefore(in CastResult a, in CastResult b) =>
-        a.Fraction != b.Fraction
-            ? a.Fraction < b.Fraction
-            : a.Status == CastStatus.OverlappingAtStart && b.Status != CastStatus.OverlappingAtStart;
+    /// <summary>What is found is the answer for its own parts: where several are met at one fraction, it may be that of
+    /// any of them.</summary>
+    private static string? Own(ConcavePair pair, CastResult[] all, in PartCast found)
+    {
+        if (!found.IsHit) return null;
+        CastResult own = all[pair.IndexOf(found.PartA, found.PartB)];
+        return own.Status == found.Status && own.Fraction == found.Fraction && own.Normal == found.Result.Normal
+            ? null
+            : Say.Line($"{found}, but {own} of these parts");
+    }
 }
