@@ -66,8 +66,8 @@ public class ContactBruteForceTests
         Assert.InRange(held, 1, 3);
     }
 
-    /// <summary>Whether a body overlaps a triangle and is four times as deep behind its face, to either side: to push it
-    /// that far would push it through what is there.</summary>
+    /// <summary>Whether a body overlaps a triangle and is four times as deep behind its face, to either side: pushed
+    /// that far it would go through what is there.</summary>
     private static bool IsFarThrough(
         in ConvexShape triangle, Vector3 face, in AnyShape body, in RigidPose at, in DistanceResult own)
     {
