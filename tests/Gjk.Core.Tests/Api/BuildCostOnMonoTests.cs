@@ -19,8 +19,7 @@ public class BuildCostOnMonoTests
     [
         ("Placement.GetFace", Given), ("ShapeTraits.cctor", Making), ("PlacedTraits.InCoreAxes", Decorator),
         ("Guard.NotNull", Making), ("PairFrame.Tighten", Given), ("PairFrame.ComposePlaced", Given),
-        ("UnitSized.*", Decorator), ("ConvexQuery.AskContacts", Given), ("ConvexQuery.AddPlacedPoints", Placed),
-        ("PairQuery.SolveCopies", Given),
+        ("UnitSized.*", Decorator), ("ConvexQuery.AddPlacedPoints", Placed), ("PairQuery.SolveCopies", Given),
         ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
     ];
 
