@@ -5,13 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")"
 
-install_gappa() {
-  command -v apt-get > /dev/null || return 1
-  apt-get install -y --no-install-recommends gappa > /dev/null 2>&1 && return 0
-  apt-get update > /dev/null 2>&1 && apt-get install -y --no-install-recommends gappa > /dev/null 2>&1
-}
-
-if ! command -v gappa > /dev/null && ! { install_gappa && command -v gappa > /dev/null; }; then
+if ! command -v gappa > /dev/null && ! { ../tests/install.sh gappa && command -v gappa > /dev/null; }; then
   echo "skipped: Gappa is not installed and cannot be installed here"
   exit 0
 fi

@@ -22,8 +22,8 @@ internal static class MonoBuild
         Output(
             "dotnet",
             [
-                "build", Path.Combine(project, "runtimes"), "-c", "Release", "-v", "quiet", "--nologo", "-o", output,
-                "-f", column.Framework, $"-p:LibraryTarget={column.Library}",
+                "build", Path.Combine(project, "runtimes"), "-c", "Release", "-v", "quiet", "--nologo",
+                "-f", column.Framework, $"-p:LibraryTarget={column.Library}", $"-p:ProgramFolder={output}",
             ],
             $"--mono: the program for {column.Name} does not build");
         return Path.Combine(output, column.Framework == MonoColumn.MonoFramework ? "Gjk.Bench.exe" : "Gjk.Bench.dll");

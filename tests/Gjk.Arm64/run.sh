@@ -7,16 +7,10 @@ cd "$(dirname "$0")"
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
 root=/usr/aarch64-linux-gnu
 
-install_emulator() {
-  command -v apt-get > /dev/null || return 1
-  local packages=(qemu-user-static libc6-arm64-cross libstdc++6-arm64-cross libgcc-s1-arm64-cross)
-  apt-get install -y --no-install-recommends "${packages[@]}" > /dev/null 2>&1 && return 0
-  apt-get update > /dev/null 2>&1 && apt-get install -y --no-install-recommends "${packages[@]}" > /dev/null 2>&1
-}
-
 is_there() { command -v qemu-aarch64-static > /dev/null && [ -e $root/lib/libstdc++.so.6 ]; }
 
-if ! is_there && ! { install_emulator && is_there; }; then
+packages=(qemu-user-static libc6-arm64-cross libstdc++6-arm64-cross libgcc-s1-arm64-cross)
+if ! is_there && ! { ../install.sh "${packages[@]}" && is_there; }; then
   echo "skipped: QEMU's emulator of ARM is not installed and cannot be installed here"
   exit 0
 fi

@@ -5,14 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-install_mono() {
-  command -v apt-get > /dev/null || return 1
-  local packages=(mono-runtime mono-devel)
-  apt-get install -y --no-install-recommends "${packages[@]}" > /dev/null 2>&1 && return 0
-  apt-get update > /dev/null 2>&1 && apt-get install -y --no-install-recommends "${packages[@]}" > /dev/null 2>&1
-}
-
-if ! command -v mono > /dev/null && ! { install_mono && command -v mono > /dev/null; }; then
+if ! command -v mono > /dev/null && ! { ../install.sh mono-runtime mono-devel && command -v mono > /dev/null; }; then
   echo "skipped: Mono is not installed and cannot be installed here"
   exit 0
 fi

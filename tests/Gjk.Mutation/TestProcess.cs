@@ -18,11 +18,18 @@ internal sealed class TestProcess(string tests) : IDisposable
     private BlockingCollection<string?> _lines = [];
 
     /// <summary>Asks for all tests but those that are known; each answer is a line.</summary>
+    /// <exception cref="InvalidOperationException">A test ended the process, or took ten minutes.</exception>
     public IEnumerable<string> Record(IEnumerable<string> known)
     {
         Start();
         _process!.StandardInput.WriteLine("record " + string.Join(",", known));
-        while (Next(600) is { } line && line != "end") yield return line;
+        string last = "none";
+        while (true)
+        {
+            string line = Next(600) ?? throw new InvalidOperationException($"no test was recorded after: {last}");
+            if (line == "end") yield break;
+            yield return last = line;
+        }
     }
 
     /// <summary>Runs tests until one notices the mutant.</summary>

@@ -13,15 +13,9 @@ skip() {
   exit 0
 }
 
-install_slurm() {
-  command -v apt-get > /dev/null || return 1
-  apt-get install -y --no-install-recommends slurm-wlm munge > /dev/null 2>&1 && return 0
-  apt-get update > /dev/null 2>&1 && apt-get install -y --no-install-recommends slurm-wlm munge > /dev/null 2>&1
-}
-
 [ "$(id -u)" = 0 ] || skip "Slurm's daemons are started by root here"
 has_slurm() { command -v slurmctld slurmd sbatch munged > /dev/null; }
-has_slurm || { install_slurm && has_slurm; } || skip "Slurm is not installed and cannot be installed here"
+has_slurm || { tests/install.sh slurm-wlm munge && has_slurm; } || skip "Slurm is not installed and cannot be installed here"
 
 work=$(mktemp -d)
 pids=()

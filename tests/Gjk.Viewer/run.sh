@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 
 source ./tools.sh
 # Firefox is a second opinion, and can be missing.
-if [ "${GJK_LONG:-}" = 1 ]; then command -v firefox-esr firefox > /dev/null || install_packages firefox-esr || true; fi
+if [ "${GJK_LONG:-}" = 1 ]; then command -v firefox-esr firefox > /dev/null || ../install.sh firefox-esr || true; fi
 
 if [ "${1:-}" != --no-build ]; then
   dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj

@@ -5,22 +5,16 @@ skip() {
   exit 0
 }
 
-install_packages() {
-  command -v apt-get > /dev/null || return 1
-  apt-get install -y --no-install-recommends "$@" > /dev/null 2>&1 && return 0
-  apt-get update > /dev/null 2>&1 && apt-get install -y --no-install-recommends "$@" > /dev/null 2>&1
-}
-
 find_browser() {
   CHROMIUM=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
   [ -n "$CHROMIUM" ]
 }
 
-command -v node > /dev/null && command -v npm > /dev/null || install_packages nodejs npm \
+command -v node > /dev/null && command -v npm > /dev/null || ../install.sh nodejs npm \
   || skip "Node.js is not installed and cannot be installed here"
 [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 18 ] \
   || skip "Node.js here is older than playwright-core needs (18)"
-find_browser || { install_packages chromium && find_browser; } \
+find_browser || { ../install.sh chromium && find_browser; } \
   || skip "Chromium is not installed and cannot be installed here"
 [ -d node_modules/playwright-core ] || npm ci --silent > /dev/null 2>&1 \
   || skip "playwright-core cannot be installed from npm here"

@@ -10,6 +10,7 @@ public class BuildCostOnMonoTests
         Making = "makes or compares shapes, which no query does",
         State = "the state of the search, which each round uses",
         Exact = "106 bits: entered where doubles prove nothing",
+        Placed = "placed shapes, once for each query",
         Range = "only directions near the ends of a double's range",
         Answer = "the answer, or the frame of the question, once for each query",
         Conversion = "from and to System.Numerics, for users; no query calls it";
@@ -18,7 +19,7 @@ public class BuildCostOnMonoTests
     [
         ("Placement.GetFace", Given), ("ShapeTraits.cctor", Making), ("PlacedTraits.InCoreAxes", Decorator),
         ("Guard.NotNull", Making), ("PairFrame.Tighten", Given), ("PairFrame.ComposePlaced", Given),
-        ("UnitSized.*", Decorator), ("ConvexQuery.AskContacts", Given), ("PairQuery.SolveCopies", Given),
+        ("UnitSized.*", Decorator), ("ConvexQuery.AddPlacedPoints", Placed), ("PairQuery.SolveCopies", Given),
         ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
     ];
 
@@ -26,8 +27,7 @@ public class BuildCostOnMonoTests
     [
         ("SegmentCore.UnitDot", Range), ("TriangleCore.FurthestInUnits", Range),
         ("XyzExtensions.ToVector3D", "so short that Mono inlines it unasked"),
-        ("PairFrame.OutOfA", "placed shapes, once for each query"),
-        ("PairFrame.OutOfB", "placed shapes, once for each query"), ("ConvexQuery.SettleImpact", Answer),
+        ("PairFrame.OutOfA", Placed), ("PairFrame.OutOfB", Placed), ("ConvexQuery.SettleImpact", Answer),
         ("DistanceFinish.Common", "once, of pairs that overlap or touch"), ("ShapeParts.set_Scale", Making),
         ("ClosestPointWeights.FaceWeightsExtended", Exact), ("ClosestPointWeights.VolumeWeightsExtended", Exact),
         ("NextSimplex.Nearest", "where more than one face sees the origin"),
@@ -39,7 +39,7 @@ public class BuildCostOnMonoTests
     private static readonly (string Method, string Reason)[] LargeLocals =
     [
         ("ContactBuilder.*", State), ("ContactManifold.get_Swapped", Answer), ("ContactPlaces.FindAlong", State),
-        ("AxisScale.Frame", "placed shapes, once for each query"), ("BodyForm.*", "round shapes of the depth, once"),
+        ("AxisScale.Frame", Placed), ("BodyForm.*", "round shapes of the depth, once"),
         ("Placement.GetFace", State), ("RigidPose.*", Conversion), ("RotationD.get_Transposed", Answer),
         ("ConvexQuery.*", Answer), ("DistanceFinish.ToWorld", Answer), ("DistanceSolver.Tell", Trace),
         ("DistanceSolver.SolvePoints", State), ("SignedDistanceSolver.Tell", Trace), ("ConvexShape.*", Making),
@@ -47,7 +47,8 @@ public class BuildCostOnMonoTests
         ("NextSimplex.DistanceSquared", "where more than one face sees the origin"), ("BestNormal.ctor", State),
         ("GjkDistance.*", State), ("GjkExtendedPrecision.Solve", Exact), ("GjkOverlap.Solve", State),
         ("SideNormal.*", "shapes that touch at their sides"), ("SettledContact.LookAtStart", Answer),
-        ("ImpactQuestion.*", Answer), ("RayQuestion.TryBegin", Answer),
+        ("ImpactQuestion.*", Answer), ("RayQuestion.TryBegin", Answer), ("MetFeatures.Of", Answer),
+        ("Polytope.Grow", "once, in the few searches that outgrow the first room"),
     ];
 
     [Fact]
