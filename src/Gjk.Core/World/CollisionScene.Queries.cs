@@ -103,9 +103,7 @@ public sealed partial class CollisionScene
     {
         int a = _objects.Checked(idA, nameof(idA)), b = _objects.Checked(idB, nameof(idB));
         if (a == b) throw new ArgumentException("An object has no distance to itself.", nameof(idB));
-        return _objects.Parts.Has(new ObjectPair(a, b))
-            ? _objects.Parts.Distance(_objects.Parts[a], _objects.Poses[a], b, float.PositiveInfinity).Result
-            : ConvexQuery.Distance(_objects.Shapes[a], _objects.Poses[a], _objects.Shapes[b], _objects.Poses[b]);
+        return _objects.Parts.Distance(a, b, float.PositiveInfinity).Result;
     }
 
     private static void CheckDistance(float distance, string name)

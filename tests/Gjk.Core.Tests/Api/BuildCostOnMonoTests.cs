@@ -25,7 +25,7 @@ public class BuildCostOnMonoTests
     private static readonly (string Method, string Reason)[] ByValue =
     [
         ("SegmentCore.UnitDot", Range), ("TriangleCore.FurthestInUnits", Range),
-        ("XyzExtensions.ToVector3D", "so short that Mono inlines it unasked"),
+        ("XyzExtensions.ToDouble3", "so short that Mono inlines it unasked"),
         ("PairFrame.OutOfA", "placed shapes, once for each query"),
         ("PairFrame.OutOfB", "placed shapes, once for each query"), ("ConvexQuery.SettleImpact", Answer),
         ("DistanceFinish.Common", "once, of pairs that overlap or touch"), ("ShapeParts.set_Scale", Making),

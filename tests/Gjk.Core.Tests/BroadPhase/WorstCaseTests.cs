@@ -34,7 +34,7 @@ public class WorstCaseTests
             string message = $"{kind}, frame {frame}, {pairs.Count} pairs";
             double visits = (phase.Leaves.Tree.Visits - before) / (NLogN(boxes.Count) + pairs.Count);
             Assert.True(visits <= MostVisits, $"{message}: {visits:0.0} visits");
-            int kept = phase.Pairs.Count, depth = phase.Leaves.Tree.Depth();
+            int kept = phase.Pairs.Count, depth = TreeDepth.Of(phase.Leaves.Tree);
             Assert.True(kept <= PairBudget.Of(boxes.Count, pairs.Count), $"{message}: {kept} kept");
             Assert.True(depth <= AabbTree.MaxDepth, $"{message}: depth {depth}");
             boxes.Step(frame);
