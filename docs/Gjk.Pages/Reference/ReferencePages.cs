@@ -50,7 +50,7 @@ internal static partial class ReferencePages
     /// <summary>The documentation comments of the packages, by the names that the compiler gives members.</summary>
     public static Dictionary<string, XElement> Comments() =>
         Roots.SelectMany(r => XDocument.Load(Path.ChangeExtension(r.Assembly.Location, ".xml")).Descendants("member"))
-            .ToDictionary(m => m.Attribute("name")!.Value);
+            .DistinctBy(m => m.Attribute("name")!.Value).ToDictionary(m => m.Attribute("name")!.Value);
 
     /// <summary>A type's name without the number of its parameters.</summary>
     internal static string Plain(Type type) => type.Name.Split('`')[0];

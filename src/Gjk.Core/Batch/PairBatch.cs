@@ -55,8 +55,8 @@ public static partial class PairBatch
         Check(shapes, poses, pairs, Guard.NotNull(results, nameof(results)).Length);
         Guard.NotNaN(maxDistance, nameof(maxDistance));
         Workers.Run(
-            workers, new DistanceJob(shapes, poses, pairs, results, maxDistance), pairs.Length, PartLength,
-            cancellation);
+            workers, new DistanceJob(shapes, poses, pairs, results, null, maxDistance), pairs.Length,
+            PartLength, cancellation);
     }
 
     /// <summary>As the other, each pair beginning where its last query ended: much faster for pairs that move
@@ -85,7 +85,7 @@ public static partial class PairBatch
             throw new ArgumentException("There must be at least as many warm starts as pairs.", nameof(warmStarts));
         Guard.NotNaN(maxDistance, nameof(maxDistance));
         Workers.Run(
-            workers, new WarmDistanceJob(shapes, poses, pairs, results, warmStarts, maxDistance), pairs.Length,
+            workers, new DistanceJob(shapes, poses, pairs, results, warmStarts, maxDistance), pairs.Length,
             PartLength, cancellation);
     }
 
@@ -164,7 +164,7 @@ public static partial class PairBatch
     }
 
     private readonly struct DistanceJob(
-        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results,
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, WarmStart[]? warmStarts,
         float maxDistance) : IPartJob
     {
         public void Run(int begin, int end)
@@ -172,7 +172,10 @@ public static partial class PairBatch
 #if NET
             if (WideBatch.IsSupported)
             {
-                var question = new WideDistances(ref results[begin], maxDistance);
+                ref WarmStart starts = ref Unsafe.NullRef<WarmStart>();
+                if (warmStarts is not null) starts = ref warmStarts[begin];
+                var question = new WideDistances(
+                    ref results[begin], ref starts, ref Unsafe.NullRef<bool>(), maxDistance);
                 new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
                 return;
             }
@@ -180,31 +183,13 @@ public static partial class PairBatch
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
-                PairQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance, out results[i]);
-            }
-        }
-    }
-
-    private readonly struct WarmDistanceJob(
-        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, WarmStart[] warmStarts,
-        float maxDistance) : IPartJob
-    {
-        public void Run(int begin, int end)
-        {
-#if NET
-            if (WideBatch.IsSupported)
-            {
-                var question = new WideWarmDistances(
-                    ref results[begin], ref warmStarts[begin], ref Unsafe.NullRef<bool>(), maxDistance);
-                new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
-                return;
-            }
-#endif
-            for (int i = begin; i < end; i++)
-            {
-                (int a, int b) = (pairs[i].A, pairs[i].B);
-                results[i] = ConvexQuery.Distance(
-                    shapes[a], poses[a], shapes[b], poses[b], ref warmStarts[i], maxDistance);
+                if (warmStarts is null)
+                    PairQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance, out results[i]);
+                else
+                {
+                    results[i] = ConvexQuery.Distance(
+                        shapes[a], poses[a], shapes[b], poses[b], ref warmStarts[i], maxDistance);
+                }
             }
         }
     }

@@ -117,24 +117,6 @@ internal sealed partial class AabbTree
         return isDone;
     }
 
-    /// <summary>The number of levels below the root, for the tests.</summary>
-    public int Depth()
-    {
-        int deepest = 0, depth = 0;
-        if (_root != None) Push(ref depth, _root, 0);
-        while (depth > 0)
-        {
-            int node = _stack[depth - 2], level = _stack[depth - 1];
-            depth -= 2;
-            deepest = Math.Max(deepest, level);
-            if (node < _leafEnd) continue;
-            Push(ref depth, _nodes[node].Left, level + 1);
-            Push(ref depth, _nodes[node].Right, level + 1);
-        }
-
-        return deepest;
-    }
-
     private void Push(ref int depth, int a, int b)
     {
         if (depth + 2 > _stack.Length) Array.Resize(ref _stack, 2 * _stack.Length);

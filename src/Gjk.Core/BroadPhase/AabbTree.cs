@@ -30,8 +30,11 @@ internal sealed partial class AabbTree
     /// <summary>How many leaves fit; their numbers are below it.</summary>
     public int Capacity => _leafEnd;
 
-    /// <summary>A leaf's box, as it was inserted.</summary>
-    public ref readonly AabbNode Leaf(int leaf) => ref _nodes[leaf];
+    /// <summary>The node above all others; negative where there is none.</summary>
+    public int Root => _root;
+
+    /// <summary>A node: a leaf's box as it was inserted, or an inner box and its children.</summary>
+    public ref readonly AabbNode Node(int node) => ref _nodes[node];
 
     /// <summary>Empties the tree, and makes room for leaves with numbers below the capacity.</summary>
     public void Reset(int capacity)

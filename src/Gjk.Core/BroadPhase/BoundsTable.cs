@@ -55,12 +55,6 @@ internal sealed class BoundsTable
         End = Math.Max(End, id + 1);
     }
 
-    public void Move(int id, in Aabb bounds)
-    {
-        Check(id);
-        Boxes[id] = bounds;
-    }
-
     public void Remove(int id)
     {
         Check(id);
@@ -75,22 +69,6 @@ internal sealed class BoundsTable
     }
 
     public bool IsPresent(int id) => (uint)id < (uint)Present.Length && Present[id];
-
-    public void CollectInBox(in Aabb box, List<int> ids)
-    {
-        Guard.NotNull(ids, nameof(ids)).Clear();
-        for (int i = 0; i < End; i++)
-            if (Present[i] && Boxes[i].Overlaps(box)) ids.Add(i);
-    }
-
-    /// <summary>Shows a visitor the objects whose boxes a path meets, by number.</summary>
-    public void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
-        where TVisitor : struct, ISweepVisitor
-    {
-        double limit = path.Limit;
-        for (int i = 0; i < End; i++)
-            if (Present[i] && path.Meets(Boxes[i], limit, out _)) limit = Math.Min(limit, visitor.Visit(i));
-    }
 
     public static void CheckQuery(float margin, List<ObjectPair> pairs)
     {

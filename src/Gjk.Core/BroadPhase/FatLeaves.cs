@@ -62,7 +62,7 @@ internal sealed class FatLeaves(BoundsTable table)
     /// <summary>Is told before a box changes in the table.</summary>
     public void Move(int id, in Aabb from, in Aabb to)
     {
-        if (_unplaced.Has[id] || IsFit(to, Tree.Leaf(id))) return;
+        if (_unplaced.Has[id] || IsFit(to, Tree.Node(id))) return;
         _steps[id] = Vector3.Max(Vector3.Abs(to.Min - from.Min), Vector3.Abs(to.Max - from.Max));
         _unplaced.Add(id);
     }

@@ -101,8 +101,8 @@ internal static unsafe class ContactBuilder
         Double3 worldB = worldA + frame.RotationA.Rotate(plane.Normal) * gap;
         if (frame.IsPlaced)
         {
-            localA = frame.OutOfA(localA.ToXyz()).ToVector3D();
-            localB = frame.OutOfB(localB.ToXyz()).ToVector3D();
+            localA = frame.OutOfA(localA.ToXyz()).ToDouble3();
+            localB = frame.OutOfB(localB.ToXyz()).ToDouble3();
         }
 
         return new ManifoldPoint(

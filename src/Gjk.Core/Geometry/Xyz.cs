@@ -13,7 +13,7 @@ internal static class XyzExtensions
 #if NET
     /// <summary>The first three lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double3 ToVector3D(this Xyz v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
+    public static Double3 ToDouble3(this Xyz v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
 
     /// <summary>Rounded to float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -82,7 +82,7 @@ internal static class XyzExtensions
             - Vector256.Shuffle(a, zxy) * Vector256.Shuffle(b, yzx);
     }
 #else
-    public static Double3 ToVector3D(this Double3 v) => v;
+    public static Double3 ToDouble3(this Double3 v) => v;
 
     public static Vector3 ToSingle(this in Double3 v) => (Vector3)v;
 

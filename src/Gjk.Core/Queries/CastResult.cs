@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>When and where two moving shapes first touch. Immutable.</summary>
 public readonly struct CastResult
 {
-    /// <summary>What was found; what is valid under it, <see cref="CastStatus"/> says.</summary>
+    /// <summary>What was found; see <see cref="CastStatus"/> for which fields are valid.</summary>
     public readonly CastStatus Status;
 
     /// <summary>The part of the motion, from 0, after which the shapes first share a point, rounded to float; of a time

@@ -58,7 +58,7 @@ public static partial class ConvexQuery
         return true;
     }
 
-    /// <summary>Whether nothing is left of a shape, which its own origin is then.</summary>
+    /// <summary>True for a point at the local origin with no margin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsPoint<T>(ref T shape)
         where T : struct, ISupportMap =>

@@ -70,7 +70,7 @@ internal static class DistanceFinish
 
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
         {
-            worldB = ToWorld(poseB, localB.ToVector3D()).ToXyz();
+            worldB = ToWorld(poseB, localB.ToDouble3()).ToXyz();
             if (!IsFarApart(gap, frame.RadiusA, frame.CenterA)) worldA = worldB - normal * distance;
         }
 
@@ -123,8 +123,8 @@ internal static class DistanceFinish
         Xyz outerA = localA, outerB = localB;
         if (frame.IsPlaced) (outerA, outerB) = (frame.OutOfA(localA), frame.OutOfB(localB));
         var world = (Vector3)(IsMuchSmallerB(state, frame)
-            ? ToWorld(poseB, outerB.ToVector3D())
-            : frame.RotationA.Rotate(localA.ToVector3D()) + poseA.Position);
+            ? ToWorld(poseB, outerB.ToDouble3())
+            : frame.RotationA.Rotate(localA.ToDouble3()) + poseA.Position);
         return new DistanceResult(
             GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, outerA.ToSingle(), outerB.ToSingle(),
             state.Iterations);

@@ -17,14 +17,14 @@ public readonly struct FinalSimplex
         _centerB = frame.CenterB;
         _unit = frame.Unit;
         if (!frame.IsPlaced) return;
-        _centerA = frame.OutOfA(_centerA.ToXyz()).ToVector3D();
-        _centerB = frame.OutOfB(_centerB.ToXyz()).ToVector3D();
+        _centerA = frame.OutOfA(_centerA.ToXyz()).ToDouble3();
+        _centerB = frame.OutOfB(_centerB.ToXyz()).ToDouble3();
         for (int i = 0; i < simplex.Count; i++)
         {
             int slot = simplex[i];
             _simplex.Fill(
-                slot, simplex.W(slot), frame.OutOfA(simplex.OnA(slot).ToXyz()).ToVector3D(),
-                frame.OutOfB(simplex.OnB(slot).ToXyz()).ToVector3D(), simplex.IdA(slot), simplex.IdB(slot));
+                slot, simplex.W(slot), frame.OutOfA(simplex.OnA(slot).ToXyz()).ToDouble3(),
+                frame.OutOfB(simplex.OnB(slot).ToXyz()).ToDouble3(), simplex.IdA(slot), simplex.IdB(slot));
         }
     }
 

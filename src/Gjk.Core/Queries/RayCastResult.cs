@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>Where a ray first meets a shape. Immutable.</summary>
 public readonly struct RayCastResult
 {
-    /// <summary>What was found; what is valid under it, <see cref="CastStatus"/> says.</summary>
+    /// <summary>What was found; see <see cref="CastStatus"/> for which fields are valid.</summary>
     public readonly CastStatus Status;
 
     /// <summary>World units along the ray from its origin, rounded to float; 0 where it begins in the shape, the

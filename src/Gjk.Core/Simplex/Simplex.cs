@@ -156,7 +156,7 @@ internal unsafe struct Simplex
     public readonly Double3 MeanOnA(in Weights w)
     {
         PointOnA(w, out Xyz point);
-        return point.ToVector3D();
+        return point.ToDouble3();
     }
 
     /// <summary>The lowest slot that no vertex holds.</summary>

@@ -45,31 +45,70 @@ internal enum WideRoute
     Inside,
 }
 
-/// <summary>How far apart each pair is.</summary>
-internal readonly unsafe ref struct WideDistances(ref DistanceResult results, float maxDistance) : IWideQuestion
+/// <summary>How far apart each pair is, from where it ended the last time.</summary>
+/// <param name="results">Where the answers go, one for each pair.</param>
+/// <param name="starts">The warm starts, one for each pair; a null reference where all begin cold.</param>
+/// <param name="answered">Whether each pair has its answer; a null reference where none has.</param>
+/// <param name="maxDistance">As in <see cref="ConvexQuery"/>.</param>
+internal readonly unsafe ref struct WideDistances(
+    ref DistanceResult results, ref WarmStart starts, ref bool answered, float maxDistance) : IWideQuestion
 {
     private readonly ref DistanceResult _results = ref results;
+    private readonly ref WarmStart _starts = ref starts;
+    private readonly ref bool _answered = ref answered;
     private readonly float _maxDistance = maxDistance;
+
+    /// <summary>Begins cold, and asks about all pairs.</summary>
+    public WideDistances(ref DistanceResult results, float maxDistance)
+        : this(ref results, ref Unsafe.NullRef<WarmStart>(), ref Unsafe.NullRef<bool>(), maxDistance)
+    {
+    }
 
     public double Reach => ProvedDistance.ShapeReach(_maxDistance);
 
-    public WideRoute Route(in WideBatch batch, int pair) => WideRoute.Cold;
+    private bool IsCold => Unsafe.IsNullRef(ref _starts);
+
+    /// <summary>What no query has stored is for the query alone.</summary>
+    public WideRoute Route(in WideBatch batch, int pair)
+    {
+        if (!Unsafe.IsNullRef(ref _answered) && Unsafe.Add(ref _answered, pair)) return WideRoute.Answered;
+        int count = IsCold ? 0 : Unsafe.Add(ref _starts, pair).Count;
+        if (count == 0) return WideRoute.Cold;
+        if (count == WideWarmStart.MostVertices) return WideRoute.Inside;
+        return (uint)count < WideWarmStart.MostVertices ? WideRoute.Warm : WideRoute.Alone;
+    }
 
     public uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
         Unsafe.SkipInit(out WideResults found);
-        WideDistance.Solve(ref a, ref b, ref pairs);
+        if (IsCold || Unsafe.Add(ref _starts, index[0]).Count == 0)
+        {
+            if (!IsCold) WideWarmStart.Direct(ref _starts, index, ref pairs);
+            WideDistance.Solve(ref a, ref b, ref pairs);
+        }
+        else
+        {
+            WideWarmStart.Restore(ref a, ref b, ref _starts, index, ref pairs);
+            WideDistance.Walk(ref a, ref b, ref pairs, 0);
+        }
+
         uint own = (1u << lanes) - 1;
         uint done = own & WideFinish.Finish(ref a, ref b, batch, index, ref pairs, _maxDistance, ref found);
         found.Write(done, index, ref _results);
+        if (!IsCold) WideWarmStart.Store(ref a, ref b, pairs, done, index, ref _starts);
         return done;
     }
 
-    public void Alone(in WideBatch batch, int pair) =>
-        Unsafe.Add(ref _results, pair) = ConvexQuery.Distance(
-            batch.ShapeA(pair), batch.PoseA(pair), batch.ShapeB(pair), batch.PoseB(pair), _maxDistance);
+    public void Alone(in WideBatch batch, int pair)
+    {
+        ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
+        ref RigidPose poseA = ref batch.PoseA(pair), poseB = ref batch.PoseB(pair);
+        Unsafe.Add(ref _results, pair) = IsCold
+            ? ConvexQuery.Distance(a, poseA, b, poseB, _maxDistance)
+            : ConvexQuery.Distance(a, poseA, b, poseB, ref Unsafe.Add(ref _starts, pair), _maxDistance);
+    }
 }
 
 /// <summary>Whether each pair overlaps.</summary>
@@ -79,8 +118,8 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
 
     public double Reach => ProvedDistance.ShapeReach(0);
 
-    /// <summary>Balls that are apart need no walk (<c>OverlapSolver.AreBallsApart</c>); hulls without margins are as
-    /// fast alone.</summary>
+    /// <summary>Balls that are apart need no walk (<c>OverlapSolver.AreBallsApart</c>). Boxes and shapes with margins
+    /// gain from lanes; all others are as fast alone.</summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
         ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
@@ -90,8 +129,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
             return WideRoute.Answered;
         }
 
-        bool isWide = a.Margin + b.Margin > 0 || (((a.Core ^ CoreKind.Hull) & ~CoreKind.Moved) != 0
-            && ((b.Core ^ CoreKind.Hull) & ~CoreKind.Moved) != 0);
+        bool isWide = a.Margin + b.Margin > 0 || ((a.Core | b.Core) & ~CoreKind.Moved) == CoreKind.Box;
         return isWide ? WideRoute.Cold : WideRoute.Alone;
     }
 
@@ -99,18 +137,8 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
-        uint apart, overlapping;
-        if (pairs.MarginA + pairs.MarginB == Vector256<double>.Zero)
-        {
-            WideOverlap.Solve(ref a, ref b, ref pairs, out apart, out overlapping);
-        }
-        else
-        {
-            // Margins are for the distance.
-            WideDistance.Solve(ref a, ref b, ref pairs);
-            WideFinish.Statuses(ref pairs, out apart, out overlapping);
-        }
-
+        WideDistance.Solve(ref a, ref b, ref pairs);
+        WideFinish.Statuses(ref pairs, out uint apart, out uint overlapping);
         for (int i = 0; i < lanes; i++)
         {
             if (((apart | overlapping) >> i & 1) == 0) continue;

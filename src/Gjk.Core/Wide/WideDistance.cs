@@ -38,7 +38,7 @@ internal static class WideDistance
             Support(ref a, ref b, ref s);
             Judge(ref s);
             if (s.Live == Lanes.Zero) return;
-            WideStep.Advance(ref s, nearest: true);
+            WideStep.Advance(ref s);
             Progress(ref s);
         }
     }
@@ -115,7 +115,6 @@ internal static class WideDistance
     {
         Lanes squared = s.Height * s.Height / s.NormalSquared, live = s.Live;
         Lanes apart = Vector256.GreaterThan(squared, s.TouchSquared);
-        s.Touching |= Vector256.AndNot(live, apart);
         s.Live = live & apart & Vector256.LessThan(squared, s.DistanceSquared);
         s.DistanceSquared = squared;
     }

@@ -80,7 +80,7 @@ internal static unsafe class WideFrame
         s.Normal = WideVector.Select(
             Vector256.GreaterThan(squared, Lanes.Zero), normal, new WideVector(Lanes.One, Lanes.Zero, Lanes.Zero));
         s.NormalSquared = s.Normal.LengthSquared;
-        s.Count = s.Iterations = s.Separated = s.Closed = s.Beyond = s.Inside = s.Touching = s.Plane = Lanes.Zero;
+        s.Count = s.Iterations = s.Separated = s.Closed = s.Beyond = s.Inside = s.Plane = Lanes.Zero;
         s.Winding = Lanes.One;
         s.DistanceSquared = Vector256.Create(double.PositiveInfinity);
         s.SlotsA = s.SlotsB = s.SlotsC = s.SlotsW = Vector256<long>.Zero;

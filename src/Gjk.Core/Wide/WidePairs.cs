@@ -47,9 +47,8 @@ internal struct WidePairs
     public Lanes Live, Separated;
 
     /// <summary>Masks of the ends: the bounds have met; a plane is further than asked; the origin is inside the
-    /// tetrahedron of W and the three vertices; the feature touches the origin. What ended in no way is for the scalar
-    /// query.</summary>
-    public Lanes Closed, Beyond, Inside, Touching;
+    /// tetrahedron of W and the three vertices. What ended in no way is for the scalar query.</summary>
+    public Lanes Closed, Beyond, Inside;
 
     /// <summary>The vertices of A - B made of a point of each shape, measured from its centre in its own
     /// axes.</summary>

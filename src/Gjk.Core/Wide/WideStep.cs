@@ -31,12 +31,11 @@ internal static class WideStep
     /// <summary>Chooses the face that the origin sees for the lanes that have four vertices, moves the older vertices
     /// up in the others, and reduces all to their nearest features.</summary>
     /// <param name="s">The four pairs.</param>
-    /// <param name="nearest">As in <see cref="NextSimplex.TryAdvance"/>.</param>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    public static void Advance(ref WidePairs s, bool nearest)
+    public static void Advance(ref WidePairs s)
     {
         Lanes full = Vector256.Equals(s.Count, Three);
-        if ((full & s.Live) != Lanes.Zero) TakeFace(ref s, full, nearest);
+        if ((full & s.Live) != Lanes.Zero) TakeFace(ref s, full);
         else Shift(ref s, s.Live);
         Reduce(ref s);
     }
@@ -50,7 +49,7 @@ internal static class WideStep
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private static void TakeFace(ref WidePairs s, Lanes full, bool nearest)
+    private static void TakeFace(ref WidePairs s, Lanes full)
     {
         WideVector a = s.W, ab = s.A - a, ac = s.B - a, ad = s.C - a;
         Lanes winding = s.Winding, zero = Lanes.Zero;
@@ -63,7 +62,7 @@ internal static class WideStep
         s.Inside |= Vector256.AndNot(inside, s.Separated);
         s.Live = Vector256.AndNot(s.Live, inside);
         Lanes several = full & s.Live & ((abc & (acd | adb)) | (acd & adb));
-        if (nearest && several != zero) Nearest(s, several, ref abc, ref acd, ref adb);
+        if (several != zero) Nearest(s, several, ref abc, ref acd, ref adb);
 
         // ABC keeps A and B, ACD the last two as they are, ADB turns round.
         Lanes stays = full & Vector256.AndNot(acd, abc), turns = full & Vector256.AndNot(adb, abc | acd);

@@ -90,9 +90,10 @@ public sealed partial class CollisionScene
         }
 
         // What lies nearer than the one found may be outside the box in which it was found.
-        if (search.Best >= 0 && search.Result.Distance > reach) LookWithin(ref search, box, search.Result.Distance);
+        if (search.Best >= 0 && search.Nearest.Distance > reach) LookWithin(ref search, box, search.Nearest.Distance);
         int other = search.Best < 0 ? -1 : _objects.Ids[search.Best];
-        nearest = new PairDistance(new ObjectPair(id, other), search.Result, search.PartA, search.PartB);
+        PartDistance found = search.Nearest;
+        nearest = new PairDistance(new ObjectPair(id, other), found.Result, found.PartA, found.PartB);
         return search.Best >= 0;
     }
 
@@ -113,4 +114,61 @@ public sealed partial class CollisionScene
         var limit = new Vector3(float.MaxValue);
         return new Aabb(Vector3.Max(box.Min - widening, -limit), Vector3.Min(box.Max + widening, limit));
     }
+}
+
+/// <summary>The search for the object of a scene that is nearest to a shape.</summary>
+internal struct NearestSearch
+{
+    public readonly RigidPose Pose;
+
+    /// <summary>Objects further away are not found.</summary>
+    public readonly float MaxDistance;
+
+    /// <summary>The slot of the nearest object so far, or -1.</summary>
+    public int Best;
+
+    /// <summary>The distance to it, and the parts that it is between.</summary>
+    public PartDistance Nearest;
+
+    private readonly SceneObjects _objects;
+    private readonly ConvexShape _shape;
+    private readonly QueryFilter _filter;
+
+    /// <summary>The slot of the object that is asked about, or -1.</summary>
+    private readonly int _self;
+
+    /// <summary>What is nearest to an object of the scene, of those that it is tested against.</summary>
+    public NearestSearch(SceneObjects objects, int slot)
+        : this(objects, objects.Shapes[slot], objects.Poses[slot], float.PositiveInfinity, default) => _self = slot;
+
+    /// <summary>What is nearest to a shape that is none of the scene's.</summary>
+    public NearestSearch(
+        SceneObjects objects, in ConvexShape shape, in RigidPose pose, float maxDistance, in QueryFilter filter)
+    {
+        _objects = objects;
+        _shape = shape;
+        _filter = filter;
+        _self = -1;
+        Pose = pose;
+        MaxDistance = maxDistance;
+        Best = -1;
+        Nearest = new PartDistance(default, PartSide.NoPart, PartSide.NoPart);
+    }
+
+    /// <summary>Takes an object if it is nearer than the best, or as near with a lesser id.</summary>
+    public void Look(int slot)
+    {
+        if (!IsAsked(slot)) return;
+        float limit = Best < 0 ? MaxDistance : Math.Min(MaxDistance, CollisionScene.JustBeyond(Nearest.Distance));
+        PartDistance found = _self < 0
+            ? _objects.Parts.Distance(_shape, Pose, slot, limit)
+            : _objects.Parts.Distance(_self, slot, limit);
+        if (found.Status == GjkStatus.BeyondMaxDistance) return;
+        bool isBetter = Best < 0 || found.Distance < Nearest.Distance
+            || (found.Distance == Nearest.Distance && slot < Best);
+        if (isBetter) (Best, Nearest) = (slot, found);
+    }
+
+    private readonly bool IsAsked(int slot) =>
+        _self < 0 ? _objects.IsSeen(slot, _filter) : slot != _self && _objects.AreTested(_self, slot);
 }

@@ -22,7 +22,7 @@ public sealed partial class CollisionScene
             int slot = _near[i];
             if (!_objects.IsSeen(slot, filter)) continue;
             bool overlaps = _objects.Parts.Has(slot)
-                ? _objects.Parts.Distance(AnyShape.Of(shape), pose, slot, 0).IsOverlapping
+                ? _objects.Parts.Distance(shape, pose, slot, 0).IsOverlapping
                 : ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]);
             if (overlaps) ids.Add(_objects.Ids[slot]);
         }

@@ -8,7 +8,6 @@ public sealed partial class CollisionScene
 
     private readonly List<ObjectPair> _candidates = [];
     private readonly PairWarmStarts _pairWarmStarts = new();
-    private readonly WarmStartTable _singleWarmStarts = new();
     private bool[] _overlaps = [];
 
     /// <summary>The broad phase alone: the pairs whose bounds overlap, or are within a distance.</summary>
@@ -95,8 +94,7 @@ public sealed partial class CollisionScene
                 results.Add(DistanceOf(i));
     }
 
-    /// <summary>The distance between two objects, from where the last question about this pair ended; within the
-    /// accuracy that of <see cref="ConvexQuery"/>, not always to the last bit.</summary>
+    /// <summary>The distance from one object (A) to another (B), with the bits of <see cref="ConvexQuery"/>.</summary>
     /// <param name="idA">The first object.</param>
     /// <param name="idB">The second object, another one.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with one of the ids, or no longer.</exception>
@@ -105,18 +103,7 @@ public sealed partial class CollisionScene
     {
         int a = _objects.Checked(idA, nameof(idA)), b = _objects.Checked(idB, nameof(idB));
         if (a == b) throw new ArgumentException("An object has no distance to itself.", nameof(idB));
-        _asked = true;
-        (int first, int second) = a < b ? (a, b) : (b, a);
-        if (_objects.Parts.Has(new ObjectPair(a, b)))
-        {
-            return _objects.Parts.Distance(_objects.Parts[a], _objects.Poses[a], b, float.PositiveInfinity).Result;
-        }
-
-        ref WarmStart warmStart = ref _singleWarmStarts.Find(PairKeys.Key(idA, idB), _frame);
-        DistanceResult result = ConvexQuery.Distance(
-            _objects.Shapes[first], _objects.Poses[first], _objects.Shapes[second], _objects.Poses[second],
-            ref warmStart);
-        return a < b ? result : result.Swapped;
+        return _objects.Parts.Distance(a, b, float.PositiveInfinity).Result;
     }
 
     private static void CheckDistance(float distance, string name)

@@ -11,11 +11,6 @@ public sealed partial class CollisionScene
     private readonly SceneObjects _objects = new();
     private readonly IBroadPhase _phase;
 
-    /// <summary>Counts up when the scene changes after a question about a single pair.</summary>
-    private int _frame;
-
-    private bool _asked;
-
     /// <summary>Counts the calls of the finders whose answers pairs at rest keep.</summary>
     private long _calls;
 
@@ -126,11 +121,10 @@ public sealed partial class CollisionScene
         int slot = _objects.Reserve();
         _phase.Add(slot, bounds.BoxAt(pose));
         _objects.Add(shape, pose, bounds, settings, _calls);
-        NoteChange();
         return _objects.Ids[slot];
     }
 
-    /// <summary>Puts an object somewhere else. Where it already is there, it rests.</summary>
+    /// <summary>Puts an object somewhere else. Setting the same pose keeps cached answers.</summary>
     /// <param name="id">The object.</param>
     /// <param name="pose">Its new pose.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
@@ -139,7 +133,6 @@ public sealed partial class CollisionScene
     {
         int slot = _objects.Checked(id, nameof(id));
         CheckPose(pose);
-        NoteChange();
         if (_objects.Poses[slot] == pose) return;
         _objects.Poses[slot] = pose;
         _objects.MovedAfter[slot] = _calls;
@@ -154,7 +147,6 @@ public sealed partial class CollisionScene
         int slot = _objects.Checked(id, nameof(id));
         _phase.Remove(slot);
         _objects.Remove(slot);
-        NoteChange();
     }
 
     private static IBroadPhase Make(BroadPhaseKind kind) => kind switch
@@ -179,12 +171,6 @@ public sealed partial class CollisionScene
         _phase.Clear();
         for (int slot = 0; slot < _objects.End; slot++)
             _phase.Add(slot, _objects.Bounds[slot].BoxAt(_objects.Poses[slot]));
-    }
-
-    private void NoteChange()
-    {
-        if (_asked) _frame++;
-        _asked = false;
     }
 
     /// <summary>The pairs of slots that are tested, and whose bounds are within a distance.</summary>

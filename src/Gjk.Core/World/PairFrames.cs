@@ -26,7 +26,7 @@ internal abstract class PairFrames
         Turn(pairs.Count);
         (_now, _last) = (_last, _now);
 
-        // What an interrupted frame left is not all its own.
+        // Discard the mixed data of an interrupted call.
         _lastCount = _isComplete ? Count : 0;
         _isComplete = false;
         Count = pairs.Count;

@@ -98,7 +98,7 @@ internal readonly struct SceneDistanceJob(
 #if NET
         if (WideBatch.IsSupported)
         {
-            var question = new WideWarmDistances(
+            var question = new WideDistances(
                 ref warmStarts.Results[begin], ref warmStarts.Starts[begin], ref warmStarts.Kept[begin],
                 maxDistance);
             new WideBatch(objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin])

@@ -84,8 +84,19 @@ internal sealed class ScenePartQueries(SceneObjects objects)
         ConcaveQuery.Distance(
             this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, maxDistance);
 
-    /// <summary>The distance of an object from a shape that need be none of the scene's.</summary>
-    public PartDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
+    /// <summary>The distance from an object to another one.</summary>
+    public PartDistance Distance(int slotA, int slot, float maxDistance) => Has(slotA)
+        ? Distance(_shapes[slotA], objects.Poses[slotA], slot, maxDistance)
+        : Distance(objects.Shapes[slotA], objects.Poses[slotA], slot, maxDistance);
+
+    /// <summary>The distance from a shape that is none of the scene's to an object.</summary>
+    public PartDistance Distance(in ConvexShape shape, in RigidPose pose, int slot, float maxDistance) => Has(slot)
+        ? Distance(AnyShape.Of(shape), pose, slot, maxDistance)
+        : new PartDistance(
+            ConvexQuery.Distance(shape, pose, objects.Shapes[slot], objects.Poses[slot], maxDistance), PartSide.NoPart,
+            PartSide.NoPart);
+
+    private PartDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
     {
         ConcaveScratch scratch = Rent();
         PartDistance found = ConcaveQuery.Distance(
@@ -94,8 +105,16 @@ internal sealed class ScenePartQueries(SceneObjects objects)
         return found;
     }
 
+    /// <summary>Where a ray meets an object, convex or not.</summary>
     public PartRayHit RayCast(int slot, in RayQuery ray, in CastOptions options)
     {
+        if (!Has(slot))
+        {
+            RayCastResult convex = ConvexQuery.RayCast(
+                objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options);
+            return new PartRayHit(convex, PartSide.NoPart);
+        }
+
         ConcaveScratch scratch = Rent();
         PartRayHit found = ConcaveQuery.RayCast(
             _shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, scratch, ray.MaxDistance, options);

@@ -27,15 +27,8 @@ internal struct FirstRayHit(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _filter)) return _limit;
-        if (objects.Parts.Has(slot))
-        {
-            PartRayHit hit = objects.Parts.RayCast(slot, _ray, _options);
-            Take(slot, hit.Result, hit.Part);
-            return _limit;
-        }
-
-        Take(slot, ConvexQuery.RayCast(
-            objects.Shapes[slot], objects.Poses[slot], _ray.Origin, _ray.Direction, _ray.MaxDistance, _options));
+        PartRayHit hit = objects.Parts.RayCast(slot, _ray, _options);
+        Take(slot, hit.Result, hit.Part);
         return _limit;
     }
 
@@ -61,12 +54,7 @@ internal readonly struct AllRayHits(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, filter)) return double.PositiveInfinity;
-        PartRayHit found = objects.Parts.Has(slot)
-            ? objects.Parts.RayCast(slot, ray, options)
-            : new PartRayHit(
-                ConvexQuery.RayCast(
-                    objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options),
-                PartSide.NoPart);
+        PartRayHit found = objects.Parts.RayCast(slot, ray, options);
         if (found.Result.MayHit) hits.Add(new RayHit(objects.Ids[slot], found.Result, found.Part));
         return double.PositiveInfinity;
     }

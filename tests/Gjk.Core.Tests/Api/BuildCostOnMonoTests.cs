@@ -26,7 +26,7 @@ public class BuildCostOnMonoTests
     private static readonly (string Method, string Reason)[] ByValue =
     [
         ("SegmentCore.UnitDot", Range), ("TriangleCore.FurthestInUnits", Range),
-        ("XyzExtensions.ToVector3D", "so short that Mono inlines it unasked"),
+        ("XyzExtensions.ToDouble3", "so short that Mono inlines it unasked"),
         ("PairFrame.OutOfA", Placed), ("PairFrame.OutOfB", Placed), ("ConvexQuery.SettleImpact", Answer),
         ("DistanceFinish.Common", "once, of pairs that overlap or touch"), ("ShapeParts.set_Scale", Making),
         ("ClosestPointWeights.FaceWeightsExtended", Exact), ("ClosestPointWeights.VolumeWeightsExtended", Exact),

@@ -34,7 +34,7 @@ public class DeepTreeTests
             phase.Add(i, Box(kind, i, rng));
             if (i % Step != 0) continue;
             phase.CollectInBox(default, ids);
-            if (i % (10 * Step) == 0) deepest = Math.Max(deepest, tree.Depth());
+            if (i % (10 * Step) == 0) deepest = Math.Max(deepest, TreeDepth.Of(tree));
         }
 
         // The same by motion: each object is taken out and put back.
@@ -45,7 +45,7 @@ public class DeepTreeTests
             phase.Move(i, Box(kind, i, rng));
             if (i % Step != 0) continue;
             phase.CollectInBox(default, ids);
-            if (i % (10 * Step) == 0) deepest = Math.Max(deepest, tree.Depth());
+            if (i % (10 * Step) == 0) deepest = Math.Max(deepest, TreeDepth.Of(tree));
         }
 
         Assert.InRange(deepest, 10, AabbTree.MaxDepth);
@@ -66,7 +66,7 @@ public class DeepTreeTests
         }
 
         phase.CollectPairs(0, []);
-        Assert.InRange(phase.Leaves.Tree.Depth(), 30, AabbTree.MaxDepth / 2);
+        Assert.InRange(TreeDepth.Of(phase.Leaves.Tree), 30, AabbTree.MaxDepth / 2);
     }
 
     private static Aabb Box(string kind, int i, Rng rng) => kind switch
