@@ -117,6 +117,13 @@ internal sealed class TestCatalog
         {
             object? value = i < arguments.Length ? arguments[i] : parameters[i].DefaultValue;
             Type type = parameters[i].ParameterType;
+            if (parameters[i].IsDefined(typeof(ParamArrayAttribute)) && !type.IsInstanceOfType(value))
+            {
+                var rest = Array.CreateInstance(type.GetElementType()!, Math.Max(0, arguments.Length - i));
+                for (int k = 0; k < rest.Length; k++) rest.SetValue(arguments[i + k], k);
+                value = rest;
+            }
+
             bool fits = value is null || type.IsInstanceOfType(value);
             converted[i] = fits || value is not IConvertible || type.IsEnum
                 ? value
