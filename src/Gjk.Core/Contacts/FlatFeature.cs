@@ -68,21 +68,49 @@ internal unsafe struct FlatFeature
         _isDisc = corners.IsDisc && Count > 2;
         MeasureEdges(area < 0 ? -1 : 1);
         if (Count == 2) TiltEdge();
+        Judge(size);
+    }
+
+    /// <summary>Leaves one edge of a face.</summary>
+    public void KeepEdge(int edge, double size)
+    {
+        if (Count == 2) return;
+        FlatCorner p = _corners[edge], q = After(edge);
+        _corners[0] = p;
+        _corners[1] = q;
+        Count = 2;
+        MeasureEdges(1);
+        TiltEdge();
+        Judge(size);
+    }
+
+    private void Judge(double size)
+    {
         Secant = Math.Sqrt(1 + _riseU * _riseU + _riseV * _riseV);
         FindNormal();
-        IsLevel = (Count > 2 || _length > thin) && Secant <= FaceTilt.MostSecant;
+        IsLevel = (Count > 2 || _length > Thin * size) && Secant <= FaceTilt.MostSecant;
         IsSure = Margin * (Secant - 1) <= Level * size && (Count > 2 || !IsOnSide);
     }
 
+    /// <summary>Whether a face and another look so far aside of each other that they meet in an edge.</summary>
+    public readonly bool IsSteepTo(in FlatFeature other, double slope)
+    {
+        double u = _riseU + other._riseU, v = _riseV + other._riseV;
+        return u * u + v * v > slope * slope;
+    }
+
+    /// <summary>Whether it is what a disc is shown by, whose edges are not the shape's.</summary>
+    public readonly bool IsDisc => _isDisc;
+
     /// <summary>Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show
     /// another.</summary>
-    public readonly bool IsLevel;
+    public bool IsLevel { get; private set; }
 
     /// <summary>Whether its surface is known without asking the shape: without margin it is the core's own.</summary>
-    public readonly bool IsSure;
+    public bool IsSure { get; private set; }
 
     /// <summary>One over the cosine of its tilt: how much longer a margin is along the contact normal.</summary>
-    public readonly double Secant;
+    public double Secant { get; private set; }
 
     /// <summary>Whether it is a line of a round side.</summary>
     public readonly bool IsOnSide => _side != RoundSide.None;

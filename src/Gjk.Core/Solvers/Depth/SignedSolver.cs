@@ -28,7 +28,8 @@ internal static class SignedSolver
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
         NoTrace untold = default;
-        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref untold);
+        if (!SideNormal.Sharpen(ref a, ref b, frame, ref state, ref untold))
+            SmoothNormal.Sharpen(ref a, ref b, frame, ref state);
     }
 
     private static void SolveDepthFirst<TA, TB, TTrace>(
