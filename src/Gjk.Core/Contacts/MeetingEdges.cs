@@ -20,8 +20,8 @@ internal static class MeetingEdges
     /// <param name="size">Of the pair.</param>
     public static void Keep(ref FlatFeature a, ref FlatFeature b, double size)
     {
-        bool areFaces = a.Count > 2 && b.Count > 2;
-        if ((a.Count == 2 && b.Count == 2) || a.IsDisc || b.IsDisc || (areFaces && !a.IsSteepTo(b, Steep))) return;
+        bool mayShareFaces = a.Count > 2 && b.Count > 2 && !a.IsSteepTo(b, Steep);
+        if ((a.Count == 2 && b.Count == 2) || a.IsDisc || b.IsDisc) return;
         double round = Roundness(a) + Roundness(b);
         if (!(round > 0)) return;
 
@@ -35,7 +35,10 @@ internal static class MeetingEdges
             {
                 if (b.Count > 2 && !(Math.Abs(b.Inside(k, 0, 0)) <= within)) continue;
                 double sine = Math.Abs(a[i].InwardU * b[k].InwardV - a[i].InwardV * b[k].InwardU);
-                if (!(sine <= least)) continue;
+                double cosine = a[i].InwardU * b[k].InwardU + a[i].InwardV * b[k].InwardV;
+
+                // Faces on one side of their edges share an area, unless they are steep to each other.
+                if (!(sine <= least) || (mayShareFaces && cosine > 0)) continue;
                 (least, edgeA, edgeB) = (sine, i, k);
             }
         }
