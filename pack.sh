@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Makes all packages in one folder: Gjk.Core, Gjk.Import and the tool gjk-demo for NuGet, gjk-core for npm, com.gjk.core
 # for Unity. --no-build takes the Release build of the solution that is there. --baseline FOLDER also compares the
-# public surface of the libraries with that of the packages there, those of the last release.
+# public surface of the libraries with that of the packages there, those of the last release. Where the commit has no
+# version's tag, the packages for NuGet have a version of their own, after that in Directory.Build.props: NuGet keeps
+# what it has once unpacked, so a second package of one version would never be seen.
 set -euo pipefail
 usage='usage: pack.sh FOLDER [--no-build] [--baseline FOLDER]'
 target=$(realpath -m "${1:?$usage}")
@@ -28,6 +30,20 @@ else
   options+=(--no-build)
   unity+=(--no-build)
 fi
+
+version=$(dotnet msbuild src/Gjk.Core -getProperty:Version)
+if ! git describe --exact-match --tags --match 'v*' > /dev/null 2>&1; then
+  # The number of commits, and the time where something is not committed.
+  count=$(git rev-list --count HEAD)
+  [ -z "$(git status --porcelain)" ] || count+=.$(date +%s)
+  case $version in
+    *-*) version+=.$count ;;
+    *) version=${version%.*}.$((${version##*.} + 1))-local.$count ;;
+  esac
+fi
+options+=("-p:PackageVersion=$version")
+# Gjk.Import names its version of Gjk.Core by what was restored.
+[ -n "$build" ] || dotnet restore src/Gjk.Import -v quiet "-p:PackageVersion=$version"
 
 for project in Gjk.Core Gjk.Import Gjk.Demo; do
   last=()

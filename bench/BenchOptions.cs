@@ -25,6 +25,9 @@ public sealed class BenchOptions
           --peers           Build small programs against the Debian packages of Bullet, libccd, FCL and ODE, which are
                             installed where that can be done, and run library and engines in turn on the same pairs:
                             distances, booleans and depths, with the wrong answers counted. Takes two minutes.
+          --mono            Build a program of these scenes for Mono, which Unity runs, and for .NET with the net10.0
+                            and the netstandard2.1 library, and run library and baseline in turn on each. Print one
+                            table with the ratios. Needs Mono (Debian's mono-devel). Takes two minutes.
           --answers DIR     With --peers: time nothing. Write each engine's answers to the pairs of tests/Cases as
                             DIR/ENGINE.FAMILY.csv, for 'gjk-demo judge'.
           --worst           Measure clouds that were made to be slow, of 10,000 and 100,000 points, without
@@ -34,10 +37,12 @@ public sealed class BenchOptions
                             line, identical, nested, ...), without BenchmarkDotNet. Takes a minute.
           --seconds S       Measure for S seconds, from 0.01 to 600. With --table this is per set (default 6, and a part
                             of it for primitives, depths and the largest hulls), with --scale per row (default 1),
-                            with --scale-worst per row (default 0.5), with --peers per row (default 2).
+                            with --scale-worst per row (default 0.5), with --peers per row (default 2),
+                            with --mono per runtime (default 30).
           --csv             Keep the figures. With --table they go to bench/results/MACHINE.csv, and docs/cost.svg is
                             drawn. With --scale they go to MACHINE-scale.csv and docs/scale.svg. With --worst they go
-                            to MACHINE-worst.csv, with --peers to MACHINE-peers.csv.
+                            to MACHINE-worst.csv, with --peers to MACHINE-peers.csv, with --mono to
+                            MACHINE-mono.csv.
           --machine NAME    Use this name for those files and for their first line (default: the CPU's model).
           --factor          Check that both algorithms agree on the report's scenes, and that the library takes no more
                             supports there than it should, and no memory. Counts, not times, so a busy machine changes
@@ -66,6 +71,8 @@ public sealed class BenchOptions
     public bool ScaleWorst { get; private set; }
 
     public bool Peers { get; private set; }
+
+    public bool Mono { get; private set; }
 
     /// <summary>The folder for the engines' answers; null if none was given.</summary>
     public string? Answers { get; private set; }
@@ -111,6 +118,9 @@ public sealed class BenchOptions
                 case "--peers":
                     options.Peers = true;
                     break;
+                case "--mono":
+                    options.Mono = true;
+                    break;
                 case "--seconds":
                     options.Seconds = i + 1 < args.Length ? SecondsOf(args[++i]) : null;
                     if (options.Seconds is not null) break;
@@ -149,6 +159,8 @@ public sealed class BenchOptions
         bool hasForeign = Factor || Remaining.Count > 0;
         if (Peers && (hasForeign || Table || Scale || Worst || ScaleWorst))
             error = "--peers: takes --answers, or --seconds, --csv and --machine only";
+        else if (Mono && (hasForeign || Table || Scale || Worst || ScaleWorst || Peers))
+            error = "--mono: takes --seconds, --csv and --machine only";
         else if (Answers is not null && (!Peers || Csv || Seconds is not null))
             error = "--answers: goes with --peers only, and without --seconds and --csv";
         else if (Worst && (hasForeign || Table || Scale || Seconds is not null))
@@ -159,12 +171,12 @@ public sealed class BenchOptions
             error = "--scale: takes --seconds, --csv and --machine only";
         else if (ScaleWorst && (hasForeign || Table || Scale || Csv))
             error = "--scale-worst: takes --seconds only";
-        else if (Seconds is not null && !Table && !Scale && !ScaleWorst && !Peers)
-            error = "--seconds: goes with --table, --scale, --scale-worst and --peers only";
+        else if (Seconds is not null && !Table && !Scale && !ScaleWorst && !Peers && !Mono)
+            error = "--seconds: goes with --table, --scale, --scale-worst, --peers and --mono only";
         else if (Factor && (Csv || MachineName is not null || Remaining.Count > 0))
             error = "--factor: takes no other option";
-        else if (Csv && !Table && !Scale && !Worst && !Peers)
-            error = "--csv: goes with --table, --scale, --worst and --peers only";
+        else if (Csv && !Table && !Scale && !Worst && !Peers && !Mono)
+            error = "--csv: goes with --table, --scale, --worst, --peers and --mono only";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all"))
             error = "--help: takes nothing but 'all'";
         return error.Length == 0;

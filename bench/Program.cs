@@ -1,5 +1,6 @@
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
+using Gjk.Bench.Mono;
 using Gjk.Bench.Peers;
 using Gjk.Bench.Reporting;
 using Gjk.Bench.Scale;
@@ -38,6 +39,7 @@ public static class Program
         if (options.Table) return PrintTable(options, project);
         if (options.Worst) return PrintWorst(options, project);
         if (options.Peers) return PrintPeers(options);
+        if (options.Mono) return PrintMono(options);
         return options.Scale ? PrintScale(options, project) : Measure([.. options.Remaining]);
     }
 
@@ -124,6 +126,27 @@ public static class Program
             if (!options.Csv) return Done;
             string file = ResultFile(options, project, "-peers");
             KeptFile.Write(file, PeersReport.Csv(rows, MachineLine(options)));
+            Console.Error.WriteLine($"Figures kept in {file}");
+            return Done;
+        }
+        catch (FactorCheckException e)
+        {
+            return Complain(e.Message, Failed);
+        }
+    }
+
+    private static int PrintMono(BenchOptions options)
+    {
+        if (ProjectFolder() is not string project)
+            return Complain("--mono: the folder bench with the program's sources was not found", BadArguments);
+        try
+        {
+            List<Dictionary<string, double>> figures = MonoRun.Run(
+                Console.Error, project, options.Seconds ?? MonoRun.DefaultSeconds, out string mono);
+            Console.Write(MonoReport.Markdown(figures, mono));
+            if (!options.Csv) return Done;
+            string file = ResultFile(options, project, "-mono");
+            KeptFile.Write(file, MonoReport.Csv(figures, MachineLine(options), mono));
             Console.Error.WriteLine($"Figures kept in {file}");
             return Done;
         }

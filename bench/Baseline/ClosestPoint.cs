@@ -16,7 +16,7 @@ public static class ClosestPoint
         Vector3 weights = simplex.Count == 2
             ? Segment(simplex[0].W, simplex[1].W)
             : Triangle(simplex[0].W, simplex[1].W, simplex[2].W);
-        MinkowskiPoint a = simplex[0], b = simplex[1], c = simplex[^1];
+        MinkowskiPoint a = simplex[0], b = simplex[1], c = simplex[simplex.Count - 1];
         pointA = weights.X * a.OnA + weights.Y * b.OnA + weights.Z * c.OnA;
         pointB = weights.X * a.OnB + weights.Y * b.OnB + weights.Z * c.OnB;
         return weights.X * a.W + weights.Y * b.W + weights.Z * c.W;
@@ -25,7 +25,7 @@ public static class ClosestPoint
     private static Vector3 Segment(Vector3 a, Vector3 b)
     {
         Vector3 ab = b - a;
-        float t = Math.Clamp(Vector3.Dot(-a, ab) / Vector3.Dot(ab, ab), 0, 1);
+        float t = Math.Min(Math.Max(Vector3.Dot(-a, ab) / Vector3.Dot(ab, ab), 0), 1);
         return new Vector3(1 - t, t, 0);
     }
 

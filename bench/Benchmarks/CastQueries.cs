@@ -22,5 +22,5 @@ public class CastQueries
     public void Setup() => _scene = CastPairs.Create(Set);
 
     [Benchmark(OperationsPerInvoke = CastPairs.Count)]
-    public float ColdCast() => SceneQueries.Cast(_scene);
+    public float ColdCast() => _scene.SumOfFractions();
 }

@@ -80,25 +80,6 @@ public static class SceneQueries
         return sum;
     }
 
-    /// <summary>When the moving pairs first touch; pairs of the set of rays are asked as rays.</summary>
-    public static float Cast(CastScene scene)
-    {
-        ConvexShape[] shapes = scene.Shapes;
-        RigidPose[] poses = scene.Poses;
-        BenchScene.Pair[] pairs = scene.Pairs;
-        Vector3[] motions = scene.Motions;
-        float sum = 0;
-        for (int i = 0; i < pairs.Length; i++)
-        {
-            (int a, int b) = (pairs[i].A, pairs[i].B);
-            sum += scene.IsRays
-                ? (float)CastCheck.RayOf(scene, i).Status
-                : ConvexQuery.Cast(shapes[a], poses[a], default, shapes[b], poses[b], motions[i]).Fraction;
-        }
-
-        return sum;
-    }
-
     public static int Overlaps(BenchScene scene)
     {
         ConvexShape[] shapes = scene.Shapes;

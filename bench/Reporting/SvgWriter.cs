@@ -7,13 +7,32 @@ namespace Gjk.Bench.Reporting;
 /// written with one decimal.</summary>
 internal sealed class SvgWriter
 {
+    /// <summary>Larger text where the picture is as narrow as a phone, and other colours where the reader's theme is
+    /// dark.</summary>
+    private const string Style = """
+        <style>
+        @media (max-width: 520px) {
+        [font-size="12"], [font-size="13"] { font-size: 19px } [font-size="17"] { font-size: 22px }
+        }
+        @media (prefers-color-scheme: dark) {
+        [fill="#ffffff"] { fill: #1f2430 } [fill="#1f2328"] { fill: #e6edf3 } [fill="#57606a"] { fill: #aab4c0 }
+        [stroke="#d0d7de"], [stroke="#e6e9ed"] { stroke: #3d4552 }
+        [stroke="#0969da"] { stroke: #58a6ff } [fill="#0969da"] { fill: #58a6ff }
+        [stroke="#bf5b04"] { stroke: #ff9a52 } [fill="#bf5b04"] { fill: #ff9a52 }
+        [stroke="#8250df"] { stroke: #c4a5fb } [fill="#8250df"] { fill: #c4a5fb }
+        [stroke="#6e7781"] { stroke: #aab4c0 } [fill="#6e7781"] { fill: #aab4c0 }
+        }
+        </style>
+
+        """;
+
     private readonly StringBuilder _text = new();
 
     public SvgWriter(int width, int height, string title) => _text.Append(
         CultureInfo.InvariantCulture,
         $"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" "
         + $"viewBox=\"0 0 {width} {height}\" font-family=\"system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, "
-        + $"sans-serif\" role=\"img\">\n<title>{WebUtility.HtmlEncode(title)}</title>\n");
+        + $"sans-serif\" role=\"img\">\n<title>{WebUtility.HtmlEncode(title)}</title>\n{Style}");
 
     public enum Anchor
     {

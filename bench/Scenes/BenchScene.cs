@@ -59,7 +59,13 @@ public sealed class BenchScene
 
     /// <summary>A scene with the same objects and the first pairs of the list.</summary>
     public BenchScene WithFirstPairs(int count) =>
-        new() { Shapes = Shapes, Poses = Poses, Colliders = Colliders, Pairs = Pairs[..count] };
+        new() { Shapes = Shapes, Poses = Poses, Colliders = Colliders, Pairs = [.. Pairs.Take(count)] };
 
-    public readonly record struct Pair(int A, int B);
+    public readonly struct Pair
+    {
+        public readonly int A;
+        public readonly int B;
+
+        public Pair(int a, int b) => (A, B) = (a, b);
+    }
 }

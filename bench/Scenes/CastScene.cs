@@ -35,4 +35,19 @@ public sealed class CastScene
         Motions = [.. _motions];
         return this;
     }
+
+    /// <summary>When the moving pairs first touch; pairs of the set of rays are asked as rays.</summary>
+    public float SumOfFractions()
+    {
+        float sum = 0;
+        for (int i = 0; i < Pairs.Length; i++)
+        {
+            (int a, int b) = (Pairs[i].A, Pairs[i].B);
+            sum += IsRays
+                ? (float)CastCheck.RayOf(this, i).Status
+                : ConvexQuery.Cast(Shapes[a], Poses[a], default, Shapes[b], Poses[b], Motions[i]).Fraction;
+        }
+
+        return sum;
+    }
 }

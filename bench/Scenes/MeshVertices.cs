@@ -47,7 +47,7 @@ public static class MeshVertices
             }
         }
 
-        vertices[^1] = new Vector3(0, -radius - halfHeight, 0);
+        vertices[vertices.Length - 1] = new Vector3(0, -radius - halfHeight, 0);
         return vertices;
     }
 

@@ -16,7 +16,7 @@ public sealed class Prng
     public int Index(int count) => (int)(count * _source.Unit());
 
     /// <summary>One of a few values.</summary>
-    public T OneOf<T>(params ReadOnlySpan<T> values) => values[Index(values.Length)];
+    public T OneOf<T>(params T[] values) => values[Index(values.Length)];
 
     /// <summary>Uniform on the unit sphere, by rejection. Trigonometry is avoided because its results could differ
     /// between machines.</summary>

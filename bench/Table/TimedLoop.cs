@@ -40,7 +40,7 @@ internal sealed class TimedLoop : ITurn
     {
         double before = Nanoseconds;
         long start = Stopwatch.GetTimestamp();
-        for (int samples = 0; !IsOver(samples, Stopwatch.GetElapsedTime(start).TotalMilliseconds); samples++)
+        for (int samples = 0; !IsOver(samples, Milliseconds(start)); samples++)
             Nanoseconds = Math.Min(Nanoseconds, Sample());
         return Nanoseconds < before * (1 - share);
     }
@@ -54,10 +54,12 @@ internal sealed class TimedLoop : ITurn
         long start = Stopwatch.GetTimestamp();
         float sum = 0;
         for (int i = 0; i < _repeats; i++) sum += _pass();
-        TimeSpan elapsed = Stopwatch.GetElapsedTime(start);
+        double elapsed = Milliseconds(start);
         if (float.IsNaN(sum)) throw new FactorCheckException("A distance was NaN");
-        double nanoseconds = elapsed.TotalNanoseconds / ((double)_repeats * _queries);
-        if (elapsed.TotalMilliseconds < LeastSampleMilliseconds) _repeats *= 2;
+        double nanoseconds = elapsed * 1e6 / ((double)_repeats * _queries);
+        if (elapsed < LeastSampleMilliseconds) _repeats *= 2;
         return nanoseconds;
     }
+
+    private static double Milliseconds(long start) => (Stopwatch.GetTimestamp() - start) * 1e3 / Stopwatch.Frequency;
 }

@@ -50,6 +50,7 @@ const reference = [
   { text: 'Judge any engine', link: '/cases' },
   { text: 'How fast', link: '/performance' },
   { text: 'The experiment', link: '/experiment' },
+  { text: 'The playground as a file', link: '/playground' },
   { text: 'Questions and answers', link: '/faq' },
 ]
 
@@ -73,14 +74,14 @@ export default defineConfig({
     outline: { level: [2, 3] },
     nav: [
       { text: 'Book', link: '/book/' },
-      { text: 'Playground', link: '/playground' },
+      { text: 'Playground', link: '/play.html', target: '_self', rel: '' },
       { text: 'Tasks', link: '/queries' },
       { text: 'API', link: '/api/' },
     ],
     sidebar: [
       { text: 'The book', items: book },
       { text: 'Questions', items: questions },
-      { text: 'Playground', link: '/playground' },
+      { text: 'Playground', link: '/play.html', target: '_self', rel: '' },
       { text: 'Tasks', items: tasks },
       { text: 'Look up', items: reference },
     ],

@@ -1,14 +1,21 @@
-/** A Markdown plugin: each cell of a table gets the name of its column, which it says on a phone. */
+/** A Markdown plugin for phones. A table of numbers gets a class, by which it scrolls beside its first column, so that
+ *  its rows can be compared. In every other table each cell gets the name of its column, which it says there. */
 export function labelledCells(markdown) {
   markdown.core.ruler.push('labelled_cells', ({ tokens }) => {
-    let heads = [], column = 0
+    let heads = [], column = 0, table
     tokens.forEach((token, i) => {
-      if (token.type === 'table_open') heads = []
+      if (token.type === 'table_open') [heads, table] = [[], token]
       if (token.type === 'tr_open') column = 0
       if (token.type === 'th_open') heads.push(plain(tokens[i + 1]))
+      if (token.type === 'th_open' && /right/.test(token.attrGet('style'))) table.attrSet('class', 'numbers')
       if (token.type === 'td_open') token.attrSet('data-label', heads[column++] ?? '')
     })
   })
+  // VitePress writes its own tag here, without the class.
+  markdown.renderer.rules.table_open = (tokens, i, options, env, self) => {
+    tokens[i].attrSet('tabindex', '0')
+    return self.renderToken(tokens, i, options)
+  }
 }
 
 const plain = ({ children }) => (children ?? []).map(({ content }) => content).join('')

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Invocation;
 using System.CommandLine.Parsing;
-using System.Numerics;
 using Gjk.Demo.Fuzz;
 using Gjk.Demo.Import;
 using Gjk.Demo.Judge;
@@ -36,7 +35,7 @@ internal static class CommandLine
             + "where, and when they will touch. Without a command it runs replay.")
         {
             BuildReplay(cancel),
-            BuildQuery(cancel),
+            QueryOptions.Build(cancel),
             BuildCast(cancel),
             JudgeCommand.Build(cancel),
             ImportOptions.Build(cancel),
@@ -118,7 +117,7 @@ internal static class CommandLine
                 return int.TryParse(text, NumberStyles.Integer, CultureInfo.InvariantCulture, out int n) ? n : 0;
             },
         };
-        frames.Validators.Add(result => Check(
+        frames.Validators.Add(result => OptionValue.Check(
             result, frames, n => n >= 1, $"must be a whole number, at least 1, at most {int.MaxValue}"));
         var json = new Option<string?>("--json")
         {
@@ -164,41 +163,6 @@ internal static class CommandLine
         return command;
     }
 
-    private static Command BuildQuery(CancellationToken cancel)
-    {
-        var max = new Option<float>("--max-distance")
-        {
-            Description = "Pairs further apart than this get the status BeyondMaxDistance and no distance.",
-            HelpName = "D",
-            DefaultValueFactory = _ => float.PositiveInfinity,
-            CustomParser = Number<float>,
-        };
-        max.Validators.Add(result =>
-        {
-            if (!result.Implicit) Check(result, max, d => d >= 0, "must be a number, at least 0, or Infinity");
-        });
-        var depth = new Option<bool>("--depth")
-        {
-            Description = "For pairs that overlap, write minus the depth, the deepest points and the shortest way out.",
-        };
-        var parts = new Option<bool>("--parts")
-        {
-            Description = "Add the columns part_a and part_b: between which triangles or parts the distance is.",
-        };
-        var command = new Command("query", "Write the distance and the closest points of every pair of a scene as CSV.")
-        {
-            max, depth, parts,
-        };
-        var input = new PairInput(command);
-        command.SetAction(r =>
-        {
-            (Scene scene, PairTable table) = input.Read(r, cancel);
-            return QueryCommand.Run(
-                scene, table, r.GetValue(max), r.GetValue(depth), r.GetValue(parts), cancel);
-        });
-        return command;
-    }
-
     private static Command BuildCast(CancellationToken cancel)
     {
         var command = new Command(
@@ -221,29 +185,10 @@ internal static class CommandLine
             Description = "How many seconds to measure each scene.",
             HelpName = "S",
             DefaultValueFactory = _ => DefaultSeconds,
-            CustomParser = Number<double>,
+            CustomParser = OptionValue.Number<double>,
         };
-        seconds.Validators.Add(result => Check(
+        seconds.Validators.Add(result => OptionValue.Check(
             result, seconds, s => s > 0 && s <= MaxSeconds, $"must be a number above 0, at most {MaxSeconds:F0}"));
         return seconds;
-    }
-
-    private static T Number<T>(ArgumentResult result)
-        where T : struct, IFloatingPoint<T>
-    {
-        string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
-        bool isNumber = T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out T value);
-
-        // The parser reads a number that is too large as infinity. Only the word for infinity may mean that.
-        if (isNumber && (!T.IsInfinity(value) || !text.Any(char.IsAsciiDigit))) return value;
-        return T.CreateChecked(0) / T.CreateChecked(0);
-    }
-
-    private static void Check<T>(OptionResult result, Option<T> option, Func<T, bool> isGood, string reason)
-    {
-        if (result.Errors.Any()) return;
-        if (isGood(result.GetValueOrDefault<T>()!)) return;
-        string given = string.Join(" ", result.Tokens.Select(t => t.Value));
-        result.AddError($"{option.Name} {given}: {reason}.");
     }
 }

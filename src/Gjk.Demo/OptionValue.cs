@@ -1,3 +1,4 @@
+using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Numerics;
 
@@ -26,5 +27,26 @@ internal static class OptionValue
         string name = result.Parent is OptionResult option ? option.IdentifierToken?.Value ?? option.Option.Name : "";
         string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         result.AddError($"{name} {text}: {rule}.");
+    }
+
+    /// <summary>The number, or NaN, which a check refuses.</summary>
+    public static T Number<T>(ArgumentResult result)
+        where T : struct, IFloatingPoint<T>
+    {
+        string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
+        bool isNumber = T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out T value);
+
+        // The parser reads a number that is too large as infinity. Only the word for infinity may mean that.
+        if (isNumber && (!T.IsInfinity(value) || !text.Any(char.IsAsciiDigit))) return value;
+        return T.CreateChecked(0) / T.CreateChecked(0);
+    }
+
+    /// <summary>Adds an error that names the option, the text and the reason if the value is not good.</summary>
+    public static void Check<T>(OptionResult result, Option<T> option, Func<T, bool> isGood, string reason)
+    {
+        if (result.Errors.Any()) return;
+        if (isGood(result.GetValueOrDefault<T>()!)) return;
+        string given = string.Join(" ", result.Tokens.Select(t => t.Value));
+        result.AddError($"{option.Name} {given}: {reason}.");
     }
 }

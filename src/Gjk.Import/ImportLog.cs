@@ -33,6 +33,16 @@ internal sealed class ImportLog
         Add(new ImportProblem(where, what, false, part.Triangles.Count > 0, 1), $"{where}: {what}");
     }
 
+    /// <summary>Warns of a face whose triangles may not be what the file means.</summary>
+    public void WarnOf(string where, PolygonFaults faults)
+    {
+        if ((faults & PolygonFaults.Thin) != 0) Warn(where, "a face of fewer than three corners is left out");
+        if ((faults & PolygonFaults.NotSimple) != 0)
+            Warn(where, "the outline of a face crosses or touches itself, so its triangles may overlap");
+        if ((faults & PolygonFaults.NotFlat) != 0)
+            Warn(where, "the corners of a face do not lie in one plane, so there are several ways to cut it");
+    }
+
     public void Add(UnityProblem found) =>
         Add(new ImportProblem(found.Where, found.What, found.IsMissing, false, 1), found.Kind);
 

@@ -50,8 +50,9 @@ public sealed class ImportProblem
     /// <summary>How many things of the file have this problem, at least 1.</summary>
     public int Count { get; }
 
-    /// <summary>True if a mesh differs from its hull, which is no problem for one whose triangles are kept.</summary>
-    internal bool IsOfHull { get; }
+    /// <summary>True if a mesh differs from its hull. Only <see cref="ImportedObject.ToConvexShape"/> is concerned:
+    /// <see cref="ImportedObject.ToAnyShape"/> keeps the triangles.</summary>
+    public bool IsOfHull { get; }
 
     /// <summary>One line: the place, "warning" unless something is missing, what is wrong, and how many more there
     /// are.</summary>

@@ -43,6 +43,11 @@ public class CharacterSweepTests
             world.Add(new(0, -3, 15), new(4, 1, 5.5f));
             world.Add(new(4.1f, 0, 5), new(0.7f, 6, 20));
             world.Walk("down steps", new(1, 1, -1), new(0.03f, 0, 0.04f), 400);
+            world.Walk("up steps", null, new(0.03f, 0, -0.04f), 400);
+            world = new World(at, turn, body);
+            world.Tiles(6, 12, 0);
+            world.Add(new(0, 0.2f, 3), new(8, 0.7f, 1));
+            world.Walk("at what is too high", new(0, 1, -1), new(0, 0, 0.05f), 100);
             world = new World(at, turn, body);
             world.Tiles(6, 12, 0);
             world.Add(new(2.1f, 2, 0), new(0.7f, 2, 8));
@@ -105,16 +110,25 @@ public class CharacterSweepTests
     [InlineData("over seams", 0, 16)]
     [InlineData("at a wall", 0, 16)]
     [InlineData("down steps", -2, 16)]
+    [InlineData("up steps", 2, -16)]
     [InlineData("in a wall", 0.1f, 4)]
     public void AWalkIsNotStopped(string name, float up, float along)
     {
         foreach (float[] walk in Of(name))
         {
-            Assert.InRange(walk[2], along * 0.998f, along * 1.002f);
+            Assert.InRange(walk[2] / along, 0.998f, 1.002f);
             Assert.InRange(walk[1], up - 2e-3f, up + 2e-3f);
             Assert.Equal(0, walk[4]);
         }
     }
+
+    /// <summary>What is higher than a step and a round end stays a wall.</summary>
+    [Fact]
+    public void ItStepsOntoNothingThatIsTooHigh() => Assert.All(Of("at what is too high"), walk =>
+    {
+        Assert.InRange(walk[1], -2e-3f, 2e-3f);
+        Assert.True(walk[2] < 3, $"it went {walk[2]}");
+    });
 
     /// <summary>It comes to rest in the corner, stays there, and gets out again.</summary>
     [Fact]

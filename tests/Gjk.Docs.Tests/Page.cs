@@ -17,7 +17,7 @@ public static class Page
 
     public static string PathOf(string name) => Path.Combine(ProjectFolder.Root, name);
 
-    private static IEnumerable<string> Names()
+    public static IEnumerable<string> Names()
     {
         string root = ProjectFolder.Root;
         IEnumerable<string> below = new[] { "docs", "samples" }.Select(f => Path.Combine(root, f))

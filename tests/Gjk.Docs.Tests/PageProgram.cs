@@ -44,7 +44,14 @@ internal static class PageProgram
 
     /// <summary>Compiles blocks that need an engine to run: each is a file of its own.</summary>
     public static void CompileOnly(IReadOnlyList<CodeBlock> blocks) =>
-        Compile(blocks, OutputKind.DynamicallyLinkedLibrary, blocks.Select(b => b.Text).ToArray());
+        Compile(blocks, OutputKind.DynamicallyLinkedLibrary, blocks.Select(b => Script(b.Text)).ToArray());
+
+    /// <summary>Lines without a type of their own stand in a frame of a script with two colliders.</summary>
+    private static string Script(string text) =>
+        SyntaxFactory.ParseCompilationUnit(text).Members.Any(m => m is not GlobalStatementSyntax)
+            ? text
+            : $"using Gjk.Unity; using UnityEngine; class Script : MonoBehaviour {{ Collider colliderA = null!, "
+                + $"colliderB = null!; void Update() {{ {text} }} }}";
 
     private static string[] Join(IReadOnlyList<CodeBlock> blocks)
     {

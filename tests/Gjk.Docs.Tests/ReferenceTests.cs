@@ -48,6 +48,16 @@ public class ReferenceTests
         Assert.DoesNotContain("Two balls", queries);
     }
 
+    /// <summary>The second package is one page, without what the compiler makes of a record.</summary>
+    [Fact]
+    public void TheReferenceHasTheSecondPackage()
+    {
+        string import = ReferencePages.Make(Page.PathOf("src/Gjk.Core"))["import.md"];
+        Assert.Contains("### ReadObj", import);
+        Assert.Contains("### ToAnyShape", import);
+        Assert.DoesNotContain("<Clone>", import);
+    }
+
     /// <summary>A member without a comment would be an empty entry.</summary>
     [Fact]
     public void EveryTypeOfTheReferenceIsDescribed()

@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# Runs the netstandard2.0 library on Mono: the hard pairs, the golden hashes, the time per pair. Installs Mono where that is possible, else says so and ends well.
+# Runs the netstandard2.0 library on Mono: the hard pairs, the golden hashes, the bytes allocated, the time per pair; and
+# pairs and hashes again on a thread of native code, where a C compiler is. Installs Mono where that is possible, else
+# says so and ends well.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -16,4 +18,13 @@ if ! command -v mono > /dev/null && ! { install_mono && command -v mono > /dev/n
 fi
 
 dotnet build -c Release -v quiet Gjk.Mono.csproj
-exec mono bin/Release/net472/gjk-mono.exe ../Cases --time
+folder=bin/Release/net472
+options=(--time)
+if [ "$(uname -m)" != x86_64 ] || ! command -v gcc > /dev/null; then
+  echo "native thread skipped: there is no C compiler, or no x87 unit, here"
+else
+  gcc -shared -fPIC -pthread -o $folder/libnative_thread.so native_thread.c
+  options+=(--native-thread)
+fi
+
+exec mono $folder/gjk-mono.exe ../Cases "${options[@]}"

@@ -46,12 +46,6 @@ internal sealed class MutatedBuild
         }
         """;
 
-    private const string Attributes = """
-        [assembly: System.Runtime.CompilerServices.InternalsVisibleTo("Gjk.Core.Tests")]
-        [assembly: System.Reflection.AssemblyVersion("0.1.0.0")]
-        [assembly: System.Runtime.Versioning.TargetFramework(".NETCoreApp,Version=v10.0")]
-        """;
-
     private static readonly string[] Symbols =
     [
         "TRACE", "RELEASE", "NET", "NETCOREAPP", "NET10_0", "NET5_0_OR_GREATER", "NET6_0_OR_GREATER",
@@ -95,7 +89,7 @@ internal sealed class MutatedBuild
         SyntaxTree Parse(string text, string file) =>
             CSharpSyntaxTree.ParseText(SourceText.From(text, Encoding.UTF8), options, file);
         List<SyntaxTree> extra =
-            [Parse(Switch, "Mutation.cs"), Parse(Attributes, "Attributes.cs"), Parse(Usings(), "Usings.cs")];
+            [Parse(Switch, "Mutation.cs"), Parse(Attributes(), "Attributes.cs"), Parse(Usings(), "Usings.cs")];
         List<SyntaxTree> trees = Sources().Select(file => Parse(File.ReadAllText(file), file)).ToList();
         trees = trees.Select(t => t.WithRootAndOptions(Schemata.Parted(t.GetRoot()), options)).ToList();
         CSharpCompilation original = Compilation([.. trees, .. extra]);
@@ -126,6 +120,19 @@ internal sealed class MutatedBuild
     private string Usings() => string.Concat(
         XDocument.Load(Path.Combine(_root, "Gjk.Core.csproj")).Descendants("Using")
             .Select(u => $"global using {u.Attribute("Include")!.Value};\n"));
+
+    /// <summary>The name by which the tests refer to the library: its version, its key, and theirs.</summary>
+    private string Attributes()
+    {
+        XDocument shared = XDocument.Load(Path.Combine(_root, "..", "..", "Directory.Build.props"));
+        string version = shared.Descendants("Version").Single().Value.Split('-')[0];
+        string key = shared.Descendants("InternalsVisibleTo").Single().Attribute("Key")!.Value;
+        return $"""
+            [assembly: System.Runtime.CompilerServices.InternalsVisibleTo("Gjk.Core.Tests, PublicKey={key}")]
+            [assembly: System.Reflection.AssemblyVersion("{version}.0")]
+            [assembly: System.Runtime.Versioning.TargetFramework(".NETCoreApp,Version=v10.0")]
+            """;
+    }
 
     private IEnumerable<string> Sources() =>
         Directory.EnumerateFiles(_root, "*.cs", SearchOption.AllDirectories)
@@ -186,7 +193,7 @@ internal sealed class MutatedBuild
 
     private static int Number(string text) => int.Parse(text, CultureInfo.InvariantCulture);
 
-    private static CSharpCompilation Compilation(IEnumerable<SyntaxTree> trees)
+    private CSharpCompilation Compilation(IEnumerable<SyntaxTree> trees)
     {
         string platform = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
         string runtime = Path.GetDirectoryName(typeof(object).Assembly.Location)!;
@@ -197,6 +204,8 @@ internal sealed class MutatedBuild
             OutputKind.DynamicallyLinkedLibrary,
             optimizationLevel: OptimizationLevel.Release,
             allowUnsafe: true,
+            cryptoKeyFile: Path.GetFullPath(Path.Combine(_root, "..", "..", "Gjk.snk")),
+            publicSign: true,
             deterministic: true,
             nullableContextOptions: NullableContextOptions.Enable,
             generalDiagnosticOption: ReportDiagnostic.Suppress);

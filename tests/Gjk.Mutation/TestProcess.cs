@@ -3,6 +3,7 @@ using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
+using System.Text;
 
 namespace Gjk.Mutation;
 
@@ -77,11 +78,12 @@ internal sealed class TestProcess(string tests) : IDisposable
         BlockingCollection<string?> lines = _lines = [];
         _process = new Process { StartInfo = start };
         _process.OutputDataReceived += (_, e) => lines.Add(e.Data);
-        _process.ErrorDataReceived += (_, _) => { };
+        var errors = new StringBuilder();
+        _process.ErrorDataReceived += (_, e) => errors.AppendLine(e.Data);
         _process.Start();
         _process.BeginOutputReadLine();
         _process.BeginErrorReadLine();
-        if (Next(60) != "ready") throw new InvalidOperationException("the tests cannot be loaded: " + tests);
+        if (Next(60) != "ready") throw new InvalidOperationException($"the tests cannot be loaded: {tests}\n{errors}");
     }
 
     private void Stop()

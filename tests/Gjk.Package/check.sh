@@ -46,6 +46,15 @@ version=$(dotnet msbuild src/Gjk.Core -getProperty:Version)
 check_package Gjk.Core netstandard2.0 netstandard2.1 net10.0
 check_package Gjk.Import netstandard2.1 net10.0
 check_package gjk-demo
+# A commit's packages have a version that those of the one before had not, and name each other by it.
+packed=$(basename "$work"/feed/Gjk.Core.[0-9]*.nupkg .nupkg)
+packed=${packed#Gjk.Core.}
+if git describe --exact-match --tags --match 'v*' > /dev/null 2>&1; then
+  [ "$packed" = "$version" ] || fail "the version is $packed on a tag"
+else
+  [[ "$packed" =~ -.*\.$(git rev-list --count HEAD)(\.[0-9]+)?$ ]] || fail "the version $packed is not that of this commit"
+fi
+has_line "$work/Gjk.Import.package/Gjk.Import.nuspec" "<dependency id=\"Gjk.Core\" version=\"$packed\""
 for word in depth contacts casts rays concave; do has_line "$work/Gjk.Core.package/Gjk.Core.nuspec" "$word"; done
 [ -s "$work/feed/com.gjk.core-$version.tgz" ] || fail "the package for Unity is missing"
 

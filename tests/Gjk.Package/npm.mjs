@@ -31,7 +31,20 @@ shapes.forEach((shape, i) => assert.equal(scene.add(shape, { position: [20 * i, 
 assert.deepEqual(scene.pairsWithin(1), []);
 scene.setPose(1, { position: [0, 1, 0] });
 assert.deepEqual(scene.pairsWithin(1).map((p) => [p.a, p.b, p.distance]), [[0, 1, 0.5]]);
-assert.throws(() => gjk.sphere(-1));
+assert.throws(() => gjk.sphere(-1), /^RangeError: radius must not be negative, but is -1$/);
+assert.throws(() => gjk.sphere(1e39), /^TypeError: radius must be a finite number, but is 1e\+39$/);
+assert.throws(() => gjk.capsule(1, -2), /^RangeError: halfHeight must not be negative, but is -2$/);
+assert.throws(() => gjk.box([1, -1, 1]), /^RangeError: halfExtents must not be negative, but is 1,-1,1$/);
+assert.throws(() => gjk.mesh([]), /^TypeError: points must be an array of at least one point/);
+assert.throws(() => gjk.scene().setPose(0, {}), /^RangeError: body must be a number that add returned, but is 0$/);
+assert.throws(() => gjk.scene().pairsWithin(NaN), /^RangeError: distance must be at least 0, but is NaN$/);
+for (const bad of [() => gjk.ellipsoid([0, 1, 1]), () => gjk.cone(0, 0), () => gjk.cylinder(3e38, 3e38)]) {
+  try {
+    bad();
+  } catch (error) {
+    assert.doesNotMatch(error.message, /word/i);
+  }
+}
 assert.throws(() => gjk.sphere('wide'), /^TypeError: radius must be a finite number, but is wide$/);
 assert.throws(() => gjk.box([1, 2]), /^TypeError: halfExtents must be 3 finite numbers, but is 1,2$/);
 assert.throws(() => gjk.mesh([[0, 0, 0], [1, 0]]), /^TypeError: points\[1\] must be 3 finite numbers, but is 1,0$/);

@@ -141,6 +141,30 @@ public partial class PackageFilesTests
     public void TheLibraryInThePackageIsTheOneThatTheLockNames() =>
         Assert.True(LibraryLock.NamesThePackagesFiles(Layout), "unity/pack.sh refreshes the DLL and the lock");
 
+    /// <summary>What the manuals of Unity 6.0 to 7.0 alpha call obsolete and a package like this could use. From 6.5 on
+    /// the instance ids are errors. The assembly is compiled with the defines of 6.4 and later.</summary>
+    [Fact]
+    public void NewerUnityIsAskedNothingObsolete()
+    {
+        string folder = Path.Combine(Layout.Root, "unity", "Gjk.Unity.Newer", "bin");
+        string newer = Directory.GetFiles(folder, "Gjk.Unity.Newer.dll", SearchOption.AllDirectories)
+            .MaxBy(File.GetLastWriteTimeUtc)!;
+        using var file = new PEReader(File.OpenRead(newer));
+        MetadataReader reader = file.GetMetadataReader();
+        string[] used =
+        [
+            .. reader.TypeReferences.Select(t => reader.GetString(reader.GetTypeReference(t).Name)),
+            .. reader.MemberReferences.Select(m => reader.GetString(reader.GetMemberReference(m).Name)),
+        ];
+        Assert.Contains("FindObjectsByType", used);
+        string[] obsolete =
+        [
+            "FindObjectOfType", "FindObjectsOfType", "FindObjectsSortMode", "GetInstanceID", "InstanceIDToObject",
+            "PhysicMaterial", "get_drag", "get_angularDrag", "get_velocity",
+        ];
+        Assert.DoesNotContain(used, obsolete.Contains);
+    }
+
     [Fact]
     public void RuntimeSourcesDoNotNeedAnEditor()
     {
@@ -166,6 +190,7 @@ public partial class PackageFilesTests
     [InlineData("Samples~/Visualizer/Visualizer.unity", 6, 0)]
     [InlineData("Samples~/MeasureTest/MeasureTest.unity", 40, 1)]
     [InlineData("Samples~/Jobs/Jobs.unity", 20, 0)]
+    [InlineData("Samples~/Benchmark/Benchmark.unity", 20, 0)]
     public void ReferencesInASceneAreResolved(string path, int meshes, int inactive)
     {
         string scene = File.ReadAllText(Path.Combine(Layout.Package, path));

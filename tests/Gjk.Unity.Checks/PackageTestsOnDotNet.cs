@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Reflection;
 using System.Runtime.Loader;
+using System.Runtime.Versioning;
 using Gjk.Unity.Pack;
 
 namespace Gjk.Unity.Checks;
@@ -23,6 +24,15 @@ public class PackageTestsOnDotNet
     public void Passes(string name) =>
         PackageTestRunner.Run(PackageTestRunner.TestsOf(Tests).Single(t => PackageTestRunner.NameOf(t) == name));
 
+    /// <summary>Those above run with the build for .NET 10, which Unity's CoreCLR may take some day, though the package
+    /// is compiled against .NET Standard.</summary>
+    [Fact]
+    public void TheLibraryBesideThemIsTheBuildForNet10()
+    {
+        Assert.Equal(".NETCoreApp,Version=v10.0", Target(typeof(Gjk.Core.ConvexQuery).Assembly));
+        Assert.Equal(".NETStandard,Version=v2.1", Target(typeof(GjkPhysics).Assembly));
+    }
+
     /// <summary>With the DLL that a Git URL installs, which may be behind the library. Where this fails and the others
     /// do not, unity/pack.sh refreshes the DLL.</summary>
     [Fact]
@@ -36,6 +46,9 @@ public class PackageTestsOnDotNet
         Assembly library = context.Assemblies.Single(a => a.GetName().Name == "Gjk.Core");
         Assert.Equal(Path.Combine(layout.Plugins, Layout.Library[0]), library.Location);
     }
+
+    private static string Target(Assembly assembly) =>
+        assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName;
 
     /// <summary>Loads the package's own library, and another copy of what was compiled against it.</summary>
     private sealed class PackageContext(string plugins) : AssemblyLoadContext("the package")

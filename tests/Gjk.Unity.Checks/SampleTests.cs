@@ -136,6 +136,31 @@ public sealed class SampleTests : IDisposable
         }
     }
 
+    [Fact]
+    public void TheBenchmarkShowsEachKindsTimeAndTheVersions()
+    {
+        GameObject root = Root("benchmark");
+        for (int i = 0; i < 5; i++) Cube(root, 0.6f * i);
+        var sample = root.AddComponent<Benchmark>();
+        Messages.Send(sample, "OnEnable");
+        Assert.Equal(10, sample.Pairs);
+        Messages.Send(sample, "OnGUI");
+        Assert.Equal("", GUI.LastLabel);
+        for (int kind = 0; kind < 5; kind++)
+        {
+            Assert.Equal(double.PositiveInfinity, sample.Nanoseconds(kind));
+            Messages.Send(sample, "Update");
+            Assert.InRange(sample.Nanoseconds(kind), 1, 1e9);
+        }
+
+        Messages.Send(sample, "OnGUI");
+        string[] lines = GUI.LastLabel.Split('\n');
+        Assert.Matches(@"^Gjk 1\.\S+, Unity 2021\.3\.0f1, Mono$", lines[0]);
+        Assert.Equal("10 pairs, ns per query:", lines[1]);
+        Assert.Equal(7, lines.Length);
+        Assert.Equal($"{sample.Nanoseconds(2):F0}  depth", lines[4]);
+    }
+
     private static object Get(object sample, string field) =>
         sample.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic)!.GetValue(sample)!;
 

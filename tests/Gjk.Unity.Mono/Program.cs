@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.Reflection;
+using Gjk.Targets;
 
 namespace Gjk.Unity.Checks;
 
@@ -49,26 +50,13 @@ internal static class Program
         GC.Collect();
         int collections = GC.CollectionCount(0);
         var clock = Stopwatch.StartNew();
-        long before = Allocated();
+        long before = AllocatedBytes.Now();
         for (int i = 0; i < Frames; i++) load.Frame();
-        long bytes = Allocated() - before;
+        long bytes = AllocatedBytes.Now() - before;
         double microseconds = clock.Elapsed.TotalMilliseconds * 1000 / Frames;
         Console.WriteLine(FormattableString.Invariant(
             $"{bytes} bytes in {Frames} frames, {microseconds:F0} us a frame, {load.Sensor.WatchedCount} colliders"));
         if (bytes != 0 || GC.CollectionCount(0) != collections)
             throw new InvalidOperationException($"{bytes} bytes were allocated.");
-    }
-
-    /// <summary>Mono has the exact count, though the reference assemblies of net472 do not name it.</summary>
-    private static long Allocated() => Counter();
-
-    private static readonly Func<long> Counter = FindCounter();
-
-    private static Func<long> FindCounter()
-    {
-        MethodInfo? exact = typeof(GC).GetMethod("GetAllocatedBytesForCurrentThread");
-        return exact is null
-            ? () => GC.GetTotalMemory(false)
-            : (Func<long>)Delegate.CreateDelegate(typeof(Func<long>), exact);
     }
 }

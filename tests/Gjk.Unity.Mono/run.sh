@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the Unity package's tests and its components on Mono with the netstandard2.0 library: with the JIT; the components
 # with code compiled ahead of time (--aot=full); and all of it without any JIT (--full-aot), which stands in for the rule
-# of IL2CPP. Where Mono is missing it says so and ends well.
+# of IL2CPP. What is compiled ahead is for GJK_LONG=1. Where Mono is missing it says so and ends well.
 set -uo pipefail
 cd "$(dirname "$0")"
 
@@ -47,6 +47,11 @@ system_assembly() {
 }
 
 tally "on Mono" mono "$folder/$program"
+if [ "${GJK_LONG:-}" != 1 ]; then
+  echo "$passed passed, $failed failed"
+  [ "$failed" -eq 0 ]
+  exit
+fi
 
 # The program's own assemblies first: they are compiled against the system's netstandard.dll where it is.
 for file in "$folder"/*.dll "$folder/$program"; do

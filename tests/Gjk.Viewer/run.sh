@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # Opens the pages that the demo writes in headless Chromium and uses them. It installs what it needs if it can.
-# Otherwise it prints that it was skipped and exits with 0. Screenshots are kept in TestResults/ beside this script.
+# Otherwise it prints that it was skipped and exits with 0. --no-build takes the Release build of the demo that is there.
+# With GJK_LONG=1 also in Firefox, with pictures to look at, and two whole studies. Screenshots are kept in TestResults/ beside this script.
 set -euo pipefail
 cd "$(dirname "$0")"
 
 source ./tools.sh
 # Firefox is a second opinion, and can be missing.
-command -v firefox-esr firefox > /dev/null || install_packages firefox-esr || true
+if [ "${GJK_LONG:-}" = 1 ]; then command -v firefox-esr firefox > /dev/null || install_packages firefox-esr || true; fi
 
-dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj
-dotnet build -c Release -v quiet ../../src/Gjk.Web/Gjk.Web.csproj
+if [ "${1:-}" != --no-build ]; then
+  dotnet build -c Release -v quiet ../../src/Gjk.Demo/Gjk.Demo.csproj
+  dotnet build -c Release -v quiet ../../src/Gjk.Web/Gjk.Web.csproj
+fi
 demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 
 rm -rf TestResults
@@ -24,16 +27,18 @@ else
 fi
 
 node scenes.mjs TestResults
-demo view --builtin cubes --out TestResults/cubes.html
-demo view --builtin spheres --out TestResults/spheres.html
-for scene in moving many; do
-  demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
-  demo query "TestResults/$scene.json" --out "TestResults/$scene.csv"
-done
-for scene in empty two; do
-  demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
-done
-demo view TestResults/sweep.json --out TestResults/sweep.html
+{
+  demo view --builtin cubes --out TestResults/cubes.html
+  for scene in moving many; do
+    demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
+    demo query "TestResults/$scene.json" --out "TestResults/$scene.csv"
+  done
+  demo view --builtin spheres --out TestResults/spheres.html
+  for scene in empty two sweep; do
+    demo view "TestResults/$scene.json" --out "TestResults/$scene.html"
+  done
+} &
+views=$!
 demo trace --builtin cubes --pair 0,5 --out TestResults/trace-apart.html
 demo trace --builtin cubes --pair 10,11 --out TestResults/trace-hit.html
 demo trace TestResults/moving.json --pair 2,5 --out TestResults/trace-round.html
@@ -45,9 +50,19 @@ for example in loop wrong; do
   demo trace --example $example --out TestResults/$example.html
 done
 demo query TestResults/deep.json --depth --out TestResults/deep.csv
+wait $views
+
+# One browser looks at the views and traces, another one beside it plays and does the studies.
 status=0
+{
+  beside=0
+  bash play.sh > TestResults/play.log 2>&1 || beside=1
+  bash study.sh > TestResults/study.log 2>&1 || beside=1
+  exit $beside
+} &
+beside=$!
 node pages.mjs TestResults | tee TestResults/pages.log || status=1
-bash play.sh | tee TestResults/play.log || status=1
-bash study.sh | tee TestResults/study.log || status=1
+wait $beside || status=1
+cat TestResults/play.log TestResults/study.log
 awk '/^[0-9]+ passed, [0-9]+ failed$/ { p += $1; f += $3 } END { print p " passed, " f " failed" }' TestResults/*.log
 exit $status

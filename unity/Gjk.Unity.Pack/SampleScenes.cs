@@ -6,7 +6,7 @@ using Gjk.Exact.Scenes;
 
 namespace Gjk.Unity.Pack;
 
-/// <summary>The scenes of the two samples.</summary>
+/// <summary>The scenes of the samples.</summary>
 public static class SampleScenes
 {
     private const string VisualizerScene = "Samples~/Visualizer/Visualizer.unity";
@@ -17,14 +17,18 @@ public static class SampleScenes
     private const string JobsScene = "Samples~/Jobs/Jobs.unity";
     private const string JobsScript = "Samples~/Jobs/ParallelDistances.cs";
 
-    public static IReadOnlyList<string> Paths { get; } = [VisualizerScene, MeasureScene, JobsScene];
+    private const string BenchmarkScene = "Samples~/Benchmark/Benchmark.unity";
+    private const string BenchmarkScript = "Samples~/Benchmark/Benchmark.cs";
+
+    public static IReadOnlyList<string> Paths { get; } = [VisualizerScene, MeasureScene, JobsScene, BenchmarkScene];
 
     /// <summary>The path and the text of each.</summary>
     public static IEnumerable<(string Path, string Text)> All(GuidList guids)
     {
         yield return (VisualizerScene, Visualizer(guids[VisualizerScript]));
         yield return (MeasureScene, MeasureTest(guids[MeasureScript]));
-        yield return (JobsScene, Jobs(guids[JobsScript]));
+        yield return (JobsScene, Resting("Jobs", guids[JobsScript], BuiltInScenes.Spheres(), "_useLibrary: 0"));
+        yield return (BenchmarkScene, Resting("Benchmark", guids[BenchmarkScript], BuiltInScenes.Cubes()));
     }
 
     /// <summary>Six objects, two pairs of which intersect.</summary>
@@ -65,14 +69,15 @@ public static class SampleScenes
         return scene.ToString();
     }
 
-    /// <summary>The experiment's spheres.</summary>
-    private static string Jobs(string script)
+    /// <summary>The objects of one of the experiment's scenes, below a script.</summary>
+    private static string Resting(string name, string script, BuiltInScene objects, params string[] fields)
     {
         var scene = new SceneWriter();
         AddStage(scene, new Vector3(4, 1, -10));
-        int root = scene.Add("Jobs", Vector3.Zero);
-        scene.AddScript(root, script, "_useLibrary: 0");
-        AddAll(scene, BuiltInScenes.Spheres(), root, SceneWriter.BuiltInMesh.Sphere);
+        int root = scene.Add(name, Vector3.Zero);
+        scene.AddScript(root, script, fields);
+        bool isCube = objects.Name == "cubes";
+        AddAll(scene, objects, root, isCube ? SceneWriter.BuiltInMesh.Cube : SceneWriter.BuiltInMesh.Sphere);
         return scene.ToString();
     }
 

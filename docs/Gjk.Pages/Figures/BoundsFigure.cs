@@ -33,8 +33,7 @@ internal static class BoundsFigure
             Place(1, rows[0].Above), "|v|: the distance is at most this", Ink.Answer, dx: 12, dy: -6, anchor: "start");
         panel.Label(
             Place(4, rows[3].Below), "the best plane: it is at least this", Ink.A, dx: 4, dy: 28, anchor: "start");
-        canvas.Text(
-            new(390, 362), $"step; after {rows.Count} of them no number lies between the two, and the loop ends");
+        canvas.Note(378, $"step; after {rows.Count} of them no number lies between the two, and the loop ends");
         return canvas.Finish("bounds");
     }
 

@@ -28,7 +28,7 @@ internal static class ConcaveFigure
         left.Polygon(Hull.Corners, Ink.A, isHatched: true);
         left.Polygon(Outline, Ink.A);
         left.Polygon(Guest.Corners, Ink.B);
-        canvas.Text(new(195, 290), Hull.Overlaps(Guest) ? "one mesh: its hull overlaps B" : "one mesh: apart");
+        canvas.Caption(new(195, 290), Hull.Overlaps(Guest) ? "one mesh: its hull overlaps B" : "one mesh: apart", 350);
         Panel right = canvas.AddPanel(400, 20, 330, 240, new(-1.3f, -1.3f), new(1.3f, 1.3f));
         float nearest = float.PositiveInfinity;
         foreach (PlaneShape part in Parts)
@@ -38,7 +38,8 @@ internal static class ConcaveFigure
         }
 
         right.Polygon(Guest.Corners, Ink.B);
-        canvas.Text(new(565, 290), System.FormattableString.Invariant($"two convex parts: {nearest:0.00} apart"));
+        canvas.Caption(
+            new(565, 290), System.FormattableString.Invariant($"two convex parts: {nearest:0.00} apart"), 350);
         return canvas.Finish("concave");
     }
 }

@@ -23,10 +23,9 @@ internal static class DifferenceFigure
         }
 
         panel.Origin();
-        canvas.Text(
-            new(380, 26),
-            $"{all.Count} differences of corners (grey); the query asked for {asked.Count} of them (numbered)");
-        canvas.Text(new(380, 404), "The outline of A - B is drawn for you. The query never has it.");
+        canvas.Note(
+            404, $"{all.Count} differences of corners (grey); the query asked for {asked.Count} of them (numbered)");
+        canvas.Note(426, "The outline of A - B is drawn for you. The query never has it.");
         return canvas.Finish("difference");
     }
 

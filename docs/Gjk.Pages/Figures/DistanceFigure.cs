@@ -20,9 +20,8 @@ internal static class DistanceFigure
         right.Polygon(a.Minus(b).Corners, Ink.Difference);
         right.Origin("");
         Ends(right, nearest, default, nearest.Length());
-        canvas.Text(
-            new(380, 290),
-            "PointA - PointB is the point of A - B nearest the origin: the two red lines have the same length.");
+        canvas.Note(
+            290, "PointA - PointB is the point of A - B nearest the origin: the two red lines have the same length.");
         return canvas.Finish("distance");
     }
 
@@ -31,6 +30,6 @@ internal static class DistanceFigure
         panel.Line(from, to, Ink.Answer, width: 3);
         panel.Dot(from, Ink.Answer);
         panel.Dot(to, Ink.Answer);
-        panel.Label((from + to) / 2, System.FormattableString.Invariant($"{length:0.000}"), Ink.Answer, dy: -14);
+        panel.Label((from + to) / 2, System.FormattableString.Invariant($"{length:0.000}"), Ink.Answer, dy: 56);
     }
 }

@@ -18,9 +18,9 @@ internal static class DropFigure
         Side(canvas, 20, a, b, before.Simplex, before.Nearest, "before: the simplex and its point nearest the origin");
         Panel right = Side(
             canvas, 390, a, b, after.Simplex, after.Nearest, "after: one vertex joined, one was dropped");
-        right.Label(after.Vertex, "new", Ink.Answer, dx: 0, dy: 24);
+        right.Label(after.Vertex, "new", Ink.Answer, dx: 14, dy: 16, anchor: "start");
         right.Dot(dropped, Ink.Faint, 7);
-        right.Label(dropped, "dropped", Ink.Text, dx: -10, dy: -10, anchor: "end");
+        right.Label(dropped, "dropped", Ink.Text, dx: -14, dy: 20, anchor: "end");
         return canvas.Finish("drop");
     }
 
@@ -39,7 +39,6 @@ internal static class DropFigure
     }
 
     private static Panel Side(
-
         Canvas canvas, float left, PlaneShape a, PlaneShape b,
         IReadOnlyList<Vector2> simplex, Vector2 nearest, string caption)
     {
@@ -49,9 +48,9 @@ internal static class DropFigure
         foreach (Vector2 vertex in simplex) panel.Dot(vertex, Ink.Answer, 7);
         panel.Line(default, nearest, Ink.Origin, isDashed: true);
         panel.Dot(nearest, Ink.Origin);
-        panel.Label(nearest, "v", Ink.Origin, dx: 6, dy: -10);
+        panel.Label(nearest, "v", Ink.Origin, dx: 4, dy: 34);
         panel.Origin();
-        canvas.Text(new(left + 175, 324), caption);
+        canvas.Caption(new(left + 175, 324), caption, 350);
         return panel;
     }
 }

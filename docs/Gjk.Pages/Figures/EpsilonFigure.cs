@@ -35,11 +35,10 @@ internal static class EpsilonFigure
             if (power % 2 != 0) panel.Label(new(power, -4), System.FormattableString.Invariant($"1e{power}"), dy: 20);
         }
 
-        panel.Label(right, "epsilon = 1e-4", Ink.B, dy: 20, anchor: "end");
+        panel.Label(right, "epsilon = 1e-4", Ink.B, dy: -10, anchor: "end");
         panel.Label(new(5.4f, -3.2f), "everything down here «touches»", anchor: "end");
         panel.Label(new(-5.6f, 1.1f), "gap that the query finds", dx: 14, dy: 4, anchor: "start");
-        canvas.Text(
-            new(390, 366), "size of the boxes, from 1e-5 to 1e5; the gap is always the same part of it, 1 / 4096");
+        canvas.Note(378, "size of the boxes, from 1e-5 to 1e5; the gap is always the same part of it, 1 / 4096");
         return canvas.Finish("epsilon");
     }
 

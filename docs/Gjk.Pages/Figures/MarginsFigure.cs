@@ -26,8 +26,8 @@ internal static class MarginsFigure
         panel.Label(high, "capsule: a segment, margin 0.35", Ink.A, dx: 30, dy: -44);
         panel.Label(center, "sphere: a point, margin 0.6", Ink.B, dy: 110);
         string sum = System.FormattableString.Invariant($"{cores.Distance:0.00} - 0.35 - 0.60 = {whole.Distance:0.00}");
-        canvas.Text(new(380, 285), $"GJK measures the cores (grey), then the margins are taken off: {sum}");
-        canvas.Text(new(380, 308), "No corner of the round outline is ever asked for.");
+        canvas.Note(285, $"GJK measures the cores (grey), then the margins are taken off: {sum}");
+        canvas.Note(308, "No corner of the round outline is ever asked for.");
         return canvas.Finish("margins");
     }
 

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>Apart and overlapping: where the origin is in A - B.</summary>
@@ -22,7 +20,7 @@ internal static class OriginFigure
         PlaneShape difference = a.Minus(b);
         right.Polygon(difference.Corners, Ink.Difference);
         right.Label(difference.Middle, "A - B", Ink.Difference, dx: -30);
-        right.Origin();
-        canvas.Text(new Vector2(380, top + 218), caption);
+        right.Origin(dx: a.Overlaps(b) ? 34 : 16, dy: a.Overlaps(b) ? -46 : 30);
+        canvas.Note(top + 218, caption);
     }
 }

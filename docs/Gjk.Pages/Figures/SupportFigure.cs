@@ -13,17 +13,18 @@ internal static class SupportFigure
         var canvas = new Canvas("The furthest points of A along d and of B against d, and their difference", 760, 330);
         Panel left = canvas.AddPanel(20, 40, 350, 240, new(-1.4f, -1.3f), new(3.5f, 1.4f));
         Example.DrawShapes(left, a, b);
-        foreach ((Vector2 point, string name, string ink) in new[] { (step.OnA, "a", Ink.A), (step.OnB, "b", Ink.B) })
+        foreach ((Vector2 point, string name, string ink, float dx) in new[]
+            { (step.OnA, "a", Ink.A, 16), (step.OnB, "b", Ink.B, -18f) })
         {
             left.Line(point - 1.3f * across, point + 1.3f * across, Ink.Faint, isDashed: true);
             left.Dot(point, ink, 7);
-            left.Label(point, name, ink, dx: 0, dy: -12);
+            left.Label(point, name, ink, dx, dy: 8);
         }
 
         left.Arrow(a.Middle, a.Middle + 0.8f * d, Ink.A);
-        left.Label(a.Middle + 0.8f * d, "d", Ink.A, dy: -8);
+        left.Label(a.Middle + 0.8f * d, "d", Ink.A, dx: -4, dy: -14);
         left.Arrow(b.Middle, b.Middle - 0.6f * d, Ink.B);
-        left.Label(b.Middle - 0.6f * d, "-d", Ink.B, dy: -8);
+        left.Label(b.Middle - 0.6f * d, "-d", Ink.B, dx: 22, dy: 26);
 
         Panel right = canvas.AddPanel(400, 40, 340, 240, new(-4.6f, -2.1f), new(1.2f, 2.2f));
         right.Polygon(a.Minus(b).Corners, Ink.Difference);
@@ -31,9 +32,8 @@ internal static class SupportFigure
         right.Dot(step.Vertex, Ink.Answer, 7);
         right.Label(step.Vertex, "a - b", Ink.Answer, dx: -12, dy: 4, anchor: "end");
         right.Origin();
-        canvas.Text(
-            new(380, 312),
-            "a is furthest along d in A, b is furthest along -d in B; so a - b is furthest along d in A - B.");
+        canvas.Note(
+            312, "a is furthest along d in A, b is furthest along -d in B; so a - b is furthest along d in A - B.");
         return canvas.Finish("support");
     }
 }

@@ -24,11 +24,16 @@ internal static class WeightsFigure
             string name = System.FormattableString.Invariant($"{last.Weights[i]:0.00}");
             onA += (float)last.Weights[i] * found.OnA;
             onB += (float)last.Weights[i] * found.OnB;
-            foreach ((Panel panel, Vector2 at, string ink) in new[]
-                { (left, found.OnA, Ink.A), (left, found.OnB, Ink.B), (right, found.Vertex, Ink.Difference) })
+            // B shows the same corner for both vertices, so its labels stand below each other.
+            foreach ((Panel panel, Vector2 at, string ink, Vector2 beside) in new[]
+            {
+                (left, found.OnA, Ink.A, new Vector2(10, i == 0 ? 24 : -10)),
+                (left, found.OnB, Ink.B, new Vector2(10, i == 0 ? 86 : 60)),
+                (right, found.Vertex, Ink.Difference, new Vector2(14, i == 0 ? 16 : 4)),
+            })
             {
                 panel.Dot(at, ink, 6);
-                panel.Label(at, name, ink, dx: ink == Ink.B ? 24 : -24, dy: i == 0 ? 18 : -8);
+                panel.Label(at, name, ink, beside.X, beside.Y, "start");
             }
         }
 
@@ -36,10 +41,9 @@ internal static class WeightsFigure
         foreach ((Panel panel, Vector2 at) in new[] { (left, onA), (left, onB), (right, last.Nearest) })
             panel.Dot(at, Ink.Answer, 6);
         left.Line(onA, onB, Ink.Answer, isDashed: true);
-        canvas.Text(
-            new(380, 290),
-            "Red: the sum of the corners, each times its weight. On A - B it is v, on A and B the closest points.");
-        canvas.Text(new(380, 312), "A corner that appears in both vertices of the simplex gets both weights.");
+        canvas.Note(
+            290, "Red: the sum of the corners, each times its weight. On A - B it is v, on A and B the closest points.");
+        canvas.Note(312, "A corner that appears in both vertices of the simplex gets both weights.");
         return canvas.Finish("weights");
     }
 }

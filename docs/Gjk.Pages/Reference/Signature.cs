@@ -92,5 +92,6 @@ internal static class Signature
     /// <summary>Members that every type has, or that the compiler made.</summary>
     public static bool IsWorthListing(MemberInfo member) =>
         member is not MethodInfo method
-        || (!method.IsSpecialName && method.Name is not ("Equals" or "GetHashCode" or "ToString" or "GetType"));
+        || (!method.IsSpecialName && !method.Name.StartsWith('<')
+            && method.Name is not ("Equals" or "GetHashCode" or "ToString" or "GetType"));
 }

@@ -19,9 +19,4 @@ internal static class BranchFree
         return x < 0 ? -size : size;
 #endif
     }
-
-    /// <summary>-x where the bit is 1, x where it is 0.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double NegatedBy(double x, int bit) =>
-        BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(x) ^ ((long)bit << 63));
 }

@@ -136,9 +136,8 @@ public static partial class PairBatch
         {
             for (int i = begin; i < end; i++)
             {
-                ObjectPair pair = pairs[i];
-                results[i] = ConvexQuery.SignedDistance(
-                    shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]);
+                (int a, int b) = (pairs[i].A, pairs[i].B);
+                PairQuery.SignedDistance(shapes[a], poses[a], shapes[b], poses[b], out results[i]);
             }
         }
     }
@@ -181,7 +180,7 @@ public static partial class PairBatch
             for (int i = begin; i < end; i++)
             {
                 (int a, int b) = (pairs[i].A, pairs[i].B);
-                results[i] = ConvexQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance);
+                PairQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance, out results[i]);
             }
         }
     }

@@ -32,11 +32,12 @@ internal struct AabbNode
 
     /// <summary>By how much the sum of a box's three sides grows around another box.</summary>
     public static float LengthGrowth(in AabbNode box, in AabbNode other) =>
-        Length(Vector3.Max(box.Max, other.Max) - Vector3.Min(box.Min, other.Min)) - Length(box.Max - box.Min);
+        Length(Vector3.Min(box.Min, other.Min), Vector3.Max(box.Max, other.Max)) - Length(box.Min, box.Max);
 
     /// <summary>The sum of the sides.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float Length(Vector3 d) => d.X + d.Y + d.Z;
+    public static float Length(in Vector3 min, in Vector3 max) =>
+        (float)(max.X - min.X) + (float)(max.Y - min.Y) + (float)(max.Z - min.Z);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Area(Vector3 d) => d.X * d.Y + d.Y * d.Z + d.Z * d.X;

@@ -113,7 +113,7 @@ internal sealed class FatLeaves(BoundsTable table)
     private static bool IsFit(in Aabb box, in AabbNode leaf) =>
         box.Min.X >= leaf.Min.X && box.Min.Y >= leaf.Min.Y && box.Min.Z >= leaf.Min.Z &&
         box.Max.X <= leaf.Max.X && box.Max.Y <= leaf.Max.Y && box.Max.Z <= leaf.Max.Z &&
-        AabbNode.Length(leaf.Max - leaf.Min) <= MostLength * AabbNode.Length(box.Max - box.Min);
+        AabbNode.Length(leaf.Min, leaf.Max) <= MostLength * AabbNode.Length(box.Min, box.Max);
 
     /// <summary>Moves leaves one by one; false where the tree becomes too deep, and has to be built anew.</summary>
     private bool TryInsertAll(IdSet placed)

@@ -13,10 +13,12 @@ public static partial class ConcaveQuery
     /// <param name="scratch">Memory for the search.</param>
     /// <param name="maxFraction">How much of the motion is looked at: 1 for all of it, more for the same motion
     /// continued; less than 0 counts as 0.</param>
-    /// <param name="options">Which contacts are passed, of each pair of parts; by default none.</param>
+    /// <param name="options">Which contacts are passed; by default none. What is inside the union of the parts at the
+    /// start may slide along the union.</param>
     /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.Cast</c> has for them;
-    /// of equal fractions one that overlaps at the start, then the least numbers. A piece that begins inside a solid is
-    /// OverlappingAtStart; one that touches its surface and moves into it is a hit at 0. Invalid input, or a scratch
+    /// at the start the pair that overlaps deepest; where several are met at once, a face goes before an edge and an
+    /// edge before a corner; then the least numbers. What begins inside a solid is OverlappingAtStart, with the way out
+    /// over the solid's outside; what touches its surface and moves into it is a hit at 0. Invalid input, or a scratch
     /// that is null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
     public static PartCast Cast(
         in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,
@@ -72,25 +74,98 @@ public static partial class ConcaveQuery
 
     private static PartCast Move(
         ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance, in CastOptions options)
+        float tolerance, in CastOptions options, List<PartCast>? all = null)
     {
         if (float.IsNaN(maxFraction)) return InvalidCast;
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
+        bool isLifted = TryLift(scratch, a, b, options, out RigidPose lifted, out CastOptions liftedOptions);
         search.Begin(scratch, motion, a, b, maxFraction, tolerance, options);
-        bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow;
+        if (isLifted) search.Lift(lifted, liftedOptions);
+        search.AllCasts = all;
+        bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow && all is null;
         if (isAdvanced) PartAdvancement.Run(scratch, a, b);
         else PartCastSearch.Run(scratch);
+        search.AllCasts = null;
+        if (all is not null) return default;
         CastResult found = search.PartA >= 0
             ? search.Cast
             : CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0);
         bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
         bool isSolid = sideA.IsSolid || sideB.IsSolid;
-        if (!isAtStart && isSolid && !options.PassesShallow && TryInside(scratch, a, b, found, out PartCast inside))
-            return inside;
-        return search.PartA < 0
+        PartCast first = search.PartA < 0
             ? new PartCast(found, PartSide.NoPart, PartSide.NoPart)
-            : new PartCast(found, sideA.NumberOf(search.PartA), sideB.NumberOf(search.PartB));
+            : new PartCast(found, sideA.NumberOf(search.PartA), sideB.NumberOf(search.PartB), search.Feature);
+        if (!isSolid || options.PassesShallow) return first;
+        if (!isAtStart && TryInside(scratch, a, b, found, out PartCast inside)) first = inside;
+        bool isIn = first.Status == CastStatus.OverlappingAtStart;
+        return isIn && SolidExit.TryFind(scratch, out PartCast way) ? way : first;
+    }
+
+    /// <summary>Where B is out of the union of A's parts, and what it may pass from there: what begins deeper in the
+    /// union than is allowed may slide along it, over the seams of its parts.</summary>
+    private static bool TryLift(
+        ConcaveScratch scratch, in RigidMotion a, in RigidMotion b, in CastOptions options, out RigidPose lifted,
+        out CastOptions liftedOptions)
+    {
+        (lifted, liftedOptions) = (b.Pose, options);
+        if (!options.PassesShallow) return false;
+        bool isLifted = false;
+        for (int i = 0; i < UnionLift.MostLifts; i++)
+        {
+            scratch.B.Pose = lifted;
+            var still = new RigidMotion(a.Pose, Vector3.Zero);
+            PartCast start = Move(
+                scratch, PartMotion.Cast, still, new RigidMotion(lifted, Vector3.Zero), 0, 0, default);
+            if (!UnionLift.TryMove(start.Result, options, 1, ref lifted)) break;
+            isLifted = true;
+        }
+
+        scratch.B.Pose = b.Pose;
+        if (isLifted) liftedOptions = UnionLift.OptionsAt(lifted, options);
+        return isLifted;
+    }
+
+    /// <summary>Every pair of parts that meets, or overlaps at the start, as it would without the others.</summary>
+    /// <param name="a">The first shape.</param>
+    /// <param name="poseA">Pose of A at the start.</param>
+    /// <param name="translationA">Its motion, in world units, any finite vector.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Pose of B at the start.</param>
+    /// <param name="translationB">Its motion.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <param name="hits">Cleared, then what <c>ConvexQuery.Cast</c> says of each pair that is met, in their order
+    /// (<see cref="PartCast.CompareTo"/>). Where the start is in a solid, the first one is the way out of that, and
+    /// takes the place of what overlaps.</param>
+    /// <param name="maxFraction">See <see cref="Cast"/>.</param>
+    /// <param name="options">See <see cref="Cast"/>.</param>
+    /// <returns>False when the input is invalid.</returns>
+    public static bool CastAll(
+        in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,
+        Vector3 translationB, ConcaveScratch scratch, List<PartCast> hits, float maxFraction = 1,
+        in CastOptions options = default)
+    {
+        if (hits is null) return false;
+        hits.Clear();
+        PartCast first = Cast(a, poseA, translationA, b, poseB, translationB, scratch, maxFraction, options);
+        if (first.Status == CastStatus.InvalidInput) return false;
+        if (!first.Result.MayHit) return true;
+        if (!AreConvex(a, b))
+        {
+            var motionA = new RigidMotion(poseA, translationA);
+            var motionB = new RigidMotion(poseB, translationB);
+            Move(scratch, PartMotion.Cast, motionA, motionB, maxFraction, 0, options, hits);
+        }
+
+        InPlaceSort.Sort(hits);
+        bool isSolid = a.Kind == AnyShapeKind.Solid || b.Kind == AnyShapeKind.Solid;
+        bool replaces = isSolid && first.Result.Fraction == 0 && !options.PassesShallow;
+        if (!replaces && hits.Count > 0) return true;
+        int kept = 0;
+        while (kept < hits.Count && hits[kept].Status == CastStatus.OverlappingAtStart) kept++;
+        hits.RemoveRange(0, kept);
+        hits.Insert(0, first);
+        return true;
     }
 
     /// <summary>What an inside makes of a motion whose parts do not overlap at the start.</summary>

@@ -11,6 +11,7 @@ public sealed class ConcaveScratch
     internal readonly WindingNumber Winding = new();
     internal readonly List<PartDistance> Pairs = [];
     internal readonly List<PartContacts> Contacts = [], Faces = [];
+    internal readonly List<PartCast> Casts = [];
     private readonly Stack<ConcaveScratch> _idle = new();
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;

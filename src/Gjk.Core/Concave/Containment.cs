@@ -27,6 +27,10 @@ internal static class Containment
     public static bool IsAnyInside(ConcaveScratch scratch, in Double3 moved) =>
         IsAnyInside(scratch, scratch.A, scratch.B, moved) || IsAnyInside(scratch, scratch.B, scratch.A, -moved);
 
+    /// <summary>Whether a point of the world is in a solid, as double has it.</summary>
+    public static bool Holds(ConcaveScratch scratch, PartSide outer, in Double3 world) =>
+        scratch.Winding.About(outer.Mesh!, ToFrame(outer.Pose, (VectorDD)world)) != 0;
+
     private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved)
     {
         if (!outer.IsSolid) return false;

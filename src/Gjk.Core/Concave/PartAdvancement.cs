@@ -8,8 +8,9 @@ namespace Gjk.Core;
 /// cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
 /// CastOptions)"/> answers from the whole motion. Deviation: nothing is answered here. The pieces only say which parts
 /// need not be asked, and so the result is that of all pairs asked in turn. Exactness: a pose at a fraction is rounded
-/// to float; <see cref="PoseRounding"/> is added to every reach. It ends: each piece is at least twice as long as the
-/// one before, and after <see cref="MostSteps"/> distances the rest of the motion is one piece.</remarks>
+/// to float; <see cref="PoseRounding"/> is added to every reach; from where no float has a pose the whole motion is one
+/// piece. It ends: each piece is at least twice as long as the one before, and after <see cref="MostSteps"/> distances
+/// the rest of the motion is one piece.</remarks>
 internal static class PartAdvancement
 {
     /// <summary>Ratio to the trees' reach: 2^-6; bodies nearer than this are looked at part by part. It changes the
@@ -35,7 +36,14 @@ internal static class PartAdvancement
         double speed = search.Speed, touch = search.TouchRoom, from = 0, span = 0;
         for (int step = 0; from <= search.Last; step++)
         {
-            if (!TryPose(sideA, a, from) || !TryPose(sideB, b, from)) break;
+            if (!TryPoseAt(a, from, out sideA.Pose) || !TryPoseAt(b, from, out sideB.Pose))
+            {
+                (sideA.Pose, sideB.Pose) = (a.Pose, b.Pose);
+                search.Look(scratch, 0, double.PositiveInfinity, 0);
+                PartCastSearch.Run(scratch);
+                break;
+            }
+
             double rounding = PoseRounding * (reachA + reachB + Size(sideA.Pose) + Size(sideB.Pose));
             double room = touch + rounding;
             if (step < MostSteps)
@@ -71,16 +79,22 @@ internal static class PartAdvancement
 
     private static double Size(in RigidPose pose) => ((Double3)pose.Position).SumOfMagnitudes;
 
-    /// <summary>Poses a side at a fraction; false where float has no such pose.</summary>
-    private static bool TryPose(PartSide side, in RigidMotion motion, double fraction)
+    /// <summary>The pose at a fraction, or the first one where float has no such pose.</summary>
+    public static RigidPose PoseAt(in RigidMotion motion, double fraction) =>
+        TryPoseAt(motion, fraction, out RigidPose pose) ? pose : motion.Pose;
+
+    private static bool TryPoseAt(in RigidMotion motion, double fraction, out RigidPose pose)
     {
+        pose = default;
         Double3 turn = motion.AngularVelocity;
         double rate = turn.Length;
+        if (!(rate * fraction < SineCosine.MaxAngle)) return false;
         QuaternionD rotation = motion.Pose.Rotation;
         if (rate > 0) rotation = QuaternionD.About(turn * (1 / rate), rate * fraction) * rotation;
         var position = (Vector3)((Double3)motion.Pose.Position + (Double3)motion.Velocity * fraction);
-        side.Pose = new RigidPose(
+        if (!Guard.IsFinite(position)) return false;
+        pose = new RigidPose(
             new Quaternion((float)rotation.X, (float)rotation.Y, (float)rotation.Z, (float)rotation.W), position);
-        return Guard.IsFinite(position);
+        return true;
     }
 }

@@ -1,21 +1,25 @@
 namespace Gjk.Core;
 
 /// <summary>When two moving shapes of any kind first touch, and with which parts. Immutable.</summary>
-public readonly struct PartCast
+public readonly struct PartCast : IComparable<PartCast>
 {
-    /// <summary>The contact of the two parts. Where a piece of one begins inside a solid: OverlappingAtStart with a
-    /// point of it, a zero normal and depth 0.</summary>
+    /// <summary>The contact of the two parts. Where one begins inside a solid: OverlappingAtStart, with the way
+    /// out over the solid's outside.</summary>
     public readonly CastResult Result;
 
-    /// <summary>The part of A: a triangle or part as the caller numbered it. -1 where A is convex, where it holds a
-    /// piece of B in its inside, and where nothing was found.</summary>
+    /// <summary>The part of A: a triangle or part as the caller numbered it. -1 where A is convex, and where
+    /// nothing was found.</summary>
     public readonly int PartA;
 
     /// <summary>The part of B, likewise.</summary>
     public readonly int PartB;
 
-    internal PartCast(in CastResult result, int partA, int partB)
+    /// <summary>What of the parts meets.</summary>
+    internal readonly MetFeature Feature;
+
+    internal PartCast(in CastResult result, int partA, int partB, MetFeature feature = MetFeature.None)
     {
+        Feature = feature;
         Result = result;
         PartA = partA;
         PartB = partB;
@@ -29,6 +33,16 @@ public readonly struct PartCast
 
     /// <summary>True when a contact was found that counts: on the way, or at the start.</summary>
     public bool IsHit => Result.IsHit;
+
+    /// <summary>By the fraction as it was solved; at the start the deepest first; where several are met at once, a face
+    /// before an edge before a corner; then by the part of A and that of B.</summary>
+    public int CompareTo(PartCast other)
+    {
+        int order = Result.Order.CompareTo(other.Result.Order);
+        if (order == 0) order = Feature.CompareTo(other.Feature);
+        if (order == 0) order = PartA.CompareTo(other.PartA);
+        return order != 0 ? order : PartB.CompareTo(other.PartB);
+    }
 
     /// <summary>The result and the parts, for people to read.</summary>
     public override string ToString() => $"{Result}, parts {PartA} and {PartB}";

@@ -18,8 +18,9 @@ internal enum PartMotion : byte
 /// <remarks>The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their
 /// distance where the search begins, which closes no faster than the velocities and the turns of the furthest points
 /// allow. <see cref="PartAdvancement"/> says where that is. Exactness: parts are asked up to the float after the least
-/// fraction so far, since a contact may be found behind it and still round to it; of equal fractions the least numbers
-/// stay. So the answer is that of all pairs asked in turn.</remarks>
+/// fraction so far, since a contact may be found behind it and still round to it; of those that
+/// are equal in <see cref="ContactOrder"/> the best feature stays, then the least numbers. So the answer is that of all
+/// pairs asked in turn.</remarks>
 internal struct PartCastSearch
 {
     /// <summary>Ratio: 2^-18; more than rounding makes of the products with a fraction. More only costs time.</summary>
@@ -41,18 +42,28 @@ internal struct PartCastSearch
     private double _length, _maxFraction, _from, _to, _margins;
     private float _reached, _room, _tolerance;
 
-    /// <summary>The best so far: the fraction of the whole motion, or a ray's distance.</summary>
-    private float _best;
-    private bool _isOverlapping;
+    /// <summary>The best so far, by the fraction of the whole motion, or a ray's distance.</summary>
+    private ContactOrder _best;
+
+    /// <summary>B's motion from where it is out of the union, if it begins deeper in that than is allowed.</summary>
+    private RigidMotion _lifted;
+    private CastOptions _liftedOptions;
+    private bool _isLifted;
 
     /// <summary>Takes every hit of a ray, where it is not null.</summary>
     public List<PartRayHit>? All;
+
+    /// <summary>Takes every pair that is met, where it is not null.</summary>
+    public List<PartCast>? AllCasts;
 
     /// <summary>What the parts said; of a ray the other one.</summary>
     public CastResult Cast;
 
     /// <inheritdoc cref="Cast"/>
     public RayCastResult Ray;
+
+    /// <summary>What of the parts meets.</summary>
+    public MetFeature Feature;
 
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
@@ -61,7 +72,7 @@ internal struct PartCastSearch
     public readonly double Speed => _length;
 
     /// <summary>The last fraction that may still be the least.</summary>
-    public readonly double Last => Math.Min(_maxFraction, _best);
+    public readonly double Last => Math.Min(_maxFraction, _best.Solved);
 
     /// <summary>World units: parts of an impact that are further apart do not touch.</summary>
     public readonly double TouchRoom => Math.Max(_tolerance, ImpactRoom * Size) * Beyond;
@@ -95,9 +106,19 @@ internal struct PartCastSearch
         _wayInA = (Vector3)inA;
         _wayInB = (Vector3)_frame.Rotation.InverseRotate(-inA);
         PartA = PartB = -1;
-        _isOverlapping = false;
-        _best = float.PositiveInfinity;
+        _isLifted = false;
+        _best = new ContactOrder(double.PositiveInfinity, CastStatus.Miss, 0);
         SetReached(_maxFraction);
+    }
+
+    /// <summary>Passes also what B does not get deeper into if it begins elsewhere.</summary>
+    /// <param name="pose">Of B, where it is out of what it overlaps.</param>
+    /// <param name="options">Which contacts are passed from there.</param>
+    public void Lift(in RigidPose pose, in CastOptions options)
+    {
+        _isLifted = true;
+        _lifted = new RigidMotion(pose, _b.Velocity, _b.AngularVelocity);
+        _liftedOptions = options;
     }
 
     /// <summary>Looks at a piece of the motion only, of parts that do not touch before it.</summary>
@@ -162,15 +183,15 @@ internal struct PartCastSearch
     private void SetReached(double fraction)
     {
         double along = Math.Min(fraction, _to) - _from;
-        double way = (_motion == PartMotion.Ray ? along : along * _length) * Beyond / _frame.Unit;
+        double length = _motion == PartMotion.Ray ? 1 : _length;
+        double way = length > 0 ? along * length * Beyond / _frame.Unit : 0;
         if (_motion == PartMotion.Impact)
         {
             double size = _frame.RadiusA + _frame.RadiusB + _room;
             way += _room + Math.Max(_tolerance / _frame.Unit, ImpactRoom * size) * Beyond;
         }
 
-        _reached = _motion == PartMotion.Impact ? BoxLanes.Squared(way) : (float)(way * Beyond) + float.Epsilon;
-        if (!(_reached < float.MaxValue)) _reached = float.MaxValue;
+        _reached = _motion == PartMotion.Impact ? BoxLanes.Squared(way) : BoxLanes.AtMost(way * Beyond);
     }
 
     private readonly unsafe bool Bounds(
@@ -197,37 +218,51 @@ internal struct PartCastSearch
         ref readonly ConvexShape a = ref scratch.A.Part(partA, ref roomA);
 
         // What is passed depends on the whole way, and so does where an impact's steps end.
-        bool isWhole = PartA < 0 || _options.PassesShallow || _motion == PartMotion.Impact;
-        double least = _best + (_motion == PartMotion.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0);
+        bool isWhole = PartA < 0 || AllCasts is not null || _options.PassesShallow || _motion == PartMotion.Impact;
+        double error = _motion == PartMotion.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0;
+        double least = _best.Solved + error;
         var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
         if (_motion == PartMotion.Ray)
         {
             RayCastResult met = ConvexQuery.RayCast(a, _a.Pose, _b.Pose.Position, _b.Velocity, most, _options);
             if (All is not null && met.IsHit) All.Add(new PartRayHit(met, scratch.A.NumberOf(partA)));
-            else if (Take(met.IsHit, met.Status, met.Distance, partA, partB)) Ray = met;
+            else if (met.IsHit && Take(met.Order, MetFeature.None, partA, partB)) Ray = met;
             return;
         }
 
         ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
-        CastResult found = _motion == PartMotion.Cast
-            ? ConvexQuery.Cast(a, _a.Pose, _a.Velocity, b, _b.Pose, _b.Velocity, most, _options)
-            : ConvexQuery.TimeOfImpact(a, _a, b, _b, _tolerance, most, _options);
-        if (Take(found.MayHit, found.Status, found.Fraction, partA, partB)) Cast = found;
-    }
-
-    /// <summary>Whether an answer is before the best one; then it takes its place.</summary>
-    private bool Take(bool isHit, CastStatus status, float fraction, int partA, int partB)
-    {
-        if (!isHit || (PartA >= 0 && !(fraction <= _best))) return false;
-        bool isOverlapping = status == CastStatus.OverlappingAtStart;
-        if (PartA >= 0 && fraction == _best)
+        CastResult found = Move(a, b, _b, most, _options);
+        if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
+        if (_isLifted && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
+        MetFeature feature = MetFeature.None;
+        if (found.Status == CastStatus.Hit)
         {
-            bool isLess = partA < PartA || (partA == PartA && partB < PartB);
-            if (isOverlapping != _isOverlapping ? !isOverlapping : !isLess) return false;
+            feature = MetFeatures.Of(
+                a, PartAdvancement.PoseAt(_a, found.Fraction), b, PartAdvancement.PoseAt(_b, found.Fraction),
+                found.Normal);
         }
 
-        (_best, _isOverlapping, PartA, PartB) = (fraction, isOverlapping, partA, partB);
-        SetReached(fraction);
+        if (AllCasts is not null)
+            AllCasts.Add(new PartCast(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
+        else if (Take(found.Order, feature, partA, partB)) Cast = found;
+    }
+
+    private readonly CastResult Move(
+        in ConvexShape a, in ConvexShape b, in RigidMotion motionB, float most, in CastOptions options) =>
+        _motion == PartMotion.Cast
+            ? ConvexQuery.Cast(a, _a.Pose, _a.Velocity, b, motionB.Pose, motionB.Velocity, most, options)
+            : ConvexQuery.TimeOfImpact(a, _a, b, motionB, _tolerance, most, options);
+
+    /// <summary>Whether an answer is before the best one; then it takes its place.</summary>
+    private bool Take(in ContactOrder found, MetFeature feature, int partA, int partB)
+    {
+        int order = PartA < 0 ? -1 : found.CompareTo(_best);
+        if (order == 0) order = feature.CompareTo(Feature);
+        if (order == 0) order = partA.CompareTo(PartA);
+        if (order == 0) order = partB.CompareTo(PartB);
+        if (order >= 0) return false;
+        (_best, Feature, PartA, PartB) = (found, feature, partA, partB);
+        SetReached(found.Solved);
         return true;
     }
 }

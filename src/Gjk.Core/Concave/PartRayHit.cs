@@ -25,10 +25,10 @@ public readonly struct PartRayHit : IComparable<PartRayHit>
     /// <summary>True when a contact was found that counts: on the way, or at the origin.</summary>
     public bool IsHit => Result.IsHit;
 
-    /// <summary>By the distance, then by the part.</summary>
+    /// <summary>By the distance as it was solved, then by the part.</summary>
     public int CompareTo(PartRayHit other)
     {
-        int order = Distance.CompareTo(other.Distance);
+        int order = Result.Order.CompareTo(other.Result.Order);
         return order != 0 ? order : Part.CompareTo(other.Part);
     }
 

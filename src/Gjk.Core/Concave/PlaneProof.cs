@@ -137,6 +137,9 @@ internal sealed class PlaneProof
         return true;
     }
 
+    /// <summary>How far a part reaches along a direction of its shape's frame.</summary>
+    public static double ReachOf(PartSide side, int part, in Double3 along) => Reaches.OfPart(side, part, along);
+
     private static double Length(PartSide side) =>
         2 * (side.Tree.Origin.SumOfMagnitudes + side.Tree.Radius) + side.Margin;
 

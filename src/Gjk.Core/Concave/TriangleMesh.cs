@@ -17,6 +17,9 @@ public sealed partial class TriangleMesh
     /// <summary>The tree over the triangles.</summary>
     internal readonly PartTree Tree;
 
+    /// <summary>See <see cref="FindTurn"/>; 0 until it is asked for.</summary>
+    private int _turn;
+
     /// <summary>The scale in double, so that products with vertices are exact.</summary>
     private readonly Double3 _scale;
 
@@ -144,6 +147,36 @@ public sealed partial class TriangleMesh
         a = Double3.Multiply(first, _scale);
         b = Double3.Multiply(second, _scale);
         c = Double3.Multiply(third, _scale);
+    }
+
+    /// <summary>The unit normal of a solid's triangle that leads out of the solid, and a corner of it, in the
+    /// world.</summary>
+    /// <returns>False where the triangle has no area.</returns>
+    internal bool TryGetOutward(int triangle, in RigidPose pose, out Double3 outward, out Double3 corner)
+    {
+        if (_turn == 0) _turn = FindTurn();
+        GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        Double3 across = Double3.Cross((b - a) * (1 / Tree.Unit), (c - a) * (1 / Tree.Unit));
+        double length = across.Length;
+        var rotation = new RotationD(pose.Rotation);
+        corner = rotation.Rotate(a) + pose.Position;
+        outward = length > 0 ? rotation.Rotate(across * (_turn / length)) : default;
+        return length > 0;
+    }
+
+    /// <summary>Which way round the triangles are: 1 where their normals lead outward, by the sign of the enclosed
+    /// volume, else -1.</summary>
+    private int FindTurn()
+    {
+        double volume = 0, inverse = 1 / Tree.Unit;
+        for (int i = 0; i < TriangleCount; i++)
+        {
+            GetCorners(i, out Double3 a, out Double3 b, out Double3 c);
+            (a, b, c) = ((a - Tree.Origin) * inverse, (b - Tree.Origin) * inverse, (c - Tree.Origin) * inverse);
+            volume += Double3.Dot(a, Double3.Cross(b, c));
+        }
+
+        return volume < 0 ? -1 : 1;
     }
 
     /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>

@@ -1,26 +1,45 @@
 namespace Gjk.Core;
 
 /// <summary>The support function of a box about its centre: corners by the signs of the direction.</summary>
-internal static class BoxSupport
+internal static unsafe class BoxSupport
 {
     /// <summary>The furthest corner.</summary>
     /// <returns>The corner's signs: bit 0, 1, 2 set where x, y, z is at its negative end.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Furthest(in Double3 half, in Double3 direction, out Double3 point)
     {
-        double x = direction.X, y = direction.Y, z = direction.Z;
-        Double3.Write(
-            BranchFree.WithSign(half.X, x), BranchFree.WithSign(half.Y, y), BranchFree.WithSign(half.Z, z), out point);
-        return BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
+        int signs = Signs(direction);
+        TryGetVertex(half, signs, out point);
+        return signs;
     }
+
+    /// <summary>Bit 0, 1, 2 set where x, y, z is negative; a zero of either sign is not. Signs are read as integers:
+    /// no processor could predict a branch.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Signs(in Double3 direction)
+    {
+        fixed (Double3* at = &direction)
+        {
+            long* bits = (long*)at;
+            return Sign(bits[0]) | Sign(bits[1]) << 1 | Sign(bits[2]) << 2;
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Sign(long bits) => (int)((ulong)(bits & (bits << 1 | -(bits << 1))) >> 63);
 
     /// <summary>The corner with the given signs; false when these are none.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryGetVertex(in Double3 half, int signs, out Double3 point)
     {
-        Double3.Write(
-            BranchFree.NegatedBy(half.X, signs & 1), BranchFree.NegatedBy(half.Y, signs >> 1 & 1),
-            BranchFree.NegatedBy(half.Z, signs >> 2 & 1), out point);
+        fixed (Double3* at = &half, to = &point)
+        {
+            long* from = (long*)at, bits = (long*)to;
+            bits[0] = from[0] ^ (long)signs << 63;
+            bits[1] = from[1] ^ (long)signs >> 1 << 63;
+            bits[2] = from[2] ^ (long)signs >> 2 << 63;
+        }
+
         return (uint)signs < 8u;
     }
 

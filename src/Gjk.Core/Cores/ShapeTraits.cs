@@ -79,7 +79,7 @@ internal interface IPlacedShape<T> : ILibraryShape
 /// <summary>A shape that may be a ball or a box about its centre, and says so in short.</summary>
 internal interface IPlainBody : ILibraryShape
 {
-    /// <summary>Which body it is: a ball, a box (its margin apart), or None for everything else.</summary>
+    /// <summary>Which body it is: a ball, a box or hull (its margin apart), or None for everything else.</summary>
     /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
     RayForm GetPlain(out Double3 size);
 }

@@ -20,6 +20,13 @@ public readonly struct Aabb : IEquatable<Aabb>
             throw new ArgumentOutOfRangeException(nameof(max), max, "No maximum may lie below its minimum.");
     }
 
+    /// <summary>Finite corners, which nobody checks.</summary>
+    internal Aabb(float minX, float minY, float minZ, float maxX, float maxY, float maxZ)
+    {
+        (Min.X, Min.Y, Min.Z) = (minX, minY, minZ);
+        (Max.X, Max.Y, Max.Z) = (maxX, maxY, maxZ);
+    }
+
     /// <summary>The longest side, in double because the difference of two floats need not be a float.</summary>
     public double LongestSide =>
         Math.Max(Math.Max((double)Max.X - Min.X, (double)Max.Y - Min.Y), (double)Max.Z - Min.Z);

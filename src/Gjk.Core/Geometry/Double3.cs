@@ -80,6 +80,14 @@ public readonly struct Double3 : IEquatable<Double3>
 #endif
     }
 
+    /// <summary>The normal of a triangle, (q - p) × (r - p).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void Normal(in Double3 p, in Double3 q, in Double3 r, out Double3 normal)
+    {
+        double ex = q.X - p.X, ey = q.Y - p.Y, ez = q.Z - p.Z, fx = r.X - p.X, fy = r.Y - p.Y, fz = r.Z - p.Z;
+        Write(ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx, out normal);
+    }
+
     /// <summary>The product of the cross product of a and b with c.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static double Triple(in Double3 a, in Double3 b, in Double3 c) =>

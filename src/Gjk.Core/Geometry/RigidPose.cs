@@ -100,7 +100,9 @@ public readonly struct RigidPose : IEquatable<RigidPose>
 
     /// <summary>Exact equality of all seven numbers (q and -q are the same rotation but not equal here).</summary>
     public static bool operator ==(in RigidPose a, in RigidPose b) =>
-        a.Rotation == b.Rotation && a.Position == b.Position;
+        a.Position.X == b.Position.X && a.Position.Y == b.Position.Y && a.Position.Z == b.Position.Z
+        && a.Rotation.X == b.Rotation.X && a.Rotation.Y == b.Rotation.Y && a.Rotation.Z == b.Rotation.Z
+        && a.Rotation.W == b.Rotation.W;
 
     /// <summary>The opposite of equality.</summary>
     public static bool operator !=(in RigidPose a, in RigidPose b) => !(a == b);

@@ -10,6 +10,12 @@ internal struct RotationD
 
     public RotationD(in QuaternionD q) => Set(out this, q.X, q.Y, q.Z, q.W, 2 / q.LengthSquared);
 
+    public RotationD(in Quaternion q)
+    {
+        double x = q.X, y = q.Y, z = q.Z, w = q.W;
+        Set(out this, x, y, z, w, 2 / (x * x + y * y + z * z + w * w));
+    }
+
     /// <summary>The matrix of q/|q|: I + s (u uᵀ - u² I) + s w [u]ₓ with s = 2/|q|² (Shoemake 1985), written where it
     /// is to be, without a copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -23,29 +23,27 @@ internal static partial class MinkowskiDifference
         || typeof(T) == typeof(TriangleCore);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double3 SupportInLanes<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out int ids)
+    private static int SupportInLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out Double3 w)
     {
-        Vector256<double> w = SupportInLanes(
+        Vector256<double> lanes = SupportInLanes(
             ref a, ref b, frame, -normal,
             out Vector256<double> onA, out Vector256<double> onB, out int idA, out int idB);
-        simplex.Fill(slot, w, onA, onB, idA, idB);
-        ids = idA | idB;
-        return Xyz(w);
+        simplex.Fill(slot, lanes, onA, onB, idA, idB);
+        w = Xyz(lanes);
+        return idA | idB;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double3 SupportInLanes<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out int ids)
+    private static int SupportInLanes<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out Double3 w)
     {
-        Vector256<double> w = SupportInLanes(ref a, ref b, frame, -normal, out _, out _, out int idA, out int idB);
-        ids = idA | idB;
-        return Xyz(w);
+        w = Xyz(SupportInLanes(ref a, ref b, frame, -normal, out _, out _, out int idA, out int idB));
+        return idA | idB;
     }
 
-    /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static unsafe void SupportInLanes<TA, TB>(
+    private static unsafe void SupportInLanes<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 direction, PolytopeVertex* vertex)
     {
         Vector256<double> w = SupportInLanes(

@@ -13,42 +13,62 @@ internal static partial class MinkowskiDifference
     /// <param name="normal">In A's frame, of any length.</param>
     /// <param name="simplex">Gets the vertex, with the support points that it is made from and their ids.</param>
     /// <param name="slot">Where in the simplex.</param>
-    /// <param name="ids">Both ids in one: negative where a support point has none.</param>
-    /// <returns>The vertex: A's support point less B's, in A's frame.</returns>
+    /// <param name="w">The vertex: A's support point less B's, in A's frame.</param>
+    /// <returns>Both ids in one: negative where a support point has none.</returns>
     [MethodImpl(Jit.Step)]
-    public static Double3 Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out int ids)
+    public static int Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, int slot, out Double3 w)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
 #if NET
-        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, ref simplex, slot, out ids);
+        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, ref simplex, slot, out w);
 #endif
         Double3.Write(-normal.X, -normal.Y, -normal.Z, out Double3 direction);
         int idA = a.Support(direction, out Double3 onA);
         frame.Rotation.InverseRotate(normal, out direction);
         int idB = b.Support(direction, out Double3 onB);
-        ids = idA | idB;
-        Double3 w = VertexOf(frame, onA, onB);
+        SetVertex(frame, onA, onB, out w);
         simplex.Fill(slot, w, onA, onB, idA, idB);
-        return w;
+        return idA | idB;
     }
 
     /// <summary>The same for a search that needs no support points.</summary>
     [MethodImpl(Jit.Step)]
-    public static Double3 Support<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out int ids)
+    public static int Support<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out Double3 w)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
 #if NET
-        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, out ids);
+        if (HaveLanes<TA, TB>()) return SupportInLanes(ref a, ref b, frame, normal, out w);
 #endif
         Double3.Write(-normal.X, -normal.Y, -normal.Z, out Double3 direction);
-        ids = a.Support(direction, out Double3 onA);
+        int ids = a.Support(direction, out Double3 onA);
         frame.Rotation.InverseRotate(normal, out direction);
         ids |= b.Support(direction, out Double3 onB);
-        return VertexOf(frame, onA, onB);
+        SetVertex(frame, onA, onB, out w);
+        return ids;
+    }
+
+    /// <summary>The vertex that is furthest along a direction, for a polytope.</summary>
+    [MethodImpl(Jit.Step)]
+    public static unsafe void Support<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in Double3 direction, PolytopeVertex* vertex)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+#if NET
+        if (HaveLanes<TA, TB>())
+        {
+            SupportInLanes(ref a, ref b, frame, direction, vertex);
+            return;
+        }
+#endif
+        Double3.Write(-direction.X, -direction.Y, -direction.Z, out Double3 normal);
+        vertex->IdA = a.Support(direction, out vertex->OnA);
+        frame.Rotation.InverseRotate(normal, out normal);
+        vertex->IdB = b.Support(normal, out vertex->OnB);
+        SetVertex(frame, vertex->OnA, vertex->OnB, out vertex->W);
     }
 
     /// <summary>Puts the vertex made of two support points, where they are now, into a slot.</summary>
@@ -63,7 +83,8 @@ internal static partial class MinkowskiDifference
         if (HaveLanes<TA, TB>()) return TryPlaceLanes(ref a, ref b, frame, idA, idB, ref simplex, slot);
 #endif
         if (!a.TryGetVertex(idA, out Double3 onA) | !b.TryGetVertex(idB, out Double3 onB)) return false;
-        simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, idA, idB);
+        SetVertex(frame, onA, onB, out Double3 w);
+        simplex.Fill(slot, w, onA, onB, idA, idB);
         return true;
     }
 
@@ -74,16 +95,18 @@ internal static partial class MinkowskiDifference
         {
             int slot = simplex[i];
             Double3 onA = simplex.OnA(slot), onB = simplex.OnB(slot);
-            simplex.Fill(slot, VertexOf(frame, onA, onB), onA, onB, simplex.IdA(slot), simplex.IdB(slot));
+            SetVertex(frame, onA, onB, out Double3 w);
+            simplex.Fill(slot, w, onA, onB, simplex.IdA(slot), simplex.IdB(slot));
         }
     }
 
     /// <summary>The vertex made of a point of each shape, measured from its centre in its own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double3 VertexOf(in PairFrame frame, in Double3 onA, in Double3 onB)
+    private static void SetVertex(in PairFrame frame, in Double3 onA, in Double3 onB, out Double3 w)
     {
         frame.Rotation.Rotate(onB, out double x, out double y, out double z);
-        return new Double3(
-            onA.X - (x + frame.Translation.X), onA.Y - (y + frame.Translation.Y), onA.Z - (z + frame.Translation.Z));
+        Double3.Write(
+            onA.X - (x + frame.Translation.X), onA.Y - (y + frame.Translation.Y), onA.Z - (z + frame.Translation.Z),
+            out w);
     }
 }

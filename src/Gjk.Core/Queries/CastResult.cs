@@ -27,11 +27,21 @@ public readonly struct CastResult
     /// <summary>How many times both shapes were asked for a support point.</summary>
     public readonly int Iterations;
 
+    /// <summary>The fraction as it was solved, before rounding to float.</summary>
+    private readonly double _solved;
+
     internal CastResult(
-        CastStatus status, float fraction, Vector3 point, Vector3 normal, int iterations, float depth = 0)
+        CastStatus status, double solved, Vector3 point, Vector3 normal, int iterations, float depth = 0)
+        : this(status, (float)solved, solved, point, normal, iterations, depth)
+    {
+    }
+
+    private CastResult(
+        CastStatus status, float fraction, double solved, Vector3 point, Vector3 normal, int iterations, float depth)
     {
         Status = status;
         Fraction = fraction;
+        _solved = solved;
         Point = point;
         Normal = normal;
         Depth = depth;
@@ -41,11 +51,21 @@ public readonly struct CastResult
     /// <summary>True when a contact was found that counts: on the way, or at the start.</summary>
     public bool IsHit => Status is CastStatus.Hit or CastStatus.OverlappingAtStart;
 
+    /// <summary>By what it is compared with other contacts of the motion.</summary>
+    internal ContactOrder Order => new(_solved, Status, Depth);
+
+    /// <summary>The same with a fraction that is rounded otherwise.</summary>
+    internal CastResult At(float fraction) => new(Status, fraction, _solved, Point, Normal, Iterations, Depth);
+
+    /// <summary>The same contact after looks at how deep it is.</summary>
+    internal CastResult With(CastStatus status, Vector3 point, Vector3 normal, int iterations, float depth) =>
+        new(status, Fraction, _solved, point, normal, iterations, depth);
+
     /// <summary>True also for a search that ended at its limit, apart up to the fraction.</summary>
     internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;
 
     /// <summary>The same answer with A and B exchanged.</summary>
-    public CastResult Swapped => new(Status, Fraction, Point, Opposite.Of(Normal), Iterations, Depth);
+    public CastResult Swapped => new(Status, Fraction, _solved, Point, Opposite.Of(Normal), Iterations, Depth);
 
     /// <summary>The status, and what is valid under it, for people to read.</summary>
     public override string ToString() => Status switch

@@ -126,7 +126,7 @@ public static unsafe partial class ConvexQuery
 
             Double3 world = frame.SurfaceOfA(_cast.OnA, _cast.Normal, poseA.Position);
             result = new CastResult(
-                status, (float)_cast.Fraction, (Vector3)(world + (Double3)_translationA * _cast.Fraction),
+                status, _cast.Fraction, (Vector3)(world + (Double3)_translationA * _cast.Fraction),
                 (Vector3)frame.RotationA.Rotate(_cast.Normal), _cast.Iterations);
         }
     }

@@ -44,6 +44,6 @@ public static partial class ConvexQuery
         Double3 normal = nearest + axis * (along - way);
         normal = radii > 0 ? normal * (1 / normal.Length) : -axis;
         Double3 point = Balls.Place(poseA, a.Center) + normal * a.Margin + (Double3)translationA * fraction;
-        return new CastResult(CastStatus.Hit, (float)fraction, (Vector3)point, (Vector3)normal, 1);
+        return new CastResult(CastStatus.Hit, fraction, (Vector3)point, (Vector3)normal, 1);
     }
 }

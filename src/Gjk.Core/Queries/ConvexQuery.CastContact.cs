@@ -53,8 +53,8 @@ public static unsafe partial class ConvexQuery
             return Status switch
             {
                 CastStatus.Miss => CastResult.Nothing(Status, Math.Max(maxFraction, 0), iterations),
-                CastStatus.Hit or CastStatus.OverlappingAtStart => new CastResult(
-                    Status, found.Fraction, Point, Normal, iterations, Depth),
+                CastStatus.Hit or CastStatus.OverlappingAtStart =>
+                    found.With(Status, Point, Normal, iterations, Depth),
                 _ => CastResult.Nothing(Status, float.NaN, iterations),
             };
         }

@@ -50,7 +50,7 @@ public static partial class ConvexQuery
         result = hit.Status switch
         {
             CastStatus.Hit => new CastResult(
-                CastStatus.Hit, (float)fraction, (Vector3)(hit.Point + (Double3)translation * fraction),
+                CastStatus.Hit, fraction, (Vector3)(hit.Point + (Double3)translation * fraction),
                 (Vector3)hit.Normal, 0),
             CastStatus.Miss => CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0),
             _ => new CastResult(hit.Status, 0, line.Origin, (Vector3)hit.Normal, 0),

@@ -25,9 +25,10 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        ContactPlane plane;
-        Make(out manifold);
-        return AskContacts(a, poseA, b, poseB, maxGap, null, &plane, ref manifold);
+        ContactPlane* plane = stackalloc ContactPlane[1];
+        Uncleared.Begin(out manifold);
+        AskContacts(a, poseA, b, poseB, maxGap, null, plane, ref manifold, out DistanceResult result);
+        return result;
     }
 
     /// <summary>As the first, beginning where the last query of the pair ended: faster for pairs that move
@@ -49,10 +50,13 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        ContactPlane plane;
-        Make(out manifold);
+        ContactPlane* plane = stackalloc ContactPlane[1];
+        Uncleared.Begin(out manifold);
         fixed (WarmStart* warm = &warmStart)
-            return AskContacts(a, poseA, b, poseB, maxGap, warm, &plane, ref manifold);
+        {
+            AskContacts(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out DistanceResult result);
+            return result;
+        }
     }
 
     /// <summary>As the first, and where the contact is.</summary>
@@ -60,9 +64,12 @@ public static unsafe partial class ConvexQuery
         in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float maxGap,
         ref ContactPlane plane, out ContactManifold manifold)
     {
-        Make(out manifold);
+        Uncleared.Begin(out manifold);
         fixed (ContactPlane* found = &plane)
-            return AskContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold);
+        {
+            AskContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold, out DistanceResult result);
+            return result;
+        }
     }
 
     /// <summary>The points of a pair along a direction near its normal: where the faces or edges that both show along
@@ -88,43 +95,36 @@ public static unsafe partial class ConvexQuery
         if (manifold.Count == 0) manifold.Clear();
     }
 
-    /// <summary>Room for points, not cleared.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Make(out ContactManifold manifold)
-    {
-#if NET
-        Unsafe.SkipInit(out manifold);
-#else
-        manifold = default;
-#endif
-    }
-
-    private static DistanceResult AskContacts<TA, TB>(
+    private static void AskContacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
-        ContactPlane* plane, ref ContactManifold manifold)
+        ContactPlane* plane, ref ContactManifold manifold, out DistanceResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        var solver = new SignedDistanceSolver<NoPolytopeTrace> { Warm = warm, Plane = plane };
-        PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
-        manifold.Clear();
         float mostGap = maxGap > 0 ? maxGap : 0;
-        if (result.Distance <= mostGap)
-        {
-            manifold.Begin(result.Normal);
-            if (plane->Normal.LengthSquared > 0 && plane->Frame.IsPlaced)
-            {
-                TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
-                TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
-                AddPoints(ref coreA, poseA, ref coreB, ref *plane, result, mostGap, ref manifold);
-                return result;
-            }
-
+        var solver = new SignedDistanceSolver<NoPolytopeTrace> { Warm = warm, Plane = plane, PlaneGap = mostGap };
+        PairQuery.Run(a, poseA, b, poseB, ref solver, out result);
+        manifold.Clear();
+        if (!(result.Distance <= mostGap)) return;
+        manifold.Begin(result.Normal);
+        if (plane->Normal.LengthSquared > 0 && plane->Frame.IsPlaced)
+            AddPlacedPoints(a, poseA, b, ref *plane, result, mostGap, ref manifold);
+        else
             AddPoints(
                 ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), ref *plane, result, mostGap, ref manifold);
-        }
+    }
 
-        return result;
+    /// <summary>The same for shapes of which one is placed, without the placement.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void AddPlacedPoints<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, ref ContactPlane plane, in DistanceResult result, float maxGap,
+        ref ContactManifold manifold)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
+        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
+        AddPoints(ref coreA, poseA, ref coreB, ref plane, result, maxGap, ref manifold);
     }
 
     /// <summary>Asks both shapes for what they show along the normal.</summary>

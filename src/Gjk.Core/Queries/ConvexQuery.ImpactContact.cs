@@ -85,8 +85,8 @@ public static unsafe partial class ConvexQuery
 
             if (impact.Outcome == MotionVerdict.Hit)
             {
-                return new CastResult(
-                    contact.Status, contact.Fraction, contact.Point, contact.Normal, impact.Iterations, contact.Depth);
+                return contact.With(
+                    contact.Status, contact.Point, contact.Normal, impact.Iterations, contact.Depth);
             }
 
             return Nothing(impact, isWhole);

@@ -35,7 +35,7 @@ public static partial class ConvexQuery
         if (hit.Status == CastStatus.Hit)
         {
             return new RayCastResult(
-                CastStatus.Hit, (float)hit.Distance, (Vector3)hit.Point, (Vector3)hit.Normal, hit.Iterations);
+                CastStatus.Hit, hit.Distance, (Vector3)hit.Point, (Vector3)hit.Normal, hit.Iterations);
         }
 
         return RayCastResult.Nothing(
@@ -64,7 +64,7 @@ public static partial class ConvexQuery
         if (contact.Status is CastStatus.Hit or CastStatus.OverlappingAtStart)
         {
             return new RayCastResult(
-                contact.Status, (float)fraction, isStart ? line.Origin : contact.Point, contact.Normal, iterations,
+                contact.Status, fraction, isStart ? line.Origin : contact.Point, contact.Normal, iterations,
                 contact.Depth);
         }
 

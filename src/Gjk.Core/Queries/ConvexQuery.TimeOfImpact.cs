@@ -96,10 +96,7 @@ public static unsafe partial class ConvexQuery
 
     /// <summary>A cast's fraction is the nearest float, which may be later; the one before is not.</summary>
     private static CastResult BeforeTouching(in CastResult cast) =>
-        cast.Status == CastStatus.Hit
-            ? new CastResult(
-                CastStatus.Hit, RoundOff.Down(cast.Fraction * (1 - OneFloat)), cast.Point, cast.Normal, cast.Iterations)
-            : cast;
+        cast.Status == CastStatus.Hit ? cast.At(RoundOff.Down(cast.Fraction * (1 - OneFloat))) : cast;
 
     /// <summary>When two cores that move and turn come within a tolerance.</summary>
     private partial struct ImpactQuestion : IPairSolver<CastResult>
@@ -233,7 +230,8 @@ public static unsafe partial class ConvexQuery
             motion.MoveTo(fraction, ref frame);
             Double3 position = (Double3)_motionA.Pose.Position + (Double3)_motionA.Velocity * fraction;
             return new CastResult(
-                CastStatus.Hit, fraction, (Vector3)frame.SurfaceOfA(onA, normal, position), outward, iterations);
+                CastStatus.Hit, impact.Fraction, (Vector3)frame.SurfaceOfA(onA, normal, position), outward, iterations)
+                .At(fraction);
         }
     }
 }

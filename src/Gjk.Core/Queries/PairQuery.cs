@@ -8,6 +8,23 @@ namespace Gjk.Core;
 /// so for netstandard shapes are solved as they are; the bits are the same.</remarks>
 internal static class PairQuery
 {
+    /// <summary>The distance, written where it is to be: for arrays of results.</summary>
+    public static unsafe void Distance(
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float maxDistance,
+        out DistanceResult result)
+    {
+        var solver = new DistanceSolver<NoTrace>(maxDistance);
+        Run(a, poseA, b, poseB, ref solver, out result);
+    }
+
+    /// <summary>The signed distance, written where it is to be.</summary>
+    public static void SignedDistance(
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, out DistanceResult result)
+    {
+        var solver = new SignedDistanceSolver<NoPolytopeTrace>();
+        Run(a, poseA, b, poseB, ref solver, out result);
+    }
+
     /// <summary>Asks a solver about two shapes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Run<TA, TB, TSolver, TResult>(

@@ -24,11 +24,15 @@ public readonly struct RayCastResult
     /// <summary>How many times the shape was asked for a support point: 0 where a closed form answers.</summary>
     public readonly int Iterations;
 
+    /// <summary>The distance as it was solved, before rounding to float.</summary>
+    private readonly double _solved;
+
     internal RayCastResult(
-        CastStatus status, float distance, Vector3 point, Vector3 normal, int iterations, float depth = 0)
+        CastStatus status, double distance, Vector3 point, Vector3 normal, int iterations, float depth = 0)
     {
         Status = status;
-        Distance = distance;
+        Distance = (float)distance;
+        _solved = distance;
         Point = point;
         Normal = normal;
         Depth = depth;
@@ -37,6 +41,9 @@ public readonly struct RayCastResult
 
     /// <summary>True when a contact was found that counts: on the way, or at the origin.</summary>
     public bool IsHit => Status is CastStatus.Hit or CastStatus.OverlappingAtStart;
+
+    /// <summary>By what it is compared with other contacts of the ray.</summary>
+    internal ContactOrder Order => new(_solved, Status, Depth);
 
     /// <summary>True also for a search that ended at its limit, apart up to the distance.</summary>
     internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;

@@ -15,6 +15,9 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
     /// it.</summary>
     public ContactPlane* Plane;
 
+    /// <summary>Not wanted of shapes that are further apart, in world units.</summary>
+    public float PlaneGap;
+
     /// <summary>Gets how curved shapes touch, if that is wanted and they only touch.</summary>
     public StartTouch* Touch;
 
@@ -63,10 +66,9 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
     {
         if (Simplex != null) FinalSimplex.Keep(state, frame, Simplex);
-        bool isEmpty = state.Verdict == Verdict.Contradiction || state.Simplex.Count == 0;
-        if (Plane != null && !isEmpty) Plane->Set(frame, state);
         if (Touch != null && Touch->IsTouch) Touch->Place(frame, poseA);
         DistanceFinish.Write(state, frame, poseA, poseB, double.PositiveInfinity, true, out result);
+        if (Plane != null && result.Distance <= PlaneGap && state.Simplex.Count > 0) Plane->Set(frame, state);
     }
 
     /// <summary>Two balls are solved as points, too, for their simplex.</summary>

@@ -40,11 +40,8 @@ public readonly struct ConeShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Double3 direction, out Double3 point)
-    {
-        point = PrimitiveSupport.Cone(_radius, _halfHeight, direction);
-        return -1;
-    }
+    public int Support(in Double3 direction, out Double3 point) =>
+        PrimitiveSupport.Cone(_radius, _halfHeight, direction, out point);
 
     /// <inheritdoc/>
     public void GetFace(in Double3 direction, ref FaceCorners corners) =>

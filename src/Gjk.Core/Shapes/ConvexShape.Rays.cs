@@ -32,7 +32,7 @@ public readonly partial struct ConvexShape
         bool isBall = _isPlain & _parts.Kind == ShapeKind.Sphere, isBox = _core == CoreKind.Box;
         size = isBall ? new Double3(1, 1, 1) * _margin
             : isBox & _parts.Hull is not null ? _parts.Hull!.Cells.Stretch : _parts.A;
-        return isBall ? RayForm.Ball : isBox ? RayForm.Box : RayForm.None;
+        return isBall ? RayForm.Ball : isBox ? RayForm.Box : _core == CoreKind.Hull ? RayForm.Hull : RayForm.None;
     }
 
     /// <summary>What a ray sees of a shape without layers, not yet widened.</summary>

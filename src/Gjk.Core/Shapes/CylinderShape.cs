@@ -40,11 +40,8 @@ public readonly struct CylinderShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Double3 direction, out Double3 point)
-    {
-        point = PrimitiveSupport.Cylinder(_radius, _halfHeight, direction);
-        return -1;
-    }
+    public int Support(in Double3 direction, out Double3 point) =>
+        PrimitiveSupport.Cylinder(_radius, _halfHeight, direction, out point);
 
     /// <inheritdoc/>
     public void GetFace(in Double3 direction, ref FaceCorners corners) =>

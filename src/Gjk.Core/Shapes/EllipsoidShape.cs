@@ -33,11 +33,8 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public int Support(in Double3 direction, out Double3 point)
-    {
-        point = PrimitiveSupport.Ellipsoid(_radii, direction);
-        return -1;
-    }
+    public int Support(in Double3 direction, out Double3 point) =>
+        PrimitiveSupport.Ellipsoid(_radii, direction, out point);
 
     /// <summary>Nothing: the shape has no faces.</summary>
     public void GetFace(in Double3 direction, ref FaceCorners corners)

@@ -13,15 +13,20 @@ internal static class PrimitiveSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Segment(in Double3 a, in Double3 b, in Double3 direction, out Double3 point)
     {
-        bool first = SegmentCore.FurthestEnd(a - b, direction) == 0;
-        point = first ? a : b;
-        return first ? 0 : 1;
+        Double3.Plus(a, b, -1, out point);
+        int id = SegmentCore.FurthestEnd(point, direction);
+        ref readonly Double3 end = ref id == 0 ? ref a : ref b;
+        Double3.Write(end.X, end.Y, end.Z, out point);
+        return id;
     }
 
     public static int Triangle(in Double3 a, in Double3 b, in Double3 c, in Double3 direction, out Double3 point)
     {
-        int id = TriangleCore.Furthest(b - a, c - a, direction);
-        point = id == 0 ? a : id == 1 ? b : c;
+        Double3.Plus(b, a, -1, out Double3 toSecond);
+        Double3.Plus(c, a, -1, out point);
+        int id = TriangleCore.Furthest(toSecond, point, direction);
+        ref readonly Double3 corner = ref id == 0 ? ref a : ref id == 1 ? ref b : ref c;
+        Double3.Write(corner.X, corner.Y, corner.Z, out point);
         return id;
     }
 
@@ -31,7 +36,7 @@ internal static class PrimitiveSupport
     private static void Disc(double radius, double dx, double dz, out double x, out double z)
     {
         double squared = dx * dx + dz * dz;
-        if (!(squared > LeastSquare && squared < MostSquare))
+        if (!HasSafeSquare(squared))
         {
             DirectionRange.ToUnit(ref dx, ref dz);
             squared = dx * dx + dz * dz;
@@ -42,39 +47,49 @@ internal static class PrimitiveSupport
         z = s * dz;
     }
 
-    public static Double3 Cylinder(double radius, double halfHeight, in Double3 direction)
+    public static int Cylinder(double radius, double halfHeight, in Double3 direction, out Double3 point)
     {
         Disc(radius, direction.X, direction.Z, out double x, out double z);
-        return new Double3(x, direction.Y < 0 ? -halfHeight : halfHeight, z);
+        Double3.Write(x, direction.Y < 0 ? -halfHeight : halfHeight, z, out point);
+        return -1;
     }
 
     /// <summary>The better of the apex and the base's rim point.</summary>
-    public static Double3 Cone(double radius, double halfHeight, in Double3 direction)
+    public static int Cone(double radius, double halfHeight, in Double3 direction, out Double3 point) =>
+        HasSafeSquare(direction.LengthSquared)
+            ? SafeCone(radius, halfHeight, direction, out point)
+            : SafeCone(radius, halfHeight, DirectionRange.ToUnit(direction), out point);
+
+    private static int SafeCone(double radius, double halfHeight, in Double3 d, out Double3 point)
     {
-        Double3 d = direction;
-        double squared = d.LengthSquared;
-        if (!(squared > LeastSquare && squared < MostSquare)) d = DirectionRange.ToUnit(d);
         Disc(radius, d.X, d.Z, out double x, out double z);
         double apex = d.Y * halfHeight;
         double rim = d.X * x + d.Z * z - apex;
-        return apex >= rim ? new Double3(0, halfHeight, 0) : new Double3(x, -halfHeight, z);
+        bool isApex = apex >= rim;
+        Double3.Write(isApex ? 0 : x, isApex ? halfHeight : -halfHeight, isApex ? 0 : z, out point);
+        return -1;
     }
 
     /// <summary>The unit ball's support in the direction seen by it, mapped back: D (D d / |D d|) with D =
     /// diag(radii).</summary>
-    public static Double3 Ellipsoid(in Double3 radii, in Double3 direction)
+    public static int Ellipsoid(in Double3 radii, in Double3 direction, out Double3 point)
     {
-        Double3 scaled = Double3.Multiply(radii, direction);
-        double squared = scaled.LengthSquared;
-        if (!(squared > LeastSquare && squared < MostSquare))
+        Double3.Write(radii.X * direction.X, radii.Y * direction.Y, radii.Z * direction.Z, out point);
+        double squared = point.LengthSquared;
+        if (!HasSafeSquare(squared))
         {
-            scaled = DirectionRange.ToUnit(Double3.Multiply(radii, DirectionRange.ToUnit(direction)));
-            squared = scaled.LengthSquared;
+            point = DirectionRange.ToUnit(Double3.Multiply(radii, DirectionRange.ToUnit(direction)));
+            squared = point.LengthSquared;
         }
 
-        double length = Math.Sqrt(squared);
-        return length > 0 ? Double3.Multiply(radii, scaled) * (1 / length) : default;
+        double length = Math.Sqrt(squared), s = 1 / length;
+        if (length > 0) Double3.Write(radii.X * point.X * s, radii.Y * point.Y * s, radii.Z * point.Z * s, out point);
+        else point = default;
+        return -1;
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool HasSafeSquare(double squared) => squared > LeastSquare && squared < MostSquare;
 
     public static bool Two(in Double3 a, in Double3 b, int id, out Double3 point)
     {

@@ -68,11 +68,11 @@ internal unsafe partial struct Polytope
             return true;
         }
 
-        Double3 p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
-        Double3 r = _vertices[face->Vertices[2]].W, normal = Double3.Cross(q - p, r - p);
-        double least = Offsets(normal, p, q, r, out double most);
-        Put(index, normal, least);
-        return (most - least <= normal.SumOfMagnitudes * _level && _keys[index] >= lowest) || TryMend(index, lowest);
+        ref readonly Double3 p = ref _vertices[face->Vertices[0]].W, q = ref _vertices[face->Vertices[1]].W;
+        ref readonly Double3 r = ref _vertices[face->Vertices[2]].W;
+        Double3.Normal(p, q, r, out face->Normal);
+        double least = Offsets(face->Normal, p, q, r, out double most), length = Put(index, least);
+        return (most - least <= length * _level && _keys[index] >= lowest) || TryMend(index, lowest);
     }
 
     /// <summary>Mends a face whose normal rounding has turned. Where its corners are not level, as a needle's, the
@@ -105,15 +105,23 @@ internal unsafe partial struct Polytope
         return true;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly void Put(int index, in Double3 normal, double least)
     {
+        _faces[index].Normal = normal;
+        Put(index, least);
+    }
+
+    /// <summary>Sets what follows from a face's normal; gives the sum of its magnitudes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly double Put(int index, double least)
+    {
         PolytopeFace* face = _faces + index;
-        face->Normal = normal;
-        face->Limit = least + normal.SumOfMagnitudes * _noise;
+        double length = face->Normal.SumOfMagnitudes, squared = face->Normal.LengthSquared;
+        face->Limit = least + length * _noise;
         face->Offset = least;
-        face->NormalSquared = normal.LengthSquared;
-        _keys[index] = KeyOf(least * Math.Abs(least) / face->NormalSquared, index);
+        face->NormalSquared = squared;
+        _keys[index] = KeyOf(least * Math.Abs(least) / squared, index);
+        return length;
     }
 
     /// <summary>Least and most of three points' products with a normal.</summary>

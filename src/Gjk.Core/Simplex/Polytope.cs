@@ -26,9 +26,19 @@ internal unsafe partial struct Polytope
     /// <summary>Edges of faces that are being taken away, and of their rim: three more than there are faces.</summary>
     private const int MostEdges = MostFaces + 4;
 
-    /// <summary>How many doubles of memory a polytope needs.</summary>
+    /// <summary>Counts: the room that a search begins with. Mono clears what is allocated on the stack, 40 kilobytes as
+    /// slowly as ten vertices are found, so there a search moves when it has outgrown the first room.</summary>
+#if NET
+    private const int FirstRoom = Room, FirstFaces = MostFaces;
+#else
+    private const int FirstRoom = 24, FirstFaces = 128;
+#endif
+
+    /// <summary>How many doubles of memory a polytope needs; and one with the first room.</summary>
     public const int Doubles = (Alignment + MostFaces * (BytesPerFace + sizeof(double)) + Room * BytesPerVertex
-        + MostCuts * 3 * sizeof(double) + 2 * MostEdges * sizeof(ushort)) / sizeof(double);
+        + MostCuts * 3 * sizeof(double) + 2 * MostEdges * sizeof(ushort)) / sizeof(double),
+        FirstDoubles = Doubles - ((MostFaces - FirstFaces) * (BytesPerFace + sizeof(double))
+        + (Room - FirstRoom) * BytesPerVertex) / sizeof(double);
 
     private readonly PolytopeVertex* _vertices;
     private readonly PolytopeFace* _faces;
@@ -42,20 +52,39 @@ internal unsafe partial struct Polytope
     private readonly ushort* _stack, _rim;
 
     private double _noise, _level;
-    private int _vertexCount, _faceCount, _cutCount;
+    private int _room, _lastFace, _vertexCount, _faceCount, _cutCount;
 
     /// <summary>A polytope without vertices.</summary>
-    /// <param name="memory">As many doubles as <see cref="Doubles"/> says.</param>
-    public Polytope(double* memory)
+    /// <param name="memory">As many doubles as <see cref="Doubles"/> or <see cref="FirstDoubles"/> says.</param>
+    /// <param name="isFirst">With the first room.</param>
+    public Polytope(double* memory, bool isFirst = false)
     {
         _noise = _level = 0;
         _vertexCount = _faceCount = _cutCount = 0;
+        int faces = isFirst ? FirstFaces : MostFaces;
+        _room = isFirst ? FirstRoom : Room;
+        _lastFace = CanGrow ? FirstFaces - 2 * FirstRoom : MostFaces;
         _faces = (PolytopeFace*)(((ulong)memory + Alignment - 1) / Alignment * Alignment);
-        _vertices = (PolytopeVertex*)(_faces + MostFaces);
-        _keys = (double*)(_vertices + Room);
-        _cuts = (Double3*)(_keys + MostFaces);
+        _vertices = (PolytopeVertex*)(_faces + faces);
+        _keys = (double*)(_vertices + _room);
+        _cuts = (Double3*)(_keys + faces);
         _stack = (ushort*)(_cuts + MostCuts);
         _rim = _stack + MostEdges;
+    }
+
+    /// <summary>Whether a larger room is left to move to.</summary>
+    public readonly bool CanGrow => _room < Room;
+
+    /// <summary>Moves a polytope without cuts from its first room.</summary>
+    /// <param name="memory">As many doubles as <see cref="Doubles"/> says.</param>
+    public void Grow(double* memory)
+    {
+        var grown = new Polytope(memory);
+        for (int i = 0; i < _faceCount; i++) (grown._faces[i], grown._keys[i]) = (_faces[i], _keys[i]);
+        for (int i = 0; i < _vertexCount; i++) grown._vertices[i] = _vertices[i];
+        (grown._noise, grown._level) = (_noise, _level);
+        (grown._vertexCount, grown._faceCount) = (_vertexCount, _faceCount);
+        this = grown;
     }
 
     /// <summary>How many faces there are or have been; some may be gone.</summary>
@@ -64,8 +93,8 @@ internal unsafe partial struct Polytope
     /// <summary>How many vertices were taken; not all need be on the surface.</summary>
     public readonly int VertexCount => _vertexCount;
 
-    /// <summary>Whether there is room for another vertex.</summary>
-    public readonly bool HasRoom => _vertexCount + _cutCount < Room;
+    /// <summary>Whether there is room for another vertex; in the first room, for a face at each edge, too.</summary>
+    public readonly bool HasRoom => _vertexCount + _cutCount < _room && _faceCount <= _lastFace;
 
     public readonly ref PolytopeVertex Vertex(int index) => ref _vertices[index];
 

@@ -76,8 +76,8 @@ internal static class GjkDistance
         for (int rounds = 1; ; rounds++)
         {
             int slot = vertices.FreeSlot;
-            Double3 w = MinkowskiDifference.Support(
-                ref a, ref b, frame, feature.Normal, ref state.Simplex, slot, out int ids);
+            int ids = MinkowskiDifference.Support(
+                ref a, ref b, frame, feature.Normal, ref state.Simplex, slot, out Double3 w);
             if (state.Matters<TA, TB>(ids))
             {
                 state.See(frame, state.Simplex, slot);

@@ -30,7 +30,7 @@ internal static class GjkOverlap
         feature.Normal = new Double3(first.X, first.Y, first.Z);
         for (int round = 0; round < MaxRounds; round++)
         {
-            Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, feature.Normal, out int ids);
+            int ids = MinkowskiDifference.Support(ref a, ref b, frame, feature.Normal, out Double3 w);
             double plane = Double3.Dot(feature.Normal, w);
             bool curved = ids < 0;
             if (plane > 0)

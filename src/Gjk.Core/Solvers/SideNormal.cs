@@ -154,7 +154,7 @@ internal static class SideNormal
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
-        Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends, slot, out _);
+        MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends, slot, out Double3 w);
         state.Iterations++;
         if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, ends, slot, false));
         return w;

@@ -2,8 +2,8 @@ namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>The object that a shape meets first when it is translated; of several at the same fraction, rounded to
-    /// float, the one with the least id. The shape is none of the scene's, and the objects rest.</summary>
+    /// <summary>The object that a shape meets first when it is translated; of several the first in the
+    /// order of <see cref="CastHit"/>. The shape is none of the scene's, and the objects rest.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
     /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
@@ -45,7 +45,7 @@ public sealed partial class CollisionScene
         in QueryFilter filter = default, in CastOptions options = default)
     {
         CheckCast(shape, pose, translation, maxFraction);
-        var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
+        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
         var first = new FirstCastHit(_objects, moving, maxFraction);
         _phase.Sweep(moving.Path(), ref first);
         hit = first.Hit;
@@ -64,17 +64,37 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The motion is not finite, or the fraction is negative or
     /// NaN.</exception>
+    /// <param name="eachPart">Whether objects that are not convex have a hit for each part that is met or overlaps, as
+    /// <c>ConcaveQuery.CastAll</c> has them; by default one hit, their first.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     public void FindCastHits(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, List<CastHit> results, float maxFraction = 1,
-        in QueryFilter filter = default, in CastOptions options = default)
+        in QueryFilter filter = default, in CastOptions options = default, bool eachPart = false)
     {
         CheckCast(shape, pose, translation, maxFraction);
         Guard.NotNull(results, nameof(results)).Clear();
-        var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options);
-        var all = new AllCastHits(_objects, moving, results);
+        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
+        var all = new AllCastHits(_objects, moving, results, eachPart);
         _phase.Sweep(moving.Path(), ref all);
         InPlaceSort.Sort(results);
+    }
+
+    private MovingShape Moving(
+        in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
+        in CastOptions options)
+    {
+        var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options, pose);
+        if (!options.PassesShallow) return moving;
+        RigidPose lifted = pose;
+        for (int i = 0; i < UnionLift.MostLifts; i++)
+        {
+            MovingShape resting = moving.RestingAt(lifted);
+            var start = new FirstCastHit(_objects, resting, 0);
+            _phase.Sweep(resting.Path(), ref start);
+            if (!UnionLift.TryMove(start.Hit.Result, options, -1, ref lifted)) break;
+        }
+
+        return lifted == pose ? moving : moving.LiftedTo(lifted);
     }
 
     private static void CheckCast(

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>An object of a scene and where a ray meets it. Immutable. Ordered by distance; at the same distance by
-/// id.</summary>
+/// <summary>An object of a scene and where a ray meets it. Immutable. Ordered by distance, as it was solved;
+/// at the same distance by id.</summary>
 public readonly struct RayHit : IComparable<RayHit>
 {
     /// <summary>The object, or -1 where the ray meets none.</summary>
@@ -23,7 +23,7 @@ public readonly struct RayHit : IComparable<RayHit>
     /// <inheritdoc/>
     public int CompareTo(RayHit other)
     {
-        int order = Result.Distance.CompareTo(other.Result.Distance);
+        int order = Result.Order.CompareTo(other.Result.Order);
         return order != 0 ? order : Id.CompareTo(other.Id);
     }
 

@@ -3,21 +3,57 @@ namespace Gjk.Core;
 /// <summary>A shape that moves through a scene.</summary>
 internal readonly struct MovingShape(
     in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
-    in CastOptions options)
+    in CastOptions options, in RigidPose lifted)
 {
     public readonly QueryFilter Filter = filter;
     private readonly ConvexShape _shape = shape;
     private readonly RigidPose _pose = pose;
     private readonly CastOptions _options = options;
 
-    /// <summary>When it meets an object, as asked alone.</summary>
-    public PartCast Cast(SceneObjects objects, int slot) => objects.Parts.Has(slot)
-        ? objects.Parts.Cast(_shape, _pose, translation, slot, maxFraction, _options)
-        : new PartCast(
-            ConvexQuery.Cast(
-                _shape, _pose, translation, objects.Shapes[slot], objects.Poses[slot], Vector3.Zero, maxFraction,
-                _options),
-            PartSide.NoPart, PartSide.NoPart);
+    /// <summary>Where it is out of the union of the objects, if it begins deeper in that than is allowed; else where it
+    /// begins.</summary>
+    private readonly RigidPose _lifted = lifted;
+
+    /// <summary>The same shape at rest, elsewhere.</summary>
+    public MovingShape RestingAt(in RigidPose at) => new(_shape, at, Vector3.Zero, 0, Filter, default, at);
+
+    /// <summary>The same motion, which passes what it does not get deeper into from another pose.</summary>
+    public MovingShape LiftedTo(in RigidPose at) =>
+        new(_shape, _pose, translation, maxFraction, Filter, _options, at);
+
+    /// <summary>When it meets an object.</summary>
+    public PartCast Cast(SceneObjects objects, int slot)
+    {
+        PartCast found = Cast(objects, slot, _pose, _options);
+        bool isLifted = _lifted != _pose && found.Result.MayHit;
+        return isLifted && !Cast(objects, slot, _lifted, UnionLift.OptionsAt(_lifted, _options)).Result.MayHit
+            ? new PartCast(CastResult.Nothing(CastStatus.Miss, maxFraction, 0), PartSide.NoPart, PartSide.NoPart)
+            : found;
+    }
+
+    private PartCast Cast(SceneObjects objects, int slot, in RigidPose from, in CastOptions passed)
+    {
+        if (objects.Parts.Has(slot)) return objects.Parts.Cast(_shape, from, translation, slot, maxFraction, passed);
+        ref readonly ConvexShape other = ref objects.Shapes[slot];
+        ref readonly RigidPose at = ref objects.Poses[slot];
+        CastResult found = ConvexQuery.Cast(_shape, from, translation, other, at, Vector3.Zero, maxFraction, passed);
+        MetFeature feature = found.Status == CastStatus.Hit
+            ? MetFeatures.Of(_shape, from, other, at, found.Normal)
+            : MetFeature.None;
+        return new PartCast(found, PartSide.NoPart, PartSide.NoPart, feature);
+    }
+
+    /// <summary>Adds every part of an object that it meets.</summary>
+    public void CastAll(SceneObjects objects, int slot, List<CastHit> hits)
+    {
+        ConcaveScratch scratch = objects.Parts.Rent();
+        List<PartCast> parts = scratch.Casts;
+        ConcaveQuery.CastAll(
+            AnyShape.Of(_shape), _pose, translation, objects.Parts[slot], objects.Poses[slot], Vector3.Zero, scratch,
+            parts, maxFraction, _options);
+        for (int i = 0; i < parts.Count; i++) hits.Add(new CastHit(objects.Ids[slot], parts[i]));
+        objects.Parts.Return(scratch);
+    }
 
     /// <summary>Its path for a broad phase.</summary>
     public SweptBox Path()
@@ -34,11 +70,11 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
     /// <summary>The slot of the first object, or -1.</summary>
     public int Slot = -1;
 
-    /// <summary>The part of it, or -1.</summary>
-    public int Part = PartSide.NoPart;
-
     /// <summary>When the shape meets it.</summary>
-    public CastResult Result = CastResult.Nothing(CastStatus.Miss, maxFraction, 0);
+    public readonly CastResult Result => _first.Result;
+
+    private PartCast _first =
+        new(CastResult.Nothing(CastStatus.Miss, maxFraction, 0), PartSide.NoPart, PartSide.NoPart);
 
     private readonly MovingShape _shape = shape;
     private double _limit = double.PositiveInfinity;
@@ -46,36 +82,37 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _shape.Filter)) return _limit;
-        PartCast found = _shape.Cast(objects, slot);
-        Take(slot, found.Result, found.PartB);
+        Take(slot, _shape.Cast(objects, slot));
         return _limit;
     }
 
     /// <summary>What was found.</summary>
-    public readonly CastHit Hit => new(Slot < 0 ? -1 : objects.Ids[Slot], Result, Part);
+    public readonly CastHit Hit => new(Slot < 0 ? -1 : objects.Ids[Slot], _first);
 
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(int slot, in CastResult found, int part = PartSide.NoPart)
+    public void Take(int slot, in PartCast found)
     {
-        if (!found.MayHit) return;
-        bool isFirst = Slot < 0 || found.Fraction < Result.Fraction
-            || (found.Fraction == Result.Fraction && slot < Slot);
-        if (!isFirst) return;
+        if (!found.Result.MayHit) return;
+        int order = Slot < 0 ? -1 : found.Result.Order.CompareTo(_first.Result.Order);
+        if (order == 0) order = found.Feature.CompareTo(_first.Feature);
+        if (order > 0 || (order == 0 && slot > Slot)) return;
         Slot = slot;
-        Part = part;
-        Result = found;
+        _first = found;
         _limit = SweptBox.After(found.Fraction);
     }
 }
 
 /// <summary>All objects that a moving shape meets, in no order.</summary>
-internal readonly struct AllCastHits(SceneObjects objects, MovingShape shape, List<CastHit> hits) : ISweepVisitor
+internal readonly struct AllCastHits(
+    SceneObjects objects, MovingShape shape, List<CastHit> hits, bool eachPart) : ISweepVisitor
 {
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, shape.Filter)) return double.PositiveInfinity;
         PartCast found = shape.Cast(objects, slot);
-        if (found.Result.MayHit) hits.Add(new CastHit(objects.Ids[slot], found.Result, found.PartB));
+        if (!found.Result.MayHit) return double.PositiveInfinity;
+        if (eachPart && objects.Parts.Has(slot)) shape.CastAll(objects, slot, hits);
+        else hits.Add(new CastHit(objects.Ids[slot], found));
         return double.PositiveInfinity;
     }
 }

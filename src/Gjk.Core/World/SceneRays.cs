@@ -43,9 +43,8 @@ internal struct FirstRayHit(
     public void Take(int slot, in RayCastResult found, int part = PartSide.NoPart)
     {
         if (!found.MayHit) return;
-        bool isFirst = Slot < 0 || found.Distance < Result.Distance
-            || (found.Distance == Result.Distance && slot < Slot);
-        if (!isFirst) return;
+        int order = Slot < 0 ? -1 : found.Order.CompareTo(Result.Order);
+        if (order > 0 || (order == 0 && slot > Slot)) return;
         Slot = slot;
         Part = part;
         Result = found;

@@ -94,8 +94,8 @@ public readonly struct ShapeBounds
         double y = half.Y + FloatSlack * (Math.Abs(center.Y) + half.Y) + rounding;
         double z = half.Z + FloatSlack * (Math.Abs(center.Z) + half.Z) + rounding;
         return new Aabb(
-            new Vector3(Clamped(center.X - x), Clamped(center.Y - y), Clamped(center.Z - z)),
-            new Vector3(Clamped(center.X + x), Clamped(center.Y + y), Clamped(center.Z + z)));
+            Clamped(center.X - x), Clamped(center.Y - y), Clamped(center.Z - z),
+            Clamped(center.X + x), Clamped(center.Y + y), Clamped(center.Z + z));
     }
 
     /// <summary>To a finite float: all positions are, so what reaches beyond meets nothing there.</summary>

@@ -36,8 +36,9 @@ internal static class BlockCommand
         long open = log.Blocks.Values.Sum(b => b.Open), refuted = log.Blocks.Values.Sum(b => b.Refuted);
         double nanoseconds = log.Blocks.Values.Sum(b => (double)b.Nanoseconds * b.Pairs) / Math.Max(1, pairs);
         string finds = refuted > 0 && log.FindsName is { } name ? $", see {name}" : "";
+        string blocks = log.Blocks.Count == 1 ? "1 block" : $"{log.Blocks.Count} blocks";
         return Say.Line($"{pairs} pairs, seed {log.Seed}: {proved} proved, {open} open, {refuted} refuted{finds}\n")
-            + Say.Line($"{log.Blocks.Count} blocks, {log.Blocks.Count - before} of them now on {threads} threads; ")
+            + Say.Line($"{blocks}, {log.Blocks.Count - before} of them now on {threads} threads; ")
             + Say.Line($"{nanoseconds:F0} ns a pair and thread\n");
     }
 }

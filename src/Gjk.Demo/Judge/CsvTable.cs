@@ -88,10 +88,12 @@ internal sealed class CsvRow(CsvTable table, int line, List<string> cells)
             ? value
             : throw Refuse(column, "must be a whole number, at least 0");
 
-    /// <summary>Any number, NaN and infinity too, as C, Python and .NET write them.</summary>
+    /// <summary>Any number, NaN and infinity too, as C, Python and .NET write them. NaN where the cell is
+    /// empty.</summary>
     public double Number(string column)
     {
         string text = this[column];
+        if (text.Length == 0) return double.NaN;
         if (text is "inf" or "+inf") return double.PositiveInfinity;
         if (text == "-inf") return double.NegativeInfinity;
         return double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)

@@ -16,7 +16,7 @@ internal static class JudgeCommand
     {
         var results = File("RESULTS.csv", "The answers, in the columns that query or cast writes. Others are skipped.");
         var scene = File("SCENE.json", "The scene that was asked about.");
-        var expected = File("EXPECTED.csv", "The proved answers. docs/cases.md describes all three files.");
+        var expected = File("EXPECTED.csv", "The proved answers, one row for each pair of SCENE.json.");
         var lines = new Option<int>("--lines")
         {
             Description = "How many wrong answers are shown.",

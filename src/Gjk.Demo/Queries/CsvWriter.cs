@@ -13,6 +13,9 @@ internal sealed class CsvWriter
     /// <summary>The columns of casts, in order.</summary>
     public const string Casts = "a,b,status,fraction,px,py,pz,nx,ny,nz,iterations";
 
+    /// <summary>The columns of contact points, in order.</summary>
+    public const string Contacts = "a,b,part_a,part_b,point,gap,ax,ay,az,bx,by,bz,nx,ny,nz,feature";
+
     /// <summary>The columns that follow those of distances with the numbers of the parts.</summary>
     public const string Parts = ",part_a,part_b";
 
@@ -35,7 +38,8 @@ internal sealed class CsvWriter
     private int _used;
 
     /// <param name="stream">Where to write.</param>
-    /// <param name="columns">The columns, <see cref="Distances"/> or <see cref="Casts"/>; null for no heading.</param>
+    /// <param name="columns">The columns, <see cref="Distances"/>, <see cref="Casts"/> or
+    /// <see cref="Contacts"/>; null for no heading.</param>
     /// <param name="names">The name of each object as a field of CSV, or null for a table without names.</param>
     /// <param name="isChecked">Whether the rows end with a verdict.</param>
     public CsvWriter(Stream stream, string? columns, string[]? names = null, bool isChecked = false)
@@ -47,6 +51,9 @@ internal sealed class CsvWriter
         Add(columns + (names is null ? "" : NameColumns) + (isChecked ? CheckColumn : ""));
         EndRow();
     }
+
+    /// <summary>How many rows were written, without the heading.</summary>
+    public long Rows { get; private set; }
 
     /// <summary>How many rows have a refuted answer.</summary>
     public int RefutedRows { get; private set; }
@@ -65,6 +72,28 @@ internal sealed class CsvWriter
         AddPart(result.PartA);
         AddPart(result.PartB);
         EndRow(a, b, verdict);
+    }
+
+    /// <summary>A row of <see cref="Contacts"/>.</summary>
+    /// <param name="a">The first object.</param>
+    /// <param name="b">The second object.</param>
+    /// <param name="contacts">What two parts of them have.</param>
+    /// <param name="index">The point among those of the two parts.</param>
+    public void Write(int a, int b, in PartContacts contacts, int index)
+    {
+        if (_used > BufferBytes - RowBytes) Flush();
+        ManifoldPoint point = contacts.Manifold[index];
+        Add(a);
+        Add(b);
+        AddPart(contacts.PartA);
+        AddPart(contacts.PartB);
+        Add(index);
+        Add(point.Gap);
+        Add(point.PointA);
+        Add(point.PointB);
+        Add(contacts.Manifold.Normal);
+        Add<long>(point.FeatureId, default);
+        EndRow(a, b, default);
     }
 
     private void AddRow(int a, int b, in DistanceResult result)
@@ -90,8 +119,8 @@ internal sealed class CsvWriter
         Add(b);
         Add(StatusName(result.Status));
         Add(result.Fraction);
-        AddOrNothing(result.Point);
-        AddOrNothing(result.Normal);
+        Add(result.Point);
+        Add(result.Normal);
         Add(result.Iterations);
         EndRow(a, b, verdict);
     }
@@ -128,12 +157,6 @@ internal sealed class CsvWriter
         _ => throw new ArgumentOutOfRangeException(nameof(status), status, "Unknown status."),
     };
 
-    private void AddOrNothing(Vector3 v)
-    {
-        if (!float.IsNaN(v.X)) Add(v);
-        else for (int i = 0; i < 3; i++) _buffer[_used++] = (byte)',';
-    }
-
     /// <summary>A part's number; empty where there is none.</summary>
     private void AddPart(int part)
     {
@@ -148,8 +171,12 @@ internal sealed class CsvWriter
         Add(v.Z);
     }
 
-    /// <summary>Adding 0 turns -0 into 0.</summary>
-    private void Add(float value) => Add<float>(value + 0f, "R");
+    /// <summary>What is not known is empty. Adding 0 turns -0 into 0.</summary>
+    private void Add(float value)
+    {
+        if (float.IsFinite(value)) Add<float>(value + 0f, "R");
+        else _buffer[_used++] = (byte)',';
+    }
 
     private void Add(int value) => Add<int>(value, default);
 
@@ -185,6 +212,7 @@ internal sealed class CsvWriter
 
         if (_isChecked) Add(VerdictName(verdict));
         if (verdict == CheckStatus.Refuted) RefutedRows++;
+        Rows++;
         EndRow();
     }
 

@@ -39,6 +39,9 @@ internal sealed class PairInput
 
     private readonly Option<Shard> _shard = Shard.Option();
 
+    /// <summary>The option that asks for verdicts.</summary>
+    public Option Check => _check;
+
     /// <summary>Adds the argument and the options to a command.</summary>
     public PairInput(Command command)
     {

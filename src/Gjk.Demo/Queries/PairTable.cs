@@ -32,32 +32,33 @@ internal sealed class PairTable
     public bool IsChecked { get; }
 
     /// <param name="columns">The columns without the names and the verdict.</param>
-    /// <param name="write">Writes the row of two objects.</param>
+    /// <param name="write">Writes the rows of two objects.</param>
+    /// <param name="thing">What a row is of.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
     /// <returns>The exit code: Failed where an answer is refuted.</returns>
-    public int Write(string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
+    public int Write(
+        string columns, Action<CsvWriter, int, int> write, CancellationToken cancel, string thing = "pair")
     {
-        int refuted;
+        CsvWriter rows;
         if (_output is null)
         {
             using Stream stdout = OutputConsole.OpenStream(cancel);
-            refuted = Write(stdout, columns, write, cancel);
+            rows = Write(stdout, columns, write, cancel);
         }
         else
         {
             using var file = new AtomicFile(_output, cancel);
-            refuted = Write(file.Stream, columns, write, cancel);
+            rows = Write(file.Stream, columns, write, cancel);
             file.Commit();
         }
 
-        if (_output is not null) StandardError.Wrote(_scene.Pairs.Count, "pair", _output);
-        if (refuted == 0) return ExitCode.Done;
-        StandardError.Line($"the check refutes {refuted} of {_scene.Pairs.Count} answers");
+        if (_output is not null) StandardError.Wrote(rows.Rows, thing, _output);
+        if (rows.RefutedRows == 0) return ExitCode.Done;
+        StandardError.Line($"the check refutes {rows.RefutedRows} of {rows.Rows} answers");
         return ExitCode.Failed;
     }
 
-    /// <returns>How many answers are refuted.</returns>
-    private int Write(Stream stream, string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
+    private CsvWriter Write(Stream stream, string columns, Action<CsvWriter, int, int> write, CancellationToken cancel)
     {
         var rows = new CsvWriter(stream, _hasHeading ? columns : null, _names, IsChecked);
         int untilLook = 0;
@@ -73,6 +74,6 @@ internal sealed class PairTable
         }
 
         rows.Flush();
-        return rows.RefutedRows;
+        return rows;
     }
 }

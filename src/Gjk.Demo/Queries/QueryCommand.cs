@@ -11,12 +11,14 @@ internal static class QueryCommand
     /// <param name="table">The table to write.</param>
     /// <param name="maxDistance">Pairs further apart are reported as such, without a distance. +infinity asks for all
     /// distances.</param>
+    /// <param name="onlyNear">Whether pairs further apart are left out.</param>
     /// <param name="depth">Whether overlapping pairs are answered with their depth.</param>
     /// <param name="parts">Whether two columns say which triangles or parts the distance is between.</param>
     /// <param name="cancel">Ends the work. No file is left then.</param>
     /// <returns>The exit code.</returns>
     public static int Run(
-        Scene scene, PairTable table, float maxDistance, bool depth, bool parts, CancellationToken cancel)
+        Scene scene, PairTable table, float maxDistance, bool onlyNear, bool depth, bool parts,
+        CancellationToken cancel)
     {
         SceneObject[] objects = scene.Objects;
         var scratch = new ConcaveScratch();
@@ -25,6 +27,7 @@ internal static class QueryCommand
             (rows, a, b) =>
             {
                 PartDistance answer = Answer(objects[a], objects[b], maxDistance, depth, scratch);
+                if (onlyNear && answer.Result.Status == GjkStatus.BeyondMaxDistance) return;
                 CheckStatus verdict = table.IsChecked ? Check(objects[a], objects[b], answer.Result, depth) : default;
                 if (parts) rows.Write(a, b, answer, verdict);
                 else rows.Write(a, b, answer.Result, verdict);

@@ -19,7 +19,7 @@ internal readonly record struct Shard(int Number, int Of)
     public static Option<Shard> Option() => new("--shard")
     {
         Description = "Answer only the K-th of N equal parts of the pairs, for work on many machines. Only the first "
-            + "has the heading, so all parts in order are the bytes of one run: docs/tasks/many-machines.md.",
+            + "has the heading, so all parts in order are the bytes of one run.",
         HelpName = "K/N",
         DefaultValueFactory = _ => Whole,
         CustomParser = result =>

@@ -17,7 +17,17 @@ internal static class ReplayTable
         if (reports.Any(r => r.Published is not null)) console.WriteLine($"report: {PublishedFigures.Machine}");
         console.WriteLine($"here:   {TextTable.ThisMachine}");
         console.WriteLine($"hash:   {string.Join(", ", reports.Select(r => $"{PlainText.Of(r.Name)} {r.Hash}"))}");
+        console.WriteLine();
+        foreach (string line in Explanations(reports.Any(r => r.Published is not null))) console.WriteLine(line);
         foreach (SceneReport report in reports) PrintPairs(console, report);
+    }
+
+    private static IEnumerable<string> Explanations(bool hasFactor)
+    {
+        yield return "loops: supports asked of each shape until the answer is proved, mean of all";
+        yield return "time in support: what a second search of each support point adds to the time";
+        if (hasFactor) yield return "factor: the report's milliseconds per frame over the median here";
+        yield return "hash: of the bits of all answers, the same on every machine";
     }
 
     /// <summary>The rows of the table as text. The first row is the heading.</summary>

@@ -27,7 +27,7 @@ internal static class SceneReplay
 
         WarmUp.Run(ask, length.Frames is null ? WarmUp.Usual : WarmUp.Short, cancel);
         Samples frames = Measure(ask, length, progress, cancel, out long bytes);
-        double? supportShare = scene.HasPlainMeshes ? new SupportReplay(scene.Scene, cancel).Share() : null;
+        double? supportShare = scene.HasPlainMeshes ? new SupportShare(scene.Scene, cancel).Measure() : null;
         return new SceneReport(scene, pairs.A, pairs.B, results)
         {
             Frames = frames.Count,

@@ -67,7 +67,7 @@ internal sealed class SceneReport
     /// <summary>The 99th percentile of the frame times.</summary>
     public double P99Ms { get; init; }
 
-    /// <summary>Which part of the queries is the search for support points: <see cref="SupportReplay"/>. Null if not
+    /// <summary>Which part of the queries is the search for support points: <see cref="Replay.SupportShare"/>. Null if not
     /// all shapes are meshes.</summary>
     public double? SupportShare { get; init; }
 

@@ -4,7 +4,7 @@ using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>Writes a scene with every shape, as a beginning for the user's own.</summary>
+/// <summary>Writes a scene with every convex shape, as a beginning for the user's own.</summary>
 internal static class ExampleCommand
 {
     private const string Resource = "example.scene.json";
@@ -18,8 +18,7 @@ internal static class ExampleCommand
         };
         var command = new Command(
             "example",
-            "Write a scene with every shape, to begin with. docs/scene-format.md describes the format, and "
-            + "docs/scene.schema.json is its JSON schema.")
+            "Write a scene with every convex shape, to begin with. gjk-demo query reads it.")
         {
             output,
         };

@@ -200,9 +200,8 @@ internal ref struct StrictJsonReader
     /// Here the position comes first and is counted from 1.</summary>
     private readonly RefusedException Syntax(JsonException e)
     {
-        int tail = e.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);
-        string reason = tail < 0 ? e.Message : e.Message[..tail];
-        return Refuse($"not valid JSON at line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}: {reason}");
+        return Refuse(
+            $"not valid JSON at line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}: {JsonFault.Reason(e)}");
     }
 
     private static string Describe(JsonTokenType type) => type switch

@@ -18,7 +18,7 @@ internal static class Convexity
         ConvexHull hull = part.Hull;
         if (hull.Dimension < 3) return FlatWarning(part, hull);
         if (!IsClosed(part))
-            return "is not closed, so whether it is convex is not known: it is taken as the hull of its points";
+            return "is not closed, so whether it is convex is not known: as a convex shape it is the hull of its points";
 
         double share = Math.Abs(Volume(part, hull.Center)) / Volume(hull);
         return share >= 1 - Tolerance && share <= 1 + Tolerance ? null : "is not convex: " + Shares(share);
@@ -28,8 +28,8 @@ internal static class Convexity
     {
         string percent = (share * 100).ToString("0.##", CultureInfo.InvariantCulture);
         return share > 1
-            ? $"its triangles overlap and enclose {percent} % of its hull's volume; it is taken as its hull"
-            : $"it fills {percent} % of its hull's volume; it is taken as its hull";
+            ? $"its triangles overlap and enclose {percent} % of its hull's volume; as a convex shape it is its hull"
+            : $"it fills {percent} % of its hull's volume; as a convex shape it is its hull";
     }
 
     /// <summary>The area of one side stands for the volume.</summary>
@@ -48,7 +48,7 @@ internal static class Convexity
         // The hull has both sides; a part has one of them or both.
         double share = 2 * area / hullArea;
         if (IsWhole(share) || IsWhole(share / 2)) return null;
-        return "is flat, and its triangles do not fill its outline once: it is taken as the hull of its points";
+        return "is flat, and its triangles do not fill its outline once: as a convex shape it is the hull of its points";
     }
 
     private static bool IsWhole(double share) => Math.Abs(share - 1) <= Tolerance;

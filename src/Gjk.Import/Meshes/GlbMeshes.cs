@@ -101,13 +101,13 @@ internal sealed class GlbMeshes
     private static List<int> Faces(int[] indices, int mode)
     {
         var faces = new List<int>();
+        if (mode == Strip) TriangleStrip.Append(indices, faces);
         int step = mode == Triangles ? 3 : 1;
-        for (int i = 0; mode is Triangles or Strip or Fan && i + 2 < indices.Length; i += step)
+        for (int i = 0; mode is Triangles or Fan && i + 2 < indices.Length; i += step)
         {
-            bool isOdd = mode == Strip && i % 2 == 1;
             faces.Add(mode == Fan ? indices[0] : indices[i]);
-            faces.Add(indices[isOdd ? i + 2 : i + 1]);
-            faces.Add(indices[isOdd ? i + 1 : i + 2]);
+            faces.Add(indices[i + 1]);
+            faces.Add(indices[i + 2]);
         }
 
         return faces;

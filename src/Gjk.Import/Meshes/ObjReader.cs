@@ -17,6 +17,7 @@ internal sealed class ObjReader
     private readonly Dictionary<string, List<Vector3>> _loose = new(StringComparer.Ordinal);
     private readonly Dictionary<string, List<Vector3>> _points = new(StringComparer.Ordinal);
     private readonly List<string> _order = [];
+    private readonly PolygonTriangles _polygons = new();
     private string _object = "", _group = "";
     private string? _unknown;
 
@@ -115,23 +116,21 @@ internal sealed class ObjReader
         points.Add(vertex);
     }
 
-    /// <summary>A polygon becomes a fan of triangles. For its volume it does not matter which.</summary>
     private void ReadFace(IReadOnlyList<string> words)
     {
-        if (words.Count < 4) throw _text.Refuse($"a face needs three corners, but has {words.Count - 1}");
+        var polygon = new int[words.Count - 1];
+        for (int i = 0; i < polygon.Length; i++) polygon[i] = Corner(words[i + 1]);
+        var triangles = new List<int>();
+        PolygonFaults faults = _polygons.Append(_vertices, polygon, triangles);
+        if (faults != PolygonFaults.None) _log.WarnOf($"{_file}:{_text.Line}", faults);
+        if (triangles.Count == 0) return;
         if (!_faces.TryGetValue(PartName, out List<int>? corners))
         {
             _faces[PartName] = corners = [];
             if (!_loose.ContainsKey(PartName)) _order.Add(PartName);
         }
 
-        int first = Corner(words[1]);
-        for (int i = 2; i + 1 < words.Count; i++)
-        {
-            corners.Add(first);
-            corners.Add(Corner(words[i]));
-            corners.Add(Corner(words[i + 1]));
-        }
+        corners.AddRange(triangles);
     }
 
     /// <summary>Lines and points have no faces. They count only in a part that has nothing else.</summary>

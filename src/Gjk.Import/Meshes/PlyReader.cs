@@ -16,6 +16,10 @@ internal sealed class PlyReader
     private readonly List<Vector3> _vertices = [];
     private readonly List<int> _triangles = [];
     private readonly List<double> _list = [];
+
+    /// <summary>The corners of all faces, one behind the other, and where each begins. They are cut when all vertices
+    /// are known.</summary>
+    private readonly List<int> _corners = [], _faces = [];
     private int _next, _word;
     private string _place = "";
 
@@ -36,15 +40,32 @@ internal sealed class PlyReader
         foreach (PlyElement element in reader._header.Elements) reader.Rows(element, cancel);
         reader.WarnOfRest();
         if (reader._vertices.Count == 0) throw new ImportException($"{file}: there are no vertices in it");
-        foreach (int corner in reader._triangles)
-        {
-            if ((uint)corner >= (uint)reader._vertices.Count)
-                throw new ImportException(
-                    $"{file}: a face names vertex {corner}, but there are {reader._vertices.Count}, counted from 0");
-        }
-
+        reader.CutFaces(cancel);
         string name = System.IO.Path.GetFileNameWithoutExtension(file);
         return [ImportedMesh.Weld(name, reader._vertices, reader._triangles)];
+    }
+
+    private void CutFaces(CancellationToken cancel)
+    {
+        foreach (List<int> corners in (List<int>[])[_corners, _triangles])
+        {
+            foreach (int corner in corners)
+            {
+                if ((uint)corner < (uint)_vertices.Count) continue;
+                throw new ImportException(
+                    $"{_file}: a face names vertex {corner}, but there are {_vertices.Count}, counted from 0");
+            }
+        }
+
+        int[] all = _corners.ToArray();
+        var polygons = new PolygonTriangles();
+        for (int i = 0; i < _faces.Count; i++)
+        {
+            if (i % RowsPerLook == 0) cancel.ThrowIfCancellationRequested();
+            int end = i + 1 < _faces.Count ? _faces[i + 1] : all.Length;
+            PolygonFaults faults = polygons.Append(_vertices, all.AsSpan(_faces[i]..end), _triangles);
+            if (faults != PolygonFaults.None) _log.WarnOf($"{_file}: face {i}", faults);
+        }
     }
 
     /// <summary>Rows that the header does not count, or bytes behind the last row.</summary>
@@ -63,9 +84,10 @@ internal sealed class PlyReader
     {
         int x = element.IndexOf("x"), y = element.IndexOf("y"), z = element.IndexOf("z");
         bool isVertex = element.Name == "vertex", isFace = element.Name == "face";
+        bool isStrip = element.Name == "tristrips";
         _place = element.Name;
         if (isVertex && (x < 0 || y < 0 || z < 0)) throw Refuse("the properties x, y and z are needed");
-        int corners = isFace
+        int corners = isFace || isStrip
             ? element.Properties.FindIndex(p => p.Length is not null && p.Name is "vertex_indices" or "vertex_index")
             : -1;
         var row = new double[element.Properties.Count];
@@ -77,9 +99,11 @@ internal sealed class PlyReader
             for (int k = 0; k < row.Length; k++)
             {
                 PlyProperty property = element.Properties[k];
-                if (property.Length is null) row[k] = Value(property.Type);
-                else List(property);
-                if (k == corners) Face();
+                if (property.Length is not null) List(property, k == corners);
+                else row[k] = Value(property.Type, isVertex && (k == x || k == y || k == z));
+                if (k != corners) continue;
+                if (isFace) Face();
+                else Strips();
             }
 
             EndRow();
@@ -91,13 +115,23 @@ internal sealed class PlyReader
 
     private void Face()
     {
-        if (_list.Count < 3) _log.Warn($"{_file}: {_place}", "a face of fewer than three corners is left out");
-        for (int i = 1; i + 1 < _list.Count; i++)
+        _faces.Add(_corners.Count);
+        foreach (double corner in _list) _corners.Add(Corner(corner));
+    }
+
+    /// <summary>Many strips are one list, with -1 between them.</summary>
+    private void Strips()
+    {
+        var strip = new List<int>();
+        foreach (double corner in _list)
         {
-            _triangles.Add(Corner(_list[0]));
-            _triangles.Add(Corner(_list[i]));
-            _triangles.Add(Corner(_list[i + 1]));
+            if (corner != -1) strip.Add(Corner(corner));
+            if (corner != -1) continue;
+            TriangleStrip.Append(strip.ToArray(), _triangles);
+            strip.Clear();
         }
+
+        TriangleStrip.Append(strip.ToArray(), _triangles);
     }
 
     private int Corner(double value) =>
@@ -105,18 +139,21 @@ internal sealed class PlyReader
             ? (int)value
             : throw Refuse($"there is no vertex {value.ToString(CultureInfo.InvariantCulture)}");
 
-    private void List(PlyProperty property)
+    private void List(PlyProperty property, bool isUsed)
     {
-        double length = Value(property.Length!.Value);
+        double length = Value(property.Length!.Value, true);
         if (length < 0 || length != Math.Floor(length))
             throw Refuse("the length of a list is not a number of elements");
         _list.Clear();
-        for (long i = 0; i < length; i++) _list.Add(Value(property.Type));
+        for (long i = 0; i < length; i++) _list.Add(Value(property.Type, isUsed));
     }
 
-    private double Value(PlyType type) => _header.Format == PlyFormat.Text ? Word(type) : Binary(type);
+    /// <param name="type">The number's type.</param>
+    /// <param name="isUsed">False for colours and the like, of which a text may say anything.</param>
+    private double Value(PlyType type, bool isUsed) =>
+        _header.Format == PlyFormat.Text ? Word(type, isUsed) : Binary(type);
 
-    private double Word(PlyType type)
+    private double Word(PlyType type, bool isUsed)
     {
         if (_word >= _text.Words.Count)
         {
@@ -126,6 +163,7 @@ internal sealed class PlyReader
         }
 
         string word = _text.Words[_word++];
+        if (!isUsed) return double.NaN;
         if (type == PlyType.Float32) return _text.Number(word);
         bool isNumber = double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double value);
         return isNumber ? value : throw _text.Refuse($"\"{MeshText.Short(word)}\" is not a number");

@@ -4,16 +4,27 @@ import { Engine } from './runtime/engine.js';
 
 const STILL = [0, 0, 0];
 
+// The library counts in floats, whose range is smaller than that of JavaScript's numbers.
+const isFloat = (value) => Number.isFinite(value) && Number.isFinite(Math.fround(value));
+
 function numbers(name, count, values) {
   const list = Array.from(values ?? []);
-  if (list.length === count && list.every(Number.isFinite)) return list;
+  if (list.length === count && list.every(isFloat)) return list;
   throw new TypeError(`${name} must be ${count} finite numbers, but is ${values}`);
 }
 
 function number(name, value) {
-  if (Number.isFinite(value)) return value;
+  if (isFloat(value)) return value;
   throw new TypeError(`${name} must be a finite number, but is ${value}`);
 }
+
+function notNegative(name, value) {
+  for (const one of [value].flat()) if (one < 0) throw new RangeError(`${name} must not be negative, but is ${value}`);
+  return value;
+}
+
+const size = (name, value) => notNegative(name, number(name, value));
+const sizes = (name, values) => notNegative(name, numbers(name, 3, values)).join(' ');
 
 const motion = ({ rotation = [0, 0, 0, 1], position = STILL } = {}, velocity = STILL) => [
   ...numbers('rotation', 4, rotation), ...numbers('position', 3, position), ...numbers('velocity', 3, velocity),
@@ -50,25 +61,34 @@ class Gjk {
     this.#engine = engine;
   }
 
-  #shape = (words) => Object.freeze({ words, id: this.#engine.shape(words) });
-
-  #standing = (type, radius, halfHeight) =>
-    this.#shape(`${type} ${number('radius', radius)} ${number('halfHeight', halfHeight)} 0`);
-
-  point = () => this.#shape('point 0');
-  sphere = (radius) => this.#shape(`point ${number('radius', radius)}`);
-
-  capsule(radius, halfHeight) {
-    const half = number('halfHeight', halfHeight);
-    return this.#shape(`segment 0 ${half} 0 0 ${-half} 0 ${number('radius', radius)}`);
+  #shape(words) {
+    try {
+      return Object.freeze({ words, id: this.#engine.shape(words) });
+    } catch (error) {
+      // The words are made here: the caller knows the argument that the message names, not the place of a word.
+      throw new RangeError(error.message.replace(/^Before word \d+: /, ''));
+    }
   }
 
-  box = (halfExtents) => this.#shape(`box ${numbers('halfExtents', 3, halfExtents).join(' ')}`);
+  #standing = (type, radius, halfHeight) =>
+    this.#shape(`${type} ${size('radius', radius)} ${size('halfHeight', halfHeight)} 0`);
+
+  point = () => this.#shape('point 0');
+  sphere = (radius) => this.#shape(`point ${size('radius', radius)}`);
+
+  capsule(radius, halfHeight) {
+    const half = size('halfHeight', halfHeight);
+    return this.#shape(`segment 0 ${half} 0 0 ${-half} 0 ${size('radius', radius)}`);
+  }
+
+  box = (halfExtents) => this.#shape(`box ${sizes('halfExtents', halfExtents)}`);
   cylinder = (radius, halfHeight) => this.#standing('cylinder', radius, halfHeight);
   cone = (radius, halfHeight) => this.#standing('cone', radius, halfHeight);
-  ellipsoid = (radii) => this.#shape(`ellipsoid ${numbers('radii', 3, radii).join(' ')}`);
+  ellipsoid = (radii) => this.#shape(`ellipsoid ${sizes('radii', radii)}`);
 
   mesh(points) {
+    if (!Array.isArray(points) || points.length === 0)
+      throw new TypeError(`points must be an array of at least one point, but is ${points}`);
     const corners = points.flatMap((point, i) => numbers(`points[${i}]`, 3, point)).map(Math.fround);
     return this.#shape(`mesh ${points.length} ${corners.join(' ')}`);
   }
@@ -89,7 +109,7 @@ class Gjk {
 
   contacts(a, poseA, b, poseB, maxGap = 0) {
     this.depth(a, poseA, b, poseB);
-    const { normal, points } = this.#engine.contacts(0, 1, maxGap);
+    const { normal, points } = this.#engine.contacts(0, 1, number('maxGap', maxGap));
     return { normal: [...normal], points: points.map(({ point, gap }) => ({ point: [...point], gap })) };
   }
 
@@ -109,10 +129,12 @@ class Scene {
   }
 
   setPose(body, pose) {
+    if (!this.#bodies[body]) throw new RangeError(`body must be a number that add returned, but is ${body}`);
     this.#bodies[body][1] = motion(pose);
   }
 
   pairsWithin(distance) {
+    if (!(distance >= 0)) throw new RangeError(`distance must be at least 0, but is ${distance}`);
     this.#engine.reserve(this.#bodies.length, 1);
     this.#bodies.forEach(([shape, at], i) => this.#engine.set(i, shape, at));
     return this.#engine.pairsWithin(this.#bodies.length, distance);

@@ -4,7 +4,7 @@ using Xunit.Abstractions;
 
 namespace Gjk.Core.Tests.Api;
 
-/// <summary>The folders of the library depend on each other as the README draws it. Solvers know nothing of shapes,
+/// <summary>The folders of the library depend on each other as CONTRIBUTING draws it. Solvers know nothing of shapes,
 /// shapes know nothing of solvers, and queries join them. The test reads the sources, because the compiler does not
 /// know folders.</summary>
 public class FolderTests(ITestOutputHelper output)

@@ -73,7 +73,7 @@ public class WorstCaseTests
         foreach (IBroadPhase phase in phases) boxes.AddTo(phase);
         List<ObjectPair> found = [];
         List<int> foundIds = [];
-        for (int frame = 0; frame < Budget.Count(100); frame++)
+        for (int frame = 0; frame < Budget.Few(100); frame++)
         {
             float margin = frame % 5 == 4 ? frame % 3 : 0;
             Aabb place = boxes.Box(frame % Few);

@@ -199,10 +199,8 @@ public class BruteForceTests
             }));
     }
 
-    private static bool IsBefore(in CastResult a, in CastResult b) =>
-        a.Fraction != b.Fraction
-            ? a.Fraction < b.Fraction
-            : a.Status == CastStatus.OverlappingAtStart && b.Status != CastStatus.OverlappingAtStart;
+    /// <summary>Of equals the first in the order of the parts stays.</summary>
+    private static bool IsBefore(in CastResult one, in CastResult other) => one.Order.CompareTo(other.Order) < 0;
 
     /// <summary>Two shapes and their poses, from a seed.</summary>
     private sealed class Pair

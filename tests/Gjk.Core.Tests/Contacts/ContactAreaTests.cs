@@ -19,7 +19,7 @@ public class ContactAreaTests
     {
         var rng = new Rng((ulong)kind);
         int count = 0;
-        for (int i = 0; i < Budget.Count(1500); i++)
+        for (int i = 0; i < Budget.Few(1500); i++)
         {
             (ConvexShape a, List<Vector2> faceA) = Face(kind, rng);
             (ConvexShape b, List<Vector2> faceB) = i % 6 == 0 ? (a, faceA) : Face(i % 4, rng);
@@ -52,7 +52,7 @@ public class ContactAreaTests
     public void AStackOfEqualTrianglesKeepsItsCorners()
     {
         var rng = new Rng(21);
-        for (int i = 0; i < Budget.Count(4000); i++)
+        for (int i = 0; i < Budget.Few(4000); i++)
         {
             Vector3 At() => new(rng.Float(-2, 2), 0, rng.Float(-2, 2));
             Vector3 a = At(), b = At(), c = At(), shift = new(rng.Float(-1e-5, 1e-5), 0, rng.Float(-1e-5, 1e-5));

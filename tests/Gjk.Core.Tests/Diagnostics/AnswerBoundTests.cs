@@ -17,7 +17,7 @@ public class AnswerBoundTests
     public void AGapIsTrueToItsNoise(string kind)
     {
         double worst = 0;
-        for (ulong i = 0; i < (ulong)Budget.Count(400); i++)
+        for (ulong i = 0; i < (ulong)Budget.Few(400); i++)
         {
             TestPair p = Generators.Pair(i, [kind, "hull"]);
             ConvexShape a = p.A.Shape, b = p.B.Shape;
@@ -42,7 +42,7 @@ public class AnswerBoundTests
     [Fact]
     public void AMovedGapIsTrueToItsNoise()
     {
-        for (ulong i = 0; i < (ulong)Budget.Count(400); i++)
+        for (ulong i = 0; i < (ulong)Budget.Few(400); i++)
         {
             var rng = new Rng(i);
             TestPair p = Generators.Pair(i, ["hull", "box"]);

@@ -23,8 +23,8 @@ public class MinkowskiDifferenceTests
             foreach (Double3 normal in Directions.Few)
             {
                 Simplex simplex = default;
-                Double3 w = MinkowskiDifference.Support(
-                    ref shapeA, ref shapeB, frame, normal, ref simplex, 2, out int ids);
+                int ids = MinkowskiDifference.Support(
+                    ref shapeA, ref shapeB, frame, normal, ref simplex, 2, out Double3 w);
                 (int idA, int idB) = (simplex.IdA(2), simplex.IdB(2));
                 Assert.Equal(idA | idB, ids);
                 Assert.Equal(w, simplex.W(2));

@@ -35,7 +35,7 @@ public class SupportDirectionTests
     public void Points(int exponent)
     {
         float scale = MathF.Pow(10, exponent);
-        for (int seed = 0; seed < Budget.Count(50 * Rounds); seed++)
+        for (int seed = 0; seed < Budget.Few(50 * Rounds); seed++)
         {
             var rng = new Rng((ulong)seed);
             foreach (PlainKind kind in Kinds)
@@ -77,7 +77,7 @@ public class SupportDirectionTests
     private static void ForAllPairs(int exponent, Func<Rng, float, Vector3> place, bool turned)
     {
         float scale = MathF.Pow(10, exponent);
-        for (int seed = 0; seed < Budget.Count(Rounds); seed++)
+        for (int seed = 0; seed < Budget.Few(Rounds); seed++)
         {
             var rng = new Rng((ulong)seed);
             foreach (PlainKind kind in Kinds)

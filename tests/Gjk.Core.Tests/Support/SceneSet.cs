@@ -81,9 +81,37 @@ internal sealed class SceneSet
     public RayCastResult RayCast(int i, in RayQuery ray, in CastOptions options) =>
         ConvexQuery.RayCast(World.Shapes[i], World.Poses[i], ray.Origin, ray.Direction, ray.MaxDistance, options);
 
-    public CastResult Cast(
-        int i, in ConvexShape shape, in RigidPose pose, Vector3 motion, float most, in CastOptions options) =>
-        ConvexQuery.Cast(shape, pose, motion, World.Shapes[i], World.Poses[i], Vector3.Zero, most, options);
+    /// <summary>A cast against one object, of a body that is out of all of them at another pose.</summary>
+    public PartCast PartCast(
+        int i, in ConvexShape shape, in RigidPose pose, Vector3 motion, float most, in CastOptions options,
+        in RigidPose lifted)
+    {
+        (ConvexShape other, RigidPose at) = (World.Shapes[i], World.Poses[i]);
+        CastResult found = ConvexQuery.Cast(shape, pose, motion, other, at, Vector3.Zero, most, options);
+        bool isPassed = lifted != pose && !ConvexQuery.Cast(
+            shape, lifted, motion, other, at, Vector3.Zero, most, UnionLift.OptionsAt(lifted, options)).MayHit;
+        if (found.MayHit && isPassed) found = CastResult.Nothing(CastStatus.Miss, most, 0);
+        MetFeature feature = found.Status == CastStatus.Hit
+            ? MetFeatures.Of(shape, pose, other, at, found.Normal)
+            : MetFeature.None;
+        return new PartCast(found, -1, -1, feature);
+    }
+
+    /// <summary>Where a body is out of all objects that it may see, by the deepest after the other.</summary>
+    public RigidPose Lifted(
+        ConvexShape shape, RigidPose pose, in QueryFilter filter, in CastOptions options)
+    {
+        for (int i = 0; i < UnionLift.MostLifts && options.PassesShallow; i++)
+        {
+            RigidPose now = pose;
+            CastHit start = Seen(filter).Select(
+                k => new CastHit(k, PartCast(k, shape, now, Vector3.Zero, 0, default, now)))
+                .Where(h => h.Result.MayHit).Order().FirstOrDefault();
+            if (!UnionLift.TryMove(start.Result, options, -1, ref pose)) break;
+        }
+
+        return pose;
+    }
 
     public bool Overlaps(int i, in ConvexShape shape, in RigidPose pose) =>
         ConvexQuery.Overlaps(shape, pose, World.Shapes[i], World.Poses[i]);

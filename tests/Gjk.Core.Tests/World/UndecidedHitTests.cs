@@ -9,26 +9,28 @@ public class UndecidedHitTests
 
     private static readonly CastResult Undecided = CastResult.Nothing(CastStatus.IterationLimit, 0.25f, 128);
 
+    private static PartCast Part(in CastResult result) => new(result, -1, -1);
+
     [Fact]
     public void ACastThatIsUndecidedBeforeTheFirstHitIsTold()
     {
         var first = new FirstCastHit(null!, default, 1);
         Assert.Equal((-1, CastStatus.Miss), (first.Slot, first.Result.Status));
-        first.Take(7, LateHit);
-        first.Take(9, Undecided);
+        first.Take(7, Part(LateHit));
+        first.Take(9, Part(Undecided));
         Assert.Equal((9, CastStatus.IterationLimit, 0.25f), (first.Slot, first.Result.Status, first.Result.Fraction));
         Assert.False(first.Result.IsHit);
 
         // A hit before it, or at the same fraction with a lower number, comes first.
-        first.Take(8, new CastResult(CastStatus.Hit, 0.25f, default, default, 1));
+        first.Take(8, Part(new CastResult(CastStatus.Hit, 0.25f, default, default, 1)));
         Assert.Equal(8, first.Slot);
-        first.Take(1, Undecided);
+        first.Take(1, Part(Undecided));
         Assert.Equal(1, first.Slot);
-        first.Take(2, new CastResult(CastStatus.OverlappingAtStart, 0, default, Vector3.UnitX, 1, 0.5f));
+        first.Take(2, Part(new CastResult(CastStatus.OverlappingAtStart, 0, default, Vector3.UnitX, 1, 0.5f)));
         Assert.Equal(2, first.Slot);
-        first.Take(0, Undecided);
-        first.Take(0, CastResult.Nothing(CastStatus.Miss, 1, 1));
-        first.Take(0, CastResult.Nothing(CastStatus.InvalidShape, float.NaN, 1));
+        first.Take(0, Part(Undecided));
+        first.Take(0, Part(CastResult.Nothing(CastStatus.Miss, 1, 1)));
+        first.Take(0, Part(CastResult.Nothing(CastStatus.InvalidShape, float.NaN, 1)));
         Assert.Equal(2, first.Slot);
     }
 

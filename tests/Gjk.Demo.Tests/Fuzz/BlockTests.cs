@@ -19,7 +19,7 @@ public sealed class BlockTests
         run.AssertDone();
         Match said = Regex.Match(
             run.Out,
-            @"^20000 pairs, seed 3: (\d+) proved, (\d+) open, 0 refuted\n1 blocks, 1 of them now on 2 threads; "
+            @"^20000 pairs, seed 3: (\d+) proved, (\d+) open, 0 refuted\n1 block, 1 of them now on 2 threads; "
                 + @"\d+ ns a "
             + @"pair and thread\n$");
         Assert.True(said.Success, run.Out);

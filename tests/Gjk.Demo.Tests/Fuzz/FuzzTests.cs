@@ -10,9 +10,9 @@ public sealed class FuzzTests
     [Fact]
     public void ACountIsTriedAndNothingBreaks()
     {
-        DemoRun run = DemoRun.Of("fuzz", "--count", "1000", "--seed", "5");
+        DemoRun run = DemoRun.Of("fuzz", "--count", "300", "--seed", "5");
         run.AssertDone();
-        Assert.Matches(@"^1000 pairs tried in \d+\.\d s, \d+ pairs per second, seed 5: no promise broken\n$", run.Out);
+        Assert.Matches(@"^300 pairs tried in \d+\.\d s, \d+ pairs per second, seed 5: no promise broken\n$", run.Out);
     }
 
     [Fact]

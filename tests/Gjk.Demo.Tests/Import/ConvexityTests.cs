@@ -28,7 +28,7 @@ public sealed class ConvexityTests
         Vector3[] far = Box(new Vector3(1, 1, 1), new Vector3(3, 0, 0));
         ImportedMesh two = ImportedMesh.Weld("two", (Vector3[])[.. box, .. far], [.. Boxes(0), .. Boxes(8)]);
         Assert.Equal(
-            "is not convex: it fills 50 % of its hull's volume; it is taken as its hull", Convexity.Warning(two));
+            "is not convex: it fills 50 % of its hull's volume; as a convex shape it is its hull", Convexity.Warning(two));
 
         ImportedMesh twice = ImportedMesh.Weld("twice", box, [.. Boxes(0), .. Boxes(0)]);
         Assert.Contains("overlap and enclose 200 %", Convexity.Warning(twice));

@@ -58,8 +58,9 @@ public sealed class ImportCommandTests
         DemoRun run = DemoRun.Of("import", file, "--out", directory.File("scene.json"));
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(
-            $"gjk-demo: {file}: warning: the part \"default\" is not closed, so whether it is convex is not known: it "
-            + $"is taken as the hull of its points\ngjk-demo: wrote 1 object to {directory.File("scene.json")}\n",
+            $"gjk-demo: {file}: warning: the part \"default\" is not closed, so whether it is convex is not known: "
+            + $"as a convex shape it is the hull of its points\n"
+            + $"gjk-demo: wrote 1 object to {directory.File("scene.json")}\n",
             run.Error);
     }
 

@@ -54,8 +54,8 @@ public sealed class UnityMeshTests
         text.Mesh(4711, "notched", notched, faces);
         string scene = text.Save(directory, "scene.unity");
         Assert.Equal(
-            $"{scene}:{line}: fileID 4711 (Mesh): warning: it is not convex: it fills 37.5 % of its hull's volume; it "
-            + "is taken as its hull",
+            $"{scene}:{line}: fileID 4711 (Mesh): warning: it is not convex: it fills 37.5 % of its hull's volume; "
+            + "as a convex shape it is its hull",
             Assert.Single(Imported.Of(scene).Lines));
     }
 

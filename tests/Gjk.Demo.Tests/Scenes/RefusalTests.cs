@@ -65,13 +65,19 @@ public sealed class RefusalTests
 
     private static IEnumerable<(string Json, string Path, string Reason)> Roots() =>
     [
-        ("", "$", "not valid JSON at line 1, byte 1"),
+        ("", "$", "not valid JSON at line 1, byte 1: it is empty"),
         ("[]", "$", "must be an object"),
         ("""{"version":1,"objects":[]} {}""", "$", "not valid JSON at line 1"),
         ("{\"version\":1,\n \"objects\":[{]}", "$.objects[0]", "not valid JSON at line 2, byte 14"),
-        ("""{"version":1,"objects":[],}""", "$", "not valid JSON"),
+        ("""{"version":1,"objects":[],}""", "$",
+            "not valid JSON at line 1, byte 27: there is a comma behind the last field"),
+        ("""{"version":1,"objects":[{},]}""", "$.objects[0].shape", "missing"),
         ("""{"version":1,"objects":[] // none""", "$", "not valid JSON"),
-        ("""{"version":1,"objects":[""", "$.objects[0]", "not valid JSON"),
+        ("""{"version":1,"objects":[""", "$.objects[0]",
+            "not valid JSON at line 1, byte 25: it ends before an object or array is closed"),
+        ("""{"version":1,"name":"ab""", "$.name", "it ends within a text"),
+        ("""{"version":1,"name":""", "$.name", "not valid JSON at line 1, byte 21: it ends"),
+        ("""{"version":1,"name":tru""", "$.name", "not valid JSON at line 1"),
         ("""{"objects":[]}""", "$.version", "missing"),
         ("""{"version":2,"objects":[]}""", "$.version", "version 2 is not known"),
         ("""{"version":1.5,"objects":[]}""", "$.version", "must be the number 1"),

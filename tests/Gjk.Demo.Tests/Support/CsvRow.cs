@@ -32,9 +32,10 @@ public sealed record CsvRow(
             new Vector3(floats[8], floats[9], floats[10]), int.Parse(cells[15], CultureInfo.InvariantCulture));
     }
 
-    /// <summary>Accepts only the shortest text that gives the same float back.</summary>
+    /// <summary>Accepts only the shortest text that gives the same float back. An empty cell is unknown.</summary>
     private static float Float(string cell)
     {
+        if (cell.Length == 0) return float.NaN;
         float value = float.Parse(cell, NumberStyles.Float, CultureInfo.InvariantCulture);
         Assert.Equal(value.ToString("R", CultureInfo.InvariantCulture), cell);
         return value;

@@ -113,6 +113,8 @@ namespace UnityEngine
         /// <summary>How many warnings there were, for tests.</summary>
         public static int WarningCount { get; private set; }
 
+        public static bool isDebugBuild => false;
+
         public static void LogWarning(object message, Object context)
         {
             LastWarning = message.ToString();
@@ -133,6 +135,10 @@ namespace UnityEngine
     public class Application
     {
         public static bool isPlaying { get; set; }
+
+        public static bool isEditor => false;
+
+        public static string unityVersion => "2021.3.0f1";
     }
 
     public class Time

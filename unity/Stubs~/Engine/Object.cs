@@ -47,6 +47,9 @@ namespace UnityEngine
         public static T[] FindObjectsByType<T>(FindObjectsSortMode sortMode) where T : Object =>
             UnityStubs.World.All<T>();
 
+        /// <summary>Of Unity 6.4 and later.</summary>
+        public static T[] FindObjectsByType<T>() where T : Object => UnityStubs.World.All<T>();
+
         public override bool Equals(object other) => other is Object o ? this == o : other is null && this == null;
 
         public override int GetHashCode() => System.Runtime.CompilerServices.RuntimeHelpers.GetHashCode(this);

@@ -12,7 +12,7 @@ namespace Gjk.Unity
     /// be, and the exceptions for one that is not, are those of <see cref="GjkShapes"/>.</remarks>
     public static class GjkPhysics
     {
-        private static readonly ShapeSource First = new ShapeSource(), Second = new ShapeSource();
+        private static ShapeSource _first = new ShapeSource(), _second = new ShapeSource();
 
         /// <summary>How far two colliders are apart, or how deep they overlap, with the closest or deepest
         /// points.</summary>
@@ -53,9 +53,9 @@ namespace Gjk.Unity
         {
             if (a == null) throw new ArgumentNullException(nameof(a));
             if (b == null) throw new ArgumentNullException(nameof(b));
-            if (!First.Read(a, isSolid, withTriggers)) throw new ArgumentException(First.Problem, nameof(a));
-            if (!Second.Read(b, isSolid, withTriggers)) throw new ArgumentException(Second.Problem, nameof(b));
-            return First.DistanceTo(Second);
+            if (!_first.Read(a, isSolid, withTriggers)) throw new ArgumentException(_first.Problem, nameof(a));
+            if (!_second.Read(b, isSolid, withTriggers)) throw new ArgumentException(_second.Problem, nameof(b));
+            return _first.DistanceTo(_second);
         }
 
         /// <summary>How far a collider is from each of a list.</summary>
@@ -183,6 +183,15 @@ namespace Gjk.Unity
             var posed = new PosedShape(ConvexShape.Point(), new RigidPose(point.ToNumerics()));
             DistanceResult result = PairQueries.Distance(posed, shape, float.PositiveInfinity);
             return result.Status == GjkStatus.Overlapping ? point : result.PointB.ToUnity();
+        }
+
+        /// <summary>They hold on to the objects of the last question, which a project that keeps the domain when play
+        /// begins would never let go of.</summary>
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void Reset()
+        {
+            _first = new ShapeSource();
+            _second = new ShapeSource();
         }
     }
 }

@@ -33,14 +33,14 @@ internal static unsafe class BoxLanes
     /// <summary>Pair units: no line of centres is shorter, so that nothing is divided by 0.</summary>
     private const float Least = 1e-30f;
 
-    /// <summary>What bounds of squared distances are compared with, for a distance in pair units.</summary>
-    public static float Squared(double distance)
-    {
-        double squared = distance * distance * SquareUp;
-        if (!(squared < float.MaxValue)) return float.PositiveInfinity;
-        float rounded = (float)squared;
-        return rounded * (1 + 1f / (1 << 23)) + float.Epsilon;
-    }
+    /// <summary>What bounds of squared distances are compared with, for a distance in pair units; see <see
+    /// cref="AtMost"/>.</summary>
+    public static float Squared(double distance) => AtMost(distance * distance * SquareUp);
+
+    /// <summary>A number raised to float, finite for every input: all bounds of pairs that may count are a few units at
+    /// most, and a bound that is infinite stands for a pair that counts at no limit.</summary>
+    public static float AtMost(double length) =>
+        length < float.MaxValue / 2 ? (float)length * (1 + 1f / (1 << 23)) + float.Epsilon : float.MaxValue;
 
     /// <summary>Lower bounds of the squared distances of the eight boxes of a node and a box.</summary>
     /// <param name="node">The node's boxes.</param>

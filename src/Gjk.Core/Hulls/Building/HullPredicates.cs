@@ -15,16 +15,12 @@ internal sealed class HullPredicates
     /// quadruples.</summary>
     private const double PlaneErrorFactor = 16.0 / (1L << 53);
 
-    /// <summary>As above, for the two products of a planar test: 4 u is proved enough (3 u + 16 u^2 in Shewchuk 1997;
-    /// with the differences of doubles proofs/hull-line.g), 8 u leaves room.</summary>
-    private const double LineErrorFactor = 8.0 / (1L << 53);
-
     /// <summary>A determinant of differences up to 2^16 units is below 6 * 2^48 &lt; 2^53, so that every step of it is
     /// exact in double.</summary>
     private const double CoarseLatticeSteps = 1 << 16;
 
     private readonly Vector3[] _points;
-    private readonly ExactSum _sum = new();
+    private readonly PlanarTurn _turn = new();
     private readonly bool _exactInDouble;
     private readonly double _extentX, _extentY, _extentZ;
 
@@ -85,25 +81,9 @@ internal sealed class HullPredicates
 
     /// <summary>1 when c lies to the left of the line from a to b in the plane of two axes, 0 on it, -1 to the
     /// right.</summary>
-    public int Turn(int a, int b, int c, int axisU, int axisV)
-    {
-        double au = Coordinate(a, axisU), av = Coordinate(a, axisV);
-        double bu = Coordinate(b, axisU), bv = Coordinate(b, axisV);
-        double cu = Coordinate(c, axisU), cv = Coordinate(c, axisV);
-        double left = (bu - au) * (cv - av), right = (bv - av) * (cu - au);
-        double turn = left - right;
-        if (Math.Abs(turn) > LineErrorFactor * (Math.Abs(left) + Math.Abs(right))) return Math.Sign(turn);
-
-        // A product of two floats is exact in double.
-        _sum.Clear();
-        _sum.Add(bu * cv);
-        _sum.Add(-bv * cu);
-        _sum.Add(cu * av);
-        _sum.Add(-cv * au);
-        _sum.Add(au * bv);
-        _sum.Add(-av * bu);
-        return _sum.Sign;
-    }
+    public int Turn(int a, int b, int c, int axisU, int axisV) => _turn.Sign(
+        Coordinate(a, axisU), Coordinate(a, axisV), Coordinate(b, axisU), Coordinate(b, axisV),
+        Coordinate(c, axisU), Coordinate(c, axisV));
 
     /// <summary>True when the three points lie on one line: they do in every projection.</summary>
     public bool AreCollinear(int a, int b, int c) =>

@@ -90,11 +90,7 @@ internal static class HullBlocks
     /// matter to the comparisons that follow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
-#if NET
         Vector256.MaxNative(a, b);
-#else
-        Vector256.Max(a, b);
-#endif
 
     /// <summary>The lowest set bit; with NaN dot products none is set, and lane 0 will do.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -114,20 +110,22 @@ internal static class HullBlocks
         Vector256.WidenLower(Vector128.LoadUnsafe(ref four).ToVector256Unsafe());
 #else
     /// <summary>The best of a run of blocks, one vertex at a time.</summary>
-    public static int Best(float[] blocks, int block, int end, in Double3 direction)
+    public static unsafe int Best(float[] blocks, int block, int end, in Double3 direction)
     {
         double dx = direction.X, dy = direction.Y, dz = direction.Z, bestDot = double.NegativeInfinity;
         int best = block * HullCells.Lanes;
-        for (int i = block; i < end; i++)
+        fixed (float* first = blocks)
         {
-            int at = i * HullCells.BlockFloats;
-            for (int lane = 0; lane < HullCells.Lanes; lane++, at++)
+            for (int i = block; i < end; i++)
             {
-                double y = blocks[at + HullCells.Lanes], z = blocks[at + 2 * HullCells.Lanes];
-                double dot = blocks[at] * dx + y * dy + z * dz;
-                if (!(dot > bestDot)) continue;
-                bestDot = dot;
-                best = i * HullCells.Lanes + lane;
+                float* at = first + i * HullCells.BlockFloats;
+                for (int lane = 0; lane < HullCells.Lanes; lane++, at++)
+                {
+                    double dot = at[0] * dx + at[HullCells.Lanes] * dy + at[2 * HullCells.Lanes] * dz;
+                    if (!(dot > bestDot)) continue;
+                    bestDot = dot;
+                    best = i * HullCells.Lanes + lane;
+                }
             }
         }
 

@@ -196,7 +196,7 @@ internal static unsafe class AxialDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out int ids);
+        int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out Double3 w);
         state.Iterations++;
         if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, 0);
         return w;

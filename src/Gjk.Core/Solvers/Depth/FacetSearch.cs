@@ -46,7 +46,7 @@ internal struct FacetSearch
         if (height >= Depth.Above) return true;
         Simplex.Begin(out Simplex simplex);
         Double3 unit = normal * (1 / normal.Length);
-        Double3 w = MinkowskiDifference.Support(ref a, ref b, frame, -unit, ref simplex, 0, out _);
+        MinkowskiDifference.Support(ref a, ref b, frame, -unit, ref simplex, 0, out Double3 w);
         Depth.See(unit, Double3.Dot(unit, w));
         return height >= Limit;
     }

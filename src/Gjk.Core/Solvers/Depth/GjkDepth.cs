@@ -29,31 +29,44 @@ internal static unsafe class GjkDepth
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        double* memory = stackalloc double[Polytope.Doubles];
-        var polytope = new Polytope(memory);
-        return Expand(ref a, ref b, frame, ref state, ref polytope, ref trace);
+        double* memory = stackalloc double[Polytope.FirstDoubles];
+        var polytope = new Polytope(memory, isFirst: true);
+        DepthBounds depth = DepthBounds.None;
+        DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
+        if (verdict == DepthVerdict.Undecided)
+            return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref trace);
+        Tell(OutcomeOf(verdict), frame, polytope, -1, depth, ref trace);
+        depth.Store(ref state, depth.Above);
+        return verdict;
     }
 
-    private static DepthVerdict Expand<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref TTrace trace)
+    /// <summary>The rest of a search that has outgrown its first room.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static DepthVerdict ExpandFurther<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
+        ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        DepthBounds depth = DepthBounds.None;
-        DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
-        if (verdict != DepthVerdict.Undecided)
-        {
-            Tell(OutcomeOf(verdict), frame, polytope, -1, depth, ref trace);
-            depth.Store(ref state, depth.Above);
-            return verdict;
-        }
+        double* memory = stackalloc double[Polytope.Doubles];
+        polytope.Grow(memory);
+        return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref trace);
+    }
 
+    private static DepthVerdict Expand<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
+        ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IPolytopeTrace
+    {
         int face = 0;
-        while (polytope.HasRoom)
+        bool isClosed = true;
+        while (isClosed && polytope.HasRoom)
         {
             face = polytope.Lowest(out double key);
-            Double3 normal = polytope.Face(face).Normal;
+            ref readonly Double3 normal = ref polytope.Face(face).Normal;
             double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared);
             double lowest = polytope.Face(face).Offset * scale;
             depth.Below = Math.Max(depth.Below, lowest);
@@ -83,9 +96,11 @@ internal static unsafe class GjkDepth
             }
 
             Tell(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);
-            if (!polytope.TryExpand(face, vertex, lowest > 0 ? key : double.NegativeInfinity)) break;
+            isClosed = polytope.TryExpand(face, vertex, lowest > 0 ? key : double.NegativeInfinity);
         }
 
+        if (isClosed && polytope.CanGrow)
+            return ExpandFurther(ref a, ref b, frame, ref state, ref polytope, ref depth, ref trace);
         Tell(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);
         Settle(ref state, polytope, face, depth, Math.Max(depth.Below, 0));
         return DepthVerdict.Undecided;

@@ -56,16 +56,11 @@ internal static unsafe class PolytopeStart
         where TB : struct, ISupportMap
     {
         state.Iterations++;
-#if NET
-        if (MinkowskiDifference.HaveLanes<TA, TB>())
-        {
-            MinkowskiDifference.SupportInLanes(ref a, ref b, frame, direction, polytope.Add(out int added));
-            return added;
-        }
-#endif
-        MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref state.Simplex, 0, out int ids);
-        if (state.Matters<TA, TB>(ids)) state.See(frame, state.Simplex, 0);
-        return polytope.Add(state.Simplex, 0);
+        PolytopeVertex* vertex = polytope.Add(out int added);
+        MinkowskiDifference.Support(ref a, ref b, frame, direction, vertex);
+        if (state.Matters<TA, TB>(vertex->IdA | vertex->IdB))
+            state.See(frame, vertex->IdA | vertex->IdB, vertex->OnA, vertex->OnB);
+        return added;
     }
 
     /// <summary>The triangle of the simplex, unless it is a needle.</summary>

@@ -108,7 +108,7 @@ internal static class SignedSolver
             if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
             verdict = BoxDepth.Solve(halfA, halfB, frame, ref state);
         }
-        else if (MayBeRound<TA>() && MayBeRound<TB>())
+        else if (MayBeRound(ref a) && MayBeRound(ref b))
         {
             verdict = SolveRound(ref a, ref b, frame, ref state, ref trace);
             if (verdict != DepthVerdict.Undecided) return verdict;
@@ -147,9 +147,12 @@ internal static class SignedSolver
         return verdict == DepthVerdict.Undecided ? DepthCells.Solve(ref a, ref b, frame, ref state) : verdict;
     }
 
-    /// <summary>Whether the type may be that of a round body; the meshes' core is not, and costs no look.</summary>
+    /// <summary>Whether a shape may be a round body; the meshes' core is not, and costs no look.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool MayBeRound<T>() => typeof(T) != typeof(HullCore) && typeof(T) != typeof(BoxCore);
+    private static bool MayBeRound<T>(ref T shape)
+        where T : struct, ISupportMap =>
+        typeof(T) != typeof(HullCore) && typeof(T) != typeof(BoxCore)
+        && ShapeTraits<T>.Of.GetPlain(ref shape, out _) is not (RayForm.Hull or RayForm.Box);
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

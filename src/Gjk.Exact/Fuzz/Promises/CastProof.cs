@@ -17,6 +17,10 @@ internal static class CastProof
     /// points are then known to the root of that.</summary>
     private const double CurvedPoint = 5e-5;
 
+    /// <summary>Length, as a fraction of the scale: from so far apart, along a direction that floats hold to 6e-8, the
+    /// nearest feature's own direction is known to the root of a double's last place.</summary>
+    private const double Step = 1e-4;
+
     /// <summary>A hit is a contact, with a proof that there is none before; of a miss, planes prove that there is none
     /// at all.</summary>
     public static string? Broken(FuzzPair pair) => Problem(pair, pair.Cast, 1);
@@ -76,12 +80,13 @@ internal static class CastProof
         Moment least = pair.Sweep.Least(from, to);
         double graze = Grazing(pair, to);
         if (least.AtLeast > -graze) return null;
-        foreach (Double3 n in (ReadOnlySpan<Double3>)[least.Normal, hint])
+        foreach (Double3 n in (ReadOnlySpan<Double3>)[least.Normal, hint, WayOut(pair, least.Fraction)])
         {
             double length = n.Length;
             if (!(length > 0)) continue;
             Double3 unit = n * (1 / length);
-            if (Math.Min(pair.Sweep.Gap(unit, from), pair.Sweep.Gap(unit, to)) > -graze) return null;
+            if (Separates(unit) || Separates(pair.Sweep.At(least.Fraction, unit * (pair.Scale * Step)).Normal))
+                return null;
             if (pair.Sweep.Least(from, to, unit * graze).AtLeast > -graze) return null;
         }
 
@@ -92,6 +97,20 @@ internal static class CastProof
             return null;
 
         return Say.Line($"{name}, but at {least.Fraction:R} they overlap, by {-least.AtLeast} at most");
+
+        bool Separates(in Double3 unit) =>
+            unit.LengthSquared > 0
+            && Math.Min(pair.Sweep.Gap(unit, from), pair.Sweep.Gap(unit, to)) > -graze;
+    }
+
+    /// <summary>Where the library says that B leaves A soonest at a fraction; zero where it says that they are apart.
+    /// Only a place to look: the gap of the plane is measured.</summary>
+    private static Double3 WayOut(FuzzPair pair, double fraction)
+    {
+        Double3 moved = (Double3)pair.PoseB.Position + pair.Motion.Relative * fraction;
+        var pose = new RigidPose(pair.PoseB.Rotation, (Vector3)moved);
+        DistanceResult signed = ConvexQuery.SignedDistance(pair.A, pair.PoseA, pair.B, pose);
+        return signed.IsOverlapping ? signed.Normal : default;
     }
 
     /// <summary>The plane that touches: it closes, and no gap or overlap is left in it. As it closes in proportion to
@@ -108,7 +127,7 @@ internal static class CastProof
         double lever = Math.Sqrt(3) * (pair.BodyA.LongestSide + pair.BodyB.LongestSide);
         double gap = pair.Sweep.Gap(n, r.Fraction), moved = Math.Abs(closing) * Slack(pair, r.Fraction);
         double tilt = pair.IsCurved ? Accuracy.CurvedRatio * pair.Scale : 0;
-        double band = moved + Accuracy.NormalTurn * lever + tilt + Grazing(pair, r.Fraction);
+        double band = moved + Accuracy.NormalTurn * lever + tilt + Grazing(pair, r.Fraction) + Accuracy.LeastFloat;
         return Math.Abs(gap) <= band
             ? null
             : Say.Line($"a hit at {r.Fraction:R}, where the plane across the normal leaves {gap}");

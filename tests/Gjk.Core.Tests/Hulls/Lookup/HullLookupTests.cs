@@ -3,7 +3,7 @@ using Gjk.Core.Tests.Support;
 namespace Gjk.Core.Tests;
 
 /// <summary>The look-up finds the vertex that the plain scan finds, whatever the hull and the direction; and it is as
-/// far as the furthest point of the cloud. 10^4 directions per hull, 10^6 with GJK_LONG=1.</summary>
+/// far as the furthest point of the cloud. Thousands of directions per hull, 10^6 with GJK_LONG=1.</summary>
 public class HullLookupTests
 {
     private const int Directions = 10000, MadeHulls = 250, CloudEvery = 16;
@@ -74,7 +74,7 @@ public class HullLookupTests
     {
         var hull = new ConvexHull(cloud);
         var next = new LookupDirections(hull, new Rng(seed));
-        int count = Budget.Count(directions);
+        int count = Budget.Few(directions);
         for (int i = 0; i < count; i++)
         {
             Double3 d = next.Next();

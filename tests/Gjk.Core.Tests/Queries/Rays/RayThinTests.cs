@@ -38,7 +38,7 @@ public class RayThinTests
     public void APlateIsMetAtItsEdge(float thin)
     {
         int hits = 0;
-        for (int i = 0; i < Budget.Count(3000); i++)
+        for (int i = 0; i < Budget.Few(3000); i++)
         {
             var rng = new Rng((ulong)i);
             RayShape shape = RayShapes.Make(rng, "ellipsoid", new Vector3(1, thin, 1));
@@ -59,7 +59,7 @@ public class RayThinTests
 
     private static void Each(string kind, Vector3[] sizes, Func<Rng, Vector3, RayShape> make)
     {
-        int hits = 0, asked = 0, count = Budget.Count(60);
+        int hits = 0, asked = 0, count = Budget.Few(60);
         for (int i = 0; i < count * sizes.Length; i++)
         {
             var rng = new Rng((ulong)i);

@@ -154,6 +154,11 @@ namespace Gjk.Unity
         private static SceneFilter Filter(Collider own, int layerMask) =>
             new SceneFilter(layerMask, own is null ? null : own.transform, withTriggers: true);
 
+        /// <summary>A project can keep the domain when play begins. It is not called Reset, which the engine would call
+        /// for a component.</summary>
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void Begin() => Current = null;
+
         private void OnEnable()
         {
             Current = this;

@@ -9,7 +9,9 @@ namespace Gjk.Unity
         public static Collider[] Below(GameObject root)
         {
             if (root != null) return root.GetComponentsInChildren<Collider>();
-#if UNITY_2023_1_OR_NEWER
+#if UNITY_6000_4_OR_NEWER
+            return Object.FindObjectsByType<Collider>();
+#elif UNITY_2023_1_OR_NEWER
             return Object.FindObjectsByType<Collider>(FindObjectsSortMode.None);
 #else
             return Object.FindObjectsOfType<Collider>();

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Measures all that the pages show of speed, keeps it in bench/results, and writes the pages' tables from there. Takes
+# about a quarter of an hour; run nothing beside it. --pages only writes the tables, from the results that are there.
+# The files are named after the processor; those of another one go, so that the pages need not choose.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+if [ "${1:-}" != --pages ]; then
+  find bench/results -name '*.csv' ! -name cited.csv ! -name '*-judge.csv' -delete
+  dotnet build -c Release -v quiet --nologo bench
+  for what in table peers scale; do
+    dotnet run -c Release --no-build --project bench -- --$what --csv
+  done
+fi
+
+dotnet run -c Release --project docs/Gjk.Pages

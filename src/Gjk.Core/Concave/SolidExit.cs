@@ -1,0 +1,151 @@
+namespace Gjk.Core;
+
+/// <summary>How a body that begins inside a solid gets out, over the solid's outside.</summary>
+/// <remarks>A triangle of a solid has one side. A part of the body whose middle is outside leaves by the depth of the
+/// two parts, where that leads outward: the deepest of them counts, as on a surface. One whose middle is inside leaves
+/// over the face that takes least, of those that it overlaps and the one that is nearest to its middle: it is lifted
+/// across the face's plane. Of several parts of the body the deepest counts.</remarks>
+internal static class SolidExit
+{
+    /// <summary>A cosine: 1e-6, some roundings of a normal; what leads along a face does not lead out of it. Four times
+    /// more or less changes nothing but which of two faces of an edge is named.</summary>
+    private const double Outward = 1e-6;
+
+    /// <summary>Finds the way out of what the scratch holds.</summary>
+    /// <param name="scratch">With both sides set, which overlap.</param>
+    /// <param name="found">Overlapping, with the depth and the parts.</param>
+    /// <returns>False where no part is inside a solid.</returns>
+    public static bool TryFind(ConcaveScratch scratch, out PartCast found)
+    {
+        bool isFound = TryFind(scratch, scratch.A, scratch.B, out found);
+        if (!TryFind(scratch, scratch.B, scratch.A, out PartCast other)) return isFound;
+        other = new PartCast(other.Result.Swapped, other.PartB, other.PartA);
+        if (!isFound || (other.Result.Depth > found.Result.Depth && !scratch.A.IsSolid)) found = other;
+        return true;
+    }
+
+    private static bool TryFind(ConcaveScratch scratch, PartSide outer, PartSide inner, out PartCast found)
+    {
+        found = default;
+        if (!outer.IsSolid) return false;
+        List<PartDistance> pairs = scratch.Pairs;
+        FindTouching(scratch, outer == scratch.B);
+        Exit best = default;
+        int next = 0;
+        while (next < pairs.Count)
+        {
+            int first = next, part = pairs[first].PartB;
+            while (next < pairs.Count && pairs[next].PartB == part) next++;
+            Exit exit = OfPart(scratch, outer, inner, part, first, next);
+            if (exit.Depth > best.Depth) best = exit;
+        }
+
+        // What touches no triangle is inside as a whole, or outside.
+        for (int piece = 0; piece < inner.PieceCount; piece++)
+        {
+            Double3 middle = inner.MiddleOf(piece, out int part);
+            if ((inner.Mesh is not null && pairs.Count > 0) || IsTouching(pairs, part)) continue;
+            Double3 world = new RotationD(inner.Pose.Rotation).Rotate(middle) + inner.Pose.Position;
+            if (!Containment.Holds(scratch, outer, world)) continue;
+            Exit exit = default;
+            TryNearest(scratch, outer, inner, part, world, isWhole: inner.Mesh is not null, ref exit);
+            if (exit.Depth > best.Depth) best = exit;
+        }
+
+        if (!(best.Depth > 0)) return false;
+        found = new PartCast(
+            new CastResult(
+                CastStatus.OverlappingAtStart, 0, best.Point, (Vector3)best.Normal, 0, (float)best.Depth),
+            best.Triangle, inner.NumberOf(best.Part));
+        return true;
+    }
+
+    /// <summary>All pairs that touch, as the triangle of the solid and the part of the other, sorted by that.</summary>
+    private static void FindTouching(ConcaveScratch scratch, bool isSwapped)
+    {
+        List<PartDistance> pairs = scratch.Pairs;
+        pairs.Clear();
+        scratch.Search.All = pairs;
+        PartPairSearch.Run(scratch, 0);
+        scratch.Search.All = null;
+        for (int i = 0; i < pairs.Count; i++)
+        {
+            PartDistance pair = pairs[i];
+            pairs[i] = isSwapped
+                ? new PartDistance(pair.Result.Swapped, pair.PartA, pair.PartB)
+                : new PartDistance(pair.Result, pair.PartB, pair.PartA);
+        }
+
+        InPlaceSort.Sort(pairs);
+        for (int i = 0; i < pairs.Count; i++)
+            pairs[i] = new PartDistance(pairs[i].Result, pairs[i].PartB, Math.Max(pairs[i].PartA, 0));
+    }
+
+    private static bool IsTouching(List<PartDistance> pairs, int part)
+    {
+        for (int i = 0; i < pairs.Count; i++)
+            if (pairs[i].PartB == part) return true;
+        return false;
+    }
+
+    /// <summary>The way out of a part that touches some triangles.</summary>
+    private static Exit OfPart(
+        ConcaveScratch scratch, PartSide outer, PartSide inner, int part, int first, int end)
+    {
+        List<PartDistance> pairs = scratch.Pairs;
+        Double3 middle = inner.CenterOf(part);
+        bool isInside = Containment.Holds(scratch, outer, middle);
+        Exit deepest = default, least = default;
+        for (int i = first; i < end; i++)
+        {
+            int triangle = pairs[i].PartA;
+            if (!outer.Mesh!.TryGetOutward(triangle, outer.Pose, out Double3 outward, out Double3 corner)) continue;
+            DistanceResult depth = PartQuery.SignedDistance(outer, triangle, inner, part);
+            if (!isInside && -depth.Distance > deepest.Depth && Double3.Dot(depth.Normal, outward) > Outward)
+                deepest = new Exit(-depth.Distance, depth.Normal, depth.PointA, triangle, part);
+            double lift = Double3.Dot(outward, corner) + Reach(inner, part, -outward, isWhole: false);
+            if (lift > 0 && (least.Depth == 0 || lift < least.Depth))
+                least = new Exit(lift, outward, pairs[i].Result.PointA, triangle, part);
+        }
+
+        if (isInside) TryNearest(scratch, outer, inner, part, middle, isWhole: false, ref least);
+        return deepest.Depth > 0 ? deepest : least;
+    }
+
+    /// <summary>Takes the way across the triangle that is nearest to a point of a part, if that is less.</summary>
+    private static void TryNearest(
+        ConcaveScratch scratch, PartSide outer, PartSide inner, int part, in Double3 point, bool isWhole,
+        ref Exit least)
+    {
+        ConcaveScratch other = scratch.Rent();
+        var shared = (Vector3)point;
+        int triangle = ConcaveQuery.Distance(AnyShape.Surface(outer.Mesh!), outer.Pose, shared, other).PartA;
+        scratch.Return(other);
+        if (triangle < 0
+            || !outer.Mesh!.TryGetOutward(triangle, outer.Pose, out Double3 outward, out Double3 corner))
+        {
+            return;
+        }
+
+        double lift = Double3.Dot(outward, corner) + Reach(inner, part, -outward, isWhole);
+        if (lift > 0 && (least.Depth == 0 || lift < least.Depth))
+            least = new Exit(lift, outward, shared, triangle, part);
+    }
+
+    /// <summary>How far a part, or a whole mesh, reaches along a direction of the world.</summary>
+    private static double Reach(PartSide side, int part, in Double3 along, bool isWhole)
+    {
+        Double3 local = new RotationD(side.Pose.Rotation).InverseRotate(along);
+        double reach = isWhole ? side.Mesh!.Reach(local, 1) : PlaneProof.ReachOf(side, part, local);
+        return reach + Double3.Dot(along, side.Pose.Position);
+    }
+
+    /// <summary>A way out: how far, where to, from which point that both share, and between which parts.</summary>
+    private readonly struct Exit(double depth, in Double3 normal, Vector3 point, int triangle, int part)
+    {
+        public readonly double Depth = depth;
+        public readonly Double3 Normal = normal;
+        public readonly Vector3 Point = point;
+        public readonly int Triangle = triangle, Part = part;
+    }
+}

@@ -1,0 +1,83 @@
+namespace Gjk.Core.Tests.Api;
+
+/// <summary>The rules that keep single queries fast on Mono, Unity's runtime, held in the builds that it gets. Each
+/// exception has a reason, and fails here when nothing needs it.</summary>
+public class BuildCostOnMonoTests
+{
+    private const string Given = "a public method: the shape comes as a readonly reference, and is copied once",
+        Decorator = "a shape around another: it keeps the other read-only, so each call of it copies",
+        Trace = "only where a trace listens or a text is asked for",
+        Making = "makes or compares shapes, which no query does",
+        State = "the state of the search, which each round uses",
+        Exact = "106 bits: entered where doubles prove nothing",
+        Range = "only directions near the ends of a double's range",
+        Answer = "the answer, or the frame of the question, once for each query",
+        Conversion = "from and to System.Numerics, for users; no query calls it";
+
+    private static readonly (string Method, string Reason)[] CopiedShapes =
+    [
+        ("Placement.GetFace", Given), ("ShapeTraits.cctor", Making), ("PlacedTraits.InCoreAxes", Decorator),
+        ("Guard.NotNull", Making), ("PairFrame.Tighten", Given), ("PairFrame.ComposePlaced", Given),
+        ("UnitSized.*", Decorator), ("ConvexQuery.AskContacts", Given), ("PairQuery.SolveCopies", Given),
+        ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
+    ];
+
+    private static readonly (string Method, string Reason)[] ByValue =
+    [
+        ("SegmentCore.UnitDot", Range), ("TriangleCore.FurthestInUnits", Range),
+        ("XyzExtensions.ToVector3D", "so short that Mono inlines it unasked"),
+        ("PairFrame.OutOfA", "placed shapes, once for each query"),
+        ("PairFrame.OutOfB", "placed shapes, once for each query"), ("ConvexQuery.SettleImpact", Answer),
+        ("DistanceFinish.Common", "once, of pairs that overlap or touch"), ("ShapeParts.set_Scale", Making),
+        ("ClosestPointWeights.FaceWeightsExtended", Exact), ("ClosestPointWeights.VolumeWeightsExtended", Exact),
+        ("NextSimplex.Nearest", "where more than one face sees the origin"),
+        ("BestNormal.set_Normal", "once for each normal"),
+        ("GjkDistance.Stop", "once for each search"), ("GjkDistance.Tell", Trace),
+        ("Proofs.IsCertainlyInside", "once, where the simplex may hold the origin"),
+    ];
+
+    private static readonly (string Method, string Reason)[] LargeLocals =
+    [
+        ("ContactBuilder.*", State), ("ContactManifold.get_Swapped", Answer), ("ContactPlaces.FindAlong", State),
+        ("AxisScale.Frame", "placed shapes, once for each query"), ("BodyForm.*", "round shapes of the depth, once"),
+        ("Placement.GetFace", State), ("RigidPose.*", Conversion), ("RotationD.get_Transposed", Answer),
+        ("ConvexQuery.*", Answer), ("DistanceFinish.ToWorld", Answer), ("DistanceSolver.Tell", Trace),
+        ("DistanceSolver.SolvePoints", State), ("SignedDistanceSolver.Tell", Trace), ("ConvexShape.*", Making),
+        ("Scaled.GetFace", State), ("ScaledLayer.AreEqual", Making),
+        ("NextSimplex.DistanceSquared", "where more than one face sees the origin"), ("BestNormal.ctor", State),
+        ("GjkDistance.*", State), ("GjkExtendedPrecision.Solve", Exact), ("GjkOverlap.Solve", State),
+        ("SideNormal.*", "shapes that touch at their sides"), ("SettledContact.LookAtStart", Answer),
+        ("ImpactQuestion.*", Answer), ("RayQuestion.TryBegin", Answer),
+    ];
+
+    [Fact]
+    public void NoShapeIsCopiedBeforeACall() => Hold(CostOnMono.CopiedShapes(BuildUnderTest.Library), CopiedShapes);
+
+    [Fact]
+    public void NoLargeStructIsPassedByValue() => Hold(CostOnMono.ByValue(BuildUnderTest.Library), ByValue);
+
+    [Fact]
+    public void NoLargeLocalIsClearedInVain() => Hold(CostOnMono.LargeLocals(BuildUnderTest.Library), LargeLocals);
+
+    /// <summary>The rules find what they look for.</summary>
+    [Fact]
+    public void TheRulesSeeTheLibrary()
+    {
+        Assert.Contains("ConvexQuery.Contacts", CostOnMono.LargeLocals(BuildUnderTest.Library));
+        Assert.Contains("Rounded.Support", CostOnMono.CopiedShapes(BuildUnderTest.Library));
+    }
+
+    private static void Hold(IEnumerable<string> found, (string Method, string Reason)[] exceptions)
+    {
+        string[] all = [.. found.Distinct()];
+        string[] unnamed = [.. all.Where(m => !exceptions.Any(e => Covers(e.Method, m)))];
+        Assert.True(unnamed.Length == 0, $"costs on Mono, without a reason here: {string.Join(", ", unnamed)}");
+        string[] idle = [.. exceptions.Select(e => e.Method).Where(e => !all.Any(m => Covers(e, m)))];
+        Assert.True(idle.Length == 0, $"needs no exception: {string.Join(", ", idle)}");
+    }
+
+    private static bool Covers(string exception, string method) =>
+        exception == method
+        || (exception.EndsWith(".*", StringComparison.Ordinal)
+            && method.StartsWith(exception[..^1], StringComparison.Ordinal));
+}

@@ -1,0 +1,150 @@
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Concave;
+
+/// <summary>A body that begins inside a surface, a compound or a solid gets the deepest part, and of a solid the way
+/// out over its outside.</summary>
+public class StartInsideTests
+{
+    private readonly ConcaveScratch _scratch = new();
+
+    [Theory]
+    [InlineData(-0.2f, 0.45f, 0.05f)]
+    [InlineData(0.2f, 0.45f, 0.05f)]
+    [InlineData(-0.4f, 0.1f, 0.4f)]
+    public void OnAFloorOfTrianglesTheWayOutIsUp(float x, float y, float depth)
+    {
+        var floor = AnyShape.Surface(new TriangleMesh(
+            [new(-5, 0, -5), new(5, 0, -5), new(5, 0, 5), new(-5, 0, 5)], [0, 2, 1, 0, 3, 2]));
+        PartCast start = Start(floor, ConvexShape.Sphere(0.5f), new Vector3(x, y, 0));
+        AssertStart(start, Vector3.UnitY, depth);
+        Assert.Equal(x < 0 ? 1 : 0, start.PartA);
+    }
+
+    [Fact]
+    public void OfFlushBoxesAndSlabsTheDeepestCounts()
+    {
+        var box = ConvexShape.Box(new Vector3(0.5f));
+        var flush = AnyShape.Of(new CompoundShape(
+        [
+            new CompoundPart(box, new RigidPose(new Vector3(-0.5f, 0, 0))),
+            new CompoundPart(box, new RigidPose(new Vector3(0.5f, 0, 0))),
+        ]));
+        AssertStart(Start(flush, ConvexShape.Sphere(0.3f), new Vector3(0.15f, 0.6f, 0)), Vector3.UnitY, 0.2f);
+        var slabs = new CompoundPart[10];
+        for (int i = 0; i < slabs.Length; i++)
+        {
+            slabs[i] = new CompoundPart(
+                ConvexShape.Box(new Vector3(0.1f * (i + 1), 0.5f, 0.1f * (i + 1))),
+                new RigidPose(new Vector3(3 * (i % 2), 0, 0)));
+        }
+
+        var hits = new List<PartCast>();
+        var ball = AnyShape.Of(ConvexShape.Sphere(1f));
+        var at = new RigidPose(new Vector3(0, 1, 0));
+        var scene = new CollisionScene();
+        scene.Add(AnyShape.Of(new CompoundShape(slabs)), RigidPose.Identity);
+        Assert.True(ConcaveQuery.CastAll(
+            AnyShape.Of(new CompoundShape(slabs)), RigidPose.Identity, Vector3.Zero, ball, at, Vector3.Zero, _scratch,
+            hits));
+        Assert.True(hits.Count >= 5, $"{hits.Count}");
+        for (int i = 1; i < hits.Count; i++) Assert.True(hits[i].Result.Depth <= hits[i - 1].Result.Depth);
+        var found = new List<CastHit>();
+        scene.FindCastHits(ball.Convex, at, Vector3.Zero, found, eachPart: true);
+        Assert.Equal(hits.Select(h => h.PartA), found.Select(h => h.Part));
+        scene.FindCastHits(ball.Convex, at, Vector3.Zero, found);
+        Assert.Equal(hits[0].PartA, Assert.Single(found).Part);
+    }
+
+    [Fact]
+    public void ABallInASolidCubeLeavesThroughTheNearestFace()
+    {
+        var cube = AnyShape.Solid(ConcaveShapes.Box(Vector3.One));
+        var mirrored = AnyShape.Solid(cube.Mesh!.Scaled(new Vector3(-1, 1, 1)));
+        Vector3[] places = [new(0.2f, 0.5f, 0.1f), new(0.2f, 0.9f, 0.1f), new(0.2f, 1.1f, 0.1f), new(0.7f, 0.1f, 0.6f)];
+        foreach (Vector3 at in places)
+        {
+            Vector3 outward = at.Y > at.X ? Vector3.UnitY : Vector3.UnitX;
+            float depth = 0.25f + 1 - Math.Max(at.X, at.Y);
+            AssertStart(Start(cube, ConvexShape.Sphere(0.25f), at), outward, depth);
+            AssertStart(Start(mirrored, ConvexShape.Sphere(0.25f), at), outward, depth);
+            PartCast swapped = ConcaveQuery.Cast(
+                AnyShape.Of(ConvexShape.Sphere(0.25f)), new RigidPose(at), Vector3.Zero, cube, RigidPose.Identity,
+                Vector3.UnitX, _scratch);
+            AssertStart(swapped, -outward, depth);
+            Assert.Equal(-1, swapped.PartA);
+        }
+
+        // A box that is more than half in, and one in the corner of a room.
+        AssertStart(
+            Start(cube, ConvexShape.Box(new Vector3(0.4f)), new Vector3(0.1f, 0.9f, 0)), Vector3.UnitY, 0.5f);
+        AssertStart(
+            Start(cube, ConvexShape.Capsule(0.2f, 0.3f), new Vector3(0, 1.45f, 0)), Vector3.UnitY, 0.05f);
+    }
+
+    [Fact]
+    public void EveryStartInASolidIsOutAfterAFewWays()
+    {
+        var random = new FuzzRandom(4701);
+        var torus = AnyShape.Solid(ConcaveShapes.Torus(24, 16));
+        var cube = AnyShape.Solid(ConcaveShapes.Box(new Vector3(0.7f)));
+        int inside = 0;
+        for (int round = 0; round < 200; round++)
+        {
+            AnyShape solid = round % 2 == 0 ? torus : cube;
+            ConvexShape body = random.Below(3) switch
+            {
+                0 => ConvexShape.Sphere(random.Float(0.02f, 0.3f)),
+                1 => ConvexShape.Capsule(random.Float(0.02f, 0.2f), random.Float(0.02f, 0.2f)),
+                _ => ConvexShape.Box(new Vector3(random.Float(0.05f, 0.3f), 0.1f, 0.2f)),
+            };
+            var pose = new RigidPose(Rotations.Even(random), random.Vector(1.2));
+            for (int way = 0; ; way++)
+            {
+                PartCast start = ConcaveQuery.Cast(
+                    solid, RigidPose.Identity, Vector3.Zero, AnyShape.Of(body), pose, Vector3.Zero, _scratch);
+                if (start.Status != CastStatus.OverlappingAtStart || start.Result.Depth < 1e-5f) break;
+                if (way == 0) inside++;
+                Assert.True(way < 12, $"round {round}: {start}");
+                pose = new RigidPose(pose.Rotation, pose.Position + start.Result.Depth * start.Result.Normal);
+            }
+
+            Assert.False(ConcaveQuery.Contains(solid, RigidPose.Identity, pose.Position, _scratch), $"round {round}");
+        }
+
+        Assert.InRange(inside, 60, 180);
+    }
+
+    [Fact]
+    public void CastAllRefusesWhatCastRefuses()
+    {
+        var ball = AnyShape.Of(ConvexShape.Sphere(1));
+        var cube = AnyShape.Solid(ConcaveShapes.Box(Vector3.One));
+        var (at, up) = (RigidPose.Identity, Vector3.UnitY);
+        var hits = new List<PartCast>();
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, _scratch, null!));
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, null!, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, default, at, up, _scratch, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, default, up, cube, at, up, _scratch, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, at, new Vector3(float.NaN, 0, 0), cube, at, up, _scratch, hits));
+        Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, _scratch, hits, float.NaN));
+        Assert.Empty(hits);
+        Assert.True(ConcaveQuery.CastAll(ball, at, up, ball, new RigidPose(3 * up), Vector3.Zero, _scratch, hits, 9));
+        Assert.Equal(CastStatus.Hit, Assert.Single(hits).Status);
+        Assert.True(ConcaveQuery.CastAll(ball, at, up, cube, new RigidPose(9 * up), up, _scratch, hits));
+        Assert.Empty(hits);
+        Assert.True(ConcaveQuery.CastAll(ball, at, up, cube, new RigidPose(up), up, _scratch, hits));
+        Assert.Equal(CastStatus.OverlappingAtStart, hits[0].Status);
+    }
+
+    private PartCast Start(in AnyShape ground, in ConvexShape body, Vector3 at) => ConcaveQuery.Cast(
+        ground, RigidPose.Identity, Vector3.Zero, AnyShape.Of(body), new RigidPose(at), new Vector3(0, -1, 0),
+        _scratch);
+
+    private static void AssertStart(in PartCast start, Vector3 normal, float depth)
+    {
+        Assert.Equal(CastStatus.OverlappingAtStart, start.Status);
+        Assert.True((start.Result.Normal - normal).Length() < 1e-5f, $"{start}");
+        Assert.Equal(depth, start.Result.Depth, 1e-5f);
+    }
+}
