@@ -127,6 +127,7 @@ internal static class SmoothNormal
         where TB : struct, ISupportMap
     {
         state.Iterations++;
-        return MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref ends, slot, out _);
+        MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref ends, slot, out Double3 w);
+        return w;
     }
 }
