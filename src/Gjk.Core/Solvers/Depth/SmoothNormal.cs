@@ -3,8 +3,8 @@ namespace Gjk.Core;
 /// <summary>The direction of the shortest way out of curved shapes, by Newton's method from where a search for the
 /// depth ended: that search knows the depth to within a length, which leaves the direction open by its root.</summary>
 /// <remarks>
-/// <para>The way out along n costs h(n) = n·w, where w is the support point of A - B along n. Across n its slope is w's
-/// part across it, and its second derivative is how w moves as n turns, less h; differences of supports give that. Where
+/// <para>The way out along n costs h(n) = n·w, where w is the support point of A - B along n. Across n its slope is
+/// w's part across it, and its second derivative is how w moves as n turns, less h; differences of supports give that. Where
 /// w jumps, from one end of a line of A - B to the other, the shortest way is across that line, and only the other
 /// direction is searched.</para>
 /// <para>Nothing is assumed. The direction is taken if its way out costs no more than the known one and ends on the
