@@ -41,17 +41,18 @@ internal static class SideNormal
     /// <param name="frame">Where B is.</param>
     /// <param name="state">Of cores that are apart or overlap; a positive distance stays as it is.</param>
     /// <param name="trace">Is told of the supports.</param>
-    /// <returns>Whether it did.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Sharpen<TA, TB, TTrace>(
+    public static void Sharpen<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
-        where TTrace : struct, IGjkTrace =>
-        state.IsCurved && state.Verdict == Verdict.Apart && SharpenNear(ref a, ref b, frame, ref state, ref trace);
+        where TTrace : struct, IGjkTrace
+    {
+        if (state.IsCurved && state.Verdict == Verdict.Apart) SharpenNear(ref a, ref b, frame, ref state, ref trace);
+    }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static unsafe bool SharpenNear<TA, TB, TTrace>(
+    private static unsafe void SharpenNear<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -59,25 +60,25 @@ internal static class SideNormal
     {
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         Double3 known = state.Feature.Normal * -scale;
-        if (!(state.Feature.Height * scale - frame.Margins <= Near * state.Size.Value)) return false;
+        if (!(state.Feature.Height * scale - frame.Margins <= Near * state.Size.Value)) return;
         FaceCorner* memory = stackalloc FaceCorner[2 * FaceCorners.Capacity];
         var cornersA = new FaceCorners(memory);
         var cornersB = new FaceCorners(memory + FaceCorners.Capacity);
         a.GetFace(known, ref cornersA);
         b.GetFace(frame.Rotation.InverseRotate(-known), ref cornersB);
         bool isOfA = cornersA.SideRadius > 0;
-        if (!isOfA && !(cornersB.SideRadius > 0)) return false;
+        if (!isOfA && !(cornersB.SideRadius > 0)) return;
         for (int i = 0; i < cornersB.Count; i++)
             cornersB[i] = frame.Rotation.Rotate(cornersB[i]) + frame.Translation;
         BestNormal best = isOfA
             ? new BestNormal(cornersA, cornersB, frame.Translation, known, state.Size.Value)
             : new BestNormal(cornersB, cornersA, default, -known, state.Size.Value);
         Double3 normal = isOfA ? best.Normal : -best.Normal;
-        return Take(ref a, ref b, frame, normal, best.Axis, isOfA, known, ref state, ref trace);
+        Take(ref a, ref b, frame, normal, best.Axis, isOfA, known, ref state, ref trace);
     }
 
     /// <summary>Takes the normal, if it is as good as the one that is known.</summary>
-    private static bool Take<TA, TB, TTrace>(
+    private static void Take<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, bool isOfA, in Double3 known,
         ref SolverState state, ref TTrace trace)
         where TA : struct, ISupportMap
@@ -89,7 +90,7 @@ internal static class SideNormal
         Double3 q = Support(ref a, ref b, frame, axis * -Lean - normal, ref state, ref trace, ref ends, 1);
         Double3 w = Support(ref a, ref b, frame, -normal, ref state, ref trace, ref ends, 2);
         double gap = -Double3.Dot(normal, w), level = Level * state.Size.Value;
-        if (!(gap >= state.Plane.Distance && Double3.Dot(normal, known) >= LeastCosine)) return false;
+        if (!(gap >= state.Plane.Distance && Double3.Dot(normal, known) >= LeastCosine)) return;
         bool isLevel = -Double3.Dot(normal, p) - gap <= level && -Double3.Dot(normal, q) - gap <= level;
         bool isOpposite = Double3.Dot(axis, p) <= 0 && Double3.Dot(axis, q) >= 0;
         ends.Select(2, 0, 1, 0, 0);
@@ -101,7 +102,7 @@ internal static class SideNormal
         }
         else if (!TryMove(ref a, ref b, frame, normal, axis, gap, isOfA, ref state))
         {
-            return false;
+            return;
         }
 
         double distance = state.Feature.Height / Math.Sqrt(state.Feature.NormalSquared);
@@ -109,7 +110,6 @@ internal static class SideNormal
         state.Feature.NormalSquared = 1;
         state.Feature.Height = distance > 0 ? distance : Math.Min(gap, 0);
         state.Plane.Set(state.Feature, Math.Min(gap, state.Feature.Height));
-        return true;
     }
 
     /// <summary>Brings the points that are known onto one line along the normal: the one on the round side moves, by so

@@ -28,8 +28,7 @@ internal static class SignedSolver
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
         NoTrace untold = default;
-        if (!SideNormal.Sharpen(ref a, ref b, frame, ref state, ref untold))
-            SmoothNormal.Sharpen(ref a, ref b, frame, ref state);
+        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref untold);
     }
 
     private static void SolveDepthFirst<TA, TB, TTrace>(
@@ -144,7 +143,11 @@ internal static class SignedSolver
         PairForm.Look(ref a, ref b, frame, out PairForm form);
         if (form.AreFaceted) return HullDepth.Solve(ref a, ref b, frame, form, ref state);
         DepthVerdict verdict = CornerDepth.Solve(ref a, ref b, frame, form, ref state);
-        return verdict == DepthVerdict.Undecided ? DepthCells.Solve(ref a, ref b, frame, ref state) : verdict;
+        if (verdict == DepthVerdict.Undecided) verdict = DepthCells.Solve(ref a, ref b, frame, ref state);
+        if (state.IsCurved && verdict == DepthVerdict.Found
+            && SmoothNormal.TryEnd(ref a, ref b, frame, DepthBounds.Of(state), ref state))
+            state.Weights = ClosestPointWeights.Of(state.Simplex);
+        return verdict;
     }
 
     /// <summary>Whether a shape may be a round body; the meshes' core is not, and costs no look.</summary>
