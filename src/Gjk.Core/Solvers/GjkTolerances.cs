@@ -91,8 +91,8 @@ internal static class GjkTolerances
     public const double DepthNoiseCurved = 2e-7;
 
     /// <summary>Length, for cores without vertices: two bounds of the depth that leave its direction open by their
-    /// root, 4e-7 rad for a curve of the size; hundreds of roundings. Pinned by SmoothNormalTests.</summary>
-    public const double NormalNoise = 1e-13;
+    /// root, 2e-7 rad for a curve of the size; 180 roundings. Pinned by DepthToleranceTests.</summary>
+    public const double NormalNoise = 2e-14;
 
     /// <summary>Length, for cores without vertices: the depth's bounds where the search has to divide its surface into
     /// cells. The supports that it takes grow with

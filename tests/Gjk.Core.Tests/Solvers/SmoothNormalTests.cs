@@ -2,8 +2,8 @@ using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Solvers;
 
-/// <summary>The normals of overlapping curved shapes are good to 1e-6 rad where the way out ends on a smooth point or
-/// a line: a part in 1e-7 of that is the rounding of the three floats.</summary>
+/// <summary>The normals of overlapping ellipsoids are good to 1e-6 rad; 1.2e-7 of that is the rounding of the three
+/// floats.</summary>
 public class SmoothNormalTests
 {
     private const double Promise = 1e-6, Rounding = 1.2e-7;

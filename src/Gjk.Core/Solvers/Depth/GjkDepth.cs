@@ -95,9 +95,10 @@ internal static unsafe class GjkDepth
                 Tell(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
                 if (hasMet) depth.Settle(normal * scale, height);
                 Settle(ref state, polytope, face, depth, depth.Above);
-                bool isFinest = !state.IsCurved || noise < state.DepthNoise;
+                double finest = GjkTolerances.NormalNoise * state.Size.Value;
+                bool isFinest = !state.IsCurved || noise < state.DepthNoise || gap <= finest;
                 if (isFinest || SmoothNormal.TryEnd(ref a, ref b, frame, depth, ref state)) return DepthVerdict.Found;
-                noise = GjkTolerances.NormalNoise * state.Size.Value;
+                noise = finest;
             }
 
             Tell(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);
@@ -106,12 +107,9 @@ internal static unsafe class GjkDepth
 
         if (isClosed && polytope.CanGrow)
             return ExpandFurther(ref a, ref b, frame, ref state, ref polytope, ref depth, ref noise, ref trace);
-        if (noise < state.DepthNoise)
-        {
-            Settle(ref state, polytope, face, depth, depth.Above);
-            return DepthVerdict.Found;
-        }
 
+        // Where the bounds have met before, the state has that end.
+        if (noise < state.DepthNoise) return DepthVerdict.Found;
         Tell(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);
         Settle(ref state, polytope, face, depth, Math.Max(depth.Below, 0));
         return DepthVerdict.Undecided;
