@@ -92,7 +92,8 @@ public class NameTests
             float tilt = MathF.Pow(10, rng.Float(-6, -2)), angle = rng.Float(0, 6.3);
             var axis = new Vector3(MathF.Cos(angle), 0, MathF.Sin(angle));
             Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, rng.Float(0, 6.3));
-            var pose = new RigidPose(Quaternion.CreateFromAxisAngle(axis, tilt) * yaw, new Vector3(0.1f, 1.499f, 0.05f));
+            Quaternion turn = Quaternion.CreateFromAxisAngle(axis, tilt) * yaw;
+            var pose = new RigidPose(turn, new Vector3(0.1f, 1.499f, 0.05f));
             foreach (ManifoldPoint p in Points(Ask(box, RigidPose.Identity, ConvexShape.Mesh(hull), pose, 0.02f)))
             {
                 if ((p.FeatureId & 3) != 1) continue;
