@@ -40,44 +40,6 @@ internal unsafe ref struct ContactCandidates
     /// <summary>Adds one; there is room.</summary>
     public void Add(in Candidate candidate) => _candidates[Count++] = candidate;
 
-    /// <summary>Leaves of a finely rounded outline what is needed to stay within a length of it, beginning with the
-    /// first name towards the first of its neighbours.</summary>
-    public void KeepCorners(double within)
-    {
-        int first = 0;
-        for (int i = 1; i < Count; i++)
-            if (ContactFeature.IsBefore(_candidates[i].Id, _candidates[first].Id)) first = i;
-        long next = _candidates[(first + 1) % Count].Id, last = _candidates[(first + Count - 1) % Count].Id;
-        int step = ContactFeature.IsBefore(last, next) ? Count - 1 : 1, kept = 0;
-        int* corners = stackalloc int[Capacity];
-        for (int from = 0; from < Count;)
-        {
-            corners[kept++] = from;
-            int to = from + 1;
-            while (to < Count && IsWithin(first, step, from, to + 1, within)) to++;
-            from = to;
-        }
-
-        Candidate* outline = stackalloc Candidate[Capacity];
-        for (int i = 0; i < kept; i++) outline[i] = _candidates[(first + corners[i] * step) % Count];
-        Take(outline, kept);
-    }
-
-    /// <summary>Whether all corners between two lie within a length of the line between these.</summary>
-    private readonly bool IsWithin(int first, int step, int from, int to, double within)
-    {
-        ref Candidate p = ref _candidates[(first + from * step) % Count];
-        ref Candidate q = ref _candidates[(first + to * step) % Count];
-        double squared = within * within * p.SquaredTo(q);
-        for (int i = from + 1; i < to; i++)
-        {
-            double area = Candidate.Area(p, _candidates[(first + i * step) % Count], q);
-            if (!(area * area <= squared)) return false;
-        }
-
-        return true;
-    }
-
     /// <summary>Leaves some, whose numbers rise.</summary>
     public void Keep(int* kept, int count)
     {

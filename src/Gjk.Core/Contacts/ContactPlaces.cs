@@ -30,7 +30,7 @@ internal unsafe ref struct ContactPlaces
     private const double LittleOfDisc = 1, LeastOfDisc = 0.4;
 
     /// <summary>Sine: edges that cross at less are as good as parallel. Pinned by NameTests.</summary>
-    private const double Parallel = 0.05;
+    public const double Parallel = 0.05;
 
     private readonly ContactPlace* _places;
     private readonly double _slack, _least;

@@ -2,19 +2,15 @@ namespace Gjk.Core;
 
 /// <summary>Which four of many contact points stay, by which names, and in which order.</summary>
 /// <remarks>
-/// <para>The four span the largest area, to within a fiftieth (<see cref="LargestFour"/>). If none of them is as deep
-/// as the deepest point, the largest four that hold that point take their places, and their names stay: a can that
-/// rocks on its rim touches everywhere in turn, and what a solver knows of each quarter of the rim must not get lost. A
-/// name then stands for the part of the outline around the corner that it names.</para>
+/// <para>The four span a large area (<see cref="LargestFour"/>). If none of them is as deep as the deepest point, that
+/// one takes the place of another, with a name of its own: the others, and their names, stay. Of a round outline, whose
+/// corners are not bodies' own, a name stands for a quarter, so that a can that rocks on its rim and touches everywhere
+/// in turn keeps its four (<see cref="QuarterNames"/>).</para>
 /// <para>The points are sorted by name, so that their order stays too. A and B count alike, so that the order is that
 /// of the exchanged pair.</para>
 /// </remarks>
 internal static unsafe class ContactReduction
 {
-    /// <summary>Count: of more corners, which only finely rounded outlines have, those are left out first that hardly
-    /// stand out, so that the time does not grow with the square. Pinned by ContactAreaTests.</summary>
-    private const int Many = 24;
-
     /// <summary>Leaves what stays.</summary>
     /// <param name="candidates">In order around what is shared.</param>
     /// <param name="deepest">A deepest point; its name is used if no other has been there before.</param>
@@ -24,17 +20,15 @@ internal static unsafe class ContactReduction
     public static void Reduce(
         ref ContactCandidates candidates, in Candidate deepest, Candidate* quarters, double asDeep, double reach)
     {
-        int* four = stackalloc int[ContactManifold.Capacity];
+        int* four = stackalloc int[ContactManifold.Capacity + 1];
         if (candidates.Count <= ContactManifold.Capacity) quarters = null;
-        if (candidates.Count > Many) candidates.KeepCorners(reach);
-        int count = LargestFour.Choose(candidates.Pointer, candidates.Count, -1, four);
-        Candidate* before = stackalloc Candidate[ContactManifold.Capacity];
+        int count = LargestFour.Choose(candidates, four);
         if (!HasDeepest(candidates, four, count, deepest.Gap + asDeep))
         {
-            for (int i = 0; i < count; i++) before[i] = candidates[four[i]];
-            if (quarters == null && count == ContactManifold.Capacity) quarters = before;
-            int at = Put(ref candidates, deepest, reach);
-            count = LargestFour.Choose(candidates.Pointer, candidates.Count, at, four);
+            int before = candidates.Count, at = Put(ref candidates, deepest, reach);
+            for (int i = 0; i < count && candidates.Count > before; i++)
+                if (four[i] >= at) four[i]++;
+            count = LargestFour.Hold(candidates, four, count, at);
         }
 
         candidates.Keep(four, count);

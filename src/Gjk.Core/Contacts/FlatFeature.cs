@@ -35,8 +35,6 @@ internal unsafe struct FlatFeature
     /// <summary>The length of an edge that stands alone.</summary>
     private double _length;
 
-    private readonly bool _isDisc;
-
     /// <summary>How fast the feature rises along the plane's axes; an edge does not rise across itself.</summary>
     private double _riseU, _riseV;
 
@@ -59,30 +57,47 @@ internal unsafe struct FlatFeature
         _firstRadius = corners.FirstRadius * factor;
         _lastRadius = corners.SideRadius * factor;
         double thin = Thin * size, area = 0;
-        if (count > 2 && !(Math.Abs(area = Tilt()) > thin * (Width = FindWidth())))
-        {
-            KeepLongest();
-            Count = 2;
-        }
+        if (count > 2 && !(Math.Abs(area = Tilt()) > thin * (Width = FindWidth()))) KeepLongest();
 
-        _isDisc = corners.IsDisc && Count > 2;
-        MeasureEdges(area < 0 ? -1 : 1);
+        IsDisc = corners.IsDisc && Count > 2;
+        Judge(area < 0 ? -1 : 1, size);
+    }
+
+    /// <summary>Leaves one edge of a face.</summary>
+    public void KeepEdge(int edge, double size)
+    {
+        if (Count > 2) Keep(_corners[edge], After(edge));
+        Judge(1, size);
+    }
+
+    /// <summary>Finds all that the corners say of it.</summary>
+    private void Judge(double turn, double size)
+    {
+        MeasureEdges(turn);
         if (Count == 2) TiltEdge();
         Secant = Math.Sqrt(1 + _riseU * _riseU + _riseV * _riseV);
         FindNormal();
-        IsLevel = (Count > 2 || _length > thin) && Secant <= FaceTilt.MostSecant;
+        IsLevel = (Count > 2 || _length > Thin * size) && Secant <= FaceTilt.MostSecant;
         IsSure = Margin * (Secant - 1) <= Level * size && (Count > 2 || !IsOnSide);
     }
 
+    /// <summary>Whether a face and another look so far aside of each other that they meet in an edge.</summary>
+    public readonly bool IsSteepTo(in FlatFeature other, double slope) =>
+        (_riseU + other._riseU) * (_riseU + other._riseU) + (_riseV + other._riseV) * (_riseV + other._riseV)
+            > slope * slope;
+
+    /// <summary>Whether it is what a disc is shown by, whose edges are not the shape's.</summary>
+    public readonly bool IsDisc;
+
     /// <summary>Whether it lies level enough for its heights to say something; a shape that is scaled unevenly may show
     /// another.</summary>
-    public readonly bool IsLevel;
+    public bool IsLevel { get; private set; }
 
     /// <summary>Whether its surface is known without asking the shape: without margin it is the core's own.</summary>
-    public readonly bool IsSure;
+    public bool IsSure { get; private set; }
 
     /// <summary>One over the cosine of its tilt: how much longer a margin is along the contact normal.</summary>
-    public readonly double Secant;
+    public double Secant { get; private set; }
 
     /// <summary>Whether it is a line of a round side.</summary>
     public readonly bool IsOnSide => _side != RoundSide.None;
@@ -103,7 +118,7 @@ internal unsafe struct FlatFeature
     public double Width { get; private set; }
 
     /// <summary>Whether more corners of a disc can be put between those that are there.</summary>
-    public readonly bool CanBeRefined => _isDisc && Count < FaceCorners.Capacity;
+    public readonly bool CanBeRefined => IsDisc && Count < FaceCorners.Capacity;
 
     /// <summary>Puts a corner of the disc between each two.</summary>
     public void Refine()
@@ -258,13 +273,13 @@ internal unsafe struct FlatFeature
     }
 
     /// <summary>Leaves of a narrow face its two ends.</summary>
-    private readonly void KeepLongest()
+    private void KeepLongest()
     {
         int first = Furthest(0), second = Furthest(first);
-        FlatCorner p = _corners[Math.Min(first, second)], q = _corners[Math.Max(first, second)];
-        _corners[0] = p;
-        _corners[1] = q;
+        Keep(_corners[Math.Min(first, second)], _corners[Math.Max(first, second)]);
     }
+
+    private void Keep(FlatCorner first, FlatCorner last) => (_corners[0], _corners[1], Count) = (first, last, 2);
 
     private readonly int Furthest(int from)
     {

@@ -1,212 +1,165 @@
 namespace Gjk.Core;
 
-/// <summary>The four corners of a convex polygon that span the largest area, to within a fiftieth.</summary>
-/// <remarks>
-/// <para>Four corners are two triangles on both sides of a diagonal. While the diagonal's other end goes round, the
-/// best corner on either side moves on and never back (Shamos 1978, by rotating calipers). The area is at most the
-/// diagonal's length times the polygon's width, so diagonals that are too short for a large one are left out: of a
-/// disc's all but the few across the middle.</para>
-/// <para>Of those that are as good the one with the first name is taken, corner by corner: a regular outline has many
-/// that are equal but for rounding, and the same ones must stay while a body rests or slides. What is as good ends in a
-/// gap between one area and the next, so that hardly one is in today and out tomorrow.</para>
-/// </remarks>
-internal readonly unsafe ref struct LargestFour
+/// <summary>Four corners of a convex outline that span a large area: an end of the outline, the corner furthest from
+/// it, the one that makes the largest triangle with these two, and the one that adds most to that triangle (Gregorius,
+/// "Robust contact creation for physics simulation", GDC 2015). Then each moves once to where it spans the most between
+/// its neighbours. Begun at the third one as well, they may span much more.</summary>
+/// <remarks>Of corners that are as good the one with the first name is taken: a regular outline has many that are equal
+/// but for rounding, and the same ones must stay while a body rests or slides. What is as good ends in a gap between
+/// one value and the next, so that hardly one is in today and out tomorrow.</remarks>
+internal static unsafe class LargestFour
 {
-    /// <summary>Ratio of areas: four that span this much of the largest are as good, none that spans less than the
-    /// second. More than a resting body's unrest changes areas, less than matters to what stands on them. Pinned by
+    /// <summary>Ratio: what reaches this much of the best is as good, what reaches less than the second never is. More
+    /// than a resting body's unrest changes lengths and areas, less than matters to what stands on them. Pinned by
     /// NameTests.</summary>
     private const double AsGood = 0.995, LeastGood = 0.98;
 
-    /// <summary>Ratio of areas: a gap that a resting body's unrest hardly crosses. Pinned by NameTests.</summary>
+    /// <summary>Ratio: a gap that a resting body's unrest hardly crosses. Pinned by NameTests.</summary>
     private const double Gap = 0.004;
 
-    /// <summary>The cosine of an eighth of a turn, and one over that of a sixteenth: what an extent along one of eight
-    /// directions may miss.</summary>
-    private const double HalfRoot = 0.70710678118654752, Slanted = 1.0823922002923938;
+    /// <summary>Ratio of areas: where the deepest corner leaves less, the others move with it; and four that span less
+    /// than this of the other four give way. More than the promised 80 %; pinned by ContactAreaTests.</summary>
+    private const double LeastLeft = 0.84;
 
     /// <summary>Ratio of an area to the length's square: below it the corners are on a line.</summary>
     private const double Flat = 1e-9;
 
-    /// <summary>The corners, twice round, so that no index need be wrapped; they run counter-clockwise.</summary>
-    private readonly double* _u, _v;
-
-    private readonly Candidate* _candidates;
-    private readonly int _count;
-
-    /// <summary>Whether the corners run the other way round than the candidates.</summary>
-    private readonly bool _isTurned;
-
-    private LargestFour(Candidate* candidates, int count, double* memory)
-    {
-        _candidates = candidates;
-        _count = count;
-        _u = memory;
-        _v = memory + 2 * count;
-        double area = 0;
-        for (int i = 1; i + 1 < count; i++)
-            area += Candidate.Area(candidates[0], candidates[i], candidates[i + 1]);
-        _isTurned = area < 0;
-        for (int i = 0; i < count; i++)
-        {
-            ref Candidate candidate = ref candidates[Number(i)];
-            _u[i] = _u[i + count] = candidate.U;
-            _v[i] = _v[i + count] = candidate.V;
-        }
-    }
-
     /// <summary>Chooses among candidates that run around a convex outline.</summary>
     /// <param name="candidates">The candidates.</param>
-    /// <param name="count">How many there are.</param>
-    /// <param name="held">One that must be among those that are chosen; -1 for none.</param>
-    /// <param name="chosen">Gets the numbers of the chosen ones, rising.</param>
+    /// <param name="chosen">Gets the numbers of the chosen ones, rising; has room for one more.</param>
     /// <returns>How many they are: all of up to four; of more four, or the two ends where all are on a line.</returns>
-    public static int Choose(Candidate* candidates, int count, int held, int* chosen)
+    public static int Choose(in ContactCandidates candidates, int* chosen)
     {
-        if (count <= ContactManifold.Capacity)
-        {
-            for (int i = 0; i < count; i++) chosen[i] = i;
-            return count;
-        }
-
-        double* memory = stackalloc double[6 * ContactCandidates.Capacity];
-        var corners = new LargestFour(candidates, count, memory);
-        return corners.Choose(held < 0 ? -1 : corners.Number(held), memory + 4 * count, chosen);
+        int count = candidates.Count;
+        for (int i = 0; i < Math.Min(count, ContactManifold.Capacity); i++) chosen[i] = i;
+        if (count <= ContactManifold.Capacity) return count;
+        double* values = stackalloc double[ContactCandidates.Capacity];
+        for (int i = 0; i < count; i++) values[i] = 1;
+        int p = First(candidates, values), q = Furthest(candidates, Furthest(candidates, p, values), values);
+        int found = Grow(candidates, q, chosen, values), third = chosen[2];
+        Sort(chosen, found);
+        if (found < ContactManifold.Capacity) return found;
+        Exchange(candidates, chosen, -1, values);
+        int* other = stackalloc int[ContactManifold.Capacity];
+        if (Grow(candidates, third, other, values) < ContactManifold.Capacity) return found;
+        Sort(other, found);
+        Exchange(candidates, other, -1, values);
+        if (Area(candidates, chosen) < LeastLeft * Area(candidates, other))
+            for (int i = 0; i < found; i++) chosen[i] = other[i];
+        return found;
     }
 
-    private int Choose(int held, double* areas, int* chosen)
+    /// <summary>Chooses a corner furthest from a start, and the third and the fourth one.</summary>
+    private static int Grow(in ContactCandidates candidates, int start, int* chosen, double* values)
     {
-        double most = 0, width = Width();
-        for (int i = 0; i < _count; i++) areas[i] = 0;
-        Through(Math.Max(held, 0), held < 0 ? _count : held + 1, width, areas, ref most);
-        if (!(most > Flat * width * width)) return Ends(held < 0 ? Furthest(0) : held, chosen);
-        int first = held < 0 ? First(areas, 0, _count, most, 0, most) : held;
-        if (held < 0)
-        {
-            for (int i = 0; i < _count; i++) areas[i] = 0;
-            Through(first, first + 1, width, areas, ref most);
-        }
-
-        double best = areas[first];
-        areas[first] = 0;
-        int across = First(areas, 0, _count, best, 0, most);
-        Complete(first, across < first ? across + _count : across, most, areas, chosen);
-        chosen[0] = Number(first);
-        chosen[2] = Number(across);
-        for (int i = 1; i < ContactManifold.Capacity; i++)
-            for (int k = i; k > 0 && chosen[k] < chosen[k - 1]; k--)
-                (chosen[k], chosen[k - 1]) = (chosen[k - 1], chosen[k]);
-        return ContactManifold.Capacity;
+        int p = Furthest(candidates, start, values), q = start;
+        for (int i = 0; i < candidates.Count; i++)
+            values[i] = Math.Abs(Candidate.Area(candidates[p], candidates[q], candidates[i]));
+        int r = First(candidates, values);
+        (chosen[0], chosen[1], chosen[2]) = (p, q, r);
+        if (!(values[r] > Flat * candidates[p].SquaredTo(candidates[q]))) return 2;
+        if (Candidate.Area(candidates[p], candidates[q], candidates[r]) < 0) (p, q) = (q, p);
+        for (int i = 0; i < candidates.Count; i++) values[i] = Beyond(candidates, p, q, r, candidates[i]);
+        chosen[3] = First(candidates, values);
+        return values[chosen[3]] > 0 ? ContactManifold.Capacity : ContactManifold.Capacity - 1;
     }
 
-    /// <summary>Chooses the corners on both sides of a diagonal, the one with the first name first.</summary>
-    private void Complete(int from, int to, double most, double* areas, int* chosen)
+    /// <summary>Lets each of four but one go to where between its neighbours it spans the most.</summary>
+    private static void Exchange(in ContactCandidates candidates, int* four, int held, double* values)
     {
-        int end = from + _count;
-        double most1 = FillBetween(from, to, areas), most2 = FillBetween(to, end, areas);
-        int left = First(areas, from + 1, to, most1, Math.Max(0, most2), most);
-        int right = First(areas, to + 1, end, most2, Math.Max(0, most1), most);
-        if (IsBefore(left, right)) right = First(areas, to + 1, end, most2, areas[left], most);
-        else left = First(areas, from + 1, to, most1, areas[right], most);
-        chosen[1] = Number(Wrapped(left));
-        chosen[3] = Number(Wrapped(right));
-    }
-
-    /// <summary>Finds for each two corners, of which one is given, the largest area of four that hold both, and takes
-    /// note of it at both.</summary>
-    /// <param name="from">The first of the corners.</param>
-    /// <param name="to">Behind the last one: all corners, or a single one.</param>
-    /// <param name="width">No two corners are further apart; diagonals too short for a large area are left out.</param>
-    /// <param name="areas">The largest area that is known of each corner.</param>
-    /// <param name="most">The largest of all.</param>
-    private void Through(int from, int to, double width, double* areas, ref double most)
-    {
-        for (int first = from; first < to; first++)
+        for (int i = 0; i < ContactManifold.Capacity; i++)
         {
-            int last = first + _count - 2;
-            if (to - from > 1) last = Math.Min(last, _count - 1);
-            double length = LeastGood * most / width, squared = length * length;
-            for (int k = first + 2; k <= last; k++)
+            if (four[i] == held) continue;
+            int p = four[(i + 3) % ContactManifold.Capacity], q = four[(i + 1) % ContactManifold.Capacity];
+            for (int k = 0; k < candidates.Count; k++)
             {
-                double u = _u[k] - _u[first], v = _v[k] - _v[first];
-                if (u * u + v * v < squared) continue;
-                double area = AreaOver(u, v);
-                most = Math.Max(most, area);
-                areas[first] = Math.Max(areas[first], area);
-                int across = Wrapped(k);
-                areas[across] = Math.Max(areas[across], area);
+                bool isBetween = p < q ? k > p && k < q : k > p || k < q;
+                values[k] = isBetween ? Math.Abs(Candidate.Area(candidates[p], candidates[q], candidates[k])) : -1;
+            }
+
+            four[i] = First(candidates, values);
+        }
+
+        Sort(four, ContactManifold.Capacity);
+    }
+
+    /// <summary>Makes one candidate a chosen one: a fifth takes the place of the one that leaves the largest area, so
+    /// that three names stay.</summary>
+    /// <returns>How many there are.</returns>
+    public static int Hold(in ContactCandidates candidates, int* chosen, int count, int held)
+    {
+        for (int i = 0; i < count; i++)
+            if (chosen[i] == held) return count;
+        chosen[count] = held;
+        Sort(chosen, count + 1);
+        if (count < ContactManifold.Capacity) return count + 1;
+        int* four = stackalloc int[ContactManifold.Capacity], best = stackalloc int[ContactManifold.Capacity];
+        double most = -1, before = 0;
+        for (int left = 0; left <= count; left++)
+        {
+            for (int i = 0; i < count; i++) four[i] = chosen[i < left ? i : i + 1];
+            double area = Area(candidates, four);
+            if (chosen[left] == held) before = area;
+            else if (area > most)
+            {
+                most = area;
+                for (int i = 0; i < count; i++) best[i] = four[i];
             }
         }
+
+        for (int i = 0; i < count; i++) chosen[i] = best[i];
+        double* values = stackalloc double[ContactCandidates.Capacity];
+        if (!(most >= LeastLeft * before)) Exchange(candidates, chosen, held, values);
+        return count;
     }
 
-    /// <summary>Twice the largest area over a diagonal: it is the base of both triangles, so their heights are all that
-    /// matters, and those are the furthest corners on its two sides.</summary>
-    private double AreaOver(double u, double v)
+    private static double Area(in ContactCandidates candidates, int* four) => Math.Abs(
+        Candidate.Area(candidates[four[0]], candidates[four[1]], candidates[four[2]])
+        + Candidate.Area(candidates[four[0]], candidates[four[2]], candidates[four[3]]));
+
+    /// <summary>How much a candidate adds to a triangle that runs counter-clockwise.</summary>
+    private static double Beyond(in ContactCandidates candidates, int p, int q, int r, in Candidate other) =>
+        -Math.Min(
+            Candidate.Area(candidates[p], candidates[q], other),
+            Math.Min(
+                Candidate.Area(candidates[q], candidates[r], other),
+                Candidate.Area(candidates[r], candidates[p], other)));
+
+    private static int Furthest(in ContactCandidates candidates, int from, double* values)
     {
-#if NET
-        // The corners run on behind the last one, and one that is seen twice does not matter.
-        Vector256<double> up = Vector256.Create(double.NegativeInfinity), down = up;
-        for (int i = 0; i < _count; i += Vector256<double>.Count)
-        {
-            Vector256<double> alongV = Vector256.Load(_v + i) * u, alongU = Vector256.Load(_u + i) * v;
-            up = Larger(up, alongV - alongU);
-            down = Larger(down, alongU - alongV);
-        }
-
-        Vector256<double> first = Vector256.Create(up.GetLower(), down.GetLower());
-        Vector256<double> both = Larger(first, Vector256.Create(up.GetUpper(), down.GetUpper()));
-        return Math.Max(both[0], both[1]) + Math.Max(both[2], both[3]);
-#else
-        double least = _v[0] * u - _u[0] * v, most = least;
-        for (int i = 1; i < _count; i++)
-        {
-            double height = _v[i] * u - _u[i] * v;
-            least = Math.Min(least, height);
-            most = Math.Max(most, height);
-        }
-
-        return most - least;
-#endif
+        for (int i = 0; i < candidates.Count; i++) values[i] = candidates[i].SquaredTo(candidates[from]);
+        return First(candidates, values);
     }
 
-#if NET
-    private static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
-        Vector256.ConditionalSelect(Vector256.GreaterThan(a, b), a, b);
-
-#endif
-    /// <summary>A length that no two corners are further apart than, by the extents along eight directions.</summary>
-    private double Width()
+    /// <summary>The first by name of those whose values are as good as the largest.</summary>
+    private static int First(in ContactCandidates candidates, double* values)
     {
-        double straight = Math.Max(AreaOver(1, 0), AreaOver(0, 1));
-        double slanted = Math.Max(AreaOver(1, 1), AreaOver(1, -1)) * HalfRoot;
-        return Math.Max(straight, slanted) * Slanted;
-    }
-
-    /// <summary>The first by name of those whose areas, with another's, are as good as the largest.</summary>
-    private int First(double* areas, int from, int end, double best, double other, double most)
-    {
-        if (end - from == 1) return from;
-        double enough = Enough(areas, from, end, best + other, other, most);
+        double enough = Enough(values, candidates.Count);
         int first = -1;
-        for (int i = from; i < end; i++)
-            if (areas[i] + other >= enough && (first < 0 || IsBefore(i, first))) first = i;
-        return first;
+        for (int i = 0; i < candidates.Count; i++)
+        {
+            if (!(values[i] >= enough)) continue;
+            if (first < 0 || ContactFeature.IsBefore(candidates[i].Id, candidates[first].Id)) first = i;
+        }
+
+        return Math.Max(first, 0);
     }
 
-    /// <summary>Where what is as good ends: in the first gap between two areas that is wide enough.</summary>
-    private static double Enough(double* areas, int begin, int end, double from, double other, double most)
+    /// <summary>Where what is as good ends: in the first gap between two values that is wide enough.</summary>
+    private static double Enough(double* values, int count)
     {
-        from = Math.Min(Math.Max(0, from), AsGood * most);
-        double least = Math.Min(from, LeastGood * most), gap = Gap * most;
+        double most = 0;
+        for (int i = 0; i < count; i++) most = Math.Max(most, values[i]);
+        double from = AsGood * most, least = LeastGood * most, gap = Gap * most;
         while (true)
         {
-            // The least area that is less than a gap away, and the largest one beyond.
+            // The least value that is less than a gap away, and the largest one beyond.
             double near = from, beyond = least;
-            for (int i = begin; i < end; i++)
+            for (int i = 0; i < count; i++)
             {
-                double area = areas[i] + other;
-                if (!(area < near && area > beyond)) continue;
-                if (from - area >= gap) beyond = area;
-                else near = area;
+                if (!(values[i] < near && values[i] > beyond)) continue;
+                if (from - values[i] >= gap) beyond = values[i];
+                else near = values[i];
             }
 
             if (!(near < from)) return (from + beyond) / 2;
@@ -214,54 +167,10 @@ internal readonly unsafe ref struct LargestFour
         }
     }
 
-    /// <summary>Writes the areas of the triangles over a diagonal.</summary>
-    /// <returns>The largest; below 0 where a corner that must stay lies behind the line of its neighbours.</returns>
-    private double FillBetween(int from, int to, double* areas)
+    private static void Sort(int* numbers, int count)
     {
-        double most = double.NegativeInfinity;
-        for (int i = from + 1; i < to; i++)
-        {
-            double area = Area(from, i, to);
-            areas[i] = area;
-            if (area > most) most = area;
-        }
-
-        return most;
+        for (int i = 1; i < count; i++)
+            for (int k = i; k > 0 && numbers[k] < numbers[k - 1]; k--)
+                (numbers[k], numbers[k - 1]) = (numbers[k - 1], numbers[k]);
     }
-
-    /// <summary>One end of what lies on a line, or one that must stay, and the one that is furthest from it.</summary>
-    private int Ends(int from, int* chosen)
-    {
-        int to = Furthest(from);
-        chosen[0] = Math.Min(Number(from), Number(to));
-        chosen[1] = Math.Max(Number(from), Number(to));
-        return from == to ? 1 : 2;
-    }
-
-    private int Furthest(int from)
-    {
-        int furthest = from;
-        double most = 0;
-        for (int i = 0; i < _count; i++)
-        {
-            double u = _u[i] - _u[from], v = _v[i] - _v[from], squared = u * u + v * v;
-            if (!(squared > most)) continue;
-            most = squared;
-            furthest = i;
-        }
-
-        return furthest;
-    }
-
-    /// <summary>Twice the area of a triangle.</summary>
-    private double Area(int p, int q, int r) =>
-        (_u[q] - _u[p]) * (_v[r] - _v[p]) - (_v[q] - _v[p]) * (_u[r] - _u[p]);
-
-    private int Wrapped(int corner) => corner < _count ? corner : corner - _count;
-
-    /// <summary>The candidate that is a corner, or the corner that is a candidate.</summary>
-    private int Number(int corner) => _isTurned ? _count - 1 - corner : corner;
-
-    private bool IsBefore(int i, int k) =>
-        ContactFeature.IsBefore(_candidates[Number(Wrapped(i))].Id, _candidates[Number(Wrapped(k))].Id);
 }

@@ -7,6 +7,10 @@ namespace Gjk.Core;
 /// lets a support of the shape prove that nothing of it reaches further (<see cref="ContactProof"/>).</remarks>
 internal readonly struct SurfacePoint(double height, double normalU, double normalV, double normalHeight)
 {
+    /// <summary>Ratio to the edge's length: at a cone's tip, which is as thin as this, a place is on the line that is
+    /// shown. Above the rounding of two poses, below what a surface may be off. Pinned by AlongEdgeTests.</summary>
+    private const double AtTip = 4e-7;
+
     /// <summary>Along the contact normal, towards the other shape.</summary>
     public readonly double Height = height;
 
@@ -36,7 +40,7 @@ internal readonly struct SurfacePoint(double height, double normalU, double norm
         double upright = 1 / secant, lean = rise * upright, edgeLength = length * secant;
         double taper = (radiusQ - radiusP) / edgeLength, foot = along * secant + margin * rise;
         double radius = radiusP + taper * foot + margin, drop = 0;
-        if (!(radius > 0)) across = 0;
+        if (!(radius > 0) || (radius < 4 * Math.Abs(across) && Math.Abs(across) <= AtTip * edgeLength)) across = 0;
         if (across != 0)
         {
             double straight = radius * upright, bend = upright * (upright * (taper * taper - 1) - 2 * taper * lean);

@@ -14,11 +14,12 @@ public static unsafe partial class ConvexQuery
     /// counts as 0. A little more than the shapes can move in a frame, or than a body rocks, keeps the corners of one
     /// that is about to touch.</param>
     /// <param name="manifold">Gets the points: none when the shapes are further apart than <paramref name="maxGap"/> or
-    /// invalid. A face on a face has up to four, an edge on a face two, as have parallel cylinders, a corner one. Of
-    /// all fours that hold a point as deep as the deepest, to within 1e-6 of the size, they span at least 95 % of the
-    /// largest area; a face of more than 64 corners takes part by 64 of them, and there it can be less. Shapes whose
-    /// face, edge or corner there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of
-    /// deepest points. Every pair of points lies along the manifold's normal.</param>
+    /// invalid. A face on a face has up to four, an edge on a face two, as have parallel cylinders, or a round side
+    /// along an edge, a corner one; where two cross deeper between their ends, a third lies there. They hold a point as
+    /// deep as the deepest, to within 1e-6 of the size, and span at least 80 % of the largest area that four points of
+    /// what is shared can (as measured over random faces, and 99 % on the average). Shapes whose face, edge or corner
+    /// there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of deepest points. Every
+    /// pair of points lies along the manifold's normal.</param>
     /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
     public static DistanceResult Contacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, out ContactManifold manifold)

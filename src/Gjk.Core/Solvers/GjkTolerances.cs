@@ -90,7 +90,12 @@ internal static class GjkTolerances
     /// promise for these is 1e-6. Pinned by DepthToleranceTests.</summary>
     public const double DepthNoiseCurved = 2e-7;
 
-    /// <summary>The same where the search has to divide its surface into cells. The supports that it takes grow with
+    /// <summary>Length, for cores without vertices: two bounds of the depth that leave its direction open by their
+    /// root, 2e-7 rad for a curve of the size; 180 roundings. Pinned by DepthToleranceTests.</summary>
+    public const double NormalNoise = 2e-14;
+
+    /// <summary>Length, for cores without vertices: the depth's bounds where the search has to divide its surface into
+    /// cells. The supports that it takes grow with
     /// one over this, or with its root; nine tenths of the promise, whose scale is this one's size over 1.74. A quarter
     /// of it only takes more of them. Pinned by HullDepthTests.</summary>
     public const double DepthCellNoiseCurved = 5e-7;

@@ -9,12 +9,12 @@ public static class GoldenHashes
     {
         ["distances"] = "533df80e35cd6025",
         ["depths"] = "9dc7d9ad23e41f09",
-        ["contacts"] = "3c946585c80f01d5",
-        ["casts"] = "a41d9714908af600",
-        ["impacts"] = "97fefd12e0317273",
-        ["rays"] = "f97003a7a9720186",
-        ["shapes"] = "0665a2ef1e62c5c4",
+        ["contacts"] = "4339f9f468459290",
+        ["casts"] = "0368b0538acfe0d0",
+        ["impacts"] = "691cefd8934d6e93",
+        ["rays"] = "503e567f26354dca",
+        ["shapes"] = "edd2419b0de180a2",
         ["batches"] = "02cb1d8ad93d25b4",
-        ["scenes"] = "0a3e697b10e6f945",
+        ["scenes"] = "554330dcd4bbbe98",
     };
 }

@@ -48,8 +48,8 @@ public class DepthToleranceTests
     [Theory]
     [InlineData(false, 8 * U, true)]
     [InlineData(false, 32 * U, false)]
-    [InlineData(true, 1e-7, true)]
-    [InlineData(true, 4e-7, false)]
+    [InlineData(true, 1e-14, true)]
+    [InlineData(true, 4e-14, false)]
     public void BoundsOfTheDepthMeet(bool isCurved, double ratio, bool haveMet)
     {
         DistanceResult flat = Ask(0, isCurved), r = Ask(1.5 * ratio, isCurved);

@@ -29,6 +29,10 @@ internal static unsafe class AxialDepth
     /// <summary>Count: supports at most; balls about one centre need half of it. Pinned by CoaxialDepthTests.</summary>
     public const int MostSupports = 8192;
 
+    /// <summary>Count: supports of a second walk, which sharpens the direction; where all are as good it ends
+    /// nothing.</summary>
+    private const int MostFiner = 128;
+
     /// <summary>Pure numbers: how far a shorter way out is looked for at first and at last. Only how many supports it
     /// takes depends on them.</summary>
     private const double FirstStep = 0.25, LastStep = 1e-4;
@@ -61,7 +65,7 @@ internal static unsafe class AxialDepth
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         way.IsDirection ? Look(ref a, ref b, frame, way, ref state, ref depth)
-            : Walk(ref a, ref b, frame, way, 0, limit, ref state, ref depth);
+            : Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
 
     /// <summary>The direction is known.</summary>
     private static DepthVerdict Look<TA, TB>(
@@ -83,14 +87,17 @@ internal static unsafe class AxialDepth
         where TB : struct, ISupportMap
     {
         int limit = state.Iterations + MostSupports;
-        DepthVerdict verdict = Walk(ref a, ref b, frame, way, 0, limit, ref state, ref depth);
+        DepthVerdict verdict = Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
+        int finest = Math.Min(limit, state.Iterations + MostFiner);
+        if (!(way.Slope > 0) && verdict == DepthVerdict.Found)
+            Walk(ref a, ref b, frame, way, 0, GjkTolerances.NormalNoise, finest, ref state, ref depth);
         double angle = 0, half = Math.PI / 4, known = double.PositiveInfinity, noise = Noise * state.Size.Value;
         while (way.Slope > 0 && angle < 2 * Math.PI && verdict == DepthVerdict.Found)
         {
             if (depth.Above < known - noise) Descend(ref a, ref b, frame, way, ref state, ref depth);
             known = depth.Above;
             WayOut plane = way.Turned(angle + half);
-            verdict = Walk(ref a, ref b, frame, plane, half, limit, ref state, ref depth);
+            verdict = Walk(ref a, ref b, frame, plane, half, Noise, limit, ref state, ref depth);
             bool isTooWide = verdict == DepthVerdict.Flat;
             if (isTooWide) verdict = DepthVerdict.Found;
             else angle += 2 * half;
@@ -125,8 +132,8 @@ internal static unsafe class AxialDepth
     /// the planes beside it may be shorter.</summary>
     /// <returns>Flat where one is not.</returns>
     private static DepthVerdict Walk<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double half, int limit, ref SolverState state,
-        ref DepthBounds depth)
+        ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double half, double noise, int limit,
+        ref SolverState state, ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -136,7 +143,8 @@ internal static unsafe class AxialDepth
         waiting[0] = Look(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
         if (!(depth.Above <= double.MaxValue)) return DepthVerdict.Contradiction;
         int count = 2;
-        double noise = Noise * state.Size.Value, contradiction = GjkTolerances.Contradiction * state.Size.Value;
+        noise *= state.Size.Value;
+        double contradiction = GjkTolerances.Contradiction * state.Size.Value;
         while (count > 0)
         {
             if (depth.IsApart(state)) return DepthVerdict.Apart;

@@ -143,7 +143,11 @@ internal static class SignedSolver
         PairForm.Look(ref a, ref b, frame, out PairForm form);
         if (form.AreFaceted) return HullDepth.Solve(ref a, ref b, frame, form, ref state);
         DepthVerdict verdict = CornerDepth.Solve(ref a, ref b, frame, form, ref state);
-        return verdict == DepthVerdict.Undecided ? DepthCells.Solve(ref a, ref b, frame, ref state) : verdict;
+        if (verdict == DepthVerdict.Undecided) verdict = DepthCells.Solve(ref a, ref b, frame, ref state);
+        if (state.IsCurved && verdict == DepthVerdict.Found
+            && SmoothNormal.TryEnd(ref a, ref b, frame, DepthBounds.Of(state), ref state))
+            state.Weights = ClosestPointWeights.Of(state.Simplex);
+        return verdict;
     }
 
     /// <summary>Whether a shape may be a round body; the meshes' core is not, and costs no look.</summary>
