@@ -68,6 +68,9 @@ internal struct PartCastSearch
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
 
+    /// <summary>How many pairs of parts the last search looked at, and how many pieces and distances there were.</summary>
+    public int Asked, Steps;
+
     /// <summary>World units per fraction: no faster does any distance close.</summary>
     public readonly double Speed => _length;
 
@@ -147,6 +150,7 @@ internal struct PartCastSearch
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
+        search.Asked = 0;
         heap.Clear();
         heap.Add(0, 0, 0);
         fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
@@ -214,6 +218,7 @@ internal struct PartCastSearch
 
     private void Ask(ConcaveScratch scratch, int partA, int partB)
     {
+        Asked++;
         ConvexShape roomA = default, roomB = default;
         ref readonly ConvexShape a = ref scratch.A.Part(partA, ref roomA);
 
@@ -231,6 +236,8 @@ internal struct PartCastSearch
         }
 
         ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
+        bool isPiece = _motion == PartMotion.Impact && !double.IsInfinity(_to);
+        if (isPiece && ConvexQuery.StaysApart(a, _a, b, _b, _tolerance, (float)_maxFraction, _from, _to)) return;
         CastResult found = Move(a, b, _b, most, _options);
         if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
         if (_isLifted && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
