@@ -17,9 +17,10 @@ internal static class PartAdvancement
     /// longer ones ask more parts, shorter ones more distances. No test can tell.</summary>
     private const double Near = 1.0 / (1 << 6);
 
-    /// <summary>Counts: a piece after one in which fewer parts were looked at is twice as long, after one in which more
-    /// were half. It changes the cost alone.</summary>
-    private const int Few = 8, Many = 32;
+    /// <summary>Count: so many looks at two parts cost about as much as a distance of the bodies. A piece after one with
+    /// fewer is twice as long; after one that got less far for its cost than the distance does, it is half. It changes
+    /// the cost alone.</summary>
+    private const int LooksPerDistance = 32;
 
     /// <summary>Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at
     /// most 2^-23, and a position's by 2^-24 each. More only costs time; less is not seen by a test, as a touch has
@@ -28,7 +29,7 @@ internal static class PartAdvancement
 
     /// <summary>Count: distances and pieces of a query; a bound of the cost. Pinned by
     /// PartAdvancementTests.ATurnBesideAnotherBodyEnds, which does not end without one.</summary>
-    private const int MostSteps = 1 << 12;
+    private const int MostSteps = 1 << 14;
 
     /// <summary>Finds the first contact of the search that the scratch holds, of an impact that passes
     /// nothing.</summary>
@@ -65,8 +66,8 @@ internal static class PartAdvancement
             PartCastSearch.Run(scratch);
             if (to >= search.Last) break;
             from = to;
-            if (search.Asked < Few) span *= 2;
-            else if (search.Asked > Many) span /= 2;
+            if (search.Asked < LooksPerDistance) span *= 2;
+            else if (search.Asked * free > LooksPerDistance * span) span /= 2;
         }
 
         sideA.Pose = a.Pose;

@@ -30,6 +30,10 @@ internal struct PartCastSearch
     /// gives no tolerance (<see cref="ConvexQuery.DefaultTolerance"/>). More only costs time.</summary>
     private const double ImpactRoom = 1.0 / (1 << 14);
 
+    /// <summary>Count: after so many parts that do not meet, and after each twice as many, a plane is tried. It changes
+    /// the cost alone.</summary>
+    private const int IdleBeforeProof = 16;
+
     /// <summary>Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts
     /// off none that another part's rounds to. More only costs time. Pinned by SmallBesideLargeTests.</summary>
     private const double WayError = 1.0 / (1L << 40);
@@ -151,12 +155,16 @@ internal struct PartCastSearch
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         search.Asked = 0;
+        scratch.Plane.Clear();
         heap.Clear();
         heap.Add(0, 0, 0);
         fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
         {
             while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search._reached)
             {
+                PlaneProof plane = scratch.Plane;
+                if (plane.IsUntried && plane.IsWholeNoNearer(scratch.A, scratch.B)) return;
+                if (plane.IsSet && plane.IsNoNearer(scratch.A, pair.A, scratch.B, pair.B)) continue;
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
                 if (childA < 0 && childB < 0)
                 {
@@ -238,6 +246,8 @@ internal struct PartCastSearch
         ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
         bool isPiece = _motion == PartMotion.Impact && !double.IsInfinity(_to);
         if (isPiece && ConvexQuery.StaysApart(a, _a, b, _b, _tolerance, (float)_maxFraction, _from, _to)) return;
+        bool isIdle = Asked >= IdleBeforeProof && (Asked & (Asked - 1)) == 0;
+        if (isIdle && _motion == PartMotion.Cast) TryPlane(scratch, partA, partB);
         CastResult found = Move(a, b, _b, most, _options);
         if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
         if (_isLifted && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
@@ -252,6 +262,17 @@ internal struct PartCastSearch
         if (AllCasts is not null)
             AllCasts.Add(new PartCast(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
         else if (Take(found.Order, feature, partA, partB)) Cast = found;
+    }
+
+    /// <summary>Takes the plane of two parts that are apart at the start: where many parts pass each other closely,
+    /// the boxes' bounds in float let all of them pass.</summary>
+    private readonly void TryPlane(ConcaveScratch scratch, int partA, int partB)
+    {
+        DistanceResult start = PartQuery.Distance(scratch.A, partA, scratch.B, partB, float.PositiveInfinity);
+        if (start.Status != GjkStatus.Separated) return;
+        Double3 way = (Double3)_b.Velocity - _a.Velocity;
+        double error = WayError * Size / Math.Max(_length, double.Epsilon);
+        scratch.Plane.SetWay(scratch.A, partA, scratch.B, partB, start.Normal, way, Last + error);
     }
 
     private readonly CastResult Move(
