@@ -62,12 +62,14 @@ internal static class PartAdvancement
             }
 
             double to = from + span;
+            int before = search.Asked;
             search.Look(scratch, from, to, rounding);
             PartCastSearch.Run(scratch);
+            int asked = search.Asked - before;
             if (to >= search.Last) break;
             from = to;
-            if (search.Asked < LooksPerDistance) span *= 2;
-            else if (search.Asked * free > LooksPerDistance * span) span /= 2;
+            if (asked < LooksPerDistance) span *= 2;
+            else if (asked * free > LooksPerDistance * span) span /= 2;
         }
 
         sideA.Pose = a.Pose;

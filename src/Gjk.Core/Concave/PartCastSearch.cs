@@ -72,7 +72,7 @@ internal struct PartCastSearch
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
 
-    /// <summary>How many pairs of parts the last search looked at, and how many pieces and distances there were.</summary>
+    /// <summary>How many pairs of parts were looked at, and how many pieces and distances of the bodies there were.</summary>
     public int Asked, Steps;
 
     /// <summary>World units per fraction: no faster does any distance close.</summary>
@@ -114,6 +114,7 @@ internal struct PartCastSearch
         _wayInB = (Vector3)_frame.Rotation.InverseRotate(-inA);
         PartA = PartB = -1;
         _isLifted = false;
+        Asked = Steps = 0;
         _best = new ContactOrder(double.PositiveInfinity, CastStatus.Miss, 0);
         SetReached(_maxFraction);
     }
@@ -154,7 +155,6 @@ internal struct PartCastSearch
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
-        search.Asked = 0;
         scratch.Plane.Clear();
         heap.Clear();
         heap.Add(0, 0, 0);
