@@ -3,9 +3,9 @@ namespace Gjk.Core;
 /// <summary>When parts of two bodies that move and turn first touch: conservative advancement of the whole bodies, and
 /// of their parts where those come near.</summary>
 /// <remarks>Idea (Mirtich 1996, section 2.3; for trees Tang, Kim and Manocha 2009): bodies at a distance do not touch
-/// before they could have closed it at their greatest speed, so time goes on by that much. Where they are near, the parts
-/// that could touch in a short piece of time are looked at: most are proved apart for the piece, by planes that move as
-/// they do (<see cref="ConvexQuery.StaysApart"/>), and the others are asked for their own time of impact, which <see
+/// before they could have closed it at their greatest speed, so time goes on by that much. Where they are near, the
+/// parts that could touch in a short piece of time are looked at: most are proved apart for the piece, by planes that
+/// move as they do (<see cref="ConvexQuery.StaysApart"/>), and the others are asked for their own time of impact, which <see
 /// cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
 /// CastOptions)"/> answers from the whole motion. Deviation: nothing is answered here. The pieces only say which parts
 /// need not be asked, and so the result is that of all pairs asked in turn. Exactness: a pose at a fraction is rounded
@@ -17,9 +17,9 @@ internal static class PartAdvancement
     /// longer ones ask more parts, shorter ones more distances. No test can tell.</summary>
     private const double Near = 1.0 / (1 << 6);
 
-    /// <summary>Count: so many looks at two parts cost about as much as a distance of the bodies. A piece after one with
-    /// fewer is twice as long; after one that got less far for its cost than the distance does, it is half. It changes
-    /// the cost alone.</summary>
+    /// <summary>Count: so many looks at two parts cost about as much as a distance of the bodies. A piece after one
+    /// with fewer is twice as long; after one that got less far for its cost than the distance does, it is half. It
+    /// changes the cost alone.</summary>
     private const int LooksPerDistance = 32;
 
     /// <summary>Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at

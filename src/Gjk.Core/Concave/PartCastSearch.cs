@@ -72,7 +72,8 @@ internal struct PartCastSearch
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
 
-    /// <summary>How many pairs of parts were looked at, and how many pieces and distances of the bodies there were.</summary>
+    /// <summary>How many pairs of parts were looked at, and how many pieces and distances of the bodies there
+    /// were.</summary>
     public int Asked, Steps;
 
     /// <summary>World units per fraction: no faster does any distance close.</summary>
