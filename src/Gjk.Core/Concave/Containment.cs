@@ -38,7 +38,8 @@ internal static class Containment
         {
             VectorDD world = VectorDD.Place(inner.Pose, inner.MiddleOf(piece, out _)) + (VectorDD)moved;
             VectorDD local = ToFrame(outer.Pose, world);
-            if (scratch.Winding.About(outer.Mesh!, local) == 0 || IsOnSurface(scratch, outer, (Vector3)(Double3)local)) continue;
+            if (scratch.Winding.About(outer.Mesh!, local) == 0) continue;
+            if (IsOnSurface(scratch, outer, (Vector3)(Double3)local)) continue;
             return true;
         }
 

@@ -5,8 +5,8 @@ namespace Gjk.Core;
 /// <remarks>Idea (Mirtich 1996, section 2.3; for trees Tang, Kim and Manocha 2009): bodies at a distance do not touch
 /// before they could have closed it at their greatest speed, so time goes on by that much. Where they are near, the
 /// parts that could touch in a short piece of time are looked at: most are proved apart for the piece, by planes that
-/// move as they do (<see cref="ConvexQuery.StaysApart"/>), and the others are asked for their own time of impact, which <see
-/// cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
+/// move as they do (<see cref="ConvexQuery.StaysApart"/>), and the others are asked for their own time of impact, which
+/// <see cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
 /// CastOptions)"/> answers from the whole motion. Deviation: nothing is answered here. The pieces only say which parts
 /// need not be asked, and so the result is that of all pairs asked in turn. Exactness: a pose at a fraction is rounded
 /// to float; <see cref="PoseRounding"/> is added to every reach; from where no float has a pose the whole motion is one

@@ -34,6 +34,10 @@ internal struct PartCastSearch
     /// the cost alone.</summary>
     private const int IdleBeforeProof = 16;
 
+    /// <summary>Bits: the even powers of two. After so many parts a triangle's own plane is tried, after the others
+    /// that of a distance.</summary>
+    private const int OtherPowers = 0x55555555;
+
     /// <summary>Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts
     /// off none that another part's rounds to. More only costs time. Pinned by SmallBesideLargeTests.</summary>
     private const double WayError = 1.0 / (1L << 40);
@@ -273,7 +277,8 @@ internal struct PartCastSearch
         if (start.Status != GjkStatus.Separated) return;
         Double3 way = (Double3)_b.Velocity - _a.Velocity;
         double error = WayError * Size / Math.Max(_length, double.Epsilon);
-        scratch.Plane.SetWay(scratch.A, partA, scratch.B, partB, start.Normal, way, Last + error);
+        bool isFace = (Asked & OtherPowers) != 0;
+        scratch.Plane.SetWay(scratch.A, partA, scratch.B, partB, start.Normal, isFace, way, Last + error);
     }
 
     private readonly CastResult Move(

@@ -69,12 +69,14 @@ internal sealed class PlaneProof
     /// <param name="b">The second side.</param>
     /// <param name="partB">A part of it.</param>
     /// <param name="normal">Of their distance.</param>
+    /// <param name="isFace">Whether a triangle's own plane is taken, however the normal lies to it.</param>
     /// <param name="way">Of B, seen from A, in the world, for the fraction 1.</param>
     /// <param name="most">The last fraction.</param>
     public void SetWay(
-        PartSide a, int partA, PartSide b, int partB, Vector3 normal, in Double3 way, double most)
+        PartSide a, int partA, PartSide b, int partB, Vector3 normal, bool isFace, in Double3 way,
+        double most)
     {
-        double lengths = Aim(a, partA, b, partB, normal, Aligned);
+        double lengths = Aim(a, partA, b, partB, normal, isFace ? 0 : Aligned);
         double closing = Math.Max(-Double3.Dot(_normal, way), 0) + Error * way.SumOfMagnitudes;
         IsSet = true;
         _limit = Touching * lengths + closing * most;

@@ -90,7 +90,8 @@ public sealed class PartAdvancementTests
         Assert.True(TriangleMesh.TryCreate(corners, [0, 1, 2], out TriangleMesh? mesh, out _));
         ConvexShape triangle = mesh.GetShape(0), ball = ConvexShape.Sphere(0.1f);
         var still = new RigidMotion(RigidPose.Identity, Vector3.Zero, new Vector3(0, 0, 1));
-        var moving = new RigidMotion(new RigidPose(Quaternion.Identity, new Vector3(0.2f, 0.2f, 2)), new Vector3(0, 0, -3));
+        var above = new RigidPose(Quaternion.Identity, new Vector3(0.2f, 0.2f, 2));
+        var moving = new RigidMotion(above, new Vector3(0, 0, -3));
         foreach (float tolerance in new[] { float.PositiveInfinity, float.NegativeInfinity, float.NaN, 0.1f })
         {
             PartCast found = ConcaveQuery.TimeOfImpact(
