@@ -30,12 +30,10 @@ internal struct PartCastSearch
     /// gives no tolerance (<see cref="ConvexQuery.DefaultTolerance"/>). More only costs time.</summary>
     private const double ImpactRoom = 1.0 / (1 << 14);
 
-    /// <summary>Count: after so many parts that do not meet, and after each twice as many, a plane is tried. It changes
-    /// the cost alone.</summary>
+    /// <summary>Count: after so many parts, and each twice as many, a plane is tried. Only the cost changes.</summary>
     private const int IdleBeforeProof = 16;
 
-    /// <summary>Bits: the even powers of two. After so many parts a triangle's own plane is tried, after the others
-    /// that of a distance.</summary>
+    /// <summary>Bits: even powers of two; there a triangle's own plane is tried, else a distance's.</summary>
     private const int OtherPowers = 0x55555555;
 
     /// <summary>Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts
@@ -160,14 +158,14 @@ internal struct PartCastSearch
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
-        scratch.Plane.Clear();
+        PlaneProof plane = scratch.Plane;
+        plane.Clear();
         heap.Clear();
         heap.Add(0, 0, 0);
         fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
         {
             while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search._reached)
             {
-                PlaneProof plane = scratch.Plane;
                 if (plane.IsUntried && plane.IsWholeNoNearer(scratch.A, scratch.B)) return;
                 if (plane.IsSet && plane.IsNoNearer(scratch.A, pair.A, scratch.B, pair.B)) continue;
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
@@ -249,8 +247,8 @@ internal struct PartCastSearch
         }
 
         ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
-        bool isPiece = _motion == PartMotion.Impact && !double.IsInfinity(_to);
-        if (isPiece && ConvexQuery.StaysApart(a, _a, b, _b, _tolerance, (float)_maxFraction, _from, _to)) return;
+        if (_motion == PartMotion.Impact && !double.IsInfinity(_to)
+            && ConvexQuery.StaysApart(a, _a, b, _b, _tolerance, (float)_maxFraction, _from, _to)) return;
         bool isIdle = Asked >= IdleBeforeProof && (Asked & (Asked - 1)) == 0;
         if (isIdle && _motion == PartMotion.Cast) TryPlane(scratch, partA, partB);
         CastResult found = Move(a, b, _b, most, _options);
@@ -275,10 +273,9 @@ internal struct PartCastSearch
     {
         DistanceResult start = PartQuery.Distance(scratch.A, partA, scratch.B, partB, float.PositiveInfinity);
         if (start.Status != GjkStatus.Separated) return;
-        Double3 way = (Double3)_b.Velocity - _a.Velocity;
-        double error = WayError * Size / Math.Max(_length, double.Epsilon);
-        bool isFace = (Asked & OtherPowers) != 0;
-        scratch.Plane.SetWay(scratch.A, partA, scratch.B, partB, start.Normal, isFace, way, Last + error);
+        scratch.Plane.SetWay(
+            scratch.A, partA, scratch.B, partB, start.Normal, (Asked & OtherPowers) != 0,
+            (Double3)_b.Velocity - _a.Velocity, Last + WayError * Size / Math.Max(_length, double.Epsilon));
     }
 
     private readonly CastResult Move(
