@@ -64,7 +64,7 @@ public static partial class ConcaveQuery
                 PartSide.NoPart, PartSide.NoPart);
         }
 
-        bool isValid = motionA.IsValid && motionB.IsValid && Guard.IsFinite(tolerance);
+        bool isValid = motionA.IsValid && motionB.IsValid && !float.IsNaN(tolerance);
         if (!isValid || !TryBegin(a, motionA.Pose, b, motionB.Pose, scratch)) return InvalidCast;
         return Move(scratch, PartMotion.Impact, motionA, motionB, maxFraction, tolerance, options);
     }

@@ -38,25 +38,21 @@ internal static class Containment
         {
             VectorDD world = VectorDD.Place(inner.Pose, inner.MiddleOf(piece, out _)) + (VectorDD)moved;
             VectorDD local = ToFrame(outer.Pose, world);
-            if (scratch.Winding.About(outer.Mesh!, local) == 0 || IsOnSurface(outer, (Double3)local)) continue;
+            if (scratch.Winding.About(outer.Mesh!, local) == 0) continue;
+            if (IsOnSurface(scratch, outer, (Vector3)(Double3)local)) continue;
             return true;
         }
 
         return false;
     }
 
-    /// <summary>Whether a point touches a triangle; all are asked, as this is rare.</summary>
-    private static bool IsOnSurface(PartSide side, in Double3 point)
+    /// <summary>Whether a point touches a triangle.</summary>
+    private static bool IsOnSurface(ConcaveScratch scratch, PartSide side, Vector3 point)
     {
-        PointShape shape = default;
-        var at = new RigidPose((Vector3)point);
-        for (int i = 0; i < side.Mesh!.TriangleCount; i++)
-        {
-            side.Mesh.GetCore(i, out TriangleCore triangle);
-            if (ConvexQuery.Distance(triangle, RigidPose.Identity, shape, at, 0).IsOverlapping) return true;
-        }
-
-        return false;
+        ConcaveScratch other = scratch.Rent();
+        bool isOn = ConcaveQuery.Contains(AnyShape.Surface(side.Mesh!), RigidPose.Identity, point, other);
+        scratch.Return(other);
+        return isOn;
     }
 
     private static bool TryFind(

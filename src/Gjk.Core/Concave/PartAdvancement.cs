@@ -3,28 +3,33 @@ namespace Gjk.Core;
 /// <summary>When parts of two bodies that move and turn first touch: conservative advancement of the whole bodies, and
 /// of their parts where those come near.</summary>
 /// <remarks>Idea (Mirtich 1996, section 2.3; for trees Tang, Kim and Manocha 2009): bodies at a distance do not touch
-/// before they could have closed it at their greatest speed, so time goes on by that much. Where they are near, all
-/// parts that could touch in a short piece of time are asked for their own time of impact, which <see
-/// cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
+/// before they could have closed it at their greatest speed, so time goes on by that much. Where they are near, the
+/// parts that could touch in a short piece of time are looked at: most are proved apart for the piece, by planes that
+/// move as they do (<see cref="ConvexQuery.StaysApart"/>), and the others are asked for their own time of impact, which
+/// <see cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
 /// CastOptions)"/> answers from the whole motion. Deviation: nothing is answered here. The pieces only say which parts
 /// need not be asked, and so the result is that of all pairs asked in turn. Exactness: a pose at a fraction is rounded
 /// to float; <see cref="PoseRounding"/> is added to every reach; from where no float has a pose the whole motion is one
-/// piece. It ends: each piece is at least twice as long as the one before, and after <see cref="MostSteps"/> distances
-/// the rest of the motion is one piece.</remarks>
+/// piece. It ends: after <see cref="MostSteps"/> pieces and distances the rest of the motion is one piece.</remarks>
 internal static class PartAdvancement
 {
-    /// <summary>Ratio to the trees' reach: 2^-6; bodies nearer than this are looked at part by part. It changes the
-    /// cost alone: larger ones ask more parts, smaller ones more distances. No test can tell.</summary>
+    /// <summary>Ratio to the trees' reach: 2^-6; how far the bodies go in the first piece. It changes the cost alone:
+    /// longer ones ask more parts, shorter ones more distances. No test can tell.</summary>
     private const double Near = 1.0 / (1 << 6);
+
+    /// <summary>Count: so many looks at two parts cost about as much as a distance of the bodies. A piece after one
+    /// with fewer is twice as long; after one that got less far for its cost than the distance does, it is half. It
+    /// changes the cost alone.</summary>
+    private const int LooksPerDistance = 32;
 
     /// <summary>Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at
     /// most 2^-23, and a position's by 2^-24 each. More only costs time; less is not seen by a test, as a touch has
     /// more room.</summary>
     private const double PoseRounding = 1.0 / (1 << 21);
 
-    /// <summary>Distances of a query; a bound of the cost. Pinned by PartAdvancementTests.ATurnBesideAnotherBodyEnds,
-    /// which does not end without one.</summary>
-    private const int MostSteps = 64;
+    /// <summary>Count: distances and pieces of a query; a bound of the cost. Pinned by
+    /// PartAdvancementTests.ATurnBesideAnotherBodyEnds, which does not end without one.</summary>
+    private const int MostSteps = 1 << 14;
 
     /// <summary>Finds the first contact of the search that the scratch holds, of an impact that passes
     /// nothing.</summary>
@@ -32,42 +37,39 @@ internal static class PartAdvancement
     {
         ref PartCastSearch search = ref scratch.CastSearch;
         PartSide sideA = scratch.A, sideB = scratch.B;
-        double reachA = Reach(sideA), reachB = Reach(sideB), near = Near * (reachA + reachB);
-        double speed = search.Speed, touch = search.TouchRoom, from = 0, span = 0;
-        for (int step = 0; from <= search.Last; step++)
+        double reachA = Reach(sideA), reachB = Reach(sideB), speed = search.Speed, from = 0;
+        double span = Near * (reachA + reachB) / speed;
+        PartWarmStart nearest = default;
+        for (search.Steps = 0; from <= search.Last; search.Steps++)
         {
-            if (!TryPoseAt(a, from, out sideA.Pose) || !TryPoseAt(b, from, out sideB.Pose))
+            bool isPosed = TryPoseAt(a, from, out sideA.Pose) & TryPoseAt(b, from, out sideB.Pose);
+            if (!isPosed || search.Steps >= MostSteps)
             {
-                (sideA.Pose, sideB.Pose) = (a.Pose, b.Pose);
-                search.Look(scratch, 0, double.PositiveInfinity, 0);
+                if (!isPosed) (sideA.Pose, sideB.Pose, from) = (a.Pose, b.Pose, 0);
+                search.Look(scratch, from, double.PositiveInfinity, isPosed ? RoundingOf(sideA, sideB) : 0);
                 PartCastSearch.Run(scratch);
                 break;
             }
 
-            double rounding = PoseRounding * (reachA + reachB + Size(sideA.Pose) + Size(sideB.Pose));
-            double room = touch + rounding;
-            if (step < MostSteps)
+            double rounding = RoundingOf(sideA, sideB);
+            PartPairSearch.Run(scratch, float.PositiveInfinity, nearest);
+            nearest.Set(scratch.Search.PartA, scratch.Search.PartB);
+            double free = (scratch.Search.LowerBound - search.TouchRoom - rounding) / speed;
+            if (free > span)
             {
-                PartPairSearch.Run(scratch, float.PositiveInfinity);
-                double gap = scratch.Search.LowerBound - room;
-                if (gap > near)
-                {
-                    from += gap / speed;
-                    continue;
-                }
-
-                span = Math.Max(2 * span, near / speed);
-            }
-            else
-            {
-                span = double.PositiveInfinity;
+                from += free;
+                continue;
             }
 
             double to = from + span;
+            int before = search.Asked;
             search.Look(scratch, from, to, rounding);
             PartCastSearch.Run(scratch);
+            int asked = search.Asked - before;
             if (to >= search.Last) break;
             from = to;
+            if (asked < LooksPerDistance) span *= 2;
+            else if (asked * free > LooksPerDistance * span) span /= 2;
         }
 
         sideA.Pose = a.Pose;
@@ -76,6 +78,9 @@ internal static class PartAdvancement
 
     /// <summary>The furthest point of a side from its position, or more.</summary>
     private static double Reach(PartSide side) => side.Tree.Origin.Length + side.Tree.Radius + side.Margin;
+
+    private static double RoundingOf(PartSide a, PartSide b) =>
+        PoseRounding * (Reach(a) + Reach(b) + Size(a.Pose) + Size(b.Pose));
 
     private static double Size(in RigidPose pose) => ((Double3)pose.Position).SumOfMagnitudes;
 

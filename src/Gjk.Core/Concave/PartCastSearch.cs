@@ -30,6 +30,12 @@ internal struct PartCastSearch
     /// gives no tolerance (<see cref="ConvexQuery.DefaultTolerance"/>). More only costs time.</summary>
     private const double ImpactRoom = 1.0 / (1 << 14);
 
+    /// <summary>Count: after so many parts, and each twice as many, a plane is tried. Only the cost changes.</summary>
+    private const int IdleBeforeProof = 16;
+
+    /// <summary>Bits: even powers of two; there a triangle's own plane is tried, else a distance's.</summary>
+    private const int OtherPowers = 0x55555555;
+
     /// <summary>Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts
     /// off none that another part's rounds to. More only costs time. Pinned by SmallBesideLargeTests.</summary>
     private const double WayError = 1.0 / (1L << 40);
@@ -67,6 +73,10 @@ internal struct PartCastSearch
 
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
+
+    /// <summary>How many pairs of parts were looked at, and how many pieces and distances of the bodies there
+    /// were.</summary>
+    public int Asked, Steps;
 
     /// <summary>World units per fraction: no faster does any distance close.</summary>
     public readonly double Speed => _length;
@@ -107,6 +117,7 @@ internal struct PartCastSearch
         _wayInB = (Vector3)_frame.Rotation.InverseRotate(-inA);
         PartA = PartB = -1;
         _isLifted = false;
+        Asked = Steps = 0;
         _best = new ContactOrder(double.PositiveInfinity, CastStatus.Miss, 0);
         SetReached(_maxFraction);
     }
@@ -147,12 +158,16 @@ internal struct PartCastSearch
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
+        PlaneProof plane = scratch.Plane;
+        plane.Clear();
         heap.Clear();
         heap.Add(0, 0, 0);
         fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
         {
             while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search._reached)
             {
+                if (plane.IsUntried && plane.IsWholeNoNearer(scratch.A, scratch.B)) return;
+                if (plane.IsSet && plane.IsNoNearer(scratch.A, pair.A, scratch.B, pair.B)) continue;
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
                 if (childA < 0 && childB < 0)
                 {
@@ -214,6 +229,7 @@ internal struct PartCastSearch
 
     private void Ask(ConcaveScratch scratch, int partA, int partB)
     {
+        Asked++;
         ConvexShape roomA = default, roomB = default;
         ref readonly ConvexShape a = ref scratch.A.Part(partA, ref roomA);
 
@@ -231,6 +247,10 @@ internal struct PartCastSearch
         }
 
         ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
+        if (_motion == PartMotion.Impact && !double.IsInfinity(_to)
+            && ConvexQuery.StaysApart(a, _a, b, _b, _tolerance, (float)_maxFraction, _from, _to)) return;
+        bool isIdle = Asked >= IdleBeforeProof && (Asked & (Asked - 1)) == 0;
+        if (isIdle && _motion == PartMotion.Cast) TryPlane(scratch, partA, partB);
         CastResult found = Move(a, b, _b, most, _options);
         if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
         if (_isLifted && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
@@ -245,6 +265,17 @@ internal struct PartCastSearch
         if (AllCasts is not null)
             AllCasts.Add(new PartCast(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
         else if (Take(found.Order, feature, partA, partB)) Cast = found;
+    }
+
+    /// <summary>Takes the plane of two parts that are apart at the start: where many parts pass each other closely,
+    /// the boxes' bounds in float let all of them pass.</summary>
+    private readonly void TryPlane(ConcaveScratch scratch, int partA, int partB)
+    {
+        DistanceResult start = PartQuery.Distance(scratch.A, partA, scratch.B, partB, float.PositiveInfinity);
+        if (start.Status != GjkStatus.Separated) return;
+        scratch.Plane.SetWay(
+            scratch.A, partA, scratch.B, partB, start.Normal, (Asked & OtherPowers) != 0,
+            (Double3)_b.Velocity - _a.Velocity, Last + WayError * Size / Math.Max(_length, double.Epsilon));
     }
 
     private readonly CastResult Move(

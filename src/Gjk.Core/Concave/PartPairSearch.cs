@@ -155,7 +155,8 @@ internal struct PartPairSearch
                 bool isDropped = plane.IsSet && (isOneA
                     ? plane.IsPartNoNearer(scratch.A, boxA, scratch.B, partB)
                     : plane.IsNoNearerPart(scratch.A, partA, scratch.B, boxB));
-                if (isDropped) LowerBound = Math.Min(LowerBound, plane.LowerBound);
+                if (isDropped || IsFaceNoNearer(scratch, partA, partB))
+                    LowerBound = Math.Min(LowerBound, plane.LowerBound);
                 else if (All is null || !PlaneProof.IsBeyond(scratch.A, partA, scratch.B, partB, Limit))
                     Ask(scratch, partA, partB);
             }
@@ -169,10 +170,17 @@ internal struct PartPairSearch
         int firstA = PartTree.FirstOf(leafA), firstB = PartTree.FirstOf(leafB);
         while (filter.TryTake(Reached, out int i, out int j))
         {
-            Ask(scratch, scratch.A.Tree.Order[firstA + i], scratch.B.Tree.Order[firstB + j]);
+            int partA = scratch.A.Tree.Order[firstA + i], partB = scratch.B.Tree.Order[firstB + j];
+            if (IsFaceNoNearer(scratch, partA, partB)) LowerBound = Math.Min(LowerBound, scratch.Plane.LowerBound);
+            else Ask(scratch, partA, partB);
             if (All is null && PartA >= 0 && Best.IsOverlapping) return;
         }
     }
+
+    /// <summary>Whether many parts are about as near, and a triangle's plane shows that these are no
+    /// nearer.</summary>
+    private readonly bool IsFaceNoNearer(ConcaveScratch scratch, int partA, int partB) =>
+        _idle >= IdleBeforeProof && scratch.Plane.IsFaceNoNearer(scratch.A, partA, scratch.B, partB);
 
     /// <summary>Asks about two parts.</summary>
     private void Ask(ConcaveScratch scratch, int partA, int partB)

@@ -29,6 +29,7 @@ internal sealed class PlaneProof
     private readonly Reaches _a = new(), _b = new();
     private Double3 _alongA, _alongB;
     private double _limit, _between;
+    private Double3 _normal;
     private int _version, _tried;
 
     /// <summary>Whether there is a plane.</summary>
@@ -61,6 +62,43 @@ internal sealed class PlaneProof
         _limit = Beyond(limit, lengths);
     }
 
+    /// <summary>Takes the plane of two parts that a cast does not bring together: so it does none of those that are
+    /// dropped.</summary>
+    /// <param name="a">The first side, at the start.</param>
+    /// <param name="partA">A part of it.</param>
+    /// <param name="b">The second side.</param>
+    /// <param name="partB">A part of it.</param>
+    /// <param name="normal">Of their distance.</param>
+    /// <param name="isFace">Whether a triangle's own plane is taken, however the normal lies to it.</param>
+    /// <param name="way">Of B, seen from A, in the world, for the fraction 1.</param>
+    /// <param name="most">The last fraction.</param>
+    public void SetWay(
+        PartSide a, int partA, PartSide b, int partB, Vector3 normal, bool isFace, in Double3 way,
+        double most)
+    {
+        double lengths = Aim(a, partA, b, partB, normal, isFace ? 0 : Aligned);
+        double closing = Math.Max(-Double3.Dot(_normal, way), 0) + Error * way.SumOfMagnitudes;
+        IsSet = true;
+        _limit = Touching * lengths + closing * most;
+    }
+
+    /// <summary>Whether a triangle's own plane shows that two parts are no nearer.</summary>
+    public bool IsFaceNoNearer(PartSide a, int partA, PartSide b, int partB)
+    {
+        if (!IsSet) return false;
+        Double3 between = b.CenterOf(partB) - a.CenterOf(partA);
+        return IsAcross(a, partA, b, partB, a, partA, between) || IsAcross(a, partA, b, partB, b, partB, between);
+    }
+
+    private bool IsAcross(
+        PartSide a, int partA, PartSide b, int partB, PartSide side, int part, in Double3 direction)
+    {
+        Double3 normal = direction;
+        if (!TryFace(side, part, 0, ref normal)) return false;
+        Across(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
+        return between - Reaches.OfPart(a, partA, alongA) - Reaches.OfPart(b, partB, alongB) > _limit;
+    }
+
     /// <summary>Whether a plane across the line of two parts' centres shows that they are further apart than the limit:
     /// most parts that a box lets pass are, and it costs far less than the exact query. The plane that is set
     /// stays.</summary>
@@ -83,6 +121,7 @@ internal sealed class PlaneProof
         normal *= 1 / normal.Length;
         if (!TryFace(a, partA, aligned, ref normal)) TryFace(b, partB, aligned, ref normal);
         _version++;
+        _normal = normal;
         return Across(a, b, normal, out _alongA, out _alongB, out _between);
     }
 

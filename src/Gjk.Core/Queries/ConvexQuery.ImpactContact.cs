@@ -73,7 +73,8 @@ public static unsafe partial class ConvexQuery
                 Impact past = impact;
                 AdvancementSolver.Solve(
                     ref a, ref b, ref frame, ref motion, new FractionInterval(impact.Fraction, interval.End), tolerance,
-                    ref *_warm, out impact, out SolverState state);
+                    AdvancementSolver.FloorRatio * tolerance, leaves: true, ref *_warm, out impact,
+                    out SolverState state);
                 impact.Iterations += past.Iterations;
                 impact.Steps += past.Steps;
                 contact = Finish(impact, state, ref frame, motion, isWhole);

@@ -19,6 +19,10 @@ public static unsafe partial class ConvexQuery
     /// TimeOfImpactTests.</summary>
     private const double OneFloat = 1.0 / (1 << 24);
 
+    /// <summary>Ratio to the tolerance: the gap at which <see cref="StaysApart"/> gives up; each step leaves one
+    /// tolerance. It changes the cost alone.</summary>
+    private const double WindowRoom = 4;
+
     /// <summary>When two shapes that move and turn at constant rates first come within a tolerance.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
@@ -94,6 +98,30 @@ public static unsafe partial class ConvexQuery
         }
     }
 
+    /// <summary>Whether it is proved that two shapes that move and turn stay further apart than the tolerance of a
+    /// time of impact for a part of their motion, so that it finds no hit there.</summary>
+    /// <typeparam name="TA">The first shape's type.</typeparam>
+    /// <typeparam name="TB">The second shape's type.</typeparam>
+    /// <param name="a">The first shape.</param>
+    /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
+    /// <param name="b">The second shape.</param>
+    /// <param name="motionB">How it moves.</param>
+    /// <param name="tolerance">Of the time of impact.</param>
+    /// <param name="maxFraction">Likewise.</param>
+    /// <param name="from">The first fraction.</param>
+    /// <param name="to">The last one.</param>
+    internal static bool StaysApart<TA, TB>(
+        in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance, float maxFraction,
+        double from, double to)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        WarmStart cold = default;
+        var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, &cold);
+        question.Within(from, to);
+        return question.AskShapes(ref PairQuery.Inward(a), ref PairQuery.Inward(b)).Status == CastStatus.Miss;
+    }
+
     /// <summary>A cast's fraction is the nearest float, which may be later; the one before is not.</summary>
     private static CastResult BeforeTouching(in CastResult cast) =>
         cast.Status == CastStatus.Hit ? cast.At(RoundOff.Down(cast.Fraction * (1 - OneFloat))) : cast;
@@ -106,7 +134,12 @@ public static unsafe partial class ConvexQuery
         private readonly float _tolerance, _maxFraction;
 
         private PairMotion _motion;
-        private double _begin, _end;
+        private double _begin, _end, _last;
+
+        /// <summary>Whether nothing is asked but that the shapes stay further apart than the tolerance, and the
+        /// fractions between which.</summary>
+        private bool _isWindow;
+        private double _from, _to;
 
         /// <summary>Whether the end is that of the motion.</summary>
         private bool _isWhole;
@@ -128,6 +161,10 @@ public static unsafe partial class ConvexQuery
         }
 
         public readonly bool IsValid => _motionA.IsValid && _motionB.IsValid && !float.IsNaN(_maxFraction);
+
+        /// <summary>Asks about a part of the motion: a miss if the shapes stay apart by more than the
+        /// tolerance.</summary>
+        public void Within(double from, double to) => (_isWindow, _from, _to) = (true, from, to);
 
         public CastResult AskShapes<TA, TB>(ref TA a, ref TB b)
             where TA : struct, ISupportMap
@@ -157,6 +194,15 @@ public static unsafe partial class ConvexQuery
             double turned = SineCosine.MaxAngle / _motion.Rate;
             _isWhole = _end <= turned;
             if (!_isWhole) _end = turned;
+            _last = _end;
+            if (_isWindow)
+            {
+                _isWhole = _isWhole || _to <= turned;
+                _begin = Math.Max(_begin, _from);
+                _end = Math.Min(_end, _to);
+                if (_begin > _end && _isWhole) return false;
+            }
+
             result = CastResult.Nothing(CastStatus.IterationLimit, RoundOff.Down(_begin), 0);
             if (_begin > _end) return false;
             if (_begin > 0) _motion.MoveTo(_begin, ref frame);
@@ -169,7 +215,7 @@ public static unsafe partial class ConvexQuery
         void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
         {
             if (frame.Unit != 1) _motion.Resize(1 / frame.Unit);
-            double tolerance = ToleranceOf(frame, _motion, _end);
+            double tolerance = ToleranceOf(frame, _motion, _last), floor = AdvancementSolver.FloorRatio * tolerance;
             var interval = new FractionInterval(_begin, _end);
             if (_follows)
             {
@@ -177,9 +223,10 @@ public static unsafe partial class ConvexQuery
                 return;
             }
 
+            if (_isWindow) (tolerance, floor) = (WindowRoom * tolerance, tolerance);
             AdvancementSolver.Solve(
-                ref a, ref b, ref frame, ref _motion, interval, tolerance, ref *_warm, out Impact impact,
-                out state);
+                ref a, ref b, ref frame, ref _motion, interval, tolerance, floor, !_isWindow, ref *_warm,
+                out Impact impact, out state);
             _found = Finish(impact, state, ref frame, _motion, _isWhole);
         }
 

@@ -54,6 +54,54 @@ public sealed class PartAdvancementTests
         Assert.Equal(float.IsFinite(maxFraction) ? CastStatus.Miss : CastStatus.IterationLimit, found.Status);
     }
 
+    /// <summary>Bodies that turn are advanced with no more work than a loop of warm distances takes: 32 looks at two
+    /// parts count as one distance.</summary>
+    [Theory]
+    [InlineData(0.2f)]
+    [InlineData(0.02f)]
+    [InlineData(0.002f)]
+    public void WheelsThatPassCostNoMoreThanTwiceALoopOfDistances(float gap)
+    {
+        const float turn = 2 * MathF.PI;
+        var wheel = AnyShape.Surface(Surfaces.Torus(24, 9).Build());
+        var motionA = new RigidMotion(RigidPose.Identity, Vector3.Zero, new Vector3(0, turn, 0));
+        var motionB = new RigidMotion(
+            new RigidPose(Quaternion.Identity, new Vector3(2.7f + gap, 0, 0)), Vector3.Zero, new Vector3(0, -turn, 0));
+        Assert.Equal(
+            CastStatus.Miss, ConcaveQuery.TimeOfImpact(wheel, motionA, wheel, motionB, _scratch).Status);
+        ref PartCastSearch search = ref _scratch.CastSearch;
+        double speed = search.Speed, fraction = 0;
+        int work = search.Steps + search.Asked / 32, distances = 0;
+        PartWarmStart nearest = default;
+        for (; fraction < 1; distances++)
+        {
+            RigidPose poseA = PartAdvancement.PoseAt(motionA, fraction);
+            RigidPose poseB = PartAdvancement.PoseAt(motionB, fraction);
+            fraction += ConcaveQuery.Distance(wheel, poseA, wheel, poseB, ref nearest, _scratch).Distance / speed;
+        }
+
+        Assert.InRange(work, 1, 2 * distances);
+    }
+
+    [Fact]
+    public void AnyToleranceButNaNIsATolerance()
+    {
+        var corners = new Vector3[] { new(0, 0, 0), new(1, 0, 0), new(0, 1, 0) };
+        Assert.True(TriangleMesh.TryCreate(corners, [0, 1, 2], out TriangleMesh? mesh, out _));
+        ConvexShape triangle = mesh.GetShape(0), ball = ConvexShape.Sphere(0.1f);
+        var still = new RigidMotion(RigidPose.Identity, Vector3.Zero, new Vector3(0, 0, 1));
+        var above = new RigidPose(Quaternion.Identity, new Vector3(0.2f, 0.2f, 2));
+        var moving = new RigidMotion(above, new Vector3(0, 0, -3));
+        foreach (float tolerance in new[] { float.PositiveInfinity, float.NegativeInfinity, float.NaN, 0.1f })
+        {
+            PartCast found = ConcaveQuery.TimeOfImpact(
+                AnyShape.Surface(mesh), still, AnyShape.Of(ball), moving, _scratch, tolerance);
+            CastResult one = ConvexQuery.TimeOfImpact(triangle, still, ball, moving, tolerance);
+            Assert.Equal((one.Status, one.Fraction), (found.Status, found.Fraction));
+            Assert.Equal(float.IsNaN(tolerance), found.Status == CastStatus.InvalidInput);
+        }
+    }
+
     private static CastResult Least(
         TriangleMesh a, in RigidMotion motionA, TriangleMesh b, in RigidMotion motionB, float tolerance)
     {

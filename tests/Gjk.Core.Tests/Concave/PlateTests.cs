@@ -49,4 +49,67 @@ public class PlateTests
             }
         }
     }
+
+    [Theory]
+    [InlineData(0f)]
+    [InlineData(1e-9f)]
+    [InlineData(1e-7f)]
+    [InlineData(1e-5f)]
+    public void PlatesThatSlideMeetWhereTheirPartsDo(float gap)
+    {
+        var plate = AnyShape.Surface(ConcaveShapes.Grid(6));
+        var scratch = new ConcaveScratch();
+        for (int i = 0; i < 9; i++)
+        {
+            var rng = new Rng((ulong)i);
+            Quaternion turn = i < 3 ? Quaternion.Identity : Quaternion.Normalize(rng.Rotation());
+            float fall = i % 3 == 0 ? 0 : i % 3 == 1 ? -2 * gap : gap;
+            Vector3 up = new(0, gap, 0), way = new(rng.Float(-1, 1), fall, rng.Float(-1, 1));
+            RigidPose poseA = new(turn, Vector3.Zero), poseB = new(turn, Vector3.Transform(up, turn));
+            way = Vector3.Transform(way, turn);
+            float least = float.PositiveInfinity;
+            foreach (ConvexShape a in ConcaveShapes.Parts(plate))
+            {
+                foreach (ConvexShape b in ConcaveShapes.Parts(plate))
+                {
+                    CastResult one = ConvexQuery.Cast(a, poseA, Vector3.Zero, b, poseB, way);
+                    if (one.IsHit) least = Math.Min(least, one.Fraction);
+                }
+            }
+
+            PartCast found = ConcaveQuery.Cast(plate, poseA, Vector3.Zero, plate, poseB, way, scratch);
+            Assert.Equal(least, found.IsHit ? found.Fraction : float.PositiveInfinity);
+        }
+    }
+
+    [Fact]
+    public void APlateThatSlidesCloselyAsksFewParts()
+    {
+        var plate = AnyShape.Surface(ConcaveShapes.Grid(60));
+        var scratch = new ConcaveScratch();
+        var poseB = new RigidPose(Quaternion.Identity, new Vector3(0.01f, 1e-7f, 0.02f));
+        PartCast found = ConcaveQuery.Cast(
+            plate, RigidPose.Identity, Vector3.Zero, plate, poseB, new Vector3(0.5f, 0, 0.3f), scratch);
+        Assert.Equal(CastStatus.Miss, found.Status);
+        Assert.InRange(scratch.CastSearch.Asked, 1, 64);
+    }
+
+    [Fact]
+    public void APointAmidABallAsksFewOfTheTrianglesThatAreEquallyNear()
+    {
+        TriangleMesh ball = Surfaces.Ball(40, 20, (_, _) => 1).Build();
+        var scratch = new ConcaveScratch();
+        PartDistance found = ConcaveQuery.SignedDistance(
+            AnyShape.Surface(ball), RigidPose.Identity, Vector3.Zero, scratch);
+        float least = float.PositiveInfinity;
+        foreach (ConvexShape part in ConcaveShapes.Parts(AnyShape.Surface(ball)))
+        {
+            least = Math.Min(
+                least,
+                ConvexQuery.Distance(part, RigidPose.Identity, ConvexShape.Point(), RigidPose.Identity).Distance);
+        }
+
+        Assert.Equal(least, found.Distance);
+        Assert.InRange(scratch.Search.Asked, 1, ball.TriangleCount / 4);
+    }
 }

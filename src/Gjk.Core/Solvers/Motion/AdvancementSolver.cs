@@ -47,18 +47,20 @@ internal static class AdvancementSolver
     /// <param name="motion">How it moves.</param>
     /// <param name="interval">From which fraction to which; apart outside.</param>
     /// <param name="tolerance">The largest gap of a hit, in solver units, well above what rounding does.</param>
+    /// <param name="floor">The gap that each step is proved to leave: a part of the tolerance.</param>
+    /// <param name="leaves">Whether what is within the tolerance and parts goes on.</param>
     /// <param name="warmStart">Where the first round begins; updated.</param>
     /// <param name="impact">What was found.</param>
     /// <param name="state">Of the last round.</param>
     public static void Solve<TA, TB>(
         ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, double tolerance,
-        ref WarmStart warmStart, out Impact impact, out SolverState state)
+        double floor, bool leaves, ref WarmStart warmStart, out Impact impact, out SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         impact = default;
         impact.Fraction = interval.Begin;
-        double speed = motion.Speed, floor = FloorRatio * tolerance;
+        double speed = motion.Speed;
         int measure = MeasureAfter;
         while (TryMeasure(ref a, ref b, frame, ref warmStart, ref impact, out state, out double gap))
         {
@@ -73,7 +75,7 @@ internal static class AdvancementSolver
             if (isNear)
             {
                 double rounding = motion.Rounding(interval.End, frame.Margins);
-                if (!TryLeave(
+                if (!leaves || !TryLeave(
                     ref a, ref b, ref frame, motion, plane, interval.End, 2 * accepted, rounding, out next))
                 {
                     return;
