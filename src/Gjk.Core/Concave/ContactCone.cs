@@ -32,8 +32,9 @@ internal readonly ref struct ContactCone
     /// <summary>Cosine of 26 degrees: a contact that is tilted by less is measured along the normal instead.</summary>
     public const float LeastCosine = 0.9f;
 
-    /// <summary>Count: over so many triangles without area the neighbour of an edge is looked for.</summary>
-    private const int MostFlattened = 8;
+    /// <summary>Count: through so many triangles without area, in all, what an edge is joined to is looked for. Without
+    /// a bound each of a fan of them doubles the work. Pinned by FloorTests.</summary>
+    private const int MostFlattened = 32;
 
     private readonly TriangleMesh _mesh;
     private readonly Double3 _direction;
@@ -121,13 +122,14 @@ internal readonly ref struct ContactCone
     private bool EndsAt(int side)
     {
         Double3 sum = default;
-        return EndsAt(side, -1, MostFlattened, ref sum) && IsOutward(sum);
+        int left = MostFlattened;
+        return EndsAt(side, -1, ref left, ref sum) && IsOutward(sum);
     }
 
     private bool IsOutward(in Double3 sum) => _outward == 0 || Double3.Dot(sum, _direction) * _outward > -Slack;
 
     /// <summary>Whether no triangle at a side, or joined to it, reaches beyond it.</summary>
-    private bool EndsAt(int side, int from, int most, ref Double3 sum)
+    private bool EndsAt(int side, int from, ref int left, ref Double3 sum)
     {
         Double3 start = _mesh.GetCorner(side), end = _mesh.GetCorner(After(side));
         Double3 edge = UnitOrZero(end - start);
@@ -142,10 +144,11 @@ internal readonly ref struct ContactCone
             if (third == start || third == end) continue;
             if (IsFlat(start, end, third))
             {
-                if (most == 0) continue;
+                if (left == 0) continue;
+                left--;
                 int mine = isAlong ? at : Before(at);
-                if (!EndsAt(After(mine), at / 3, most - 1, ref sum)
-                    || !EndsAt(Before(mine), at / 3, most - 1, ref sum))
+                if (!EndsAt(After(mine), at / 3, ref left, ref sum)
+                    || !EndsAt(Before(mine), at / 3, ref left, ref sum))
                 {
                     return false;
                 }
@@ -177,7 +180,8 @@ internal readonly ref struct ContactCone
             {
                 // A corner on a longer edge: what is joined to that edge is around the corner too.
                 Double3 ignored = default;
-                if (isMiddle && !EndsAt(After(at), at / 3, MostFlattened, ref ignored)) return false;
+                int left = MostFlattened;
+                if (isMiddle && !EndsAt(After(at), at / 3, ref left, ref ignored)) return false;
             }
             else if (_outward != 0)
             {

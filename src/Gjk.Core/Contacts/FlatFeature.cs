@@ -66,7 +66,7 @@ internal unsafe struct FlatFeature
     /// <summary>Leaves one edge of a face.</summary>
     public void KeepEdge(int edge, double size)
     {
-        if (Count > 2) Keep(_corners[edge], After(edge));
+        if (Count > 2) Keep(edge, (edge + 1) % Count);
         Judge(1, size);
     }
 
@@ -276,10 +276,11 @@ internal unsafe struct FlatFeature
     private void KeepLongest()
     {
         int first = Furthest(0), second = Furthest(first);
-        Keep(_corners[Math.Min(first, second)], _corners[Math.Max(first, second)]);
+        Keep(Math.Min(first, second), Math.Max(first, second));
     }
 
-    private void Keep(FlatCorner first, FlatCorner last) => (_corners[0], _corners[1], Count) = (first, last, 2);
+    private void Keep(int first, int last) =>
+        (_corners[0], _corners[1], Count) = (_corners[first], _corners[last], 2);
 
     private readonly int Furthest(int from)
     {

@@ -52,6 +52,23 @@ public class FloorTests
         Assert.True(_contacts.Exists(one => one.Manifold.Normal.Y > 0.999f), string.Join("; ", _contacts));
     }
 
+    /// <summary>Each triangle of a fan without area is joined to all others; looked through without a bound, each would
+    /// double the work.</summary>
+    [Fact]
+    public void AFanOfTrianglesWithoutAreaEnds()
+    {
+        var points = new Vector3[60];
+        var indices = new List<int>();
+        for (int i = 0; i < points.Length; i++) points[i] = new Vector3(i / 60f, 0, 0);
+        for (int i = 1; i < points.Length; i++)
+            for (int k = i + 1; k < points.Length; k += 7) indices.AddRange([0, i, k]);
+        points[^1] = new Vector3(0.5f, 0, 1);
+        AnyShape fan = AnyShape.Surface(new TriangleMesh(points, [.. indices, 0, 58, 59])), box = Body(1);
+        var at = new RigidPose(new Vector3(0.5f, 0.1f, 0.2f));
+        Assert.True(ConcaveQuery.FindContacts(fan, RigidPose.Identity, box, at, Reach, _scratch, _contacts));
+        Assert.NotEmpty(_contacts);
+    }
+
     private static AnyShape Body(int i) => AnyShape.Of((i % 5) switch
     {
         0 => ConvexShape.Sphere(0.25f),

@@ -33,9 +33,9 @@ internal static unsafe class GjkDepth
         var polytope = new Polytope(memory, isFirst: true);
         DepthBounds depth = DepthBounds.None;
         DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
-        double noise = state.DepthNoise;
+        bool isFiner = false;
         if (verdict == DepthVerdict.Undecided)
-            return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref noise, ref trace);
+            return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref isFiner, ref trace);
         Tell(OutcomeOf(verdict), frame, polytope, -1, depth, ref trace);
         depth.Store(ref state, depth.Above);
         return verdict;
@@ -45,21 +45,21 @@ internal static unsafe class GjkDepth
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static DepthVerdict ExpandFurther<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
-        ref double noise, ref TTrace trace)
+        ref bool isFiner, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         double* memory = stackalloc double[Polytope.Doubles];
         polytope.Grow(memory);
-        return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref noise, ref trace);
+        return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref isFiner, ref trace);
     }
 
     /// <summary>Grows the surface until the bounds meet; of curved cores twice: to the promise of the depth, and where
     /// the way out does not end on a smooth point, to that of its direction.</summary>
     private static DepthVerdict Expand<TA, TB, TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
-        ref double noise, ref TTrace trace)
+        ref bool isFiner, ref TTrace trace)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
@@ -71,6 +71,9 @@ internal static unsafe class GjkDepth
             face = polytope.Lowest(out double key);
             ref readonly Double3 normal = ref polytope.Face(face).Normal;
             double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared);
+
+            // Supports in float make faces without area there; the state has the end where the bounds met before.
+            if (isFiner && !(scale <= double.MaxValue)) return DepthVerdict.Found;
             double lowest = polytope.Face(face).Offset * scale;
             depth.Below = Math.Max(depth.Below, lowest);
             int vertex = PolytopeStart.Support(ref a, ref b, frame, normal, ref state, ref polytope);
@@ -85,20 +88,21 @@ internal static unsafe class GjkDepth
 
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value))
             {
+                if (isFiner) return DepthVerdict.Found;
                 Tell(PolytopeOutcome.Contradiction, frame, polytope, face, depth, ref trace);
                 return DepthVerdict.Contradiction;
             }
 
-            bool hasMet = gap <= noise;
+            double finest = GjkTolerances.NormalNoise * state.Size.Value;
+            bool hasMet = gap <= (isFiner ? finest : state.DepthNoise);
             if (hasMet || (depth.Above - depth.Below <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex)))
             {
                 Tell(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
                 if (hasMet) depth.Settle(normal * scale, height);
                 Settle(ref state, polytope, face, depth, depth.Above);
-                double finest = GjkTolerances.NormalNoise * state.Size.Value;
-                bool isFinest = !state.IsCurved || noise < state.DepthNoise || gap <= finest;
+                bool isFinest = !state.IsCurved || isFiner || gap <= finest;
                 if (isFinest || SmoothNormal.TryEnd(ref a, ref b, frame, depth, ref state)) return DepthVerdict.Found;
-                noise = finest;
+                isFiner = true;
             }
 
             Tell(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);
@@ -106,10 +110,10 @@ internal static unsafe class GjkDepth
         }
 
         if (isClosed && polytope.CanGrow)
-            return ExpandFurther(ref a, ref b, frame, ref state, ref polytope, ref depth, ref noise, ref trace);
+            return ExpandFurther(ref a, ref b, frame, ref state, ref polytope, ref depth, ref isFiner, ref trace);
 
         // Where the bounds have met before, the state has that end.
-        if (noise < state.DepthNoise) return DepthVerdict.Found;
+        if (isFiner) return DepthVerdict.Found;
         Tell(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);
         Settle(ref state, polytope, face, depth, Math.Max(depth.Below, 0));
         return DepthVerdict.Undecided;

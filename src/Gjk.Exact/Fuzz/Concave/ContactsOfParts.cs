@@ -2,12 +2,21 @@ using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>Contacts against single queries of the parts: of compounds and convex shapes all of them, with their bits;
-/// of triangles those that push along a face, and no others but such as the parts have.</summary>
+/// <summary>Contacts against single queries of the parts. Of surfaces and convex shapes those that push along the faces
+/// of both parts are there. Each has the bits of its parts' own, or is along a face, or holds a corner of a
+/// solid; and its points lie on the parts.</summary>
+/// <remarks>What is deep in a solid is found from its outside, so the parts of a contact need not be near each
+/// other.</remarks>
 internal static class ContactsOfParts
 {
     /// <summary>Angle: what rounding to float may turn a direction by. More loses no find, less nearly all.</summary>
     private const double Straight = 1e-7;
+
+    /// <summary>Ratio to the longest side of the parts: a triangle that is less high shows nothing.</summary>
+    private const double Flat = 1e-4;
+
+    /// <summary>Ratio to the size and the place: how far a point may be off its part.</summary>
+    private const double Beside = 1e-5;
 
     public static string? Broken(ConcavePair pair)
     {
@@ -16,31 +25,69 @@ internal static class ContactsOfParts
         if (!float.IsFinite(gap) || pair.All.Count(one => one.Distance <= gap) > 500) return null;
         var found = new List<PartContacts>();
         ConcaveQuery.FindContacts(pair.A, pair.PoseA, pair.B, pair.PoseB, gap, pair.Scratch, found);
-        int next = 0;
-        for (int i = 0; i < pair.PairCount; i++)
+        foreach (PartContacts one in found)
+            if (Fault(pair, one, gap) is { } fault) return Say.Line($"{one}: {fault}");
+        if (pair.HasSolid || (pair.RawA.Triangles is null && !pair.RawA.IsConvex)
+            || (pair.RawB.Triangles is null && !pair.RawB.IsConvex))
         {
-            bool isFound = next < found.Count && pair.IndexOf(found[next].PartA, found[next].PartB) == i;
-            if (!(pair.All[i].Distance <= gap))
-            {
-                if (isFound) return Say.Line($"{found[next]}, but {pair.All[i]} is beyond {gap:R}");
-                continue;
-            }
-
-            int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
-            DistanceResult part = ConvexQuery.Contacts(
-                pair.PartsA[a], pair.PoseA, pair.PartsB[b], pair.PoseB, gap, out ContactManifold manifold);
-            bool isFace = Faces(pair, a, b, manifold.Normal);
-            if (!isFound && manifold.Count > 0 && isFace) return Say.Line($"the contact of pair {i}, {part}, is lost");
-            if (!isFound) continue;
-            PartContacts one = found[next++];
-            bool isPart = one.Manifold.Normal == manifold.Normal && one.Result.Distance == part.Distance;
-            bool isTurned = !isFace && (Along(pair.RawA, a, pair.PoseA, one.Manifold.Normal)
-                || Along(pair.RawB, b, pair.PoseB, one.Manifold.Normal));
-            if (manifold.Count == 0 || !(isPart || isTurned))
-                return Say.Line($"{one}, but the parts say {part}, {manifold.Count} points");
+            return null;
         }
 
-        return next == found.Count ? null : Say.Line($"{found.Count} contacts, but {next} of them in their order");
+        var named = found.Select(one => pair.IndexOf(one.PartA, one.PartB)).ToHashSet();
+        for (int i = 0; i < pair.PairCount; i++)
+        {
+            if (!(pair.All[i].Distance <= gap) || named.Contains(i)) continue;
+            int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
+            DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
+            bool isShown = Faces(pair, a, b, manifold.Normal) && !IsFlat(pair.RawA, a) && !IsFlat(pair.RawB, b);
+            if (manifold.Count > 0 && isShown)
+                return Say.Line($"the contact of pair {i}, {part}, is lost");
+        }
+
+        return null;
+    }
+
+    /// <summary>What is wrong about a contact, or null.</summary>
+    private static string? Fault(ConcavePair pair, in PartContacts one, float gap)
+    {
+        int i = pair.IndexOf(one.PartA, one.PartB), a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
+        Vector3 normal = one.Manifold.Normal;
+        DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
+        bool isOwn = manifold.Count > 0 && normal == manifold.Normal && one.Result.Distance == part.Distance;
+        if (isOwn) return null;
+        bool isAlong = Along(pair.RawA, a, pair.PoseA, normal) || Along(pair.RawB, b, pair.PoseB, normal);
+        if (!(isAlong || pair.HasSolid))
+            return Say.Line($"neither along a face nor what the parts say: {part}, {manifold.Count} points");
+        double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
+        double size = pair.ScaleOf(a, b) + place;
+        for (int k = 0; k < one.Manifold.Count; k++)
+        {
+            ManifoldPoint point = one.Manifold[k];
+            double off = Math.Abs(Double3.Dot((Double3)point.PointB - point.PointA, normal) - point.Gap);
+            if (!(off <= Beside * size)) return Say.Line($"point {k} has a gap of {point.Gap:R} and is off by {off}");
+            double beside = Math.Min(
+                Off(pair.PartsA[a], pair.PoseA, point.PointA), Off(pair.PartsB[b], pair.PoseB, point.PointB));
+            if (!(beside <= Beside * size)) return Say.Line($"point {k} lies {beside} beside both parts");
+        }
+
+        return null;
+    }
+
+    private static DistanceResult Own(ConcavePair pair, int i, float gap, out ContactManifold manifold) =>
+        ConvexQuery.Contacts(
+            pair.PartsA[i / pair.PartsB.Length], pair.PoseA, pair.PartsB[i % pair.PartsB.Length], pair.PoseB, gap,
+            out manifold);
+
+    private static double Off(in ConvexShape part, in RigidPose pose, Vector3 point) =>
+        ConvexQuery.Distance(part, pose, ConvexShape.Point(), new RigidPose(point)).Distance;
+
+    private static bool IsFlat(RawShape shape, int part)
+    {
+        if (shape.Triangles is null) return false;
+        Double3[] corners = shape.CornersOf(part)!;
+        double longest = Enumerable.Range(0, 3).Max(i => (corners[(i + 1) % 3] - corners[i]).Length);
+        double area = Double3.Cross(corners[1] - corners[0], corners[2] - corners[0]).Length;
+        return !(area > Flat * longest * longest);
     }
 
     /// <summary>Whether a direction is across both parts; across what is no triangle all are.</summary>

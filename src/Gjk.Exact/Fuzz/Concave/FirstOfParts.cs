@@ -40,7 +40,7 @@ internal static class FirstOfParts
         if (!found.Select(hit => pair.RawA.IsConvex ? 0 : hit.Part).Order().SequenceEqual(met)
             || found.Any(hit => hit.Distance != all[Math.Max(hit.Part, 0)].Distance))
             return Say.Line($"{found.Count} hits of parts, but there are {met.Length}");
-        if (found.Zip(found.Skip(1)).Any(two => two.First.Distance > two.Second.Distance))
+        if (found.Zip(found.Skip(1)).Any(two => two.First.Distance > MathF.BitIncrement(two.Second.Distance)))
             return Say.Line($"{found.Count} hits of parts, not in their order");
         PartRayHit first = ConcaveQuery.RayCast(pair.A, pair.PoseA, origin, direction, pair.Scratch, most);
         if (pair.RawA.IsSolid)
@@ -58,7 +58,8 @@ internal static class FirstOfParts
             .OrderBy(r => r.Distance).ThenByDescending(r => r.Status == CastStatus.OverlappingAtStart)
             .ThenByDescending(r => r.Depth).First();
         RayCastResult own = all[Math.Max(first.Part, 0)];
-        return first.Status == least.Status && first.Distance == least.Distance && first.Result.Depth == least.Depth
+        return first.Status == least.Status && IsAsEarly(first.Distance, least.Distance)
+            && first.Result.Depth == least.Depth
             && own.Status == first.Status && own.Distance == first.Distance && own.Normal == first.Result.Normal
             ? null
             : Say.Line($"{first}, but {least}, and {own} of that part");
@@ -106,10 +107,15 @@ internal static class FirstOfParts
         if (met.Length == 0) return found.Status == CastStatus.Miss ? null : Say.Line($"{found}, but no parts meet");
         CastResult least = met.OrderBy(r => r.Fraction)
             .ThenByDescending(r => r.Status == CastStatus.OverlappingAtStart).ThenByDescending(r => r.Depth).First();
-        return found.Status == least.Status && found.Fraction == least.Fraction && found.Result.Depth == least.Depth
+        return found.Status == least.Status && IsAsEarly(found.Fraction, least.Fraction)
+            && found.Result.Depth == least.Depth
             ? Own(pair, all, found)
             : Say.Line($"{found}, but {least} of other parts");
     }
+
+    /// <summary>Whether two parts are met at once: what is solved to a part of a float's last place may be rounded to
+    /// either side.</summary>
+    private static bool IsAsEarly(float found, float least) => found <= MathF.BitIncrement(least);
 
     /// <summary>What is found is the answer for its own parts: where several are met at one fraction, it may be that of
     /// any of them.</summary>
