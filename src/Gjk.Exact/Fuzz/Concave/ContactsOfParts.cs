@@ -26,7 +26,7 @@ internal static class ContactsOfParts
         var found = new List<PartContacts>();
         ConcaveQuery.FindContacts(pair.A, pair.PoseA, pair.B, pair.PoseB, gap, pair.Scratch, found);
         foreach (PartContacts one in found)
-            if (Fault(pair, one, gap) is { } fault) return Say.Line($"{one}: {fault}");
+            if (Fault(pair, found, one, gap) is { } fault) return Say.Line($"{one}: {fault}");
         if (pair.HasSolid || (pair.RawA.Triangles is null && !pair.RawA.IsConvex)
             || (pair.RawB.Triangles is null && !pair.RawB.IsConvex))
         {
@@ -39,8 +39,7 @@ internal static class ContactsOfParts
             if (!(pair.All[i].Distance <= gap) || named.Contains(i)) continue;
             int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
             DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
-            bool isShown = Faces(pair, a, b, manifold.Normal) && !IsFlat(pair.RawA, a) && !IsFlat(pair.RawB, b);
-            if (manifold.Count > 0 && isShown)
+            if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal))
                 return Say.Line($"the contact of pair {i}, {part}, is lost");
         }
 
@@ -48,13 +47,19 @@ internal static class ContactsOfParts
     }
 
     /// <summary>What is wrong about a contact, or null.</summary>
-    private static string? Fault(ConcavePair pair, in PartContacts one, float gap)
+    private static string? Fault(ConcavePair pair, List<PartContacts> found, in PartContacts one, float gap)
     {
         int i = pair.IndexOf(one.PartA, one.PartB), a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
         Vector3 normal = one.Manifold.Normal;
         DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
-        bool isOwn = manifold.Count > 0 && normal == manifold.Normal && one.Result.Distance == part.Distance;
-        if (isOwn) return null;
+        bool IsOwn(PartContacts other) =>
+            manifold.Count > 0 && other.Manifold.Normal == manifold.Normal && other.Result.Distance == part.Distance;
+        if (IsOwn(one)) return null;
+
+        // A corner that a neighbour climbs to is named by these parts, too, beside their own.
+        bool isThere = found.Exists(other => pair.IndexOf(other.PartA, other.PartB) == i && IsOwn(other));
+        if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal))
+            return Say.Line($"the parts say {part}, {manifold.Count} points");
         bool isAlong = Along(pair.RawA, a, pair.PoseA, normal) || Along(pair.RawB, b, pair.PoseB, normal);
         if (!(isAlong || pair.HasSolid))
             return Say.Line($"neither along a face nor what the parts say: {part}, {manifold.Count} points");
@@ -80,6 +85,10 @@ internal static class ContactsOfParts
 
     private static double Off(in ConvexShape part, in RigidPose pose, Vector3 point) =>
         ConvexQuery.Distance(part, pose, ConvexShape.Point(), new RigidPose(point)).Distance;
+
+    /// <summary>Whether both parts certainly end along a direction.</summary>
+    private static bool IsShown(ConcavePair pair, int a, int b, Vector3 normal) =>
+        Faces(pair, a, b, normal) && !IsFlat(pair.RawA, a) && !IsFlat(pair.RawB, b);
 
     private static bool IsFlat(RawShape shape, int part)
     {
