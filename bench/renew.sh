@@ -5,11 +5,16 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if [ "${1:-}" != --pages ]; then
-  find bench/results -name '*.csv' ! -name cited.csv ! -name '*-judge.csv' -delete
   dotnet build -c Release -v quiet --nologo bench
-  for what in table peers scale; do
+  # A run that breaks off leaves the old figures.
+  old=$(mktemp -d)
+  find bench/results -name '*.csv' ! -name cited.csv ! -name '*-judge.csv' -exec mv {} "$old" \;
+  trap 'cp "$old"/*.csv bench/results; rm -rf "$old"' EXIT
+  for what in table peers scale mono; do
     dotnet run -c Release --no-build --project bench -- --$what --csv
   done
+  trap - EXIT
+  rm -rf "$old"
 fi
 
 dotnet run -c Release --project docs/Gjk.Pages
