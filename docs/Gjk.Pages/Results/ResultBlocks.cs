@@ -38,7 +38,8 @@ internal static partial class ResultBlocks
     {
         string results = Path.Combine(folder, "bench", "results");
         ResultFile peers = Only(results, "-peers.csv"), scale = Only(results, "-scale.csv"),
-            judge = Only(results, "-judge.csv"), mono = Only(results, "-mono.csv"), cited = new(Path.Combine(results, "cited.csv"));
+            judge = Only(results, "-judge.csv"), mono = Only(results, "-mono.csv"),
+            cited = new(Path.Combine(results, "cited.csv"));
         ResultFile table = new(peers.Path.Replace("-peers.csv", ".csv"));
         return new Dictionary<string, string>
         {

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Gjk.Pages;
 
-/// <summary>The library where Unity runs, and where it goes: Mono, .NET, and the netstandard2.1 build on .NET.</summary>
+/// <summary>The library where Unity runs and where it goes: Mono, .NET, and the netstandard2.1 build on .NET.</summary>
 internal static class RuntimeTable
 {
     private static readonly string[] Runtimes = ["mono", "net10.0", "netstandard2.1"];
