@@ -18,7 +18,11 @@ internal static class MonoReport
         {
             text.Append(CultureInfo.InvariantCulture, $"| {row} |");
             foreach (Dictionary<string, double> times in figures)
-                text.Append(CultureInfo.InvariantCulture, $" {TimeText.Of(times[row])} | {Ratio(times, row):0.00#} |");
+            {
+                string ratio = RatioText(times, row, "0.00#");
+                text.Append(CultureInfo.InvariantCulture, $" {TimeText.Of(times[row])} | {ratio} |");
+            }
+
             text.Append('\n');
         }
 
@@ -46,11 +50,19 @@ internal static class MonoReport
             {
                 text.Append(
                     CultureInfo.InvariantCulture,
-                    $"{row},{MonoColumn.All[i].Name},{figures[i][row]:0.##},{Ratio(figures[i], row):0.####}\n");
+                    $"{row},{MonoColumn.All[i].Name},{figures[i][row]:0.##},{RatioText(figures[i], row, "0.####")}\n");
             }
         }
 
         return text.ToString();
+    }
+
+    /// <summary>Empty for a frame without one of the report's: it is compared with no single query.</summary>
+    private static string RatioText(Dictionary<string, double> column, string row, string format)
+    {
+        bool isFrame = row.StartsWith("frame", StringComparison.Ordinal);
+        bool isCompared = row.EndsWith(Report, StringComparison.Ordinal) || column.ContainsKey(row + Report);
+        return isFrame && !isCompared ? "" : Ratio(column, row).ToString(format, CultureInfo.InvariantCulture);
     }
 
     /// <summary>To the report's algorithm: that of the row's own set, where one is measured; of the cubes for the

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -34,11 +33,6 @@ internal static class RuntimeTable
         return ns < 1e5 ? $"{Shown.Whole(ns)} ns" : $"{Shown.Milliseconds(ns * 1e-6)} ms";
     }
 
-    /// <summary>A frame is compared with a frame, and with no single query.</summary>
-    private static string Ratio(ResultFile runs, string name, string runtime)
-    {
-        bool isAlone = name.StartsWith("frame", StringComparison.Ordinal)
-            && runs.Rows(("row", name + " report")).Count == 0 && !name.EndsWith("report", StringComparison.Ordinal);
-        return isAlone ? "-" : Shown.TwoDigits(runs.Number("ratio", ("row", name), ("runtime", runtime)));
-    }
+    private static string Ratio(ResultFile runs, string name, string runtime) =>
+        Shown.TwoDigits(runs.Number("ratio", ("row", name), ("runtime", runtime)));
 }
