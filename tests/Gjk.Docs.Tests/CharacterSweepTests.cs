@@ -61,12 +61,14 @@ public class CharacterSweepTests
             readonly CollisionScene _scene = new();
             readonly List<RigidPose> _poses = [];
             readonly List<ConvexShape> _shapes = [];
+            readonly List<float> _reaches = [];
             Vector3 _position;
 
             public void Add(Vector3 at, Vector3 half)
             {
                 _shapes.Add(ConvexShape.Box(half));
                 _poses.Add(new RigidPose(turn, origin + Vector3.Transform(at, turn)));
+                _reaches.Add(half.Length() + 1.2f);
                 _scene.Add(_shapes[^1], _poses[^1]);
             }
 
@@ -90,6 +92,8 @@ public class CharacterSweepTests
                     if ((_position - before).Length() < 0.2f * way.Length()) still++;
                     for (int k = 0; k < _poses.Count; k++)
                     {
+                        // No body reaches 1.2 from its centre, so that what is farther is not in it.
+                        if ((_poses[k].Position - _position).Length() > _reaches[k]) continue;
                         float signed = ConvexQuery.SignedDistance(
                             body, new RigidPose(_position), _shapes[k], _poses[k]).Distance;
                         deepest = MathF.Max(deepest, -signed);

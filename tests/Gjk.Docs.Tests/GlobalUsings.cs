@@ -1,4 +1,1 @@
 global using Xunit;
-
-// The programs of the pages print to the one standard output of the process.
-[assembly: CollectionBehavior(DisableTestParallelization = true)]

@@ -14,6 +14,10 @@ internal static class PageProgram
     /// <summary>Printed after each block, so that the output falls into the parts that the page shows.</summary>
     private const char BlockEnd = '\u001e';
 
+    /// <summary>Programs print to the one standard output of the process and stand in its one working folder: one runs
+    /// at a time. They are compiled, and commands run, side by side.</summary>
+    private static readonly object Process = new();
+
     /// <summary>The usings of a new console project, which a reader need not write.</summary>
     private const string ImplicitUsings =
         "using System; using System.Collections.Generic; using System.IO; using System.Linq;";
@@ -24,9 +28,15 @@ internal static class PageProgram
     public static IReadOnlyList<string> Run(IReadOnlyList<CodeBlock> blocks, string folder)
     {
         MethodInfo main = Compile(blocks, OutputKind.ConsoleApplication, Join(blocks))!.EntryPoint!;
+        var output = new StringWriter(CultureInfo.InvariantCulture) { NewLine = "\n" };
+        lock (Process) Run(main, folder, output);
+        return output.ToString().Split(BlockEnd)[..blocks.Count];
+    }
+
+    private static void Run(MethodInfo main, string folder, TextWriter output)
+    {
         TextWriter console = Console.Out;
         string before = Environment.CurrentDirectory;
-        var output = new StringWriter(CultureInfo.InvariantCulture) { NewLine = "\n" };
         try
         {
             Environment.CurrentDirectory = folder;
@@ -38,8 +48,6 @@ internal static class PageProgram
             Console.SetOut(console);
             Environment.CurrentDirectory = before;
         }
-
-        return output.ToString().Split(BlockEnd)[..blocks.Count];
     }
 
     /// <summary>Compiles blocks that need an engine to run: each is a file of its own.</summary>

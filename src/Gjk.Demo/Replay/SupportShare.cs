@@ -30,8 +30,14 @@ internal sealed class SupportShare
     /// turns.</summary>
     public double Measure()
     {
-        WarmUp.Run(() => Ask(false), WarmUp.Short, _cancel);
-        WarmUp.Run(() => Ask(true), WarmUp.Short, _cancel);
+        WarmUp.Run(
+            () =>
+            {
+                Ask(false);
+                Ask(true);
+            },
+            WarmUp.Short,
+            _cancel);
         var shares = new List<double>();
         long start = Stopwatch.GetTimestamp();
         do

@@ -5,7 +5,7 @@ namespace Gjk.Core.Tests.World;
 /// <summary>A frame allocates nothing once the buffers have their size.</summary>
 public class WorldAllocationTests
 {
-    private const int Objects = 300, FewObjects = 60;
+    private const int Objects = 120, FewObjects = 60;
     private const int WarmUpFrames = 30;
     private const int Frames = 30;
 
