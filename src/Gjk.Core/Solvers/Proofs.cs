@@ -17,7 +17,8 @@ internal static class Proofs
         return Math.Abs(gap) <= least || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
-    /// <summary>The balls around the shapes are apart by more than rounding could close, and so are the shapes.</summary>
+    /// <summary>The balls around the shapes are apart by more than rounding could close, and so are the
+    /// shapes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool AreBallsApart(in PairFrame frame)
     {
