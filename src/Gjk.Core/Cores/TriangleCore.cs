@@ -76,8 +76,7 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
     /// <summary>The same in numbers, u to the second corner and v to the third.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Furthest(
-        double ux, double uy, double uz, double vx, double vy, double vz, in Double3 direction)
+    public static int Furthest(double ux, double uy, double uz, double vx, double vy, double vz, in Double3 direction)
     {
         double second = direction.X * ux + direction.Y * uy + direction.Z * uz;
         double third = direction.X * vx + direction.Y * vy + direction.Z * vz;
