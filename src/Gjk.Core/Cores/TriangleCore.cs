@@ -71,28 +71,35 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
     /// <param name="toThird">From the first corner to the third.</param>
     /// <param name="direction">Any.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Furthest(in Double3 toSecond, in Double3 toThird, in Double3 direction)
+    public static int Furthest(in Double3 toSecond, in Double3 toThird, in Double3 direction) =>
+        Furthest(toSecond.X, toSecond.Y, toSecond.Z, toThird.X, toThird.Y, toThird.Z, direction);
+
+    /// <summary>The same in numbers, u to the second corner and v to the third.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Furthest(double ux, double uy, double uz, double vx, double vy, double vz, in Double3 direction)
     {
-        double second = Double3.Dot(direction, toSecond), third = Double3.Dot(direction, toThird);
+        double second = direction.X * ux + direction.Y * uy + direction.Z * uz;
+        double third = direction.X * vx + direction.Y * vy + direction.Z * vz;
         return DirectionRange.IsSafe(second) && DirectionRange.IsSafe(third)
             ? Furthest(second, third)
-            : FurthestInUnits(toSecond, toThird, direction);
+            : FurthestInUnits(ux, uy, uz, vx, vy, vz, direction);
     }
 
     /// <summary>By the dot products with the direction, which no processor could predict.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Furthest(double second, double third)
     {
-        int isThird = BranchFree.IsNegative(Math.Max(second, 0) - third), isSecond = BranchFree.IsNegative(-second);
-        return (isThird << 1) | (isSecond & ~isThird);
+        int isThird = BranchFree.IsNegative(second - third) & BranchFree.IsNegative(-third);
+        return (isThird << 1) | (BranchFree.IsNegative(-second) & ~isThird);
     }
 
     /// <summary>With the direction brought to unit size. By value: callers keep registers.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int FurthestInUnits(Double3 toSecond, Double3 toThird, Double3 direction)
+    private static int FurthestInUnits(
+        double ux, double uy, double uz, double vx, double vy, double vz, Double3 direction)
     {
         Double3 unit = DirectionRange.ToUnit(direction);
-        return Furthest(Double3.Dot(unit, toSecond), Double3.Dot(unit, toThird));
+        return Furthest(Double3.Dot(unit, new(ux, uy, uz)), Double3.Dot(unit, new(vx, vy, vz)));
     }
 
     /// <summary>A triangle, from either side, or one of its edges or corners.</summary>

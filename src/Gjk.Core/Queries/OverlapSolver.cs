@@ -58,9 +58,7 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        // The balls around the shapes are apart by more than rounding could close, and so are the shapes.
-        double reach = frame.Radius * (1 + GjkTolerances.SeparatedBandCurved);
-        if (frame.Translation.LengthSquared > reach * reach) return Verdict.Apart;
+        if (Proofs.AreBallsApart(frame)) return Verdict.Apart;
         return frame.Margins == 0 ? GjkOverlap.Solve(ref a, ref b, frame) : Verdict.Undecided;
     }
 

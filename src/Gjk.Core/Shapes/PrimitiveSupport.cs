@@ -22,9 +22,7 @@ internal static class PrimitiveSupport
 
     public static int Triangle(in Double3 a, in Double3 b, in Double3 c, in Double3 direction, out Double3 point)
     {
-        Double3.Plus(b, a, -1, out Double3 toSecond);
-        Double3.Plus(c, a, -1, out point);
-        int id = TriangleCore.Furthest(toSecond, point, direction);
+        int id = TriangleCore.Furthest(b.X - a.X, b.Y - a.Y, b.Z - a.Z, c.X - a.X, c.Y - a.Y, c.Z - a.Z, direction);
         ref readonly Double3 corner = ref id == 0 ? ref a : ref id == 1 ? ref b : ref c;
         Double3.Write(corner.X, corner.Y, corner.Z, out point);
         return id;

@@ -48,10 +48,12 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Support(in Double3 direction, out Double3 point)
     {
-        int id = PrimitiveSupport.Triangle(A, B, C, direction, out point);
-        point -= _center;
+        double x = A.X, y = A.Y, z = A.Z;
+        int id = TriangleCore.Furthest(B.X - x, B.Y - y, B.Z - z, C.X - x, C.Y - y, C.Z - z, direction);
+        TryGetVertex(id, out point);
         return id;
     }
 
@@ -62,7 +64,8 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point)
     {
-        point = (Double3)(id == 0 ? A : id == 1 ? B : C) - Center;
+        ref readonly Vector3 corner = ref id == 0 ? ref A : ref id == 1 ? ref B : ref C;
+        Double3.Write(corner.X - _center.X, corner.Y - _center.Y, corner.Z - _center.Z, out point);
         return (uint)id < 3u;
     }
 

@@ -17,6 +17,15 @@ internal static class Proofs
         return Math.Abs(gap) <= least || gap * gap <= noise * noise * feature.NormalSquared;
     }
 
+    /// <summary>The balls around the shapes are apart by more than rounding could close, and so are the
+    /// shapes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool AreBallsApart(in PairFrame frame)
+    {
+        double reach = frame.Radius * (1 + GjkTolerances.SeparatedBandCurved);
+        return frame.Translation.LengthSquared > reach * reach;
+    }
+
     /// <summary>The other two corners of a triangle lie no further above the plane than the bounds may be
     /// apart.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

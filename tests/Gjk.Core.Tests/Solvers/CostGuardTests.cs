@@ -109,6 +109,29 @@ public class CostGuardTests
         }
     }
 
+    /// <summary>Shapes whose balls are apart are not searched for a depth.</summary>
+    [Theory]
+    [InlineData("cubes")]
+    [InlineData("spheres")]
+    public void TheSignedDistanceOfPairsFarApartCostsADistance(string scene)
+    {
+        int apart = 0;
+        foreach (TestPair p in ScenePairs(scene))
+        {
+            double radii = p.A.Shape.BoundingRadius + p.B.Shape.BoundingRadius;
+            if (Vector3.Distance(p.PoseA.Position, p.PoseB.Position) < 1.001 * radii) continue;
+            apart++;
+            int[] callsA = [0], callsB = [0];
+            DistanceResult r = ConvexQuery.SignedDistance(
+                new SupportCounter(p.A.Shape, callsA), p.PoseA, new SupportCounter(p.B.Shape, callsB), p.PoseB);
+            Assert.True(
+                r.Iterations == callsA[0] && r.Iterations == callsB[0],
+                $"{p}: {r.Iterations} iterations, {callsA[0]} and {callsB[0]} support calls");
+        }
+
+        Assert.True(apart > 100, $"{scene}: only {apart} pairs are apart");
+    }
+
     private static TestPair[] Random(string kind) =>
         [.. Enumerable.Range(0, RandomPairs).Select(i => Generators.Pair((ulong)i, [kind]))];
 

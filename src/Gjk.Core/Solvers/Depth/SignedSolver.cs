@@ -3,8 +3,9 @@ namespace Gjk.Core;
 /// <summary>The signed distance of two cores: apart, that of the distance solvers; overlapping, the depth, as a feature
 /// of negative height.</summary>
 /// <remarks>
-/// <para>Without margins the depth is asked first: shapes that are worth the question mostly overlap, and a plane that
-/// separates them is found on the way; two boxes have a search of their own, which all shapes that are boxes share.
+/// <para>Without margins the depth is asked first, unless the balls around the shapes are apart: shapes that are worth
+/// the question mostly overlap, and a plane that separates them is found on the way; two boxes have a search of their
+/// own, which all shapes that are boxes share.
 /// Within the band where rounding could turn the answer, the distance decides whether the shapes touch, so that both
 /// queries agree. With margins the distance of the cores is asked first: most rounded shapes overlap by their margins
 /// alone, and then it is all that is needed.</para>
@@ -24,7 +25,8 @@ internal static class SignedSolver
         where TTrace : struct, IPolytopeTrace
     {
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
-        if (frame.Margins == 0) SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
+        if (frame.Margins == 0 && (trace.IsOn || !Proofs.AreBallsApart(frame)))
+            SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
         NoTrace untold = default;
