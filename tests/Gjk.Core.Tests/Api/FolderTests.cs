@@ -88,7 +88,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Shapes"] = 938,
         ["Simplex"] = 952,
         ["Solvers"] = 611,
-        ["Solvers/Depth"] = 1315,
+        ["Solvers/Depth"] = 1392,
         ["Solvers/Motion"] = 925,
         ["Solvers/Trace"] = 131,
         ["Sorting"] = 89,
