@@ -89,7 +89,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Simplex"] = 952,
         ["Solvers"] = 611,
         ["Solvers/Depth"] = 1392,
-        ["Solvers/Motion"] = 925,
+        ["Solvers/Motion"] = 960,
         ["Solvers/Trace"] = 131,
         ["Sorting"] = 89,
         ["Threading"] = 175,
