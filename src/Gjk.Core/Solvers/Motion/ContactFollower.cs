@@ -7,9 +7,9 @@ namespace Gjk.Core;
 /// <para>Each round asks for the signed distance at the fraction reached. Its plane, moved back by what is allowed,
 /// separates the shrunk bodies, and the same chord with its sag proves a step of it. So nothing gets deeper between the
 /// rounds, and bodies that slide or roll on each other go on, with the allowed depth for a gap.</para>
-/// <para>A signed distance of curved bodies costs hundreds of supports. So after some rounds the plane, as it has turned
-/// by then, stands in for the next query: two supports tell the gap along it, and as long as half of the gap that was
-/// asked for last is left, the next step is proved from there.</para>
+/// <para>A signed distance of curved bodies costs hundreds of supports. So after some rounds the plane, as it has
+/// turned by then, stands in for the next query: two supports tell the gap along it, and as long as half of the gap
+/// that was asked for last is left, the next step is proved from there.</para>
 /// <para>A contact ends where the plane proves a gap of twice the tolerance. It is looked for before each step, four
 /// times further each time, since a body may leave, turn, and come back with its other end within one step.</para>
 /// <para>It terminates as the advancement does: what is allowed is several floors.</para>
