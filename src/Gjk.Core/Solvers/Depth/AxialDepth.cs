@@ -86,9 +86,9 @@ internal static unsafe class AxialDepth
             : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Found;
     }
 
-    /// <summary>Looks at a known direction, or searches the plane, or where the bodies are only nearly coaxial one plane
-    /// after the other all around the axis: each proves those beside it as far as the slope lets it, and how ways out
-    /// change where it is.</summary>
+    /// <summary>Looks at a known direction, or searches the plane, or where the bodies are only nearly coaxial one
+    /// plane after the other all around the axis: each proves those beside it as far as the slope lets it, and how ways
+    /// out change where it is.</summary>
     public static DepthVerdict Turn<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
         where TA : struct, ISupportMap
