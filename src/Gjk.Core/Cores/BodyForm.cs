@@ -10,6 +10,9 @@ internal struct BodyForm
     /// <summary>Whether a round body has no vertices; false for points and segments.</summary>
     public bool IsCurved;
 
+    /// <summary>Whether a round body is a cylinder.</summary>
+    public bool IsCylinder;
+
     /// <summary>Turned about this line through the centre, a round body stays the same; 0 where it does about every
     /// line. Of any length.</summary>
     public Double3 Axis;
@@ -72,6 +75,7 @@ internal struct BodyForm
                 break;
             case RayForm.Ball or RayForm.Capsule or RayForm.Cylinder or RayForm.Cone or RayForm.Swollen:
                 IsRound = body.TryGetAxis(out Double3 axis);
+                IsCylinder = IsRound && body.Form == RayForm.Cylinder;
                 IsCurved = body.IsScaled || (body.Form != RayForm.Ball && body.Form != RayForm.Capsule);
                 Axis = new RotationD(Turn).Rotate(axis);
                 CornerCount = IsCurved ? 0 : IsPoint ? 1 : 2;

@@ -96,6 +96,22 @@ public class TouchingImpactTests
         Assert.True(Math.Min(stopped, missed) > 0.2 * count, $"{stopped} {missed}");
     }
 
+    /// <summary>Bodies that spin within each other ask for few signed distances: planes that are kept stand in for
+    /// them.</summary>
+    [Fact]
+    public void WhatSpinsInsideAsksLittle()
+    {
+        QueryRecord pair = QueryRecord.Parse(
+            "gjk1 ellipsoid 5.5266270637512207 5.5716376304626465 5.9605927467346191 @ 0.722093701 -0.169207484 "
+            + "-0.276177078 -0.611290157 -0.87884903 0.80469346 0.815725207 ~ -0.00033002533 -0.00846943259 "
+            + "0.00502429111 -2.11454296 1.3293345 2.92555523 ellipsoid 3.6024832725524902 3.5729634761810303 "
+            + "5.2495298385620117 @ -0.387076348 -0.331899345 -0.64095062 0.573756993 -1.04490745 0.960144281 "
+            + "0.805778325 ~ -0.395975977 0.68328923 0.2702685 2.59237289 0.342363209 2.67259431");
+        CastResult r = ConvexQuery.TimeOfImpact(
+            pair.A, pair.MotionA, pair.B, pair.MotionB, 0, 1, CastOptions.OnlyDeeper());
+        Assert.True(r.Status == CastStatus.OverlappingAtStart && r.Iterations < 5500, $"{r} {r.Iterations}");
+    }
+
     /// <summary>A wheel and a ball roll, and a top spins; a body that falls with a spin is stopped at once.</summary>
     [Fact]
     public void WhatRollsIsNotStopped()

@@ -48,9 +48,17 @@ internal static unsafe class AxialDepth
     {
         int before = state.Iterations;
         DepthBounds depth = DepthBounds.None;
-        DepthVerdict verdict = plane.IsDirection
-            ? Look(ref a, ref b, frame, plane, ref state, ref depth)
-            : Turn(ref a, ref b, frame, plane, ref state, ref depth);
+        DepthVerdict verdict = Turn(ref a, ref b, frame, plane, ref state, ref depth);
+        return End(ref a, ref b, frame, depth, verdict, before, ref state);
+    }
+
+    /// <summary>Writes what was found into the state; Undecided hands over.</summary>
+    public static DepthVerdict End<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in DepthBounds depth, DepthVerdict verdict, int before,
+        ref SolverState state)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
         if (verdict == DepthVerdict.Found && !(depth.Above > band)) verdict = DepthVerdict.Undecided;
         if (verdict == DepthVerdict.Undecided) state.Iterations = before;
@@ -78,14 +86,15 @@ internal static unsafe class AxialDepth
             : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Found;
     }
 
-    /// <summary>Searches the plane, or where the bodies are only nearly coaxial one plane after the other all around
-    /// the axis: each proves those beside it as far as the slope lets it, and how ways out change where it
-    /// is.</summary>
-    private static DepthVerdict Turn<TA, TB>(
+    /// <summary>Looks at a known direction, or searches the plane, or where the bodies are only nearly coaxial one
+    /// plane after the other all around the axis: each proves those beside it as far as the slope lets it, and how ways
+    /// out change where it is.</summary>
+    public static DepthVerdict Turn<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        if (way.IsDirection) return Look(ref a, ref b, frame, way, ref state, ref depth);
         int limit = state.Iterations + MostSupports;
         DepthVerdict verdict = Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
         int finest = Math.Min(limit, state.Iterations + MostFiner);
@@ -199,7 +208,8 @@ internal static unsafe class AxialDepth
         return new AxialSide(plane, across, along, w, moved, bent);
     }
 
-    private static Double3 Support<TA, TB>(
+    /// <summary>The furthest point of A - B in a direction, which is counted.</summary>
+    public static Double3 Support<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex simplex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

@@ -130,9 +130,13 @@ internal static class SignedSolver
         where TTrace : struct, IPolytopeTrace
     {
         PairForm.Look(ref a, ref b, frame, out PairForm form);
-        if (!form.Way.IsKnown) return DepthVerdict.Undecided;
-        if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
-        return AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state);
+        bool isExact = form.Way.IsKnown && form.Way.Slope == 0;
+        SolverState before = trace.IsOn ? state : default;
+        DepthVerdict verdict = isExact
+            ? AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state)
+            : CylinderDepth.Solve(ref a, ref b, frame, form, ref state);
+        if (trace.IsOn && verdict != DepthVerdict.Undecided) Tell(ref a, ref b, frame, before, ref trace);
+        return verdict;
     }
 
     /// <summary>What the general search has no room for.</summary>
@@ -144,6 +148,12 @@ internal static class SignedSolver
     {
         PairForm.Look(ref a, ref b, frame, out PairForm form);
         if (form.AreFaceted) return HullDepth.Solve(ref a, ref b, frame, form, ref state);
+        if (form.Way.Slope > 0)
+        {
+            DepthVerdict leaning = AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state);
+            if (leaning != DepthVerdict.Undecided) return leaning;
+        }
+
         DepthVerdict verdict = CornerDepth.Solve(ref a, ref b, frame, form, ref state);
         if (verdict == DepthVerdict.Undecided) verdict = DepthCells.Solve(ref a, ref b, frame, ref state);
         if (state.IsCurved && verdict == DepthVerdict.Found

@@ -7,6 +7,9 @@ namespace Gjk.Core;
 /// <para>Each round asks for the signed distance at the fraction reached. Its plane, moved back by what is allowed,
 /// separates the shrunk bodies, and the same chord with its sag proves a step of it. So nothing gets deeper between the
 /// rounds, and bodies that slide or roll on each other go on, with the allowed depth for a gap.</para>
+/// <para>A signed distance of curved bodies costs hundreds of supports. So after some rounds the plane, as it has
+/// turned by then, stands in for the next query: two supports tell the gap along it, and as long as half of the gap
+/// that was asked for last is left, the next step is proved from there.</para>
 /// <para>A contact ends where the plane proves a gap of twice the tolerance. It is looked for before each step, four
 /// times further each time, since a body may leave, turn, and come back with its other end within one step.</para>
 /// <para>It terminates as the advancement does: what is allowed is several floors.</para>
@@ -32,6 +35,12 @@ internal static class ContactFollower
     /// few steps: the reach is up to 0.1% too large. Pinned by TouchingImpactTests.</summary>
     private const int MeasuredDirections = 64;
 
+    /// <summary>Counts: rounds after which planes are kept, for how many rounds each, and ratio to the gap asked for:
+    /// what must be left of it. They change the cost alone. Pinned by TouchingImpactTests.</summary>
+    private const int KeepAfter = 2, MostKept = 16;
+
+    private const double LeastKept = 0.5;
+
     /// <summary>Follows the contact; the frame is that of the fraction reached.</summary>
     /// <param name="a">The first core.</param>
     /// <param name="b">The second one.</param>
@@ -53,19 +62,32 @@ internal static class ContactFollower
         impact.Fraction = interval.Begin;
         motion.A.Measure(ref a, MeasuredDirections);
         motion.B.Measure(ref b, MeasuredDirections);
-        while (TryMeasure(ref a, ref b, frame, ref impact, out SolverState state, out double gap))
+        TurningPlane plane = default;
+        double asked = 0;
+        int kept = MostKept;
+        while (true)
         {
-            if (shrunk == 0)
+            if (kept == MostKept || !TryKeep(
+                ref a, ref b, frame, plane, impact.Fraction, Math.Max(accepted, LeastKept * asked) - shrunk,
+                out SolverState state, out double gap))
             {
-                double depth = interval.Begin > 0 ? 0 : -gap;
-                shrunk = Math.Max(allowed, depth) + tolerance + accepted + DepthRoom * state.DepthNoise;
+                if (!TryMeasure(ref a, ref b, frame, ref impact, out state, out gap)) return;
+                if (shrunk == 0)
+                {
+                    double depth = interval.Begin > 0 ? 0 : -gap;
+                    shrunk = Math.Max(allowed, depth) + tolerance + accepted + DepthRoom * state.DepthNoise;
+                }
+
+                asked = gap + shrunk;
+                kept = impact.Steps < KeepAfter ? MostKept - 1 : -1;
             }
 
+            kept++;
             impact.Outcome = gap > 0 ? MotionVerdict.Over : MotionVerdict.Hit;
             if (gap + shrunk <= accepted || gap >= Ended * tolerance) return;
             frame.MarginA = margin - shrunk;
             TurningPlane.Choose(
-                state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out TurningPlane plane);
+                state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out plane);
             double next;
             bool isOver = TryEnd(
                 ref a, ref b, ref frame, motion, plane, interval.End, shrunk + Ended * tolerance, floor, out next);
@@ -103,6 +125,24 @@ internal static class ContactFollower
 
         frame = here;
         return false;
+    }
+
+    /// <summary>The gap along the last plane, as it has turned, in place of a signed distance.</summary>
+    /// <returns>False where it is no more than the least.</returns>
+    private static bool TryKeep<TA, TB>(
+        ref TA a, ref TB b, in PairFrame frame, in TurningPlane plane, double fraction, double least,
+        out SolverState state, out double gap)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        SolverState.Begin<TA, TB>(frame, out state);
+        state.Feature.Normal = plane.NormalAt(frame, fraction);
+        state.Feature.NormalSquared = state.Feature.Normal.LengthSquared;
+        MinkowskiDifference.Support(ref a, ref b, frame, state.Feature.Normal, ref state.Simplex, 0, out Double3 w);
+        state.Simplex.Select(1, 0, 0, 0, 0);
+        state.Plane.Set(state.Feature, Double3.Dot(state.Feature.Normal, w));
+        gap = state.Plane.Value / Math.Sqrt(state.Plane.NormalSquared) - frame.Margins;
+        return gap > least;
     }
 
     /// <summary>The signed distance where the pair is now, and the plane that bounds it from below.</summary>

@@ -73,13 +73,21 @@ internal struct TurningPlane
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Double3 world = Normal;
-        double rate = _turn.Length;
-        if (rate > 0) world = QuaternionD.About(_turn * (1 / rate), rate * (fraction - Start)).Rotate(world);
-        Double3 normal = frame.RotationA.InverseRotate(world);
+        Double3 normal = NormalAt(frame, fraction);
         a.Support(-normal, out Double3 onA);
         b.Support(frame.Rotation.InverseRotate(normal), out Double3 onB);
         return Double3.Dot(normal, onA - frame.Rotation.Rotate(onB) - frame.Translation) - frame.Margins;
+    }
+
+    /// <summary>The normal at a later fraction, in A's axes.</summary>
+    /// <param name="frame">The pair at that fraction.</param>
+    /// <param name="fraction">The fraction.</param>
+    public readonly Double3 NormalAt(in PairFrame frame, double fraction)
+    {
+        Double3 world = Normal;
+        double rate = _turn.Length;
+        if (rate > 0) world = QuaternionD.About(_turn * (1 / rate), rate * (fraction - Start)).Rotate(world);
+        return frame.RotationA.InverseRotate(world);
     }
 
     /// <summary>Whether the gap is proved to stay above a floor from the start to a later fraction.</summary>
