@@ -4,7 +4,9 @@ import { build } from 'esbuild';
 import { copyFileSync, readFileSync } from 'node:fs';
 
 const folder = process.argv[2] ?? 'dist';
-const script = { bundle: true, minify: true, charset: 'utf8', legalComments: 'inline', format: 'iife', target: 'es2020' };
+const script = {
+  bundle: true, minify: true, charset: 'utf8', legalComments: 'inline', format: 'iife', target: 'es2020',
+};
 const module = { ...script, format: 'esm', target: 'es2022' };
 
 /** Takes from the script before a page's own what the page imports from three.js: a missing name stops the build. */
