@@ -7,12 +7,13 @@ namespace Gjk.Bench.Reporting;
 /// written with one decimal.</summary>
 internal sealed class SvgWriter
 {
-    /// <summary>Larger text where the picture is as narrow as a phone, and other colours where the reader's theme is
-    /// dark.</summary>
+    /// <summary>Larger text where the picture is as narrow as a phone, without that which reads upwards, for which
+    /// there is no room; and other colours where the reader's theme is dark.</summary>
     private const string Style = """
         <style>
         @media (max-width: 520px) {
-        [font-size="12"], [font-size="13"] { font-size: 19px } [font-size="17"] { font-size: 22px }
+        [font-size="12"], [font-size="13"] { font-size: 19px } [font-size="17"] { font-size: 20px }
+        [transform] { display: none }
         }
         @media (prefers-color-scheme: dark) {
         [fill="#ffffff"] { fill: #1f2430 } [fill="#1f2328"] { fill: #e6edf3 } [fill="#57606a"] { fill: #aab4c0 }

@@ -25,7 +25,7 @@ internal static class ScaleFigure
             Line("narrow phase", "#bf5b04", narrow, r => r.Figures.NarrowMs),
         ])
         {
-            Title = "Intersecting pairs: time per frame over the number of objects",
+            Title = "Intersecting pairs: time per frame over the objects",
             Subtitle = "Moving cubes, half touching another; one thread. " + machine,
             AxisX = "objects",
             AxisY = "time per frame",

@@ -26,8 +26,8 @@ internal static class CostFigure
                 "Gjk, warm start, nothing moved", "#bf5b04", [.. warm.Select(r => ((double)r.Vertices, r.Library))]),
         ])
         {
-            Title = "Distance and closest points: time over the size of the hulls",
-            Subtitle = "Random pairs of equal size, a fifth to two fifths overlapping. " + machine,
+            Title = "Distance and closest points: time over the hulls",
+            Subtitle = "Pairs of equal size, a fifth to two fifths overlapping. " + machine,
             AxisX = "vertices per hull",
             AxisY = "time per pair",
             Unit = TimeText.Of,

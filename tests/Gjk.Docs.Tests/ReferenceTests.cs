@@ -48,13 +48,18 @@ public class ReferenceTests
         Assert.DoesNotContain("Two balls", queries);
     }
 
-    /// <summary>The second package is one page, without what the compiler makes of a record.</summary>
+    /// <summary>The second package is one page, without what the compiler makes of a record. A member whose comment
+    /// names another one for the rest has that one's parameters.</summary>
     [Fact]
     public void TheReferenceHasTheSecondPackage()
     {
         string import = ReferencePages.Make(Page.PathOf("src/Gjk.Core"))["import.md"];
         Assert.Contains("### ReadObj", import);
         Assert.Contains("### ToAnyShape", import);
+        string stl = import.Split("### ").Single(s => s.StartsWith("ReadStl", StringComparison.Ordinal));
+        Assert.Contains("- `content`: The bytes of the file.", stl);
+        Assert.Contains("- throws `ImportException`", stl);
+        Assert.DoesNotContain("OBJ", stl);
         Assert.DoesNotContain("<Clone>", import);
     }
 

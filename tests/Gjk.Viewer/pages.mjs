@@ -15,10 +15,10 @@ import { checkViewReading } from './view-reading.mjs';
 
 const folder = process.argv[2],
   only = process.argv[3];
-const bundle = join(folder, 'viewer.js');
-if (existsSync(bundle)) {
-  const checkedIn = readFileSync('../../src/Gjk.Demo/viewer/dist/viewer.js');
-  await check('the bundle is what its sources make', async () => assert.ok(readFileSync(bundle).equals(checkedIn)));
+for (const name of ['three.js', 'viewer.js'].filter((script) => existsSync(join(folder, script)))) {
+  const checkedIn = readFileSync(`../../src/Gjk.Demo/viewer/dist/${name}`);
+  await check(`the bundle ${name} is what its sources make`, async () =>
+    assert.ok(readFileSync(join(folder, name)).equals(checkedIn)));
 }
 
 const browser = await startBrowser();

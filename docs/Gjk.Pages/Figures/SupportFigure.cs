@@ -30,7 +30,7 @@ internal static class SupportFigure
         right.Polygon(a.Minus(b).Corners, Ink.Difference);
         right.Line(step.Vertex - 2 * across, step.Vertex + 2 * across, Ink.Faint, isDashed: true);
         right.Dot(step.Vertex, Ink.Answer, 7);
-        right.Label(step.Vertex, "a - b", Ink.Answer, dx: -12, dy: 4, anchor: "end");
+        right.Label(step.Vertex, "a - b", Ink.Answer, dx: 14, dy: -4, anchor: "start");
         right.Origin();
         canvas.Note(
             312, "a is furthest along d in A, b is furthest along -d in B; so a - b is furthest along d in A - B.");

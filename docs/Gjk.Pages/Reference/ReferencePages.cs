@@ -47,10 +47,22 @@ internal static partial class ReferencePages
         return pages;
     }
 
-    /// <summary>The documentation comments of the packages, by the names that the compiler gives members.</summary>
-    public static Dictionary<string, XElement> Comments() =>
-        Roots.SelectMany(r => XDocument.Load(Path.ChangeExtension(r.Assembly.Location, ".xml")).Descendants("member"))
+    /// <summary>The documentation comments of the packages, by the names that the compiler gives members. What a
+    /// comment leaves out it has from the one that it names.</summary>
+    public static Dictionary<string, XElement> Comments()
+    {
+        var comments = Roots
+            .SelectMany(r => XDocument.Load(Path.ChangeExtension(r.Assembly.Location, ".xml")).Descendants("member"))
             .DistinctBy(m => m.Attribute("name")!.Value).ToDictionary(m => m.Attribute("name")!.Value);
+        foreach (XElement comment in comments.Values)
+        {
+            string? named = comment.Element("inheritdoc")?.Attribute("cref")?.Value;
+            if (named is null || !comments.TryGetValue(named, out XElement? other)) continue;
+            comment.Add(other.Elements().Where(e => comment.Element(e.Name) is null).ToArray());
+        }
+
+        return comments;
+    }
 
     /// <summary>A type's name without the number of its parameters.</summary>
     internal static string Plain(Type type) => type.Name.Split('`')[0];

@@ -19,7 +19,7 @@ internal static class ScriptPage
         Stream stream, string title, ReadOnlySpan<byte> json, string name = "play", params string[] licences)
     {
         string style = PageText.Asset($"{name}.css");
-        List<string> scripts = [.. BrowserRuntime.Scripts(), PageText.Asset($"{name}.js")];
+        List<string> scripts = [.. BrowserRuntime.Scripts(), PageText.Script($"{name}.js")];
         string notices =
             string.Join("\n", [BrowserRuntime.Notices(), .. Licences.Concat(licences).Select(PageText.Asset)]);
         string policy = $"default-src 'none'; script-src {string.Join(" ", scripts.Select(Hash))} 'wasm-unsafe-eval'; "

@@ -45,7 +45,7 @@ internal static class HtmlPage
                     stream.Write(json);
                     break;
                 case "script":
-                    PageText.Add(stream, PageText.Asset("viewer.js"));
+                    PageText.Add(stream, PageText.Script("viewer.js"));
                     break;
                 case "library":
                     library?.Invoke(stream);

@@ -15,6 +15,9 @@ internal static class PageText
         return reader.ReadToEnd().ReplaceLineEndings("\n");
     }
 
+    /// <summary>A page's script, behind the part of three.js that all of them share.</summary>
+    public static string Script(string name) => Asset("three.js") + Asset(name);
+
     public static void Add(Stream stream, ReadOnlySpan<char> text)
     {
         byte[] bytes = new byte[Encoding.UTF8.GetByteCount(text)];

@@ -6,6 +6,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  Quaternion,
   Vector3,
 } from 'three';
 import { addSurface, addWayOut } from './depth-view.js';
@@ -30,7 +31,7 @@ export class DifferenceView {
 
   reset() {
     this.stage.look = null;
-    this.stage.fit(this.balls());
+    this.stage.fit([...this.balls(), ...this.rims()]);
   }
 
   addDifference(difference) {
@@ -56,6 +57,19 @@ export class DifferenceView {
     if (out) balls.push({ center: out, radius: DOT });
     for (let i = 0; i < v.length; i += 3) balls.push({ center: new Vector3(v[i], v[i + 1], v[i + 2]), radius: DOT });
     return balls;
+  }
+
+  /** The ends of the support planes: a step's plane must not be cut off by the picture. */
+  rims() {
+    const radius = this.planeRadius(), { model } = this;
+    return model.steps.flatMap((step) => {
+      const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...step.normal));
+      return Array.from({ length: 8 }, (_, i) => ({
+        center: new Vector3(Math.cos(i * Math.PI / 4), Math.sin(i * Math.PI / 4), 0).multiplyScalar(radius)
+          .applyQuaternion(turn).add(model.drawn(step.w)),
+        radius: 0,
+      }));
+    });
   }
 
   /** The size of the marks. It suits a small difference far from the origin and a large one around it. */
