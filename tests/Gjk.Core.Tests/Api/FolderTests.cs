@@ -76,7 +76,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Concave"] = 2253,
         ["Concave/Trees"] = 632,
         ["Contacts"] = 975,
-        ["Cores"] = 551,
+        ["Cores"] = 558,
         ["Diagnostics"] = 685,
         ["Geometry"] = 594,
         ["Hulls"] = 231,
