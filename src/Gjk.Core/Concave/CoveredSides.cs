@@ -78,8 +78,8 @@ internal static class CoveredSides
     /// angle at which it is looked for that is still clear of a part that ends at the plane.</summary>
     private const double Beyond = 16;
 
-    /// <summary>Count of <see cref="Room"/>, and share of a depth: so far beyond the witness it is looked what the union
-    /// shows there. More may miss a small face, less is rounding.</summary>
+    /// <summary>Count of <see cref="Room"/>, and share of a depth: so far beyond the witness it is looked what the
+    /// union shows there. More may miss a small face, less is rounding.</summary>
     private const double Ahead = 64, AheadOfDepth = 1.0 / 16;
 
     /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact.</summary>

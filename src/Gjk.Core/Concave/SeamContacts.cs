@@ -39,8 +39,8 @@ internal static class SeamContacts
         search.Add(own, contacts);
     }
 
-    /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap, what may
-    /// hold them instead is kept.</summary>
+    /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap, what
+    /// may hold them instead is kept.</summary>
     public static void RemoveCovered(ConcaveScratch scratch, float maxGap, List<PartContacts> contacts)
     {
         RemoveCovered(scratch, scratch.A, true, maxGap, contacts);

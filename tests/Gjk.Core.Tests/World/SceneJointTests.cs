@@ -87,7 +87,8 @@ public class SceneJointTests
             var scene = new CollisionScene();
             if (isCompound)
             {
-                scene.Add(AnyShape.Of(new CompoundShape([new(ground, low), new(wall, beside)])), RigidPose.Identity, Still);
+                var joined = new CompoundShape([new(ground, low), new(wall, beside)]);
+                scene.Add(AnyShape.Of(joined), RigidPose.Identity, Still);
             }
             else
             {
@@ -130,10 +131,12 @@ public class SceneJointTests
             case "boxes in each other":
                 Add(AnyShape.Solid(Solids.Joined(
                     (Solids.Box(new Vector3(-2, -0.5f, -3), new Vector3(2, 0.5f, 3)), new Vector3(-1.5f, -0.5f, 0)),
-                    (Solids.Box(new Vector3(-2, -0.5f, -2.5f), new Vector3(2, 0.5f, 2.5f)), new Vector3(1.5f, -0.5f, 0)))));
+                    (Solids.Box(new Vector3(-2, -0.5f, -2.5f), new Vector3(2, 0.5f, 2.5f)),
+                        new Vector3(1.5f, -0.5f, 0)))));
                 break;
             default:
-                Vector3[] points = [new(-3, 0, -3), new(0, 0, -3), new(3, 0, -3), new(-3, 0, 3), new(0, 0, 3), new(3, 0, 3),
+                Vector3[] points = [new(-3, 0, -3), new(0, 0, -3), new(3, 0, -3), new(-3, 0, 3), new(0, 0, 3),
+                    new(3, 0, 3),
                     new(0, -1, -3), new(0, -1, 3)];
                 Add(AnyShape.Surface(new TriangleMesh(
                     points, [0, 3, 1, 1, 3, 4, 1, 4, 2, 2, 4, 5, 1, 4, 6, 4, 7, 6])));
