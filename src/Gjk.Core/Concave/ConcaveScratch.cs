@@ -12,6 +12,8 @@ public sealed class ConcaveScratch
     internal readonly List<PartDistance> Pairs = [];
     internal readonly List<PartContacts> Contacts = [], Pushes = [];
     internal readonly List<FaceContact> FaceContacts = [], Orphans = [];
+    internal readonly List<OpenPlane> Planes = [];
+    internal readonly List<bool> AreAtJoints = [];
     internal readonly List<(float Distance, int Contact)> Shallowest = [];
     internal readonly HashSet<(int PartA, int PartB)> Named = [];
     internal readonly List<PartCast> Casts = [];

@@ -144,6 +144,9 @@ internal readonly ref struct ContactCone
             if (third == start || third == end) continue;
             if (IsFlat(start, end, third))
             {
+                // From a short side it leads on along its long ones.
+                double onward = Double3.Dot(third - start, _direction);
+                if (onward > Flat * (LongestSide(start, end, third) + start.Length)) return false;
                 if (left == 0) continue;
                 left--;
                 int mine = isAlong ? at : Before(at);

@@ -105,7 +105,7 @@ internal ref struct FaceSearch
 
     /// <summary>Whether the points of a mesh's part are as deep as its tip: only the tip is known to be shown along the
     /// face, and not what lies beside it.</summary>
-    private static bool IsAsDeep(in ContactManifold manifold, double tip) =>
+    public static bool IsAsDeep(in ContactManifold manifold, double tip) =>
         manifold[DeepestPoint.Of(manifold)].Gap <= tip + TipRoom * Math.Abs(tip) + ContactCone.Slack;
 
     /// <summary>The points of the two parts along a direction, from A to B in the world.</summary>

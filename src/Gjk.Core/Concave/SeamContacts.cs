@@ -29,10 +29,7 @@ internal static class SeamContacts
         var own = new PartContacts(pair.PartA, pair.PartB, result, manifold);
         if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
         {
-            bool isCovered = CompoundJoints.Covers(scratch, true, pair, result, normal)
-                || CompoundJoints.Covers(scratch, false, pair, result, -normal);
-            if (!isCovered) contacts.Add(own);
-            else if (result.Distance < 0) scratch.Orphans.Add(new FaceContact(own));
+            contacts.Add(own);
             return;
         }
 
@@ -40,6 +37,95 @@ internal static class SeamContacts
         var search = new FaceSearch(scratch, pair, result, plane, maxGap);
         search.Run(normal, fitA, fitB, shapeA, shapeB);
         search.Add(own, contacts);
+    }
+
+    /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap, what
+    /// may hold them instead is kept.</summary>
+    public static void RemoveCovered(ConcaveScratch scratch, float maxGap, List<PartContacts> contacts)
+    {
+        RemoveCovered(scratch, scratch.A, true, maxGap, contacts);
+        RemoveCovered(scratch, scratch.B, false, maxGap, contacts);
+    }
+
+    private static void RemoveCovered(
+        ConcaveScratch scratch, PartSide side, bool isA, float maxGap, List<PartContacts> contacts)
+    {
+        if (side.IsConvex) return;
+        List<OpenPlane> planes = scratch.Planes;
+        List<bool> areAtJoints = scratch.AreAtJoints;
+        planes.Clear();
+        areAtJoints.Clear();
+        foreach (PartContacts one in contacts)
+        {
+            bool isAtJoint = side.Compound is not null && new PartsCover(scratch, isA, one).GoesOnAtWitness(one);
+            areAtJoints.Add(isAtJoint);
+            if (!isAtJoint) CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
+        }
+
+        RemoveCoveredFaces(scratch, side, isA);
+        foreach (FaceContact one in scratch.FaceContacts)
+            CoveredSides.AddPlane(planes, one.Contact.Manifold, isA, side.Pose);
+        int kept = 0;
+        for (int i = 0; i < contacts.Count; i++)
+        {
+            PartContacts one = contacts[i];
+            if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
+            else if (one.Result.Distance < 0) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
+        }
+
+        contacts.RemoveRange(kept, contacts.Count - kept);
+    }
+
+    private static void RemoveCoveredFaces(ConcaveScratch scratch, PartSide side, bool isA)
+    {
+        List<FaceContact> faces = scratch.FaceContacts;
+        int kept = 0;
+        for (int i = 0; i < faces.Count; i++)
+        {
+            FaceContact face = faces[i];
+            if (!IsCovered(scratch, side, isA, face.Contact, false)) faces[kept++] = face;
+            else if (face.Own < 0) scratch.Orphans.Add(face);
+        }
+
+        faces.RemoveRange(kept, faces.Count - kept);
+    }
+
+    private static bool IsCovered(
+        ConcaveScratch scratch, PartSide side, bool isA, in PartContacts one, bool isAtJoint)
+    {
+        ConvexShape room = default;
+        ref readonly ConvexShape part = ref side.Part(isA ? one.PartA : one.PartB, ref room);
+        var cover = new PartsCover(scratch, isA, one);
+        return isAtJoint
+            ? !CoveredSides.StandsOn(cover.Witness(one), cover.Outward(one), part, side.Pose, scratch.Planes)
+            : CoveredSides.IsBuried(one.Manifold, isA, part, side.Pose, scratch.Planes, cover);
+    }
+
+    /// <summary>What holds two parts that overlap, if they need it: the way that the union shows, or else their
+    /// own.</summary>
+    private static void Replace(
+        ConcaveScratch scratch, PartSide side, bool isA, in PartContacts one, bool isAtJoint, float maxGap)
+    {
+        PartSide otherSide = isA ? scratch.B : scratch.A;
+        int other = isA ? one.PartB : one.PartA;
+        ConvexShape roomA = default, roomB = default;
+        ref readonly ConvexShape partA = ref scratch.A.Part(Math.Max(one.PartA, 0), ref roomA);
+        ref readonly ConvexShape partB = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
+        var cover = new PartsCover(scratch, isA, one);
+        Double3 way = isAtJoint
+            ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), -one.Result.Distance, cover)
+            : default;
+        PartContacts held = one;
+        if (Judge(otherSide, other, -way) == ContactFit.Stays && CoveredSides.TryAlong(
+            ref held, isA, partA, scratch.A.Pose, partB, scratch.B.Pose, maxGap, way))
+        {
+            var pair = new PartDistance(one.Result, one.PartA, one.PartB);
+            scratch.FaceContacts.Add(new FaceContact(held, pair, isA, one.Result));
+        }
+        else
+        {
+            scratch.Orphans.Add(new FaceContact(one));
+        }
     }
 
     /// <summary>Whether a body ends at a part along a direction in the world.</summary>
@@ -77,19 +163,14 @@ internal static class SeamContacts
         PartSide convex = isConvexA ? scratch.A : scratch.B, solid = isConvexA ? scratch.B : scratch.A;
         if (convex.Mesh is not null || !solid.IsSolid || (isConvexA ? fitA : fitB) != ContactFit.Stays) return false;
         Double3 outward = isConvexA ? normal : -normal;
-        RotationD toSolid = new(solid.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
+        RotationD toSolid = new(solid.Pose.Rotation);
         int triangle = isConvexA ? pair.PartB : pair.PartA;
         if (!MeshClimb.TryFind(solid.Mesh!, triangle, toSolid.InverseRotate(-outward), out int corner)) return false;
         Double3 local = solid.Mesh!.GetCorner(corner), tip = toSolid.Rotate(local) + solid.Pose.Position;
         ref readonly ConvexShape shape = ref isConvexA ? ref shapeA : ref shapeB;
         if (!ConvexQuery.Contains(shape, convex.Pose, (Vector3)tip)) return false;
-        shape.Support(toConvex.InverseRotate(outward), out Double3 most);
-        Double3 top = toConvex.Rotate(shape.Center + most) + convex.Pose.Position + outward * shape.Margin;
-        double gap = Double3.Dot(outward, tip - top);
-        if (!(gap <= 0)) return false;
-        Double3 foot = tip - outward * gap;
-        var localFoot = (Vector3)toConvex.InverseRotate(foot - convex.Pose.Position);
-        var point = new ManifoldPoint((Vector3)foot, (Vector3)tip, localFoot, (Vector3)local, (float)gap, 0);
+        ManifoldPoint point = CoveredSides.Under(shape, convex.Pose, outward, tip, (Vector3)local);
+        if (!(point.Gap <= 0)) return false;
         ContactManifold manifold = default;
         manifold.Begin((Vector3)normal);
         manifold.Add(isConvexA ? point : point.Swapped);

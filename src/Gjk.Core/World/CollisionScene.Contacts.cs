@@ -60,7 +60,7 @@ public sealed partial class CollisionScene
             else if (_contacts[i].Manifold.Count > 0) results.Add(_contacts[i]);
         }
 
-        if (JoinsStatic) _seams.Remove(results);
+        if (JoinsStatic) _seams.Remove(results, maxGap);
     }
 
     private void MeasureDepths(Workers? workers)

@@ -38,18 +38,29 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>Whether a part of the object in a slot holds a point of its frame and reaches beyond it.</summary>
     public bool GoesOn(int slot, in Double3 point, in Double3 direction)
     {
-        if (!Has(slot)) return CompoundJoints.GoesOn(objects.Shapes[slot], point, direction);
+        if (!Has(slot)) return CoveredSides.GoesOn(objects.Shapes[slot], point, direction);
         ConcaveScratch scratch = Rent();
-        float room = (float)(2 * CompoundJoints.Room * (1 + point.Length));
+        float room = (float)(2 * CoveredSides.Room * (1 + point.Length));
         ConcaveQuery.FindPairsWithin(
             _shapes[slot], RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point), room,
             scratch, scratch.Pairs);
         bool goesOn = false;
         ConvexShape part = default;
         for (int i = 0; i < scratch.Pairs.Count && !goesOn; i++)
-            goesOn = CompoundJoints.GoesOn(Part(slot, scratch.Pairs[i].PartA, ref part), point, direction);
+            goesOn = CoveredSides.GoesOn(Part(slot, scratch.Pairs[i].PartA, ref part), point, direction);
         Return(scratch);
         return goesOn;
+    }
+
+    /// <summary>Whether the object in a slot ends at one of its parts along a direction in the world.</summary>
+    public bool Shows(int slot, int part, in Double3 direction)
+    {
+        if (!Has(slot)) return true;
+        ConcaveScratch scratch = Rent();
+        bool shows = scratch.A.TrySet(_shapes[slot], objects.Poses[slot])
+            && SeamContacts.Judge(scratch.A, part, direction) == ContactFit.Stays;
+        Return(scratch);
+        return shows;
     }
 
     public void Set(int slot, in AnyShape shape)

@@ -6,10 +6,14 @@ internal sealed class SceneSeams(SceneObjects objects)
 {
     private ulong[] _keys = new ulong[16];
     private bool[] _isCovered = new bool[16];
+    private static readonly List<int> NoGrounds = [];
+
     private readonly List<int> _grounds = [];
+    private readonly List<OpenPlane> _planes = [];
+    private readonly List<(int At, PairContacts Straight)> _straight = [];
 
     /// <summary>Takes the contacts at such seams out of a scene's.</summary>
-    public void Remove(List<PairContacts> contacts)
+    public void Remove(List<PairContacts> contacts, float maxGap)
     {
         int count = SortByBody(contacts);
         bool isAny = false;
@@ -18,7 +22,7 @@ internal sealed class SceneSeams(SceneObjects objects)
             end = begin + 1;
             while (end < count && _keys[end] >> 32 == _keys[begin] >> 32) end++;
             FindGrounds(contacts, begin, end);
-            if (_grounds.Count > 1) isAny |= Cover(contacts, begin, end);
+            if (_grounds.Count > 1) isAny |= Cover(contacts, begin, end, maxGap);
         }
 
         if (!isAny) return;
@@ -64,35 +68,67 @@ internal sealed class SceneSeams(SceneObjects objects)
     }
 
     /// <summary>Finds the contacts of a body that are covered; those of pairs that overlap only where another contact
-    /// holds them.</summary>
-    private bool Cover(List<PairContacts> contacts, int begin, int end)
+    /// holds them, or else the one that takes their place does.</summary>
+    private bool Cover(List<PairContacts> contacts, int begin, int end, float maxGap)
     {
+        _planes.Clear();
+        for (int i = begin; i < end; i++)
+        {
+            BodyContact one = At(contacts, i);
+            int at = (int)(uint)_keys[i];
+            for (int k = 0; k < _grounds.Count && !_isCovered[at]; k++) _isCovered[at] = one.GoesOnIn(_grounds[k]);
+            if (!_isCovered[at]) one.AddPlane(_planes);
+        }
+
         bool isAny = false;
         for (int i = begin; i < end; i++)
         {
-            int at = (int)(uint)_keys[i];
-            var one = new BodyContact(objects, contacts[at], (int)(_keys[i] >> 32));
-            for (int k = 0; k < _grounds.Count && !_isCovered[at]; k++) _isCovered[at] = one.IsCoveredBy(_grounds[k]);
-            isAny |= _isCovered[at];
+            BodyContact one = At(contacts, i);
+            ref bool isCovered = ref _isCovered[(int)(uint)_keys[i]];
+            isCovered = isCovered ? !one.StandsOn(_planes) : IsBuried(one);
+            isAny |= isCovered;
         }
 
-        for (int i = begin; isAny && i < end; i++)
+        if (!isAny) return false;
+        _straight.Clear();
+        for (int i = begin; i < end; i++)
         {
+            BodyContact one = At(contacts, i);
             int at = (int)(uint)_keys[i];
-            if (!_isCovered[at] || !(contacts[at].Result.Distance < 0)) continue;
-            var one = new BodyContact(objects, contacts[at], (int)(_keys[i] >> 32));
-            bool isHeld = false;
-            for (int k = begin; k < end && !isHeld; k++)
+            if (_isCovered[at] && one.Overlaps && !IsHeld(contacts, begin, end, one)
+                && one.TryStraighten(_grounds, maxGap, out PairContacts straight))
             {
-                int holder = (int)(uint)_keys[k];
-                isHeld = !_isCovered[holder]
-                    && one.IsHeldBy(new BodyContact(objects, contacts[holder], one.Body));
+                _straight.Add((at, straight));
             }
-
-            _isCovered[at] = isHeld;
         }
 
-        return isAny;
+        foreach ((int at, PairContacts straight) in _straight) (contacts[at], _isCovered[at]) = (straight, false);
+        for (int i = begin; i < end; i++)
+        {
+            BodyContact one = At(contacts, i);
+            int at = (int)(uint)_keys[i];
+            if (_isCovered[at] && one.Overlaps) _isCovered[at] = IsHeld(contacts, begin, end, one);
+        }
+
+        return true;
+    }
+
+    private bool IsBuried(in BodyContact one)
+    {
+        foreach (int ground in _grounds)
+            if (one.IsBuried(ground, _planes)) return true;
+        return false;
+    }
+
+    private BodyContact At(List<PairContacts> contacts, int key) =>
+        new(objects, contacts[(int)(uint)_keys[key]], (int)(_keys[key] >> 32));
+
+    /// <summary>Whether a contact that is not covered takes the body out of the part of another one.</summary>
+    private bool IsHeld(List<PairContacts> contacts, int begin, int end, in BodyContact one)
+    {
+        for (int k = begin; k < end; k++)
+            if (!_isCovered[(int)(uint)_keys[k]] && one.IsHeldBy(At(contacts, k))) return true;
+        return false;
     }
 
     /// <summary>A contact as a body has it with a static object.</summary>
@@ -102,7 +138,7 @@ internal sealed class SceneSeams(SceneObjects objects)
         private readonly PairContacts _contact;
         private readonly bool _isBodyA;
 
-        public BodyContact(SceneObjects objects, in PairContacts contact, int body)
+        public BodyContact(SceneObjects objects, scoped in PairContacts contact, int body)
         {
             (_objects, _contact, Body) = (objects, contact, body);
             _isBodyA = objects.SlotOf(contact.Pair.A) == body;
@@ -117,16 +153,50 @@ internal sealed class SceneSeams(SceneObjects objects)
         /// <summary>From the static object to the body, in the world.</summary>
         private Vector3 Outward => _isBodyA ? -_contact.Manifold.Normal : _contact.Manifold.Normal;
 
+        public bool Overlaps => _contact.Result.Distance < 0;
+
+        public void AddPlane(List<OpenPlane> planes) =>
+            CoveredSides.AddPlane(planes, _contact.Manifold, !_isBodyA, _objects.Poses[Ground]);
+
         /// <summary>Whether another static object goes on where this contact is.</summary>
-        public bool IsCoveredBy(int ground)
+        public bool GoesOnIn(int ground) =>
+            ground != Ground && new GroundCover(_objects, ground, NoGrounds).GoesOn(Witness, Outward);
+
+        /// <summary>Whether its part is there beyond the plane of another contact.</summary>
+        public bool StandsOn(List<OpenPlane> planes)
         {
-            if (ground == Ground) return false;
-            RigidPose pose = _objects.Poses[Ground], cover = _objects.Poses[ground];
-            Double3 local = _isBodyA ? _contact.Result.LocalPointB : _contact.Result.LocalPointA;
-            Double3 moved = (Double3)pose.Position - cover.Position;
-            RotationD turn = new(cover.Rotation);
-            Double3 witness = turn.InverseRotate(new RotationD(pose.Rotation).Rotate(local) + moved);
-            return _objects.Parts.GoesOn(ground, witness, turn.InverseRotate(Outward));
+            ConvexShape room = default;
+            return CoveredSides.StandsOn(Witness, Outward, GroundPart(ref room), _objects.Poses[Ground], planes);
+        }
+
+        /// <summary>Whether it is at a side that another static object covers.</summary>
+        public bool IsBuried(int ground, List<OpenPlane> planes)
+        {
+            ConvexShape room = default;
+            return ground != Ground && CoveredSides.IsBuried(
+                _contact.Manifold, !_isBodyA, GroundPart(ref room), _objects.Poses[Ground], planes,
+                new GroundCover(_objects, ground, NoGrounds));
+        }
+
+        private Double3 Witness => CoveredSides.InWorld(
+            _isBodyA ? _contact.Result.LocalPointB : _contact.Result.LocalPointA, _objects.Poses[Ground]);
+
+        /// <summary>The contact along the way that all of the static objects show together.</summary>
+        public bool TryStraighten(List<int> grounds, float maxGap, out PairContacts straight)
+        {
+            ConvexShape groundRoom = default, bodyRoom = default;
+            ref readonly ConvexShape ground = ref GroundPart(ref groundRoom);
+            ref readonly ConvexShape body = ref BodyPart(ref bodyRoom);
+            RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
+            Double3 way = CoveredSides.WayFrom(
+                Witness, Outward, -_contact.Result.Distance, new GroundCover(_objects, Ground, grounds));
+            var found = new PartContacts(
+                _contact.PartA, _contact.PartB, _contact.Result, _contact.Manifold);
+            bool isThere = _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
+                ? CoveredSides.TryAlong(ref found, false, body, bodyPose, ground, pose, maxGap, way)
+                : CoveredSides.TryAlong(ref found, true, ground, pose, body, bodyPose, maxGap, way));
+            straight = new PairContacts(_contact.Pair, found.Result, found.Manifold, found.PartA, found.PartB);
+            return isThere;
         }
 
         /// <summary>Whether another contact's push takes the body out of this part.</summary>
@@ -144,5 +214,31 @@ internal sealed class SceneSeams(SceneObjects objects)
 
         private ref readonly ConvexShape BodyPart(ref ConvexShape room) =>
             ref _objects.Parts.Part(Body, _isBodyA ? _contact.PartA : _contact.PartB, ref room);
+    }
+
+    /// <summary>A static object, and those that are there beside it.</summary>
+    private readonly struct GroundCover(SceneObjects objects, int ground, List<int> grounds) : ICover
+    {
+        public bool GoesOn(in Double3 point, in Double3 direction)
+        {
+            RotationD turn = new(objects.Poses[ground].Rotation);
+            Double3 local = turn.InverseRotate(point - objects.Poses[ground].Position);
+            return objects.Parts.GoesOn(ground, local, turn.InverseRotate(direction));
+        }
+
+        public Double3 WayTo(in Double3 point)
+        {
+            var pose = new RigidPose((Vector3)point);
+            DistanceResult least = default;
+            for (int i = 0; i < grounds.Count; i++)
+            {
+                if (grounds[i] == ground) continue;
+                DistanceResult found = objects.Parts.Distance(
+                    ConvexShape.Point(), pose, grounds[i], float.PositiveInfinity).Result;
+                if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
+            }
+
+            return -least.Normal;
+        }
     }
 }

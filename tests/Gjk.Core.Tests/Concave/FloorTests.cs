@@ -52,6 +52,37 @@ public class FloorTests
         Assert.True(_contacts.Exists(one => one.Manifold.Normal.Y > 0.999f), string.Join("; ", _contacts));
     }
 
+    /// <summary>A column of cells that is as good as a line: what touches only the short sides of its triangles touches
+    /// no end of the floor.</summary>
+    [Theory]
+    [InlineData(1e-8f)]
+    [InlineData(1e-7f)]
+    [InlineData(1e-6f)]
+    public void AColumnOfSliversHasNoEnds(float width)
+    {
+        float[] across = [-2, -1, 0, width, 1, 2];
+        Vector3[] points = [.. across.SelectMany(x => Enumerable.Range(-2, 5).Select(z => new Vector3(x, 0, z)))];
+        var indices = new List<int>();
+        for (int p = 0; p < 25; p++)
+            if (p % 5 != 4) indices.AddRange([p, p + 1, p + 5, p + 1, p + 6, p + 5]);
+        AnyShape floor = AnyShape.Surface(new TriangleMesh(points, indices));
+        AnyShape[] bodies =
+        [
+            AnyShape.Of(ConvexShape.Box(new Vector3(0.2f)).Rounded(0.1f)),
+            AnyShape.Solid(Solids.Box(new Vector3(-0.3f), new Vector3(0.3f))),
+        ];
+        var random = new FuzzRandom(5);
+        for (int i = 0; i < 1200; i++)
+        {
+            float x = i % 4 < 2 ? random.Float(-0.5, 0.5) : (i % 4 - 2.5f) * 0.6f + random.Float(-1e-4, 1e-4);
+            float z = i % 3 == 0 ? random.Float(-1, 1) : 0.7f + random.Float(-0.01, 0.01);
+            var at = new RigidPose(new Vector3(x, 0.3f - random.Of(1e-5f, 1e-3f, 9e-3f), z));
+            ConcaveQuery.FindContacts(floor, RigidPose.Identity, bodies[i % 2], at, Reach / 2, _scratch, _contacts);
+            Assert.NotEmpty(_contacts);
+            Assert.All(_contacts, one => Assert.True(one.Manifold.Normal.Y > 0.999f, $"{i}: {one}"));
+        }
+    }
+
     /// <summary>Each triangle of a fan without area is joined to all others; looked through without a bound, each would
     /// double the work.</summary>
     [Fact]

@@ -1,0 +1,275 @@
+namespace Gjk.Core;
+
+/// <summary>A plane out of which a contact keeps or pushes another body.</summary>
+internal readonly struct OpenPlane(in Double3 foot, in Double3 normal, double depth)
+{
+    public readonly Double3 Foot = foot, Normal = normal;
+
+    /// <summary>How far the other body is behind it; 0 where it is not.</summary>
+    public readonly double Depth = depth;
+}
+
+/// <summary>What may go on where a contact is.</summary>
+internal interface ICover
+{
+    /// <summary>Whether a part of it holds a point of the world and reaches beyond it.</summary>
+    bool GoesOn(in Double3 point, in Double3 direction);
+
+    /// <summary>The way from it to a point that is near it; 0 where the point is in it.</summary>
+    Double3 WayTo(in Double3 point);
+}
+
+/// <summary>The other parts of the body that a contact is of, as far as they are near the same part of the other body.
+/// What covers a contact is among them, as it is as near.</summary>
+internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PartContacts contact) : ICover
+{
+    private readonly PartSide _side = isA ? scratch.A : scratch.B;
+    private readonly int _own = isA ? contact.PartA : contact.PartB, _other = isA ? contact.PartB : contact.PartA;
+
+    public Double3 Witness(in PartContacts one) =>
+        CoveredSides.InWorld(isA ? one.Result.LocalPointA : one.Result.LocalPointB, _side.Pose);
+
+    public Double3 Outward(in PartContacts one) => isA ? one.Result.Normal : -one.Result.Normal;
+
+    public bool GoesOnAtWitness(in PartContacts one) => GoesOn(Witness(one), Outward(one));
+
+    public bool GoesOn(in Double3 point, in Double3 direction)
+    {
+        RotationD turn = new(_side.Pose.Rotation);
+        Double3 local = turn.InverseRotate(point - _side.Pose.Position), along = turn.InverseRotate(direction);
+        ConvexShape room = default;
+        foreach (PartDistance near in scratch.Pairs)
+        {
+            int part = isA ? near.PartA : near.PartB;
+            if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
+            if (CoveredSides.GoesOn(_side.Part(part, ref room), local, along)) return true;
+        }
+
+        return false;
+    }
+
+    public Double3 WayTo(in Double3 point)
+    {
+        var shape = ConvexShape.Point();
+        var pose = new RigidPose((Vector3)point);
+        DistanceResult least = default;
+        ConvexShape room = default;
+        foreach (PartDistance near in scratch.Pairs)
+        {
+            int part = isA ? near.PartA : near.PartB;
+            if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
+            DistanceResult found = ConvexQuery.Distance(_side.Part(part, ref room), _side.Pose, shape, pose);
+            if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
+        }
+
+        return least.Normal;
+    }
+}
+
+/// <summary>Where the parts of a body, or static objects, are flush or in each other, a contact with one of them may be
+/// at a side that another one covers: their union does not end there.</summary>
+internal static class CoveredSides
+{
+    /// <summary>Ratio to lengths: 2^-18, some roundings of the places of two parts. Less makes a kerb of a seam between
+    /// parts whose places are rounded.</summary>
+    public const double Room = 4 * ContactCone.Slack;
+
+    /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane. At the least
+    /// angle at which it is looked for that is still clear of a part that ends at the plane.</summary>
+    private const double Beyond = 16;
+
+    /// <summary>Count of <see cref="Room"/>, and share of a depth: so far beyond the witness it is looked what the
+    /// union shows there. More may miss a small face, less is rounding.</summary>
+    private const double Ahead = 64, AheadOfDepth = 1.0 / 16;
+
+    /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact.</summary>
+    private const int MostPlanes = 32;
+
+    /// <summary>A point of a contact on one of the two bodies, in the world.</summary>
+    public static Double3 FootOf(in ManifoldPoint point, bool isA, in RigidPose pose) =>
+        InWorld(isA ? point.LocalPointA : point.LocalPointB, pose);
+
+    public static Double3 InWorld(in Double3 local, in RigidPose pose) =>
+        new RotationD(pose.Rotation).Rotate(local) + pose.Position;
+
+    /// <summary>Adds the plane of a contact, unless one is there already that says the same.</summary>
+    public static void AddPlane(List<OpenPlane> planes, in ContactManifold contact, bool isA, in RigidPose pose)
+    {
+        if (planes.Count == MostPlanes) return;
+        ManifoldPoint deepest = contact[DeepestPoint.Of(contact)];
+        Double3 foot = FootOf(deepest, isA, pose), normal = isA ? contact.Normal : -contact.Normal;
+        double depth = Math.Max(-deepest.Gap, 0);
+        foreach (OpenPlane plane in planes)
+        {
+            Double3 to = foot - plane.Foot;
+            double least = Room * to.SumOfMagnitudes;
+            if (plane.Depth >= depth && (plane.Normal - normal).SumOfMagnitudes <= Room
+                && Math.Abs(Double3.Dot(to, normal)) <= least)
+            {
+                return;
+            }
+        }
+
+        planes.Add(new OpenPlane(foot, normal, depth));
+    }
+
+    /// <summary>Whether a contact is at a side that is covered.</summary>
+    /// <param name="contact">The contact.</param>
+    /// <param name="isA">Whether the side is of A.</param>
+    /// <param name="own">The part that the side is of.</param>
+    /// <param name="pose">Its pose.</param>
+    /// <param name="planes">Of all contacts with the union.</param>
+    /// <param name="cover">What may cover it.</param>
+    public static bool IsBuried<T>(
+        in ContactManifold contact, bool isA, in ConvexShape own, in RigidPose pose, List<OpenPlane> planes, T cover)
+        where T : struct, ICover
+    {
+        Double3 outward = isA ? contact.Normal : -contact.Normal, first = FootOf(contact[0], isA, pose);
+        foreach (OpenPlane plane in planes)
+        {
+            if (Double3.Dot(plane.Normal, outward) >= ContactCone.LeastCosine) continue;
+            bool isBehind = IsBehind(plane, first, outward, own, pose, cover);
+            for (int i = 1; i < contact.Count && isBehind; i++)
+                isBehind = IsBehind(plane, FootOf(contact[i], isA, pose), outward, own, pose, cover);
+            if (isBehind) return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether the part of a contact, at whose witness the union goes on, is there beyond the plane of another
+    /// contact, as a wall is that stands on a floor.</summary>
+    public static bool StandsOn(
+        in Double3 witness, in Double3 outward, in ConvexShape own, in RigidPose pose, List<OpenPlane> planes)
+    {
+        foreach (OpenPlane plane in planes)
+        {
+            if (Double3.Dot(plane.Normal, outward) >= ContactCone.LeastCosine) continue;
+            Double3 to = plane.Foot - witness;
+            if (Math.Abs(Double3.Dot(plane.Normal, to)) <= RoomOf(witness, to, pose)
+                && ReachesBeyond(plane, witness, outward, own, pose))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The contact that two parts that overlap have along the way that the union shows where their own is
+    /// covered, if they have points there.</summary>
+    /// <param name="contact">Along their own way.</param>
+    /// <param name="isA">Whether the side is of A.</param>
+    /// <param name="a">The part of A.</param>
+    /// <param name="poseA">Its pose.</param>
+    /// <param name="b">The part of B.</param>
+    /// <param name="poseB">Its pose.</param>
+    /// <param name="maxGap">In world units.</param>
+    /// <param name="way">From the side to the other body, of unit length; 0 where there is none.</param>
+    public static bool TryAlong(
+        ref PartContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
+        in RigidPose poseB, float maxGap, in Double3 way)
+    {
+        ContactPlane plane = default;
+        ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref plane, out ContactManifold manifold);
+        if (way.LengthSquared == 0 || plane.Normal.LengthSquared == 0) return false;
+        ConvexQuery.ContactsAlong(a, poseA, b, isA ? way : -way, maxGap, ref plane, out manifold);
+        ManifoldPoint tip = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
+        if (!(tip.Gap < 0)) return false;
+        if (manifold.Count == 0 && IsOver(isA ? a : b, tip))
+        {
+            manifold.Begin((Vector3)(isA ? way : -way));
+            manifold.Add(isA ? tip : tip.Swapped);
+        }
+
+        if (manifold.Count == 0 || !FaceSearch.IsAsDeep(manifold, tip.Gap)) return false;
+        DeepestPoint.Lead(ref manifold);
+        contact = new PartContacts(
+            contact.PartA, contact.PartB, DeepestPoint.Result(manifold, contact.Result), manifold);
+        return true;
+    }
+
+    /// <summary>Where the union goes on from a witness along the direction of a contact: the way to what is just beyond
+    /// it.</summary>
+    public static Double3 WayFrom<T>(in Double3 witness, in Double3 outward, double depth, T cover)
+        where T : struct, ICover
+    {
+        double ahead = Ahead * Room * witness.SumOfMagnitudes + AheadOfDepth * depth;
+        return cover.WayTo(witness + outward * ahead);
+    }
+
+    /// <summary>The tip of a body against a direction, and what is opposite it.</summary>
+    private static ManifoldPoint Tip(
+        in ConvexShape own, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in Double3 way)
+    {
+        RotationD turn = new(otherPose.Rotation);
+        Double3 against = turn.InverseRotate(-way);
+        other.Support(against, out Double3 point);
+        Double3 local = other.Center + point + against * other.Margin;
+        return Under(own, pose, way, InWorld(local, otherPose), (Vector3)local);
+    }
+
+    private static bool IsOver(in ConvexShape own, in ManifoldPoint tip) =>
+        ConvexQuery.Distance(own, RigidPose.Identity, tip.LocalPointA).Distance
+            <= Room * ((Double3)tip.LocalPointA).SumOfMagnitudes;
+
+    /// <summary>A point of another body, and what is opposite it on the plane of a part's furthest point.</summary>
+    public static ManifoldPoint Under(
+        in ConvexShape own, in RigidPose pose, in Double3 outward, in Double3 tip, Vector3 localTip)
+    {
+        RotationD turn = new(pose.Rotation);
+        own.Support(turn.InverseRotate(outward), out Double3 most);
+        Double3 top = turn.Rotate(own.Center + most) + pose.Position + outward * own.Margin;
+        double gap = Double3.Dot(outward, tip - top);
+        Double3 foot = tip - outward * gap;
+        var local = (Vector3)turn.InverseRotate(foot - pose.Position);
+        return new ManifoldPoint((Vector3)foot, (Vector3)tip, local, localTip, (float)gap, 0);
+    }
+
+    /// <summary>Whether a shape holds a point of its frame and reaches beyond it.</summary>
+    public static bool GoesOn(in ConvexShape shape, in Double3 point, in Double3 direction)
+    {
+        shape.Support(direction, out Double3 most);
+        Double3 to = shape.Center + most + direction * shape.Margin - point;
+        double length = to.Length;
+        if (!(Double3.Dot(to, direction) > 2 * Room * length)) return false;
+        float near = ConvexQuery.Distance(shape, RigidPose.Identity, (Vector3)point, (float)length).Distance;
+        return near <= Room * (length + point.Length);
+    }
+
+    private static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
+        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes);
+
+    /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and
+    /// covered there.</summary>
+    private static bool IsBehind<T>(
+        in OpenPlane plane, in Double3 foot, in Double3 outward, in ConvexShape own, in RigidPose pose, T cover)
+        where T : struct, ICover
+    {
+        Double3 to = plane.Foot - foot;
+        double behind = Double3.Dot(plane.Normal, to), room = RoomOf(foot, to, pose);
+        if (!(Math.Abs(behind - plane.Depth / 2) <= plane.Depth / 2 + room)) return false;
+        Double3 lifted = foot + plane.Normal * behind;
+        return !ReachesBeyond(plane, lifted, outward, own, pose) && cover.GoesOn(lifted, outward);
+    }
+
+    /// <summary>Whether a part is there beyond a plane, along its normal or along the side that the part shows at a
+    /// point of it.</summary>
+    private static bool ReachesBeyond(
+        in OpenPlane plane, in Double3 point, in Double3 outward, in ConvexShape own, in RigidPose pose)
+    {
+        Double3 along = plane.Normal - outward * Double3.Dot(plane.Normal, outward);
+        return Holds(own, pose, point, plane.Normal) || Holds(own, pose, point, along * (1 / along.Length));
+    }
+
+    /// <summary>Whether a part holds what is just beyond a point.</summary>
+    private static bool Holds(in ConvexShape own, in RigidPose pose, in Double3 point, in Double3 direction)
+    {
+        RotationD turn = new(pose.Rotation);
+        Double3 local = turn.InverseRotate(point - pose.Position), beyond = turn.InverseRotate(direction);
+        own.Support(beyond, out Double3 most);
+        double length = (own.Center - local).Length + most.Length + own.Margin + local.Length;
+        var at = (Vector3)(local + beyond * (Beyond * Room * length));
+        return ConvexQuery.Distance(own, RigidPose.Identity, at, (float)length).Distance <= Room * length;
+    }
+}
