@@ -181,8 +181,8 @@ internal static class GjkDistance
         state.Plane.Set(feature, plane);
         if (ending == Ending.Closed)
         {
-            state.Verdict = Verdict.Apart;
             state.Weights = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
+            state.Verdict = Proofs.HoldsItsPoint(state) ? Verdict.Apart : Verdict.Undecided;
         }
         else if (ending == Ending.Behind)
         {
