@@ -85,8 +85,10 @@ internal static class Proofs
     private static bool IsNear(in SolverState state)
     {
         Double3 foot = state.Feature.Normal * (state.Feature.Height / state.Feature.NormalSquared);
-        double beside = GjkTolerances.Beside * (state.Size.Value + foot.Length);
-        return !((state.Simplex.PointOf(state.Weights) - foot).LengthSquared > beside * beside);
+        Double3 point = state.Simplex.PointOf(state.Weights);
+        double size = state.Size.Value, distance = foot.Length, beside = GjkTolerances.Beside * (size + distance);
+        double more = GjkTolerances.RelativeGap * distance + GjkTolerances.TouchOf(state.IsCurved) * size;
+        return !((point - foot).LengthSquared > beside * beside) && !(point.Length > distance + more);
     }
 
     /// <summary>The shapes' supports disagree by the gap. A small gap is the support's own rounding (one that computes
