@@ -86,9 +86,9 @@ internal static class Proofs
     {
         Double3 foot = state.Feature.Normal * (state.Feature.Height / state.Feature.NormalSquared);
         Double3 point = state.Simplex.PointOf(state.Weights);
-        double size = state.Size.Value, distance = foot.Length, beside = GjkTolerances.Beside * (size + distance);
-        double more = GjkTolerances.RelativeGap * distance + GjkTolerances.TouchOf(state.IsCurved) * size;
-        return !((point - foot).LengthSquared > beside * beside) && !(point.Length > distance + more);
+        double size = state.Size.Value, distance = foot.Length, most = GjkTolerances.Beside * (size + distance);
+        distance += GjkTolerances.RelativeGap * distance + GjkTolerances.TouchOf(state.IsCurved) * size;
+        return !((point - foot).LengthSquared > most * most || point.Length > distance);
     }
 
     /// <summary>The shapes' supports disagree by the gap. A small gap is the support's own rounding (one that computes
