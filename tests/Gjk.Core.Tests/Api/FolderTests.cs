@@ -87,7 +87,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Queries/Rays"] = 576,
         ["Shapes"] = 938,
         ["Simplex"] = 952,
-        ["Solvers"] = 611,
+        ["Solvers"] = 622,
         ["Solvers/Depth"] = 1315,
         ["Solvers/Motion"] = 925,
         ["Solvers/Trace"] = 131,
