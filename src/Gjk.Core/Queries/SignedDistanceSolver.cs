@@ -53,7 +53,7 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
     {
         if (frame.ArePoints)
         {
-            GjkDistance.SolvePoints(frame, ref state);
+            GjkDistance.SolvePoints(frame, ref state, isSigned: true);
             return;
         }
 

@@ -240,6 +240,10 @@ internal readonly struct Weights(double a, double b, double c, double d)
     /// <summary>No weight is negative or NaN.</summary>
     public bool IsInside => A >= 0 && B >= 0 && C >= 0 && D >= 0;
 
+    /// <summary>None of the first few is 0: the point is inside their feature, not on its rim.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool AreAll(int count) => A != 0 & (count < 2 | B != 0) & (count < 3 | C != 0);
+
     /// <summary>A face's, without negative weights and with sum 1 again. NaN and infinite weights, which a triangle
     /// without any area has, become those of the first vertex.</summary>
     public Weights Clamped

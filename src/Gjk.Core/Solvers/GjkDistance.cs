@@ -116,15 +116,22 @@ internal static class GjkDistance
     }
 
     /// <summary>Two cores that are points, as those of spheres are (their margins are all of their radii): what the
-    /// loop would find in its one round, in closed form.</summary>
-    public static void SolvePoints(in PairFrame frame, ref SolverState state)
+    /// loop would find in its one round, in closed form. Of points that coincide any direction leads out of their
+    /// margins: signed, it is the world's x, as for balls.</summary>
+    public static void SolvePoints(in PairFrame frame, ref SolverState state, bool isSigned = false)
     {
         state.Simplex.Push(-frame.Translation, default, default, 0, 0);
         state.Iterations = 1;
         FeatureVertices vertices = default;
         vertices.A = new MinkowskiVertex(-frame.Translation, 0);
         NextSimplex.KeepVertex(ref vertices, ref state.Feature);
-        state.Verdict = state.Feature.Height > 0 ? Verdict.Apart : Verdict.Enclosed;
+        if (isSigned && !(state.Feature.Height > 0))
+        {
+            state.Feature.Normal = frame.RotationA.InverseRotate(new Double3(-1, 0, 0));
+            state.Feature.NormalSquared = 1;
+        }
+
+        state.Verdict = isSigned || state.Feature.Height > 0 ? Verdict.Apart : Verdict.Enclosed;
         state.Plane.Set(state.Feature, state.Feature.Height);
         state.Weights = new Weights(1, 0, 0, 0);
     }
@@ -181,8 +188,8 @@ internal static class GjkDistance
         state.Plane.Set(feature, plane);
         if (ending == Ending.Closed)
         {
-            state.Verdict = Verdict.Apart;
             state.Weights = ClosestPointWeights.OfFeature(state.Simplex, state.Feature);
+            state.Verdict = Proofs.HoldsItsPoint(state) ? Verdict.Apart : Verdict.Undecided;
         }
         else if (ending == Ending.Behind)
         {

@@ -59,6 +59,11 @@ internal static class GjkTolerances
     /// extended precision decides. Pinned by ToleranceTests.AFaceIsCertainlyPassedBySixteenRoundings.</summary>
     public const double DeterminantError = 16 * RoundOff.Unit;
 
+    /// <summary>Length, as a fraction of size and distance: how far from a feature the foot of the origin on its plane
+    /// may be. Half of what points are promised; less would only ask extended precision more often. Pinned by
+    /// NeedlePointTests.</summary>
+    public const double Beside = 1.0 / (1 << 24);
+
     /// <summary>Length: how far two answers of one support function may disagree before the shape counts as
     /// contradicting itself: room for a support that computes in float (6e-8 a rounding) on vertices a hundred radii
     /// off. Pinned by ToleranceTests.ASupportThatIsFurtherBehindContradictsItself.</summary>

@@ -75,6 +75,22 @@ internal static class Proofs
         else state.Verdict = HoldsPointNear(ref state, touchSquared) ? Verdict.Enclosed : Verdict.Undecided;
     }
 
+    /// <summary>The feature itself, and not only its line or plane, has a point where its height says. Rounding may
+    /// choose an edge of a needle that has another corner between it and the origin; then the bounds meet, but the
+    /// points would be that edge's end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool HoldsItsPoint(in SolverState state) => state.Weights.AreAll(state.Simplex.Count) || IsNear(state);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool IsNear(in SolverState state)
+    {
+        Double3 foot = state.Feature.Normal * (state.Feature.Height / state.Feature.NormalSquared);
+        Double3 point = state.Simplex.PointOf(state.Weights);
+        double size = state.Size.Value, distance = foot.Length, most = GjkTolerances.Beside * (size + distance);
+        distance += GjkTolerances.RelativeGap * distance + GjkTolerances.TouchOf(state.IsCurved) * size;
+        return !((point - foot).LengthSquared > most * most || point.Length > distance);
+    }
+
     /// <summary>The shapes' supports disagree by the gap. A small gap is the support's own rounding (one that computes
     /// in float, say): the feature stands, and the plane says how far to trust it. A large one, or NaN, is no convex
     /// shape.</summary>

@@ -44,4 +44,39 @@ public class CoincidentPointTests
         Assert.Equal(GjkStatus.Separated, r.Status);
         Assert.InRange(error.Length, 0, 2e-7 * r.Distance);
     }
+
+    /// <summary>Placed at a pose within their bodies they are no balls by their bounding radii, and had the distance 0
+    /// and no normal however large their margins.</summary>
+    [Fact]
+    public void PlacedPointsThatCoincideHaveAWayOut()
+    {
+        for (ulong seed = 0; seed < 200; seed++)
+        {
+            var rng = new Rng(seed);
+            float radius = seed % 2 == 0 ? 0 : rng.LogFloat(1e-3, 1e3);
+            RigidPose pose = new(rng.Rotation(), rng.Vector(-2, 2)), place = new(rng.Rotation(), rng.Vector(-2, 2));
+            var mesh = new ConvexMesh([rng.Vector(-1, 1)]);
+            Placed<Rounded<ConvexMesh>> typed = new(new(mesh, radius), pose);
+            ConvexShape body = ConvexShape.Mesh(mesh.Hull!).Rounded(radius).Placed(pose);
+            DistanceResult r = ConvexQuery.SignedDistance(body, place, body, place);
+            CheckedAnswer check = AnswerCheck.SignedDistance(body, place, body, place, r);
+            Assert.True(
+                r.IsOverlapping && r.Distance == -2 * radius && (r.Normal - Vector3.UnitX).Length() < 1e-6f
+                    && check.Status == CheckStatus.Proved,
+                $"seed {seed}: {check} {r}");
+            WarmStart warm = default;
+            DistanceResult[] batch = new DistanceResult[5];
+            PairBatch.SignedDistance([body], [place], new ObjectPair[5], batch);
+            DistanceResult[] others =
+            [
+                ConvexQuery.SignedDistance(typed, place, typed, place),
+                ConvexQuery.SignedDistance(body, place, body, place, out FinalSimplex _),
+                ConvexQuery.SignedDistance(body, place, body, place, ref warm),
+                ConvexQuery.SignedDistance(body, place, body, place, ref warm),
+                ConvexQuery.Contacts(body, place, body, place, 0, out ContactManifold _),
+                .. batch,
+            ];
+            Assert.All(others, other => Assert.Equal(ResultBits.Of(r), ResultBits.Of(other)));
+        }
+    }
 }

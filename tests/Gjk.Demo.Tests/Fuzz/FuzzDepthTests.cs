@@ -19,6 +19,22 @@ public sealed class FuzzDepthTests
 
     private static readonly RigidPose Apart = new(new Vector3(2, 0.25f, 0.125f));
 
+    /// <summary>Curved shapes whose deepest point lay outside of A by more than is promised.</summary>
+    [Theory]
+    [InlineData(
+        "gjk1 cone 0.089999999999999997 0.080000000000000002 0 @ 0 0 0 1 0 0 0 cylinder 0.40000000000000002 "
+        + "0.059999999999999998 0 @ 0.629999995 0.583100021 -0.283300012 -0.425999999 -0.207599998 0.376100004 "
+        + "-0.134299994")]
+    [InlineData(
+        "gjk1 cone 0.59999999999999998 0.69999999999999996 0 @ 0.893000007 0.304399997 0.314300001 "
+        + "0.109999999 0 0 0 cone 0.25219999999999998 0.52370000000000005 0 @ -0.1611 -0.75819999 0.0700000003 "
+        + "0.627600014 0.450100005 -0.331400007 0.30004099")]
+    public void DeepestPointsOfConesLieOnThem(string record)
+    {
+        Assert.True(FuzzPair.TryParse(record, out FuzzPair? pair));
+        Assert.Null(TheWayOutEndsTouching.Broken(pair));
+    }
+
     /// <summary>The signed distance is replaced in turn by that of pairs a little further in and further out, by one
     /// whose distance alone is rounded the wrong way, by that of the swapped pair, by a way out that is one but not the
     /// shortest, by the plain distance, which has no normal, by that of a pair that is apart, and by nothing.</summary>

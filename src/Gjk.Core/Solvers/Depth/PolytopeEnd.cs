@@ -3,12 +3,9 @@ namespace Gjk.Core;
 /// <summary>What an expanded polytope says about the end of the way out.</summary>
 internal static class PolytopeEnd
 {
-    /// <summary>Squared cosine: faces of one facet may be turned against each other by this much, some degrees: enough
-    /// for needles among them. Others are only looked at in vain.</summary>
-    private const double Level = 0.98;
-
-    /// <summary>The face that holds a point of the surface: where the way out ends. Of a facet of many triangles it is
-    /// the one whose nearest point to the origin is that point.</summary>
+    /// <summary>The face that holds a point of the surface: where the way out ends, or the one that is nearest to it.
+    /// Any may be: those of a facet are turned against each other where needles are among them, and where margins are
+    /// deep and a core is thinner than they are rounded by, both of its sides cost the same.</summary>
     /// <param name="polytope">The surface.</param>
     /// <param name="best">A face in the plane of the facet, or near it.</param>
     /// <param name="normal">The direction of the way out, of unit length.</param>
@@ -21,8 +18,6 @@ internal static class PolytopeEnd
         for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
         {
             if (!polytope.IsThere(i)) continue;
-            double along = Double3.Dot(polytope.Face(i).Normal, normal);
-            if (!(along > 0 && along * along > Level * polytope.Face(i).NormalSquared)) continue;
             double squared = DistanceSquared(polytope, i, point);
             if (!(squared < least)) continue;
             least = squared;

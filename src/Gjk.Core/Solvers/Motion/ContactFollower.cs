@@ -154,21 +154,13 @@ internal static class ContactFollower
         SolverState.Begin<TA, TB>(frame, out state);
         WarmStart unused = default;
         NoPolytopeTrace trace = default;
-        if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
+        if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state, isSigned: true);
         else SignedSolver.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
         impact.Iterations += state.Iterations;
         impact.Steps++;
         impact.Outcome = (MotionVerdict)state.Verdict;
         gap = 0;
         if (state.Verdict == Verdict.Contradiction) return false;
-        if (state.Verdict == Verdict.Enclosed)
-        {
-            // Centres that coincide have no direction: any is as good.
-            state.Feature.Normal = new Double3(1, 0, 0);
-            state.Feature.NormalSquared = 1;
-            state.Plane.Set(state.Feature, 0);
-        }
-
         gap = state.Plane.Value / Math.Sqrt(state.Plane.NormalSquared) - frame.Margins;
         return true;
     }
