@@ -1,6 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>The bodies that all shapes come down to. The first ones have a core that queries unwrap a shape to.</summary>
+/// <summary>The bodies that all shapes come down to. Queries unwrap a shape to the core of one of the first
+/// four.</summary>
 internal enum FormKind : byte
 {
     /// <summary>None of these: asked through its own type, and rays are cast as points.</summary>

@@ -70,7 +70,9 @@ internal static class HullSupport
         if (cells.Side == 0) return HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, d);
         int cell = cells.Direction.IsPlanar ? SquareCell(cells, d) : CubeCell(cells, d.X, d.Y, d.Z);
         int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
-        return end > start ? HullBlocks.Best(cells.Coordinates, start, end, d) : cells.Tree!.Find(cells, d, start, out _);
+        return end > start
+            ? HullBlocks.Best(cells.Coordinates, start, end, d)
+            : cells.Tree!.Find(cells, d, start, out _);
     }
 
     /// <summary>The cube's face by the largest stretched component, then the cell by the other two over it. A direction
