@@ -2,7 +2,7 @@
 namespace Gjk.Core;
 
 /// <summary>A part of a batch: its pairs by kind, four at a time where that is faster, else one by one.</summary>
-internal readonly unsafe ref struct WideBatch
+internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs)
 {
     /// <summary>Count of pairs in a part at most.</summary>
     public const int MostPairs = 256;
@@ -17,16 +17,9 @@ internal readonly unsafe ref struct WideBatch
     /// <summary>Stands for the kind of a pair that was answered when it was sorted.</summary>
     private const int Answered = Kinds;
 
-    private readonly ref ConvexShape _shapes;
-    private readonly ref RigidPose _poses;
-    private readonly ref ObjectPair _pairs;
-
-    public WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs)
-    {
-        _shapes = ref MemoryMarshal.GetArrayDataReference(shapes);
-        _poses = ref MemoryMarshal.GetArrayDataReference(poses);
-        _pairs = ref pairs;
-    }
+    private readonly ref ConvexShape _shapes = ref MemoryMarshal.GetArrayDataReference(shapes);
+    private readonly ref RigidPose _poses = ref MemoryMarshal.GetArrayDataReference(poses);
+    private readonly ref ObjectPair _pairs = ref pairs;
 
     /// <summary>Whether four pairs can be solved at once on this machine.</summary>
     public static bool IsSupported

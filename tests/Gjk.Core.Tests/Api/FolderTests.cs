@@ -80,10 +80,10 @@ public class FolderTests(ITestOutputHelper output)
         ["Diagnostics"] = 685,
         ["Geometry"] = 585,
         ["Hulls"] = 225,
-        ["Hulls/Building"] = 839,
+        ["Hulls/Building"] = 834,
         ["Hulls/Lookup"] = 887,
         ["Minkowski"] = 434,
-        ["Queries"] = 1497,
+        ["Queries"] = 1476,
         ["Queries/Rays"] = 576,
         ["Shapes"] = 893,
         ["Simplex"] = 947,
@@ -93,7 +93,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Solvers/Trace"] = 131,
         ["Sorting"] = 89,
         ["Threading"] = 175,
-        ["Wide"] = 955,
+        ["Wide"] = 951,
         ["World"] = 1109,
     };
 
